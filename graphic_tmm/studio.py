@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence, Set
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -116,11 +116,12 @@ def sheet_files(
     strokes: bool = False,
     given: Composition | None = None,
     composition: bool = False,
+    whole: Mapping[str, Callable[[DrawnScene, Sequence[Sheet]], str | bytes]] | None = None,
 ) -> tuple[DrawnScene, dict[str, str | bytes]]:
     """Draw a scene; return its files by name: a file for each sheet, but one PDF for all of them.
 
     ``strokes``: the letters of a DXF as strokes, not as text. ``given``: a composition to draw it by;
-    ``composition``: its own is a file, too.
+    ``composition``: its own is a file, too. ``whole``: further formats in which a file holds the whole scene.
     """
     from graphic_tmm.paper.write.dxf import dxf
     from graphic_tmm.paper.write.export import pdf, png
@@ -136,6 +137,8 @@ def sheet_files(
     for form in formats:
         if form == "pdf":
             files[f"{stem}.pdf"] = pdf(drawn)
+        elif form in (whole or {}):
+            files[f"{stem}.{form}"] = (whole or {})[form](made, drawn)
         else:
             for name, sheet in zip(names, drawn, strict=True):
                 files[f"{name}.{form}"] = one[form](sheet)

@@ -25,7 +25,7 @@ from graphic_tmm.language.said import said
     "forms",
     default="svg",
     show_default=True,
-    help=said("svg, pdf, png, dxf; several with commas."),
+    help=said("svg, pdf, png, dxf, html (a page that plays the plans); several with commas."),
 )
 @click.option(
     "--composition",
@@ -51,21 +51,27 @@ def draw(
     from graphic_tmm.errors import SheetError
     from graphic_tmm.files import write
     from graphic_tmm.fitting.composition import beside, read_composition
+    from graphic_tmm.page.page import FORMAT, page
     from graphic_tmm.studio import FORMATS, sheet_files
 
     wanted = [form.strip().lower() for form in forms.split(",")]
-    if unknown := [form for form in wanted if form not in FORMATS]:
+    if unknown := [form for form in wanted if form not in (*FORMATS, FORMAT)]:
         says = said(
             "--format: no {unknown}; choose from {known}",
             unknown=", ".join(unknown),
-            known=", ".join(FORMATS),
+            known=", ".join((*FORMATS, FORMAT)),
         )
         raise SheetError(says)
     task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget)
     given = read_composition(beside(task.source))
     with waiting(said("choosing scale factors and composing the sheets")):
         made, texts = sheet_files(
-            task, wanted, strokes=strokes, given=given, composition=composition
+            task,
+            wanted,
+            strokes=strokes,
+            given=given,
+            composition=composition,
+            whole={FORMAT: page},
         )
     for path in write(Path(output), texts, remedy=said("name another folder with -o")):
         click.echo(str(path))

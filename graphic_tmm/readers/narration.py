@@ -24,7 +24,8 @@ class Line(NamedTuple):
     """One line of the protocol: its number (0 for a remark), its text, its calculation ("" if none).
 
     ``first``: the number of the first of the steps that the line tells, where it tells several. ``why``: the
-    reason of the step.
+    reason of the step. ``step``: the step itself, None of a remark; ``place``: the position (index) in which it
+    is told; ``equation``: the one that a remark is.
     """
 
     number: int
@@ -32,6 +33,9 @@ class Line(NamedTuple):
     calculation: str = ""
     first: int = 0
     why: str = ""
+    step: Step | None = None
+    place: int = 0
+    equation: Equation | None = None
 
     @property
     def label(self) -> str:
@@ -78,7 +82,8 @@ def protocol(
             told = at
         note = calculation(step, reading, at, language, terms)
         why = reason(step, language, reading, at)
-        yield Line(counted, sentence(step, language, reading, at), note, first, why)
+        told_so = sentence(step, language, reading, at)
+        yield Line(counted, told_so, note, first, why, step, at)
         first = 0
     yield from _left_out(left_out, language)
 
@@ -102,7 +107,8 @@ def _remarks(step: Step, solved: Mapping[str, Equation], language: str) -> list[
         heading = view_name if step.it.view == SCALES else remark
         found.append(Line(0, heading(note, language)))
         if note in solved:
-            found.append(Line(0, _told(solved[note], language)))
+            equation = solved[note]
+            found.append(Line(0, _told(equation, language), equation=equation))
     return found
 
 

@@ -78,7 +78,7 @@ def svg(sheet: Sheet, *, under: Under | None = None, searchable: bool = False) -
         page.add(writer.picture(under.file, width, height))
     if searchable:
         page.add(writer.words(label for drawing in sheet.drawings for label in drawing.labels))
-    names = _ids([f"{sheet.name}-{drawing.name}" for drawing in sheet.drawings])
+    names = ids(sheet)
     box = pens(sheet.format)
     if under is not None:
         box = tracing(box, under.colour)
@@ -273,11 +273,11 @@ def _slug(text: str) -> str:
     return re.sub("[^0-9a-z]+", "-", text.lower()).strip("-") or "x"
 
 
-def _ids(names: Sequence[str]) -> list[str]:
-    """Return unique ids: a name met again is numbered from 2."""
+def ids(sheet: Sheet) -> list[str]:
+    """Return the ids of the drawings of a sheet in SVG, each its own: one met again is numbered from 2."""
     taken: dict[str, None] = {}
-    for name in names:
-        base, k = f"s-{_slug(name)}", 2
+    for drawing in sheet.drawings:
+        base, k = f"s-{_slug(f'{sheet.name}-{drawing.name}')}", 2
         unique = base
         while unique in taken:
             unique, k = f"{base}-{k}", k + 1

@@ -1,0 +1,34 @@
+"""page: a scene as one page for a browser."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from graphic_tmm.commands.shared.progress import waiting
+from graphic_tmm.commands.shared.scenes import SceneName, drawn_by, hands, read_scene
+from graphic_tmm.commands.shared.spoken import Command
+from graphic_tmm.commands.shared.telling import warn
+from graphic_tmm.language.said import said
+
+
+@click.command(cls=Command)
+@click.argument("scene", required=False, type=SceneName())
+@click.option("-o", "--output", default="out", show_default=True, help=said("Folder for the page."))
+@hands
+def page(scene: str | None, output: str, hand: str | None, seed: int | None) -> None:
+    """Write SCENE as one page for a browser: its plans play step by step, its sheets lie beside."""
+    from graphic_tmm.files import write
+    from graphic_tmm.fitting.composition import beside, read_composition
+    from graphic_tmm.page.page import FORMAT
+    from graphic_tmm.page.page import page as written
+    from graphic_tmm.studio import sheet_files
+
+    task = drawn_by(read_scene(scene, lettered=True), hand, seed)
+    given = read_composition(beside(task.source))
+    with waiting(said("choosing scale factors and composing the sheets")):
+        made, texts = sheet_files(task, (FORMAT,), given=given, whole={FORMAT: written})
+    for path in write(Path(output), texts, remedy=said("name another folder with -o")):
+        click.echo(str(path))
+    warn(made, sheets=True)

@@ -1,0 +1,1 @@
+"""The teaching page: any scene in a browser, step by step; Python writes every text, the browser shows."""

@@ -1,0 +1,114 @@
+"""A scene as one page for a browser: its sheets, the pictures of its plans, the protocol, the program.
+
+One file that asks for nothing else. What it may do is told to the browser in it: its own style and program by
+their hashes, nothing from outside, no text made into elements.
+"""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import hashlib
+import json
+from collections.abc import Mapping, Sequence
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.page.join import script, style
+from graphic_tmm.page.views import played
+from graphic_tmm.page.words import WORDS
+from graphic_tmm.paper.drawing import Drawing, Sheet
+from graphic_tmm.paper.write.svg import ids, svg
+from graphic_tmm.readers.protocol import plans, steps_of
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+
+
+FORMAT = "html"
+"""What files of pages are called."""
+
+
+def page(made: DrawnScene, sheets: Sequence[Sheet]) -> str:
+    """Return a drawn scene as a page for a browser (HTML), in the scene's language."""
+    from markupsafe import Markup
+
+    language = made.scene.language
+    data = page_data(made, sheets)
+    program = script()
+    return (
+        _environment()
+        .get_template("page.html")
+        .render(
+            language=language,
+            title=made.scene.title,
+            words=data["words"],
+            sheets=[(one, Markup(inline(one))) for one in sheets],
+            rubbed=[Markup(inline(_rubbed(one))) for one in sheets],
+            protocol=steps_of(made, plans(), None, language, why=True),
+            data=packed(data),
+            style=Markup(style()),
+            style_hash=_hash(style()),
+            program=Markup(program),
+            program_hash=_hash(program),
+        )
+    )
+
+
+def page_data(made: DrawnScene, sheets: Sequence[Sheet]) -> dict[str, Any]:
+    """Return what the page knows of a scene, as JSON takes it."""
+    speech = speaking(made.scene.language)
+    words: Mapping[str, str] = {key: speech(text) for key, text in WORDS.items()}
+    return {
+        "language": made.scene.language,
+        "title": made.scene.title,
+        "words": words,
+        "sheets": [
+            {"name": one.name, "width": one.width, "height": one.height, "format": one.format}
+            for one in sheets
+        ],
+        "views": played(made, sheets),
+    }
+
+
+def packed(data: object) -> str:
+    """Return data as the page carries it: JSON, gzip, base64; the same data the same text."""
+    text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    return base64.b64encode(gzip.compress(text.encode(), 9, mtime=0)).decode()
+
+
+def inline(sheet: Sheet) -> str:
+    """Return a sheet as SVG that stands within HTML."""
+    return svg(sheet)
+
+
+def _rubbed(sheet: Sheet) -> Sheet:
+    """Return what was rubbed out on a sheet, each view by its name with "rubbed" before it."""
+    names = ids(sheet)
+    drawings = tuple(
+        Drawing(f"rubbed {name}", one.title, one.rubbed)
+        for name, one in zip(names, sheet.drawings, strict=True)
+        if one.rubbed
+    )
+    return sheet._replace(name="of", drawings=drawings)
+
+
+def _hash(text: str) -> str:
+    return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
+
+
+@cache
+def _environment() -> Environment:
+    """Return the templates: every text is escaped, and a name that is not given is an error."""
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    return Environment(
+        loader=PackageLoader("graphic_tmm.page"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )

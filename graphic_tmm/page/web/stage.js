@@ -1,0 +1,55 @@
+import { drawnElement } from "./dom.js";
+
+/** @typedef {import("./types.js").View} View */
+
+/** The id of what was rubbed out in a view stands behind this. */
+const RUBBED = "s-of-rubbed-";
+
+/**
+ * The drawing of a view as it grows: the ink of its sheet, each stroke and letter in the picture it appears in.
+ */
+export class Stage {
+  /** @param {View} view */
+  constructor(view) {
+    this.view = view;
+    this.svg = drawnElement("svg", { viewBox: view.box.join(" "), class: "stage", role: "img" });
+    this.svg.setAttribute("aria-label", view.title);
+    /** @type {Map<string, number>} */
+    this.pictures = new Map();
+    view.pictures.forEach((picture, n) => picture.keys.forEach((key) => this.pictures.set(key, n)));
+    /** @type {[Element, number][]} */
+    this.parts = [];
+    this.add(document.getElementById(RUBBED + view.id), true);
+    this.add(document.getElementById(view.id), false);
+  }
+
+  /**
+   * @param {Element | null} source
+   * @param {boolean} rubbed
+   */
+  add(source, rubbed) {
+    if (source === null) return;
+    const copy = /** @type {Element} */ (source.cloneNode(true));
+    copy.removeAttribute("id");
+    if (rubbed) copy.classList.add("helping");
+    for (const part of copy.querySelectorAll("path:not(.label path), g.label")) {
+      const { of = "", at = "" } = /** @type {SVGElement} */ (part).dataset;
+      this.parts.push([part, this.pictures.get(`${of}@${at}`) ?? 0]);
+    }
+    for (const title of copy.querySelectorAll("title, desc")) title.remove();
+    this.svg.append(copy);
+  }
+
+  /**
+   * Show a picture: done strokes thin, new ones heavy; the last one is ready, as on the sheet.
+   * @param {number} n
+   */
+  show(n) {
+    const ready = n >= this.view.pictures.length;
+    this.svg.classList.toggle("ready", ready);
+    for (const [part, k] of this.parts) {
+      part.classList.toggle("later", k > n);
+      part.classList.toggle("now", k === n && n > 0 && !ready);
+    }
+  }
+}
