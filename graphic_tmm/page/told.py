@@ -17,7 +17,8 @@ from graphic_tmm.readers.sentences import Phrase, grounds, phrase
 
 Run = str | list[Any]
 """Text, or the mark-up of a letter with the slot of its mark."""
-_INDEX = re.compile(r"_([\w′*–-]+)")
+_INDEX = re.compile(r"_((?:(?!\w′*_)[^\W_]|[′*–-])+)")
+_SINGLE = re.compile(r"([_^])([^{])")
 
 
 def line_of(line: Line, reading: Reading, language: str) -> dict[str, Any]:
@@ -46,8 +47,8 @@ def line_of(line: Line, reading: Reading, language: str) -> dict[str, Any]:
 def indexed(text: str) -> str:
     """Return plain text whose indices are marked up: v_BA -> v_{BA}.
 
-    >>> indexed("v_A = ω_1·l_OA")
-    'v_{A} = ω_{1}·l_{OA}'
+    >>> indexed("v_A = ω_1·l_OA"), indexed("(O_1B_1)")
+    ('v_{A} = ω_{1}·l_{OA}', '(O_{1}B_{1})')
     """
     return _INDEX.sub(r"_{\1}", text)
 
@@ -76,8 +77,8 @@ def _runs(said: Phrase, step: Step, language: str) -> Iterator[Run]:
 
 
 def marked_up(mark: Mark, language: str) -> str:
-    """Return the letter of a mark with its indices marked up."""
-    return indexed(symbol(indexed(mark.name), language))
+    """Return the letter of a mark, each of its indices in braces."""
+    return _SINGLE.sub(r"\1{\2}", symbol(mark.name, language))
 
 
 def equation_of(equation: Equation) -> dict[str, Any]:
