@@ -11,6 +11,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.language.names import spoken
 from graphic_tmm.language.symbols import symbol
+from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.readers.equations import Equation, Term
 from graphic_tmm.readers.narration import Line
 from graphic_tmm.readers.sentences import Phrase, grounds, phrase
@@ -77,8 +78,8 @@ def _runs(said: Phrase, step: Step, language: str) -> Iterator[Run]:
 
 
 def marked_up(mark: Mark, language: str) -> str:
-    """Return the letter of a mark, each of its indices in braces."""
-    return _SINGLE.sub(r"\1{\2}", symbol(mark.name, language))
+    """Return the letter of a mark as on the sheet, each of its indices in braces."""
+    return _SINGLE.sub(r"\1{\2}", markup(symbol(mark.name, language)))
 
 
 def equation_of(equation: Equation) -> dict[str, Any]:

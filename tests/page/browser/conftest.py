@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from support import pages
 from support.browser import Opened, launched
 
 
@@ -37,3 +38,30 @@ def opened(browser: Any) -> Iterator[Callable[..., Opened]]:
     for tab in tabs:
         tab.close()
     assert faults == []
+
+
+@pytest.fixture(scope="session")
+def files(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
+    """Write pages of scenes of the package, each once; a page is in the scene's language if none is named."""
+    folder = tmp_path_factory.mktemp("pages")
+
+    def written(name: str, language: str = "") -> Path:
+        spoken = language or pages.language(name)
+        file = folder / f"{name}-{spoken}.html"
+        if not file.exists():
+            file.write_text(pages.text(name, spoken), encoding="utf-8")
+        return file
+
+    return written
+
+
+@pytest.fixture
+def page_of(opened: Callable[..., Opened], files: Callable[..., Path]) -> Callable[..., Opened]:
+    """Open the page of a scene of the package and wait until its buttons are there."""
+
+    def begin(name: str, language: str = "", address: str = "", **options: Any) -> Opened:
+        tab = opened(files(name, language), address, **options)
+        tab.page.get_by_role("tab").first.wait_for()
+        return tab
+
+    return begin
