@@ -1,4 +1,5 @@
 import { element, filled, iconButton, sentenceOf, typeset } from "./dom.js";
+import { listenToKeys } from "./keys.js";
 import { Stage } from "./stage.js";
 import { linesOfPictures } from "./told.js";
 
@@ -69,6 +70,16 @@ export function playRoom(data, state) {
     run.setAttribute("aria-label", name);
     run.title = name;
   }
+
+  listenToKeys(state, "play", {
+    ArrowRight: step(1),
+    ArrowLeft: step(-1),
+    PageDown: step(1),
+    PageUp: step(-1),
+    Home: () => state.go({ picture: 0 }),
+    End: () => state.go({ picture: Infinity }),
+    " ": () => (timer ? halt() : start()),
+  });
 
   /** @type {Stage | null} */
   let stage = null;
