@@ -1,5 +1,6 @@
 import { packedData } from "./data.js";
 import { playRoom } from "./play.js";
+import { letRun } from "./run.js";
 import { State } from "./state.js";
 import { fillTabs } from "./tabs.js";
 
@@ -28,5 +29,6 @@ const rooms = Object.fromEntries(Object.entries(ROOMS).map(([name, room]) => [na
 for (const room of Object.values(rooms)) if (!room.isConnected) main.append(room);
 const tabs = /** @type {HTMLElement} */ (document.getElementById("tabs"));
 fillTabs(tabs, state, rooms, data.words);
+letRun(state);
 state.follow();
 document.documentElement.classList.add("ready");

@@ -2,8 +2,8 @@
 
 /**
  * Where a person is: the way of looking, the view (its index), the picture (its number; its count: ready), the
- * angle of the crank in degrees.
- * @typedef {{tab: string, view: number, picture: number, turn: number}} Place
+ * angle of the crank in degrees, whether steps follow by themselves.
+ * @typedef {{tab: string, view: number, picture: number, turn: number, running: boolean}} Place
  */
 
 /** The part of an address that stands for what belongs to all positions. */
@@ -14,7 +14,8 @@ const OFTEN = 250;
 /**
  * What is looked at, in one place for all ways of looking.
  *
- * `go({picture: 3})` changes what is named and leaves the rest; what is beyond the ends is the end. It tells every
+ * `go({picture: 3})` changes what is named and leaves the rest; what is beyond the ends is the end; who goes to a
+ * picture without saying `running: true` stops what runs. It tells every
  * listener, `hear((place, before) => …)`, of each change, and at once of what is there; a way of looking that is
  * not `place.tab` has nothing to show then. The address follows: #velocities/5/12, #lecture:velocities/5/12,
  * #crank:velocities/5/12@137.5. Another tab or view is a new entry of the browser's history, a step or an angle
@@ -29,7 +30,7 @@ export class State {
     this.views = views;
     this.tabs = tabs;
     /** @type {Place} */
-    this.place = { tab: tabs[0] ?? "play", view: 0, picture: 0, turn: 0 };
+    this.place = { tab: tabs[0] ?? "play", view: 0, picture: 0, turn: 0, running: false };
     /** @type {((place: Place, before: Place) => void)[]} */
     this.told = [];
     this.timer = 0;
@@ -76,6 +77,7 @@ export class State {
       view,
       picture: Math.min(Math.max(wanted, 0), most),
       turn: where.turn ?? before.turn,
+      running: where.running ?? (where.picture === undefined && where.tab === undefined && before.running),
     };
   }
 
