@@ -47,7 +47,7 @@ def page(made: DrawnScene, sheets: Sequence[Sheet]) -> str:
             words=data["words"],
             sheets=[(one, Markup(inline(one))) for one in sheets],
             rubbed=[Markup(inline(_rubbed(one))) for one in sheets],
-            protocol=steps_of(made, plans(), None, language, why=True),
+            protocol=steps_of(made, plans(), None, language, why=True) if made.boards else (),
             data=packed(data),
             style=Markup(style()),
             style_hash=_hash(style()),
