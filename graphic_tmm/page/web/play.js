@@ -1,24 +1,23 @@
-import { element, filled, iconButton, sentenceOf } from "./dom.js";
+import { playBar } from "./bar.js";
+import { chooser } from "./chooser.js";
+import { element } from "./dom.js";
+import { groupOf } from "./equation.js";
 import { listenToKeys } from "./keys.js";
+import { lightAlike } from "./light.js";
 import { toggle } from "./run.js";
 import { Stage } from "./stage.js";
+import { StepList } from "./steplist.js";
 import { tellingOf } from "./telling.js";
-import { linesOfPictures } from "./told.js";
+import { madeIn } from "./told.js";
+import { Tools, toolSwitch } from "./tools.js";
+import { ValuesTable } from "./values.js";
 
 /**
  * @typedef {import("./types.js").Data} Data
- * @typedef {import("./types.js").Line} Line
+ * @typedef {import("./types.js").View} View
  * @typedef {import("./state.js").State} State
+ * @typedef {{view: View, stage: Stage, tools: Tools, table: ValuesTable, list: StepList}} Shown
  */
-
-const ICONS = {
-  first: "M6 5v14M19 5 9 12l10 7z",
-  previous: "M16 5 7 12l9 7z",
-  run: "M7 4v16l13-8z",
-  pause: "M7 5v14M16 5v14",
-  next: "M8 5l9 7-9 7z",
-  last: "M18 5v14M5 5l10 7-10 7z",
-};
 
 /**
  * Build the way of looking in which a plan is drawn step by step.
@@ -27,35 +26,13 @@ const ICONS = {
  * @returns {HTMLElement}
  */
 export function playRoom(data, state) {
-  const words = data.words;
-  const say = (/** @type {string} */ key) => words[key] ?? key;
   const paper = element("div", { class: "paper" });
-  const sentence = element("div", { class: "telling" });
-  const count = element("p", { class: "count" });
-  const list = element("ol", { class: "steps", "aria-label": say("steps") });
-  const plans = chooser(data, state);
-  const run = iconButton(ICONS.run, say("run"), () => toggle(state));
+  const group = element("div", { class: "heads" });
+  const telling = element("div", { class: "telling" });
+  const beside = element("div", { class: "beside" });
+  const list = element("div", { class: "listed" });
   const step = (/** @type {number} */ by) => () => state.go({ picture: state.place.picture + by });
-  const bar = element(
-    "div",
-    { class: "bar", role: "toolbar", "aria-label": say("play") },
-    iconButton(ICONS.first, say("first"), () => state.go({ picture: 0 })),
-    iconButton(ICONS.previous, say("previous"), step(-1)),
-    run,
-    iconButton(ICONS.next, say("next"), step(1)),
-    iconButton(ICONS.last, say("last"), () => state.go({ picture: Infinity })),
-    count,
-  );
-
-  /**
-   * @param {string} icon
-   * @param {string} name
-   */
-  function dress(icon, name) {
-    run.querySelector("path")?.setAttribute("d", icon);
-    run.setAttribute("aria-label", name);
-    run.title = name;
-  }
+  const bar = playBar(data, state);
 
   listenToKeys(state, "play", {
     ArrowRight: step(1),
@@ -67,69 +44,33 @@ export function playRoom(data, state) {
     " ": () => toggle(state),
   });
 
-  /** @type {Stage | null} */
-  let stage = null;
-  /** @type {Line[][]} */
-  let told = [];
+  /** @type {Shown | null} */
+  let shown = null;
   state.hear((place) => {
     if (place.tab !== "play" || state.views.length === 0) return;
     const view = state.view;
-    if (stage?.view !== view) {
-      stage = new Stage(view);
-      told = linesOfPictures(view);
+    if (shown?.view !== view) {
+      const stage = new Stage(view);
+      const table = new ValuesTable(data, view, madeIn(view));
+      const steps = new StepList(data, view, (n) => state.go({ picture: n }));
+      shown = { view, stage, tools: new Tools(stage.svg, view), table, list: steps };
       paper.replaceChildren(stage.svg);
-      list.replaceChildren(...told.map((lines, n) => item(lines, n)));
+      beside.replaceChildren(table.table);
+      list.replaceChildren(steps.whole);
     }
-    stage.show(place.picture);
-    dress(place.running ? ICONS.pause : ICONS.run, say(place.running ? "pause" : "run"));
-    count.textContent = filled(say("step of"), { step: place.picture, count: view.pictures.length });
-    sentence.replaceChildren(...tellingOf(data, view, place.picture));
-    [...list.children].forEach((one, n) => {
-      if (n === place.picture) one.setAttribute("aria-current", "step");
-      else one.removeAttribute("aria-current");
-    });
+    const n = place.picture;
+    shown.stage.show(n);
+    shown.tools.show(n);
+    group.replaceChildren(...groupOf(view, n));
+    telling.replaceChildren(...tellingOf(data, view, n));
+    shown.table.show(n);
+    shown.list.show(n);
   });
 
-  /**
-   * @param {Line[]} lines
-   * @param {number} n
-   */
-  function item(lines, n) {
-    const made = element("li", {}, ...lines.map((line) => element("p", {}, ...sentenceOf(line.text))));
-    made.addEventListener("click", () => state.go({ picture: n }));
-    if (lines.length === 0) made.append(element("p", {}, n === 0 ? say("given") : ""));
-    return made;
-  }
-
-  const panel = element("div", { class: "panel" }, sentence, list);
-  return element("section", { id: "play", "aria-label": say("play") }, plans, element("div", { class: "board" }, paper, panel), bar);
-}
-
-/**
- * Return the choice of the plan and of its position.
- * @param {Data} data
- * @param {State} state
- */
-function chooser(data, state) {
-  const plan = /** @type {HTMLSelectElement} */ (element("select", {}));
-  const position = /** @type {HTMLSelectElement} */ (element("select", {}));
-  const families = [...new Set(data.views.map((view) => view.family))];
-  plan.append(...families.map((name) => element("option", { value: name }, name)));
-  plan.addEventListener("change", () =>
-    state.go({ view: data.views.findIndex((view) => view.family === plan.value), picture: 0 }),
-  );
-  position.addEventListener("change", () => state.go({ view: Number(position.value), picture: state.place.picture }));
-  const places = element("label", {}, `${data.words["position"]} `, position);
-  state.hear((place) => {
-    const view = data.views[place.view];
-    if (view === undefined) return;
-    plan.value = view.family;
-    const among = data.views.flatMap((one, k) => (one.family === view.family && one.position ? [k] : []));
-    position.replaceChildren(
-      ...among.map((k) => element("option", { value: String(k) }, data.views[k]?.position ?? "")),
-    );
-    position.value = String(place.view);
-    places.hidden = among.length === 0;
-  });
-  return element("p", { class: "chooser" }, element("label", {}, `${data.words["plan"]} `, plan), places);
+  const panel = element("div", { class: "panel" }, group, telling, beside);
+  const board = element("div", { class: "board" }, paper, panel, list);
+  bar.append(toolSwitch(data, board));
+  const room = element("section", { id: "play", "aria-label": data.words["play"] ?? "" }, chooser(data, state), board, bar);
+  lightAlike(room, () => state.view);
+  return room;
 }
