@@ -47,7 +47,7 @@ def page(made: DrawnScene, sheets: Sequence[Sheet]) -> str:
             words=data["words"],
             sheets=[(one, Markup(inline(one))) for one in sheets],
             rubbed=[Markup(inline(_rubbed(one))) for one in sheets],
-            protocol=protocol_of(made, language),
+            protocol=protocol_of(made, language) if made.boards else (),
             data=packed(data),
             style=Markup(style()),
             style_hash=_hash(style()),

@@ -8,8 +8,8 @@
 
 /** The part of an address that stands for what belongs to all positions. */
 const WHOLE = "all";
-/** An address is written at most so often, ms: browsers refuse to write it many times a second. */
-const OFTEN = 250;
+/** After so long an angle is written into the address, and what a browser refused is tried again, ms. */
+const LATER = 500;
 
 /**
  * What is looked at, in one place for all ways of looking.
@@ -89,7 +89,7 @@ export class State {
     this.write();
     const before = this.place;
     this.place = after;
-    if (location.hash !== this.address()) record("pushState", this.address());
+    if (!record("pushState", this.address())) this.writeLater();
     for (const listener of this.told) listener(after, before);
   }
 
@@ -99,19 +99,21 @@ export class State {
   arrive(after) {
     const before = this.place;
     this.place = after;
-    if (this.timer === 0) {
-      this.write();
-      this.timer = window.setTimeout(() => {
-        this.timer = 0;
-        this.write();
-      }, OFTEN);
-    }
+    if (after.turn === before.turn) this.write();
+    else this.writeLater();
     for (const listener of this.told) listener(after, before);
   }
 
-  /** Let the address say what is there. */
+  /** Let the address say what is there; a browser refuses to write it hundreds of times in seconds. */
   write() {
-    if (location.hash !== this.address()) record("replaceState", this.address());
+    window.clearTimeout(this.timer);
+    this.timer = 0;
+    if (!record("replaceState", this.address())) this.writeLater();
+  }
+
+  /** Let the address say soon what is there then. */
+  writeLater() {
+    if (this.timer === 0) this.timer = window.setTimeout(() => this.write(), LATER);
   }
 
   /** The address of the place. */
@@ -159,14 +161,15 @@ function decoded(part) {
 }
 
 /**
- * Write an address into the history; a browser may refuse it, and the page goes on without.
+ * Write an address into the history if it is another; return whether it stands there.
  * @param {"pushState" | "replaceState"} how
  * @param {string} address
  */
 function record(how, address) {
   try {
-    history[how](null, "", address);
+    if (location.hash !== address) history[how](null, "", address);
   } catch {
-    // A file that may not name its place, or an address written too often.
+    return false;
   }
+  return location.hash === address;
 }
