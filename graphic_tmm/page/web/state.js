@@ -35,7 +35,7 @@ export class State {
     this.told = [];
     this.timer = 0;
     window.addEventListener("hashchange", () => this.follow());
-    window.addEventListener("pagehide", () => this.write());
+    window.addEventListener("pagehide", () => this.note());
   }
 
   /** @returns {View} */
@@ -69,15 +69,15 @@ export class State {
    */
   within(where) {
     const before = this.place;
-    const view = Math.min(Math.max(where.view ?? before.view, 0), Math.max(this.views.length - 1, 0));
-    const most = this.views[view]?.pictures.length ?? 0;
+    const view = between(where.view ?? before.view, this.views.length - 1);
     const wanted = where.picture ?? (view === before.view ? before.picture : 0);
+    const still = where.picture === undefined && where.tab === undefined;
     return {
-      tab: this.tabs.includes(where.tab ?? "") ? (where.tab ?? "") : before.tab,
+      tab: where.tab !== undefined && this.tabs.includes(where.tab) ? where.tab : before.tab,
       view,
-      picture: Math.min(Math.max(wanted, 0), most),
+      picture: between(wanted, this.views[view]?.pictures.length ?? 0),
       turn: where.turn ?? before.turn,
-      running: where.running ?? (where.picture === undefined && where.tab === undefined && before.running),
+      running: where.running ?? (still && before.running),
     };
   }
 
@@ -86,10 +86,10 @@ export class State {
    * @param {Place} after
    */
   leave(after) {
-    this.write();
+    this.note();
     const before = this.place;
     this.place = after;
-    if (!record("pushState", this.address())) this.writeLater();
+    if (!record("pushState", this.address())) this.noteLater();
     for (const listener of this.told) listener(after, before);
   }
 
@@ -99,21 +99,21 @@ export class State {
   arrive(after) {
     const before = this.place;
     this.place = after;
-    if (after.turn === before.turn) this.write();
-    else this.writeLater();
+    if (after.turn === before.turn) this.note();
+    else this.noteLater();
     for (const listener of this.told) listener(after, before);
   }
 
   /** Let the address say what is there; a browser refuses to write it hundreds of times in seconds. */
-  write() {
+  note() {
     window.clearTimeout(this.timer);
     this.timer = 0;
-    if (!record("replaceState", this.address())) this.writeLater();
+    if (!record("replaceState", this.address())) this.noteLater();
   }
 
   /** Let the address say soon what is there then. */
-  writeLater() {
-    if (this.timer === 0) this.timer = window.setTimeout(() => this.write(), LATER);
+  noteLater() {
+    if (this.timer === 0) this.timer = window.setTimeout(() => this.note(), LATER);
   }
 
   /** The address of the place. */
@@ -148,6 +148,14 @@ export class State {
 
 /** Tab, plan, position, picture, angle. */
 const ADDRESS = /^#(?:(\w+):)?(?:([^/@]*)(?:\/([^/@]*))?(?:\/(\d+))?(?:@(-?\d+(?:\.\d+)?))?)?$/;
+
+/**
+ * @param {number} wanted
+ * @param {number} most
+ */
+function between(wanted, most) {
+  return Math.max(Math.min(wanted, most), 0);
+}
 
 /**
  * @param {string} part
