@@ -1,4 +1,4 @@
-"""A page as a person uses it: by the names of its buttons, choices and drawings, never by its program."""
+"""A page as a person uses it: by the names that buttons, choices and drawings have, never by its program."""
 
 from __future__ import annotations
 
