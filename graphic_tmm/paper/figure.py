@@ -94,9 +94,12 @@ class Picture:
     again: bool = False
 
 
-def pictures(construction: Construction, drawing: Drawing) -> tuple[Picture, ...]:
+def pictures(
+    construction: Construction, drawing: Drawing, first: int | None = None
+) -> tuple[Picture, ...]:
     """Return the pictures of a view in the order in which it is drawn: the given first, then its steps.
 
+    ``first``: the position (index) that is drawn step by step, of those that have ink; None: the first of them.
     A body and a letter appear with the last of the marks that they stand on; what a view adds is there from the
     beginning. What is the same in all positions is drawn once, with the first position; the others follow, one
     picture each, and then what comes of all of them: a curve through their points. Where steps of positions
@@ -112,7 +115,7 @@ def pictures(construction: Construction, drawing: Drawing) -> tuple[Picture, ...
     begun = (-1, None)
     made = [Picture((), None, tuple(ink.pop(begun, ())), tuple(letters.pop(begun, ())), given=True)]
     keys = sorted({*ink, *letters}, key=lambda key: (key[0], _place(key)))
-    for some, again in _together(construction, keys):
+    for some, again in _together(construction, keys, first):
         made.append(
             Picture(
                 tuple(construction.steps[n].it.slot for n, _ in some),
@@ -196,7 +199,7 @@ def _needed(construction: Construction, own: Set[int]) -> set[int]:
 
 
 def _together(
-    construction: Construction, keys: Sequence[_When]
+    construction: Construction, keys: Sequence[_When], first: int | None
 ) -> Iterator[tuple[list[_When], bool]]:
     """Yield what appears in one picture, and whether it repeats in another position what the first one has.
 
@@ -205,7 +208,8 @@ def _together(
     count = Counter(n for n, position in keys if position is not None)
     own = {n for n, times in count.items() if times > 1}
     latest, needed = _latest(construction, own), _needed(construction, own)
-    first = min((k for _, k in keys if k is not None), default=None)
+    there = {k for _, k in keys if k is not None}
+    first = first if first in there else min(there, default=None)
     others: dict[int, list[_When]] = {}
     curves: list[_When] = []
     for key in keys:

@@ -89,7 +89,7 @@ def protocol(
     SceneError
         If there is no such position, or the only plan asked for is not drawn in it.
     """
-    place = _position(drawn, position)
+    place = position_of(drawn, position)
     for plan in wanted:
         for view in _views_of(drawn, plan):
             yield from _plan_lines(drawn, view, place, language, why)
@@ -214,7 +214,14 @@ def _beside(drawn: Drawn, plan: str, language: str, why: bool) -> Iterator[str]:
     yield ""
 
 
-def _position(drawn: Drawn, name: str | None) -> int:
+def position_of(drawn: Drawn, name: str | None) -> int:
+    """Return a position (index) by its name; None: the first that a plan is drawn in by itself, or the second.
+
+    Raises
+    ------
+    SceneError
+        If there is no such position.
+    """
     if name is None:
         row = range(len(drawn.names))
         own = [place for places in drawn.project.rows.values() for place in places]
