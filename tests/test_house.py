@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import statistics
 import subprocess
@@ -115,3 +116,21 @@ def test_the_tests_of_the_readme_are_everything_that_ci_runs() -> None:
     _, second = re.findall(r"^    \$ (.+)$", start, re.MULTILINE)
     assert second.endswith("-m pytest -n auto")
     assert Path(ROOT / ".ci" / "run").read_text(encoding="utf-8").count("bash -c") == 1
+
+
+def test_ci_fails_without_a_browser_and_the_checks_of_scripts() -> None:
+    """What a person may do without is there before CI's tests begin: none of them is skipped for it."""
+    run = (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+    before, after = run.split("bash -c")
+    assert "GRAPHIC_TMM_BROWSER=required" in before
+    assert 'wait "$browser" || ' in before
+    assert "'.[browser]'" in before
+    assert "'.[browser]'" not in after
+
+
+def test_the_checks_of_scripts_are_pinned() -> None:
+    web = ROOT / ".ci" / "web"
+    asked = json.loads((web / "package.json").read_text(encoding="utf-8"))["devDependencies"]
+    locked = json.loads((web / "package-lock.json").read_text(encoding="utf-8"))["packages"]
+    assert {"typescript", "eslint", "axe-core"} <= set(asked)
+    assert asked == {name: locked[f"node_modules/{name}"]["version"] for name in asked}

@@ -122,4 +122,6 @@ def _written(
 
     with waiting(said("drawing the pictures")):
         texts = handout_files(drawn, plans, position, formats)
-    return [str(path) for path in write(Path(output), texts, remedy=said("name another folder with -o"))]
+    return [
+        str(path) for path in write(Path(output), texts, remedy=said("name another folder with -o"))
+    ]

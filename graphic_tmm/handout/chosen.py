@@ -59,7 +59,7 @@ def _views(drawn: Drawn, plans: Iterable[str]) -> set[str]:
         for plan in plans:
             if plan in one.plans:
                 every = (step.it.view for step in drawn.construction.steps)
-                found.update(views[plan] if plan in views else () if views else every)
+                found.update(views.get(plan, () if views else every))
     return found
 
 
@@ -112,9 +112,7 @@ def apart(view: Drawing) -> Sequence[Drawing]:
     return [part._replace(name=f"{view.name} {part.shows[0]}") for part in parts]
 
 
-def _at(
-    drawn: Drawn, there: Sequence[Drawable], place: int, *, strict: bool
-) -> Iterator[Chosen]:
+def _at(drawn: Drawn, there: Sequence[Drawable], place: int, *, strict: bool) -> Iterator[Chosen]:
     """Yield views in a position; of those that are drawn for one each, that of ``place``.
 
     ``strict``: none where it is not there; else the first.
@@ -137,11 +135,11 @@ def _shared(some: Sequence[Chosen]) -> list[Chosen]:
 
 
 def _untold(one: Chosen, some: Sequence[Chosen]) -> frozenset[int]:
-    """Return the slots of steps that a view does not tell: another one that shows their plan inks or needs them."""
+    """Return the slots of steps that a view does not tell, for another that shows their plan does."""
     log = one.drawn.construction
-    views = {
-        name for other in some if other is not one for name in other.view.shows
-    }.intersection(one.view.shows)
+    views = {name for other in some if other is not one for name in other.view.shows}.intersection(
+        one.view.shows
+    )
     if not views:
         return frozenset()
     sharing = [other for other in some if views.intersection(other.view.shows)]

@@ -33,7 +33,8 @@ def all_series(made: DrawnScene, plans: Sequence[str], position: str | None) -> 
     if not found:
         names = [plan for plan in every_plan() if chosen(made, (plan,), position)]
         says = said(
-            "nothing is drawn of {listed}, so there are no pictures of it: leave out --sheets, or choose from {known}",
+            "nothing is drawn of {listed}, so there are no pictures: leave out --sheets, "
+            "or choose from {known}",
             listed=", ".join(plans),
             known=", ".join(names) or said("none"),
         )

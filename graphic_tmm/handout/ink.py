@@ -36,7 +36,7 @@ ROUND = 9
 
 
 def in_hand(drawn: Drawn, factor: float) -> Drawn:
-    """Return a board whose views have the letters of a sheet in the hand once they are so many times as large."""
+    """Return a board whose views, so many times as large, have the letters of a sheet in the hand."""
     scene = drawn.scene
     orders = tuple(replace(order, format=FORMAT) for order in scene.sheets)
     scene = replace(scene, sheets=orders, letters=1.0 / factor)
@@ -65,16 +65,15 @@ def bare(view: Drawing) -> Bare:
 
 
 def _caption(view: Drawing) -> list[Label]:
-    """Return the lines below a view: its title and what stands below that; they name no mark."""
+    """Return the lines below a view: its title and what stands below that; they name no mark of their own."""
     title = plain(view.title)
-    named = [one for one in view.labels if not one.of]
+    named = [one for one in view.labels if one.of in ((), view.begins)]
     heads = [one for one in named if len(one.text) > 1 and plain(one.text) in title]
-    foot = bounds(view)[1] + view.foot
     if heads:
         largest = max(one.size for one in heads)
         foot = max(one.at.imag for one in heads if one.size == largest) + EPSILON
-    elif not view.foot:
-        return []
+    else:
+        foot = bounds(view)[1] + view.foot - EPSILON
     return [one for one in named if one.at.imag < foot]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.drawn import Drawn
@@ -55,19 +55,20 @@ def series(drawn: Drawn, draw: Draw, place: int, untold: frozenset[int] = frozen
     speech = speaking(language)
     sized = fitting(draw)
     view = sized.bare.view
-    made = story(drawn, view, place, language, untold)
+    made = _begun(story(drawn, view, place, language, untold))
     found: list[Picture] = []
     before: list[Ink] = []
     letters: list[Label] = []
-    for n, one in enumerate(made):
+    for n, one in made:
         ink = one.picture.ink
         fresh = done(ink) if one.picture.given else new(ink)
         letters += one.picture.letters
-        found.append(Picture(n, (*done(before), *fresh), tuple(letters), _lines(one, speech), one.picture.again))
+        shown = (*done(before), *fresh)
+        found.append(Picture(n, shown, tuple(letters), _lines(one, speech), one.picture.again))
         before += ink
     if view.rubbed:
         ready = Line(0, speech(READY))
-        found.append(Picture(len(found), view.strokes, view.labels, (ready,)))
+        found.append(Picture(found[-1].number + 1, view.strokes, view.labels, (ready,)))
     log, title = drawn.construction, view.title
     return Series(
         view.name,
@@ -80,6 +81,17 @@ def series(drawn: Drawn, draw: Draw, place: int, untold: frozenset[int] = frozen
         dict(letters_of(log, language)),
         language,
     )
+
+
+def _begun(made: Sequence[Told]) -> Iterator[tuple[int, Told]]:
+    """Yield pictures with their numbers; where nothing is given, what is told of it goes with the first step."""
+    waiting: tuple[Line, ...] = ()
+    for n, one in enumerate(made):
+        if n == 0 and not one.picture.ink:
+            waiting = one.lines
+            continue
+        yield n, one._replace(lines=(*waiting, *one.lines))
+        waiting = ()
 
 
 def _lines(one: Told, speech: Callable[..., str]) -> tuple[Line, ...]:

@@ -1,4 +1,4 @@
-"""Series of pictures on sheets of A4: rows of pictures with their sentences, in the order in which one reads."""
+"""Series of pictures on sheets of A4: pictures with their sentences, in the order in which one reads."""
 
 from __future__ import annotations
 
@@ -34,12 +34,15 @@ HEAD = 7.5
 TEXT = 3.0
 """Clear between a picture and its sentences, mm."""
 SCALE = said("scale of the pictures {scale}; mm in the sentences are those of the drawing 1:1")
+FURTHER = said("{number}, continued")
 SIZE = said("scale of the pictures 1:1")
 
 
 class Standing(NamedTuple):
-    """How a picture stands on its sheet: how many times as large as the others, its room and that of its
-    sentences, mm; whether these stand beside it.
+    """How a picture stands on its sheet.
+
+    ``factor``: how many times as large as the others; ``room``, ``text``: its width and that of its sentences, mm;
+    ``beside``: whether these stand beside it.
     """
 
     factor: float
@@ -110,7 +113,7 @@ def _head_width(language: str) -> float:
 
 
 def cells(one: Series, most: float) -> Iterator[Cell]:
-    """Yield the pictures with their sentences; what a sheet does not hold of these goes on in a cell of its own.
+    """Yield the pictures with their sentences; what a sheet does not hold goes on in a cell of its own.
 
     ``most``: the height of a sheet, mm.
     """
@@ -161,7 +164,10 @@ def set_rows(some: Sequence[Row], at: complex) -> Iterator[Label]:
 def drawn(cell: Cell, one: Series, at: complex) -> Drawing:
     """Return a picture with its sentences on the sheet; ``at``: the upper left corner, mm."""
     picture, stand = cell.picture, cell.stand
-    labels = [Label(str(picture.number), at - 1j * NUMBER, NUMBER)]
+    number = str(picture.number)
+    if not picture.ink:
+        number = speaking(one.language)(FURTHER, number=number)
+    labels = [Label(number, at - 1j * NUMBER, NUMBER)]
     x0, y0, x1, y1 = (stand.factor * edge for edge in one.box)
     text, strokes = at - 1j * HEAD, list[Ink]()
     if picture.ink:
@@ -190,10 +196,12 @@ def pages(one: Series) -> list[list[Drawing]]:
     start = room.top - sum(map(advance, told)) - BETWEEN
     found: list[list[Drawing]] = []
     top = room.bottom
-    for again, some in groupby(cells(one, start - room.bottom), lambda c: c.picture.again):
-        stood = _rows(list(some), start, top, room) if again else _columns(
-            list(some), one.manner.columns, start, top, room
-        )
+    for again, group in groupby(cells(one, start - room.bottom), lambda c: c.picture.again):
+        some = list(group)
+        if again:
+            stood = _rows(some, start, top, room)
+        else:
+            stood = _columns(some, one.manner.columns, start, top, room)
         for cell, new, at in stood:
             if new:
                 found.append([title])
@@ -254,7 +262,5 @@ def framed(
             fields={**fields, "name": called},
             check=check,
         )
-        found.append(
-            Sheet(f"steps-{n}", title, FORMAT, width, height, (edge, *drawings), language)
-        )
+        found.append(Sheet(f"steps-{n}", title, FORMAT, width, height, (edge, *drawings), language))
     return found

@@ -42,7 +42,10 @@ FULL = 174.0
 COLUMN = (FULL - GAP) / 2
 WIDER = 100.0
 """The width of a picture that has its sentences beside it, mm."""
-_BELOW, _BESIDE = Manner(2, False, COLUMN, 70.0, COLUMN), Manner(1, True, WIDER, 64.0, FULL - WIDER - GAP)
+_BELOW, _BESIDE = (
+    Manner(2, False, COLUMN, 70.0, COLUMN),
+    Manner(1, True, WIDER, 64.0, FULL - WIDER - GAP),
+)
 MANNERS = (
     (_BELOW, 1 / 2),
     (_BESIDE, 1 / 2),

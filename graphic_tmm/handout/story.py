@@ -7,7 +7,6 @@ follows from a reading with the step before, so that the numbers of the steps go
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
-from dataclasses import replace
 from typing import NamedTuple
 
 from graphic_tmm.board.record import Construction, Mark
@@ -17,7 +16,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.figure import Picture, pictures
 from graphic_tmm.readers.narration import Line, protocol
-from graphic_tmm.readers.protocol import covering
+from graphic_tmm.readers.covering import covering
 
 
 class Told(NamedTuple):
@@ -52,7 +51,7 @@ def story(
     """
     log = drawn.construction
     index = places_of(drawn, view).get(place)
-    made = _joined(pictures(log, view, index))
+    made = pictures(log, view, index)
     first = _first(made)
     lines = [
         one
@@ -68,18 +67,6 @@ def story(
         )
         for n, one in enumerate(made)
     )
-
-
-def _joined(made: Iterable[Picture]) -> list[Picture]:
-    """Return pictures, one for each step: what is the same of it in all positions stands with its first one."""
-    found: list[Picture] = []
-    for one in made:
-        if found and one.marks and found[-1].marks == one.marks and not one.again:
-            last = found.pop()
-            ink, letters = (*last.ink, *one.ink), (*last.letters, *one.letters)
-            one = replace(one, ink=ink, letters=letters)
-        found.append(one)
-    return found
 
 
 def _first(made: Sequence[Picture]) -> dict[int, int]:
@@ -104,9 +91,7 @@ def _lines(drawn: Drawn, view: Drawing, place: int, language: str) -> list[Line]
         if drawn.board != MECHANISM:
             marks = [step.it for step in log.steps if step.it.view == name]
             others = [(k, drawn.names[k]) for k in covering(reading, marks, [own])]
-        told = list(
-            protocol(log, name, reading, own, language, turned=turned, elsewhere=others)
-        )
+        told = list(protocol(log, name, reading, own, language, turned=turned, elsewhere=others))
         if told:
             found.append(told)
     order = {step.it: n for n, step in enumerate(log.steps)}
@@ -127,7 +112,7 @@ def _headed(lines: Sequence[Line], language: str) -> Iterator[Line]:
 def _shared_out(
     log: Construction, lines: Sequence[Line], first: Mapping[int, int]
 ) -> dict[int, list[Line]]:
-    """Return the lines by the number of the picture that tells them; a remark goes with what it stands before."""
+    """Return the lines by the number of their picture; a remark goes with what it stands before."""
     found: dict[int, list[Line]] = {}
     for n, some in _pieces(log, lines, first):
         found.setdefault(n, []).extend(some)
@@ -167,7 +152,7 @@ def _needs(log: Construction, mark: Mark, inked: Iterable[int]) -> set[Mark]:
 
 
 def _behind(waiting: Sequence[Line], needed: Set[Mark]) -> int:
-    """Return how many of the lines before a drawn step belong behind the one before it: what is read of that."""
+    """Return how many of the lines before a drawn step belong to the one before it: what is read of that."""
     read: set[Mark] = set()
     count = 0
     for n, line in enumerate(waiting):

@@ -11,13 +11,15 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.language.names import spoken
 from graphic_tmm.language.symbols import symbol
+from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.readers.equations import Equation, Term
 from graphic_tmm.readers.narration import Line
 from graphic_tmm.readers.sentences import Phrase, grounds, phrase
 
 Run = str | list[Any]
 """Text, or the mark-up of a letter with the slot of its mark."""
-_INDEX = re.compile(r"_([\w′*–-]+)")
+_INDEX = re.compile(r"_((?:(?!\w′*_)[^\W_]|[′*–-])+)")
+_SINGLE = re.compile(r"([_^])([^{])")
 
 
 def line_of(line: Line, reading: Reading, language: str) -> dict[str, Any]:
@@ -46,8 +48,8 @@ def line_of(line: Line, reading: Reading, language: str) -> dict[str, Any]:
 def indexed(text: str) -> str:
     """Return plain text whose indices are marked up: v_BA -> v_{BA}.
 
-    >>> indexed("v_A = ω_1·l_OA")
-    'v_{A} = ω_{1}·l_{OA}'
+    >>> indexed("v_A = ω_1·l_OA"), indexed("(O_1B_1)")
+    ('v_{A} = ω_{1}·l_{OA}', '(O_{1}B_{1})')
     """
     return _INDEX.sub(r"_{\1}", text)
 
@@ -76,8 +78,8 @@ def _runs(said: Phrase, step: Step, language: str) -> Iterator[Run]:
 
 
 def marked_up(mark: Mark, language: str) -> str:
-    """Return the letter of a mark with its indices marked up."""
-    return indexed(symbol(indexed(mark.name), language))
+    """Return the letter of a mark as on the sheet, each of its indices in braces."""
+    return _SINGLE.sub(r"\1{\2}", markup(symbol(mark.name, language)))
 
 
 def equation_of(equation: Equation) -> dict[str, Any]:

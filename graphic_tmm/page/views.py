@@ -15,8 +15,8 @@ from graphic_tmm.paper.figure import Picture, pictures
 from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.write.svg import clean, ids
+from graphic_tmm.readers.covering import covering
 from graphic_tmm.readers.narration import protocol
-from graphic_tmm.readers.protocol import covering
 
 EDGE = 6.0
 """White about a view, mm."""
@@ -26,7 +26,8 @@ ALL = -1
 
 def played(made: DrawnScene, sheets: Sequence[Sheet]) -> list[dict[str, Any]]:
     """Return the views of the sheets that have steps, in the order of the sheets, as data."""
-    found = []
+    found: list[dict[str, Any]] = []
+    taken = set()
     for number, sheet in enumerate(sheets):
         for name, drawing in zip(ids(sheet), sheet.drawings, strict=True):
             drawn = board_of(made, drawing)
@@ -34,7 +35,11 @@ def played(made: DrawnScene, sheets: Sequence[Sheet]) -> list[dict[str, Any]]:
                 continue
             shown = pictures(drawn.construction, drawing)
             if len(shown) > 1:
-                found.append(_view(drawn, drawing, shown, made.scene.language, name, sheet, number))
+                view = _view(drawn, drawing, shown, made.scene.language, name, sheet, number)
+                if (view["plan"], view["position"]) in taken:
+                    view["plan"] = drawing.name
+                taken.add((view["plan"], view["position"]))
+                found.append(view)
     return found
 
 

@@ -134,7 +134,10 @@ class Drawing(NamedTuple):
     ``foot``: how high the caption at its lower edge is, mm: captions of a row begin on one line.
     ``rubbed``: what was drawn on the way and is rubbed out at the end: no sheet shows it. ``shows``: the views
     of the log of which it is the picture. ``wanted``: letters that have no place yet (see `finish`).
-    ``numbers``: of the positions that stand in it together, by index, what they are called.
+    ``numbers``: of the positions that stand in it together, by index, what they are called. ``begins``: the
+    slots of the marks, its axes, with which everything appears that a view adds to its steps; none: it is there
+    from the beginning. ``origins``: where the views of the log that it shows have their own origin, mm; see
+    `origin`.
     """
 
     name: str
@@ -149,6 +152,12 @@ class Drawing(NamedTuple):
     shows: tuple[str, ...] = ()
     wanted: tuple[Wanted, ...] = ()
     numbers: tuple[tuple[int, str], ...] = ()
+    begins: tuple[int, ...] = ()
+    origins: tuple[tuple[str, complex], ...] = ()
+
+    def origin(self, view: str) -> complex:
+        """Return where the origin of a view of the log stands (complex, mm)."""
+        return dict(self.origins).get(view, 0j)
 
     def moved(self, by: complex) -> Drawing:
         """Return the drawing translated by ``by`` (complex, mm)."""
@@ -160,8 +169,14 @@ class Drawing(NamedTuple):
         cell = self.cell
         if cell is not None:
             cell = (cell[0] + dx, cell[1] + dy, cell[2] + dx, cell[3] + dy)
+        origins = tuple((view, self.origin(view) + by) for view in self.shows)
         return self._replace(
-            strokes=strokes, labels=labels, cell=cell, rubbed=rubbed, wanted=wanted
+            strokes=strokes,
+            labels=labels,
+            cell=cell,
+            rubbed=rubbed,
+            wanted=wanted,
+            origins=origins,
         )
 
 

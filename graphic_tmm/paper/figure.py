@@ -95,13 +95,14 @@ class Picture:
 
 
 def pictures(
-    construction: Construction, drawing: Drawing, first: int | None = None
+    construction: Construction, drawing: Drawing, begin: int | None = None
 ) -> tuple[Picture, ...]:
     """Return the pictures of a view in the order in which it is drawn: the given first, then its steps.
 
-    ``first``: the position (index) that is drawn step by step, of those that have ink; None: the first of them.
+    ``begin``: the position (index) that is drawn step by step, of those that have ink; None: the first of them.
     A body and a letter appear with the last of the marks that they stand on; what a view adds is there from the
-    beginning. What is the same in all positions is drawn once, with the first position; the others follow, one
+    beginning, or with the marks that it begins with; letters that belong to no ink yet wait for the first. What
+    is the same in all positions is drawn once, with the first position; the others follow, one
     picture each, and then what comes of all of them: a curve through their points. Where steps of positions
     need that (the curve of a diagram that another is drawn from), they follow in turn.
     """
@@ -109,17 +110,23 @@ def pictures(
     ink: dict[_When, list[Ink]] = {}
     letters: dict[_When, list[Label]] = {}
     for stroke in (*drawing.strokes, *drawing.rubbed):
-        ink.setdefault(_when(order, stroke.of, stroke.position), []).append(stroke)
+        ink.setdefault(_when(order, stroke.of or drawing.begins, stroke.position), []).append(
+            stroke
+        )
     for label in drawing.labels:
-        letters.setdefault(_when(order, label.of, label.position), []).append(label)
+        when = _when(order, label.of or drawing.begins, label.position)
+        letters.setdefault(when, []).append(label)
     begun = (-1, None)
+    if begun not in ink and not any(label.of for label in letters.get(begun, ())):
+        first = min((key for key in (*ink, *letters) if key != begun), key=_in_turn, default=begun)
+        letters.setdefault(first, [])[:0] = letters.pop(begun, [])
     made = [Picture((), None, tuple(ink.pop(begun, ())), tuple(letters.pop(begun, ())), given=True)]
-    keys = sorted({*ink, *letters}, key=lambda key: (key[0], _place(key)))
-    for some, again in _together(construction, keys, first):
+    keys = sorted({*ink, *letters}, key=_in_turn)
+    for some, again in _of_a_step(_together(construction, keys, begin)):
         made.append(
             Picture(
-                tuple(construction.steps[n].it.slot for n, _ in some),
-                some[0][1],
+                tuple(dict.fromkeys(construction.steps[n].it.slot for n, _ in some)),
+                next((k for _, k in some if k is not None), None),
                 tuple(s for key in some for s in ink.get(key, ())),
                 tuple(s for key in some for s in letters.get(key, ())),
                 again=again,
@@ -168,8 +175,9 @@ def _when(order: Mapping[int, int], of: tuple[int, ...], position: int | None) -
     return (last, position) if last >= 0 else (-1, None)
 
 
-def _place(key: _When) -> int:
-    return -1 if key[1] is None else key[1]
+def _in_turn(key: _When) -> tuple[int, int]:
+    """Return by what things stand in turn: of one step what is the same in all positions is first."""
+    return key[0], -1 if key[1] is None else key[1]
 
 
 def _latest(construction: Construction, own: Set[int]) -> Mapping[int, int]:
@@ -225,6 +233,23 @@ def _together(
             others, curves = {}, []
         yield [key], False
     yield from _repeated(others, curves)
+
+
+def _of_a_step(
+    found: Iterable[tuple[list[_When], bool]],
+) -> Iterator[tuple[list[_When], bool]]:
+    """Yield what appears in one picture: what one step leaves in a position and in all of them is one."""
+    held: list[_When] = []
+    for keys, again in found:
+        if held and (again or held[0][0] != keys[0][0]):
+            yield held, False
+            held = []
+        if again:
+            yield keys, True
+        else:
+            held += keys
+    if held:
+        yield held, False
 
 
 def _repeated(

@@ -105,6 +105,7 @@ def draw_graph(
         rubbed=traces.rubbed,
         shows=(view,),
         wanted=tuple(_letters(graph, names, heights)),
+        begins=(graph.axes.along.slot, graph.axes.up.slot),
     )
 
 

@@ -212,7 +212,7 @@ def _below_another(views: Sequence[Drawing], name: str) -> Drawing:
     moved, top = [], 0.0
     for view in views:
         _, low, _, high = bounds(view)
-        moved.append(view.moved(1j * (top - high)))
+        moved.append(_begun(view).moved(1j * (top - high)))
         top -= high - low + STACK
     left, _, right, _ = bounds(moved[0])
     return Drawing(
@@ -224,4 +224,16 @@ def _below_another(views: Sequence[Drawing], name: str) -> Drawing:
         stand=views[0].stand,
         rubbed=tuple(stroke for view in moved for stroke in view.rubbed),
         shows=tuple(dict.fromkeys(shown for view in moved for shown in view.shows)),
+        origins=tuple(at for view in moved for at in view.origins),
+    )
+
+
+def _begun(view: Drawing) -> Drawing:
+    """Return a view that is to be one of several: what it adds comes with the marks that it begins with."""
+    if not view.begins:
+        return view
+    of = view.begins
+    return view._replace(
+        strokes=tuple(s if s.of else s._replace(of=of) for s in view.strokes),
+        labels=tuple(one if one.of else one._replace(of=of) for one in view.labels),
     )

@@ -25,8 +25,8 @@ class Scene:
 
     ``common_pole``: the velocity plans of all positions have one pole. ``main``: the number of the position
     drawn in heavy lines. ``author``: what the author of the note says. ``tasks``: what chapters are asked, by
-    section (`chapter.Asked`). ``letters``: how many times larger letters are than usual: of views that are shown
-    so many times smaller. ``remarks``: what of the file comes to nothing, and defaults that matter, a line
+    section (`chapter.Asked`). ``letters``: how many times larger letters are than usual, of views that
+    are shown smaller. ``remarks``: what of the file comes to nothing, and defaults that matter, a line
     each. ``told``: the keys that the file writes in its sections, as section.key, each with its line.
     """
 

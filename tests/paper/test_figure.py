@@ -11,14 +11,16 @@ from support.figures import assert_pictures_make_the_view, without_ink, without_
 from support.gallery import PLANS, drawn
 
 from graphic_tmm.board.grammar import OPERATIONS
+from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.values import Arc, Curve, Line, Point
 from graphic_tmm.chapters.diagrams.views import diagram_views
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
 from graphic_tmm.chapters.kinematics.views import position_views
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.drawing import Bezier, Drawing
 from graphic_tmm.paper.figure import Picture, of_step, pictures, until
 from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.graph_rules import axes_of
 from graphic_tmm.paper.rules import BY_KIND, RULES, TRACELESS
 
 
@@ -111,3 +113,45 @@ def test_positions_of_a_diagram_follow_wherever_a_curve_through_all_is_needed() 
     ends = [n for n, picture in enumerate(made) if picture.again and picture.position == last]
     for start, end in pairwise(ends):
         assert any(curves & set(picture.marks) for picture in made[start:end])
+
+
+@pytest.mark.parametrize("name", ["engine", "slider-diagrams"])
+def test_what_a_step_leaves_is_one_picture(name: str) -> None:
+    """A body that is there in one position and its letter that is there in all are drawn together."""
+    work = drawn(name, exact=True)
+    for view in position_views(work, True):
+        steps = [one.marks for one in pictures(work.construction, view) if not one.again]
+        assert all(before != after for before, after in pairwise(steps))
+        assert len(steps) == len(set(steps))
+
+
+def test_letters_of_a_graph_come_with_its_axes() -> None:
+    """No name of an axis and no caption hangs where nothing is drawn yet, on one graph or on several."""
+    work = drawn("slider-diagrams", exact=True)
+    view = next(view for view in diagram_views(work, True) if view.shows)
+    given, *steps = pictures(work.construction, view)
+    assert not given.letters
+    for one in view.shows:
+        axes = axes_of(work.construction, one)
+        step = next(step for step in steps if axes.up.slot in step.marks)
+        named = [
+            label for label in step.letters if set(label.of) == {axes.along.slot, axes.up.slot}
+        ]
+        assert len(named) >= 2, "both axes are named when both are there"
+
+
+def test_a_view_knows_where_its_origin_went() -> None:
+    """Places of marks count from the origin of their view, wherever that stands on a sheet."""
+    work = drawn("slider-diagrams", exact=True)
+    view = next(view for view in diagram_views(work, True) if view.shows).moved(40 - 3j)
+    for one in view.shows:
+        curve = next(
+            step.it
+            for step in work.construction.steps
+            if step.it.view == one and step.it.kind is Curve
+        )
+        ends = {complex(z) for run in bezier(work.reading[curve]) for z in run[::3]}
+        drawn_ = [ink for ink in view.strokes if isinstance(ink, Bezier) and curve.slot in ink.of]
+        assert drawn_
+        for z in drawn_[0].controls[3:-1:3]:
+            assert min(abs(z - view.origin(one) - end) for end in ends) < 1e-9

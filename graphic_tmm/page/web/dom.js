@@ -31,21 +31,26 @@ export function drawnElement(name, attributes = {}, ...inner) {
 }
 
 /**
- * Return mark-up as nodes: v_{BA} has an index, a^{n} stands raised.
+ * Return mark-up as nodes: v_{BA} has an index, a^{n} stands raised, an index may have its own.
  * @param {string} markup
  * @returns {(Node | string)[]}
  */
 export function typeset(markup) {
-  /** @type {(Node | string)[]} */
-  const nodes = [];
-  let from = 0;
-  for (const found of markup.matchAll(/([_^])\{([^{}]*)\}/g)) {
-    nodes.push(markup.slice(from, found.index));
-    nodes.push(element(found[1] === "_" ? "sub" : "sup", {}, found[2] ?? ""));
-    from = found.index + found[0].length;
+  /** @type {(Node | string)[][]} */
+  const open = [[]];
+  const names = [];
+  for (const piece of markup.split(/([_^]\{|\})/)) {
+    if (piece === "_{" || piece === "^{") {
+      names.push(piece === "_{" ? "sub" : "sup");
+      open.push([]);
+    } else if (piece === "}" && names.length > 0) {
+      const inner = open.pop() ?? [];
+      open.at(-1)?.push(element(names.pop() ?? "sub", {}, ...inner));
+    } else if (piece !== "") {
+      open.at(-1)?.push(piece);
+    }
   }
-  nodes.push(markup.slice(from));
-  return nodes;
+  return open.flat();
 }
 
 /**

@@ -1,27 +1,45 @@
 /** @typedef {import("./state.js").State} State */
 
+/** What wants the keys of the page for itself. */
+const OWN = "select, input, textarea, dialog, [role=slider], [role=tablist], [contenteditable]";
+/** What the space bar and Enter press. */
+const PRESSED = "button, a, summary, [role=button]";
+
 /**
- * Let the keyboard step through a plan, wherever nothing else wants the key.
+ * Let a way of looking have keys (names of KeyboardEvent.key; letters in lower case, the key's place where the layout has no
+ * Latin letter), wherever nothing else wants them.
  * @param {State} state
- * @param {() => void} toggle
+ * @param {string} tab "" for every way of looking
+ * @param {Record<string, () => void>} acts
  */
-export function listenToKeys(state, toggle) {
+export function listenToKeys(state, tab, acts) {
   document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.altKey || event.metaKey || state.place.tab !== "play") return;
-    const target = /** @type {Element} */ (event.target);
-    if (target.closest("select, input, textarea, [role=slider], [role=tablist]")) return;
-    const now = state.place.picture;
-    /** @type {Record<string, () => void>} */
-    const acts = {
-      ArrowRight: () => state.go({ picture: now + 1 }),
-      ArrowLeft: () => state.go({ picture: now - 1 }),
-      Home: () => state.go({ picture: 0 }),
-      End: () => state.go({ picture: Infinity }),
-    };
-    if (!target.closest("button, a")) acts[" "] = toggle;
-    const act = acts[event.key];
-    if (act === undefined) return;
+    if (event.defaultPrevented || (tab !== "" && state.place.tab !== tab)) return;
+    const act = acts[keyOf(event)];
+    if (act === undefined || takenBy(event)) return;
     event.preventDefault();
     act();
   });
+}
+
+/**
+ * Return what a key is called: a letter by what it writes, or, where that is none of ours (a Cyrillic layout), by where it is.
+ * @param {KeyboardEvent} event
+ */
+export function keyOf(event) {
+  const place = /^Key([A-Z])$/.exec(event.code);
+  if (place !== null && !/^[a-z]$/i.test(event.key)) return (place[1] ?? "").toLowerCase();
+  return event.key.length === 1 ? event.key.toLowerCase() : event.key;
+}
+
+/**
+ * Whether something else wants a key.
+ * @param {KeyboardEvent} event
+ */
+export function takenBy(event) {
+  if (event.ctrlKey || event.altKey || event.metaKey) return true;
+  const target = /** @type {Element | null} */ (event.target);
+  if (!(target instanceof Element)) return false;
+  if (target.closest(OWN) !== null) return true;
+  return (event.key === " " || event.key === "Enter") && target.closest(PRESSED) !== null;
 }

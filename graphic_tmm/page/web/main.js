@@ -1,32 +1,34 @@
 import { packedData } from "./data.js";
-import { element } from "./dom.js";
-import { listenToKeys } from "./keys.js";
 import { playRoom } from "./play.js";
+import { letRun } from "./run.js";
 import { State } from "./state.js";
+import { fillTabs } from "./tabs.js";
+
+/**
+ * @typedef {import("./types.js").Data} Data
+ * @typedef {(data: Data, state: State) => HTMLElement} Room
+ */
+
+/**
+ * The ways of looking, in the order of their tabs; each is entered here and nowhere else. A room makes its element
+ * (with an id), hears the state, shows what `place` says while `place.tab` is its name, lets keys act by
+ * `listenToKeys(state, name, {…})`. Its tab is called by `data.words[name]`.
+ * @type {Record<string, Room>}
+ */
+const ROOMS = {
+  play: playRoom,
+  sheets: () => /** @type {HTMLElement} */ (document.getElementById("sheets")),
+};
 
 const data = await packedData();
-const state = new State(data.views, ["play", "sheets"]);
-const main = /** @type {HTMLElement} */ (document.getElementById("main"));
+const state = new State(data.views, Object.keys(ROOMS));
 document.documentElement.classList.add("js");
-main.prepend(playRoom(data, state));
-
+const main = /** @type {HTMLElement} */ (document.getElementById("main"));
+/** @type {Record<string, HTMLElement>} */
+const rooms = Object.fromEntries(Object.entries(ROOMS).map(([name, room]) => [name, room(data, state)]));
+for (const room of Object.values(rooms)) if (!room.isConnected) main.append(room);
 const tabs = /** @type {HTMLElement} */ (document.getElementById("tabs"));
-tabs.append(
-  ...state.tabs.map((name) => {
-    const tab = element("button", { type: "button", role: "tab", "aria-controls": name }, data.words[name] ?? name);
-    tab.addEventListener("click", () => state.go({ tab: name }));
-    return tab;
-  }),
-);
-state.hear((place) => {
-  [...tabs.children].forEach((tab, k) => tab.setAttribute("aria-selected", String(state.tabs[k] === place.tab)));
-  for (const name of state.tabs) {
-    const room = document.getElementById(name);
-    if (room !== null) room.hidden = name !== place.tab;
-  }
-});
-listenToKeys(state, () => {
-  /** @type {HTMLElement | null} */ (document.querySelector("#play .bar button:nth-child(3)"))?.click();
-});
+fillTabs(tabs, state, rooms, data.words);
+letRun(state);
 state.follow();
 document.documentElement.classList.add("ready");

@@ -1,5 +1,8 @@
-import { element, filled, iconButton, sentenceOf, typeset } from "./dom.js";
+import { element, filled, iconButton, sentenceOf } from "./dom.js";
+import { listenToKeys } from "./keys.js";
+import { toggle } from "./run.js";
 import { Stage } from "./stage.js";
+import { tellingOf } from "./telling.js";
 import { linesOfPictures } from "./told.js";
 
 /**
@@ -16,7 +19,6 @@ const ICONS = {
   next: "M8 5l9 7-9 7z",
   last: "M18 5v14M5 5l10 7-10 7z",
 };
-const PACE = 1600;
 
 /**
  * Build the way of looking in which a plan is drawn step by step.
@@ -32,9 +34,7 @@ export function playRoom(data, state) {
   const count = element("p", { class: "count" });
   const list = element("ol", { class: "steps", "aria-label": say("steps") });
   const plans = chooser(data, state);
-  let timer = 0;
-
-  const run = iconButton(ICONS.run, say("run"), () => (timer ? halt() : start()));
+  const run = iconButton(ICONS.run, say("run"), () => toggle(state));
   const step = (/** @type {number} */ by) => () => state.go({ picture: state.place.picture + by });
   const bar = element(
     "div",
@@ -47,19 +47,6 @@ export function playRoom(data, state) {
     count,
   );
 
-  function start() {
-    if (state.place.picture >= state.view.pictures.length) state.go({ picture: 0 });
-    timer = window.setInterval(() => {
-      if (state.place.picture >= state.view.pictures.length) halt();
-      else state.go({ picture: state.place.picture + 1 });
-    }, PACE);
-    dress(ICONS.pause, say("pause"));
-  }
-  function halt() {
-    window.clearInterval(timer);
-    timer = 0;
-    dress(ICONS.run, say("run"));
-  }
   /**
    * @param {string} icon
    * @param {string} name
@@ -70,6 +57,16 @@ export function playRoom(data, state) {
     run.title = name;
   }
 
+  listenToKeys(state, "play", {
+    ArrowRight: step(1),
+    ArrowLeft: step(-1),
+    PageDown: step(1),
+    PageUp: step(-1),
+    Home: () => state.go({ picture: 0 }),
+    End: () => state.go({ picture: Infinity }),
+    " ": () => toggle(state),
+  });
+
   /** @type {Stage | null} */
   let stage = null;
   /** @type {Line[][]} */
@@ -78,15 +75,15 @@ export function playRoom(data, state) {
     if (place.tab !== "play" || state.views.length === 0) return;
     const view = state.view;
     if (stage?.view !== view) {
-      if (stage !== null) halt();
       stage = new Stage(view);
       told = linesOfPictures(view);
       paper.replaceChildren(stage.svg);
       list.replaceChildren(...told.map((lines, n) => item(lines, n)));
     }
     stage.show(place.picture);
+    dress(place.running ? ICONS.pause : ICONS.run, say(place.running ? "pause" : "run"));
     count.textContent = filled(say("step of"), { step: place.picture, count: view.pictures.length });
-    sentence.replaceChildren(...telling(place.picture));
+    sentence.replaceChildren(...tellingOf(data, view, place.picture));
     [...list.children].forEach((one, n) => {
       if (n === place.picture) one.setAttribute("aria-current", "step");
       else one.removeAttribute("aria-current");
@@ -101,26 +98,6 @@ export function playRoom(data, state) {
     const made = element("li", {}, ...lines.map((line) => element("p", {}, ...sentenceOf(line.text))));
     made.addEventListener("click", () => state.go({ picture: n }));
     if (lines.length === 0) made.append(element("p", {}, n === 0 ? say("given") : ""));
-    return made;
-  }
-
-  /** @param {number} n */
-  function telling(n) {
-    const view = state.view;
-    if (n === 0) return [element("p", {}, say("given"))];
-    if (n >= view.pictures.length) return [element("p", {}, say("ready"))];
-    const picture = view.pictures[n];
-    const name = view.names[String(picture?.at)] ?? "";
-    const head = picture?.again ? [element("p", {}, filled(say("again"), { name }))] : [];
-    return [...head, ...(told[n] ?? []).flatMap((line) => spokenLine(line))];
-  }
-
-  /** @param {Line} line */
-  function spokenLine(line) {
-    const number = line.n ? [element("b", {}, `${line.n}. `)] : [];
-    const made = [element("p", { class: line.n ? "step" : "remark" }, ...number, ...sentenceOf(line.text))];
-    if (line.why) made.push(element("p", { class: "why" }, `${say("why")}: `, ...sentenceOf(line.why)));
-    if (line.calc) made.push(element("p", { class: "calc" }, ...typeset(line.calc)));
     return made;
   }
 

@@ -1,15 +1,25 @@
 /** @typedef {import("./types.js").View} View */
 
 /**
- * Where a person is: the way of looking, the view (its index), the picture (its number; its count: ready).
- * @typedef {{tab: string, view: number, picture: number}} Place
+ * Where a person is: the way of looking, the view (its index), the picture (its number; its count: ready), the
+ * angle of the crank in degrees, whether steps follow by themselves.
+ * @typedef {{tab: string, view: number, picture: number, turn: number, running: boolean}} Place
  */
 
 /** The part of an address that stands for what belongs to all positions. */
 const WHOLE = "all";
+/** After so long an angle is written into the address, and what a browser refused is tried again, ms. */
+const LATER = 500;
 
 /**
- * What is looked at; the address of the page follows it, and it follows the address: #velocities/5/12.
+ * What is looked at, in one place for all ways of looking.
+ *
+ * `go({picture: 3})` changes what is named and leaves the rest; what is beyond the ends is the end; who goes to a
+ * picture without saying `running: true` stops what runs. It tells every
+ * listener, `hear((place, before) => …)`, of each change, and at once of what is there; a way of looking that is
+ * not `place.tab` has nothing to show then. The address follows: #velocities/5/12, #lecture:velocities/5/12,
+ * #crank:velocities/5/12@137.5. Another tab or view is a new entry of the browser's history, a step or an angle
+ * changes the present one; back, forward and a link that is followed go where the address says.
  */
 export class State {
   /**
@@ -20,10 +30,12 @@ export class State {
     this.views = views;
     this.tabs = tabs;
     /** @type {Place} */
-    this.place = { tab: tabs[0] ?? "play", view: 0, picture: 0 };
+    this.place = { tab: tabs[0] ?? "play", view: 0, picture: 0, turn: 0, running: false };
     /** @type {((place: Place, before: Place) => void)[]} */
     this.told = [];
+    this.timer = 0;
     window.addEventListener("hashchange", () => this.follow());
+    window.addEventListener("pagehide", () => this.note());
   }
 
   /** @returns {View} */
@@ -45,18 +57,63 @@ export class State {
    * @param {Partial<Place>} where
    */
   go(where) {
+    const after = this.within(where);
+    if (after.tab !== this.place.tab || after.view !== this.place.view) this.leave(after);
+    else this.arrive(after);
+  }
+
+  /**
+   * Return a place with what is left out as it is, within the ends.
+   * @param {Partial<Place>} where
+   * @returns {Place}
+   */
+  within(where) {
     const before = this.place;
-    const view = Math.min(Math.max(where.view ?? before.view, 0), Math.max(this.views.length - 1, 0));
-    const most = this.views[view]?.pictures.length ?? 0;
+    const view = between(where.view ?? before.view, this.views.length - 1);
     const wanted = where.picture ?? (view === before.view ? before.picture : 0);
-    this.place = {
-      tab: this.tabs.includes(where.tab ?? "") ? (where.tab ?? "") : before.tab,
+    const still = where.picture === undefined && where.tab === undefined;
+    return {
+      tab: where.tab !== undefined && this.tabs.includes(where.tab) ? where.tab : before.tab,
       view,
-      picture: Math.min(Math.max(wanted, 0), most),
+      picture: between(wanted, this.views[view]?.pictures.length ?? 0),
+      turn: where.turn ?? before.turn,
+      running: where.running ?? (still && before.running),
     };
-    const address = this.address();
-    if (location.hash !== address) history.replaceState(null, "", address);
-    for (const listener of this.told) listener(this.place, before);
+  }
+
+  /**
+   * Leave for another tab or view: the place left stays in the history as it was.
+   * @param {Place} after
+   */
+  leave(after) {
+    this.note();
+    const before = this.place;
+    this.place = after;
+    if (!record("pushState", this.address())) this.noteLater();
+    for (const listener of this.told) listener(after, before);
+  }
+
+  /**
+   * @param {Place} after
+   */
+  arrive(after) {
+    const before = this.place;
+    this.place = after;
+    if (after.turn === before.turn) this.note();
+    else this.noteLater();
+    for (const listener of this.told) listener(after, before);
+  }
+
+  /** Let the address say what is there; a browser refuses to write it hundreds of times in seconds. */
+  note() {
+    window.clearTimeout(this.timer);
+    this.timer = 0;
+    if (!record("replaceState", this.address())) this.noteLater();
+  }
+
+  /** Let the address say soon what is there then. */
+  noteLater() {
+    if (this.timer === 0) this.timer = window.setTimeout(() => this.note(), LATER);
   }
 
   /** The address of the place. */
@@ -65,23 +122,39 @@ export class State {
     const tab = this.place.tab === this.tabs[0] ? "" : `${this.place.tab}:`;
     if (view === undefined) return `#${tab}`;
     const parts = [view.plan, view.position || WHOLE, this.place.picture];
-    return `#${tab}${parts.map((part) => encodeURIComponent(String(part))).join("/")}`;
+    const turn = this.place.turn === 0 ? "" : `@${Number(this.place.turn.toFixed(2))}`;
+    return `#${tab}${parts.map((part) => encodeURIComponent(String(part))).join("/")}${turn}`;
   }
 
   /** Go where the address says; what it does not say stays. */
   follow() {
-    const found = /^#(?:(\w+):)?(?:([^/]*)(?:\/([^/]*))?(?:\/(\d+))?)?$/.exec(location.hash);
-    if (found === null) return this.go({});
+    const found = ADDRESS.exec(location.hash);
+    if (found === null) return this.arrive(this.within({}));
     const [plan, position] = [found[2], found[3]].map((part) => decoded(part ?? ""));
     const view = this.views.findIndex(
       (one) => one.plan === plan && (one.position || WHOLE) === (position || one.position || WHOLE),
     );
-    this.go({
-      tab: found[1] ?? this.tabs[0] ?? "",
-      view: view < 0 ? this.place.view : view,
-      picture: view < 0 ? this.place.picture : Number(found[4] ?? 0),
-    });
+    const known = view >= 0;
+    this.arrive(
+      this.within({
+        tab: found[1] ?? this.tabs[0] ?? "",
+        view: known ? view : this.place.view,
+        picture: known ? Number(found[4] ?? 0) : this.place.picture,
+        turn: Number(found[5] ?? this.place.turn),
+      }),
+    );
   }
+}
+
+/** Tab, plan, position, picture, angle. */
+const ADDRESS = /^#(?:(\w+):)?(?:([^/@]*)(?:\/([^/@]*))?(?:\/(\d+))?(?:@(-?\d+(?:\.\d+)?))?)?$/;
+
+/**
+ * @param {number} wanted
+ * @param {number} most
+ */
+function between(wanted, most) {
+  return Math.max(Math.min(wanted, most), 0);
 }
 
 /**
@@ -93,4 +166,18 @@ function decoded(part) {
   } catch {
     return "";
   }
+}
+
+/**
+ * Write an address into the history if it is another; return whether it stands there.
+ * @param {"pushState" | "replaceState"} how
+ * @param {string} address
+ */
+function record(how, address) {
+  try {
+    if (location.hash !== address) history[how](null, "", address);
+  } catch {
+    return false;
+  }
+  return location.hash === address;
 }

@@ -3,6 +3,9 @@
  * @typedef {import("./types.js").Line} Line
  */
 
+/** @type {WeakMap<View, Line[][]>} */
+const TOLD = new WeakMap();
+
 /**
  * Return, for each picture of a view, the lines of the protocol that are told with it.
  *
@@ -12,6 +15,8 @@
  * @returns {Line[][]}
  */
 export function linesOfPictures(view) {
+  const known = TOLD.get(view);
+  if (known !== undefined) return known;
   /** @type {Line[][]} */
   const found = view.pictures.map(() => []);
   for (const [at, lines] of Object.entries(view.lines)) {
@@ -25,5 +30,6 @@ export function linesOfPictures(view) {
       from = end;
     });
   }
+  TOLD.set(view, found);
   return found;
 }

@@ -1,0 +1,67 @@
+"""One Chromium a session; what it opens is watched, and fails the test in which it does what it must not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from support import pages
+from support.browser import Opened, launched
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """A browser takes seconds to begin: nothing here is an everyday test."""
+    for item in items:
+        if Path(__file__).parent in item.path.parents:
+            item.add_marker(pytest.mark.slow)
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Any]:
+    with launched() as found:
+        yield found
+
+
+@pytest.fixture
+def opened(browser: Any) -> Iterator[Callable[..., Opened]]:
+    """Open files; each is closed at the end of the test, which fails if one did what it must not."""
+    tabs: list[Opened] = []
+
+    def begin(file: Path, address: str = "", **options: Any) -> Opened:
+        tabs.append(Opened(browser, file, address, **options))
+        return tabs[-1]
+
+    yield begin
+    faults = [fault for tab in tabs for fault in tab.settle()]
+    for tab in tabs:
+        tab.close()
+    assert faults == []
+
+
+@pytest.fixture(scope="session")
+def files(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
+    """Write pages of scenes of the package, each once; a page is in the scene's language if none is named."""
+    folder = tmp_path_factory.mktemp("pages")
+
+    def written(name: str, language: str = "") -> Path:
+        spoken = language or pages.language(name)
+        file = folder / f"{name}-{spoken}.html"
+        if not file.exists():
+            file.write_text(pages.text(name, spoken), encoding="utf-8")
+        return file
+
+    return written
+
+
+@pytest.fixture
+def page_of(opened: Callable[..., Opened], files: Callable[..., Path]) -> Callable[..., Opened]:
+    """Open the page of a scene of the package and wait until its buttons are there."""
+
+    def begin(name: str, language: str = "", address: str = "", **options: Any) -> Opened:
+        tab = opened(files(name, language), address, **options)
+        tab.page.get_by_role("tab").first.wait_for()
+        return tab
+
+    return begin

@@ -1,0 +1,105 @@
+// Looks at a page from within, by what its parts are called.
+const UNREADABLE =
+  /\bNaN\b|\bundefined\b|\bnull\b|\bInfinity\b|\[object|\d[eE][-+−]\d|10⁻¹[1-9]|[{}]|(?:^|[=≈:]\s*)—(?=\s*(?:$|[,;·]))/mu;
+
+/** What a part is called: its label, or what stands on it. */
+function called(part) {
+  return part.getAttribute("aria-label") ?? part.textContent.trim();
+}
+
+function button(name) {
+  const found = [...document.querySelectorAll("button")].find((one) => called(one) === name);
+  if (found === undefined) throw new Error(`no button ${name}`);
+  return found;
+}
+
+/** The choice behind a label. */
+function choice(name) {
+  const named = (one) => [...(one.labels ?? [])].some((label) => label.textContent.trim().startsWith(name));
+  return [...document.querySelectorAll("select")].find((one) => named(one) && one.checkVisibility());
+}
+
+function choose(select, value) {
+  select.value = value;
+  select.dispatchEvent(new Event("change", { bubbles: true }));
+}
+
+function values(select) {
+  return select === undefined ? [] : [...select.options].map((one) => one.value);
+}
+
+function room(names) {
+  return document.querySelector(`section[aria-label="${names.play}"]`);
+}
+
+/** The drawing of the plan that is played. */
+function drawing(names) {
+  return room(names).querySelector("svg[role=img], svg[role='graphics-document']");
+}
+
+/** What is told with the picture that is shown. */
+function telling() {
+  const told = document.querySelector("[role=status], [aria-live], .telling");
+  const lines = told === null ? [] : [...told.querySelectorAll("p, dd")];
+  return lines.length > 0 ? lines.map(textOf) : [textOf(told)];
+}
+
+/** The text of a part in one line; an index stands behind a "_", as in the protocol. */
+function textOf(part) {
+  const copy = part.cloneNode(true);
+  for (const index of copy.querySelectorAll("sub")) index.prepend("_");
+  for (const power of copy.querySelectorAll("sup")) power.prepend("^");
+  return copy.textContent.replace(/\s+/gu, " ").trim();
+}
+
+/** Play what is chosen from its first picture to its last. */
+function played(names) {
+  const next = button(names.next);
+  const hidden = new Set([...room(names).querySelectorAll("svg")]);
+  const seen = () => {
+    const parts = [...room(names).querySelectorAll("p, li, button, td, th, dd, output, option")];
+    return parts.filter((one) => ![...hidden].some((svg) => svg.contains(one))).map((one) => one.textContent);
+  };
+  const faults = new Set();
+  const lines = [];
+  button(names.first).click();
+  const address = location.hash;
+  for (let before = ""; before !== location.hash; next.click()) {
+    before = location.hash;
+    lines.push(telling());
+    for (const text of lines.at(-1)) {
+      const found = UNREADABLE.exec(text);
+      if (found !== null) faults.add(`${location.hash}: ${text}`);
+    }
+  }
+  for (const text of seen()) if (UNREADABLE.test(text)) faults.add(text);
+  const bar = textOf(document.querySelector("[role=toolbar]"));
+  const count = /\d+(?=\D*$)/u.exec(bar)?.[0] ?? "";
+  return { title: called(drawing(names)), pictures: lines.length - 1, count, lines, address, faults: [...faults] };
+}
+
+function walk(names) {
+  const found = [];
+  for (const plan of values(choice(names.plan))) {
+    choose(choice(names.plan), plan);
+    const places = values(choice(names.position));
+    for (const place of places.length > 0 ? places : [null]) {
+      if (place !== null) choose(choice(names.position), place);
+      found.push(played(names));
+    }
+  }
+  return found;
+}
+
+/** Go to a view by its address, to its end; tell where its drawing stands (px), what part of the sheet it shows (mm). */
+function atTheEnd(names, address) {
+  location.hash = address;
+  return new Promise((done) => {
+    addEventListener("hashchange", () => {
+      button(names.last).click();
+      const found = drawing(names);
+      const { x, y, width, height } = found.getBoundingClientRect();
+      done({ rect: { x, y, width, height }, box: found.viewBox.baseVal === null ? null : found.getAttribute("viewBox") });
+    }, { once: true });
+  });
+}

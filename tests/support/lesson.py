@@ -1,0 +1,65 @@
+"""A page as a person uses it: by the names that buttons, choices and drawings have, never by its program."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from graphic_tmm.language.catalogue import speaking
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Page
+
+NAMES = {
+    "play": "Play",
+    "plan": "Plan",
+    "position": "Position",
+    "first": "First picture",
+    "next": "Next step",
+    "previous": "Previous step",
+    "last": "Last picture",
+    "steps": "Steps",
+    "sheets": "Sheets",
+}
+"""What a page calls what is pressed or chosen, in English."""
+HELPERS = (Path(__file__).parent / "lesson.js").read_text(encoding="utf-8")
+"""Functions that look at a page from within, as a person would with more patience."""
+
+
+@cache
+def names(language: str) -> Mapping[str, str]:
+    """Return what a page in a language calls what is pressed or chosen."""
+    speech = speaking(language)
+    return {key: speech(name) for key, name in NAMES.items()}
+
+
+class Played(NamedTuple):
+    """A view as a page plays it: its title, how many pictures were met, the last number told, what was seen.
+
+    ``lines``: of each picture the sentences told with it; ``address``: of its first picture.
+    ``faults``: whatever no person should ever read.
+    """
+
+    title: str
+    pictures: int
+    count: str
+    lines: list[list[str]]
+    address: str
+    faults: list[str]
+
+
+def walk(page: Page, language: str) -> list[Played]:
+    """Play every plan in every position to its end, picture by picture."""
+    return [Played(**one) for one in _called(page, "walk", language)]
+
+
+def at_the_end(page: Page, language: str, address: str) -> dict[str, Any]:
+    """Go to a view by its address and press "last"; return where its drawing stands and what it shows."""
+    return dict(_called(page, "atTheEnd", language, address))
+
+
+def _called(page: Page, function: str, language: str, *arguments: object) -> Any:
+    code = f"([names, ...rest]) => {{ {HELPERS}\nreturn {function}(names, ...rest); }}"
+    return page.evaluate(code, [dict(names(language)), *arguments])

@@ -1,0 +1,69 @@
+"""Pages of the scenes of the package, each written once, and what Python's own readers say of their views."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+from typing import NamedTuple
+
+from graphic_tmm.drawn import Drawn, DrawnScene
+from graphic_tmm.page.page import page
+from graphic_tmm.paper.drawing import Drawing, Sheet
+from graphic_tmm.paper.figure import Picture, pictures
+from graphic_tmm.paper.lettering.letters import plain
+from graphic_tmm.studio import sheets
+from support import gallery
+
+LANGUAGES = ("en", "ru")
+
+
+class View(NamedTuple):
+    """A view of a sheet that is drawn in steps: its board, its sheet, its number there, its pictures."""
+
+    board: Drawn
+    sheet: Sheet
+    number: int
+    pictures: tuple[Picture, ...]
+
+    @property
+    def drawing(self) -> Drawing:
+        return self.sheet.drawings[self.number]
+
+    @property
+    def title(self) -> str:
+        return " ".join(plain(self.drawing.title).split())
+
+
+def language(name: str) -> str:
+    """The language that a scene of the package is in."""
+    return gallery.scene(name).language
+
+
+@cache
+def on_sheets(name: str, spoken: str) -> tuple[DrawnScene, tuple[Sheet, ...]]:
+    """Return a scene of the package on its sheets, in a language."""
+    scene = gallery.scene(name)
+    return (
+        gallery.paper(name) if spoken == scene.language else sheets(replace(scene, language=spoken))
+    )
+
+
+@cache
+def text(name: str, spoken: str) -> str:
+    """Return the page of a scene of the package in a language."""
+    return page(*on_sheets(name, spoken))
+
+
+def views(name: str, spoken: str) -> Iterator[View]:
+    """Yield the views of a scene that are drawn in more than one picture, sheet by sheet."""
+    made, found = on_sheets(name, spoken)
+    for sheet in found:
+        for number, drawing in enumerate(sheet.drawings):
+            for board in made.boards:
+                there = {view.name for view in board.construction.views}
+                if drawing.shows and there.issuperset(drawing.shows):
+                    shown = pictures(board.construction, drawing)
+                    if len(shown) > 1:
+                        yield View(board, sheet, number, shown)
+                    break
