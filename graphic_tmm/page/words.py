@@ -25,5 +25,9 @@ WORDS: dict[str, str] = {
     "drawing": said("The plan as far as it is drawn"),
     "tabs": said("Ways to look at the scene"),
     "no scripts": said("Sheets and protocol; with scripts the plans play step by step."),
+    "too old": said(
+        "This browser cannot play the plans step by step: take one of 2023 or later. "
+        "Sheets and protocol can be read below."
+    ),
 }
 """Braces are filled in by the page."""
