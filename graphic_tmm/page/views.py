@@ -30,11 +30,15 @@ _AGAINST = said("The sign is minus: it points against its line.")
 def played(made: DrawnScene, sheets: Sequence[Sheet]) -> list[dict[str, Any]]:
     """Return the views of the sheets that have steps, in the order of the sheets, as data."""
     values = {drawn.board: Values(drawn, made.scene.language) for drawn in made.boards}
-    return [
-        _placed(view.drawing, name, sheets[number], number)
-        | _View(view, values[view.drawn.board]).data()
-        for number, name, view in plays_of(made, sheets)
-    ]
+    found, taken = [], set()
+    for number, name, view in plays_of(made, sheets):
+        place = _placed(view.drawing, name, sheets[number], number)
+        told = place | _View(view, values[view.drawn.board]).data()
+        if (told["plan"], told["position"]) in taken:
+            told["plan"] = view.drawing.name
+        taken.add((told["plan"], told["position"]))
+        found.append(told)
+    return found
 
 
 def plays_of(made: DrawnScene, sheets: Sequence[Sheet]) -> Iterator[tuple[int, str, Played]]:

@@ -34,5 +34,9 @@ WORDS: dict[str, str] = {
     "in position": said("position"),
     "tabs": said("Ways to look at the scene"),
     "no scripts": said("Sheets and protocol; with scripts the plans play step by step."),
+    "too old": said(
+        "This browser cannot play the plans step by step: take one of 2023 or later. "
+        "Sheets and protocol can be read below."
+    ),
 }
 """Braces are filled in by the page."""

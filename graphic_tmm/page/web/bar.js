@@ -14,43 +14,50 @@ const ICONS = {
   next: "M8 5l9 7-9 7z",
   last: "M18 5v14M5 5l10 7-10 7z",
 };
-/** How long a step may be left standing, s; the usual one first. */
-const PACES = [2, 1, 4, 8];
+
+/** How long a step may be left standing, s, and usually is. */
+const PACES = [1, 2, 4, 8];
+const USUAL = 2;
 
 /**
- * Return the bar that steps through a plan: first, previous, run, next, last, how far it is, the pace.
+ * Return the choice of the pace at which steps follow by themselves.
  * @param {Data} data
  * @param {State} state
  */
-export function playBar(data, state) {
+export function paceChooser(data, state) {
+  const pace = /** @type {HTMLSelectElement} */ (element("select", { "aria-label": data.words["pace"] ?? "", class: "pace" }));
+  for (const n of PACES) pace.append(element("option", { value: String(n) }, filled(data.words["seconds"] ?? "", { n })));
+  pace.value = String(USUAL);
+  pace.addEventListener("change", () => setPace(state, 1000 * Number(pace.value)));
+  setPace(state, 1000 * USUAL);
+  return pace;
+}
+
+/**
+ * Return the buttons that go through the stops of a view, and how far it is drawn.
+ * @param {Data} data
+ * @param {State} state
+ */
+export function stepBar(data, state) {
   const say = (/** @type {string} */ key) => data.words[key] ?? key;
   const count = element("p", { class: "count" });
   const run = iconButton(ICONS.run, say("run"), () => toggle(state));
-  const step = (/** @type {number} */ by) => () => state.go({ picture: state.place.picture + by });
-  const pace = /** @type {HTMLSelectElement} */ (element("select", { "aria-label": say("pace") }));
-  for (const seconds of [...PACES].sort((a, b) => a - b)) {
-    pace.append(element("option", { value: String(seconds) }, filled(say("seconds"), { n: seconds })));
-  }
-  pace.value = String(PACES[0]);
-  pace.addEventListener("change", () => setPace(state, 1000 * Number(pace.value)));
-  setPace(state, 1000 * Number(pace.value));
   state.hear((place) => {
-    const name = say(place.running ? "pause" : "run");
-    run.querySelector("path")?.setAttribute("d", place.running ? ICONS.pause : ICONS.run);
-    run.setAttribute("aria-label", name);
-    run.title = name;
-    const all = state.views[place.view]?.pictures.length ?? 0;
-    count.textContent = filled(say("step of"), { step: place.picture, count: all });
+    const key = place.running ? "pause" : "run";
+    run.querySelector("path")?.setAttribute("d", ICONS[key]);
+    run.setAttribute("aria-label", say(key));
+    run.title = say(key);
+    const pictures = data.views[place.view]?.pictures.length ?? 0;
+    count.textContent = filled(say("step of"), { step: place.picture, count: pictures });
   });
   return element(
     "div",
     { class: "bar", role: "toolbar", "aria-label": say("play") },
     iconButton(ICONS.first, say("first"), () => state.go({ picture: 0 })),
-    iconButton(ICONS.previous, say("previous"), step(-1)),
+    iconButton(ICONS.previous, say("previous"), () => state.go({ picture: state.place.picture - 1 })),
     run,
-    iconButton(ICONS.next, say("next"), step(1)),
+    iconButton(ICONS.next, say("next"), () => state.go({ picture: state.place.picture + 1 })),
     iconButton(ICONS.last, say("last"), () => state.go({ picture: Infinity })),
     count,
-    pace,
   );
 }

@@ -1,4 +1,4 @@
-import { playBar } from "./bar.js";
+import { paceChooser, stepBar } from "./bar.js";
 import { chooser } from "./chooser.js";
 import { element } from "./dom.js";
 import { groupOf } from "./equation.js";
@@ -32,8 +32,6 @@ export function playRoom(data, state) {
   const beside = element("div", { class: "beside" });
   const list = element("div", { class: "listed" });
   const step = (/** @type {number} */ by) => () => state.go({ picture: state.place.picture + by });
-  const bar = playBar(data, state);
-
   listenToKeys(state, "play", {
     ArrowRight: step(1),
     ArrowLeft: step(-1),
@@ -67,9 +65,12 @@ export function playRoom(data, state) {
     shown.list.show(n);
   });
 
-  const panel = element("div", { class: "panel" }, group, telling, beside);
-  const board = element("div", { class: "board" }, paper, panel, list);
-  bar.append(toolSwitch(data, board));
+  const said = element("div", { class: "words" }, group, telling, beside);
+  const options = element("div", { class: "options" }, paceChooser(data, state));
+  const panel = element("div", { class: "panel", tabindex: "0" }, said, options, list);
+  const board = element("div", { class: "board" }, paper, panel);
+  const bar = stepBar(data, state);
+  options.append(toolSwitch(data, board));
   const room = element("section", { id: "play", "aria-label": data.words["play"] ?? "" }, chooser(data, state), board, bar);
   lightAlike(room, () => state.view);
   return room;
