@@ -18,7 +18,7 @@ from graphic_tmm.readers.sentences import Phrase, grounds, phrase
 
 Run = str | list[Any]
 """Text, or the mark-up of a letter with the slot of its mark."""
-_INDEX = re.compile(r"_((?:(?!\w′*_)[^\W_]|[′*–-])+)")
+_INDEX = re.compile(r"_((?:(?!\w′*_)[^\W_²³]|[′*–-])+)")
 _FIGURE = re.compile(r"[_^]?\{[^{}]*\}|([^\W\d_])(\d+)")
 _SINGLE = re.compile(r"([_^])([^{])")
 
@@ -88,6 +88,8 @@ def indexed(text: str) -> str:
 
     >>> indexed("v_A = ω_1·l_OA"), indexed("(O_1B_1)")
     ('v_{A} = ω_{1}·l_{OA}', '(O_{1}B_{1})')
+    >>> indexed("a_A = ω_1²·l_OA")
+    'a_{A} = ω_{1}²·l_{OA}'
     >>> indexed("ps1/pa3 = OS1/OA = 27,17 mm")
     'ps_{1}/pa_{3} = OS_{1}/OA = 27,17 mm'
     """

@@ -12,10 +12,12 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.page.stops import Played, Stop, Told
 from graphic_tmm.page.told import head_of, indexed, line_of, sum_of
+from graphic_tmm.page.tools import Desk
 from graphic_tmm.page.values import Values
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.paper.packing import bounds
+from graphic_tmm.paper.seen import Seen
 from graphic_tmm.paper.write.svg import clean, ids
 from graphic_tmm.readers.equations import polygon
 from graphic_tmm.readers.titles import title_of
@@ -33,7 +35,7 @@ def played(made: DrawnScene, sheets: Sequence[Sheet]) -> list[dict[str, Any]]:
     found, taken = [], set()
     for number, name, view in plays_of(made, sheets):
         place = _placed(view.drawing, name, sheets[number], number)
-        told = place | _View(view, values[view.drawn.board]).data()
+        told = place | _View(view, values[view.drawn.board], sheets[number].height).data()
         if (told["plan"], told["position"]) in taken:
             told["plan"] = view.drawing.name
         taken.add((told["plan"], told["position"]))
@@ -76,9 +78,10 @@ def _placed(drawing: Drawing, name: str, sheet: Sheet, number: int) -> dict[str,
 class _View:
     """A view while it is written down."""
 
-    def __init__(self, played: Played, values: Values) -> None:
-        self.played, self.values = played, values
+    def __init__(self, played: Played, values: Values, height: float) -> None:
+        self.played, self.values, self.height = played, values, height
         self.drawn, self.drawing, self.language = played.drawn, played.drawing, played.language
+        self.desks: dict[str, Desk] = {}
         self.made: dict[int, int] = {}
         for n, stop in enumerate(played.stops):
             for told in stop.told:
@@ -148,9 +151,21 @@ class _View:
             mm = reading.figure(step.it)[0]
             if mm[told.line.place if mm.size > 1 else 0] < 0 and "−" not in row[2]:
                 found["sign"] = speaking(self.language)(_AGAINST)
+        if not step.op.formula:
+            found["tool"] = self.desk(told.view).hint(step, told.line.place)
         if again and told.slot in self.made:
             found = {key: found[key] for key in ("it", "calc", "row", "sign") if key in found}
         yield found
+
+    def desk(self, view: str) -> Desk:
+        """Return where the instruments of a view of the log are laid."""
+        if view not in self.desks:
+            reading = self.drawn.of(view)
+            assert reading is not None
+            seen = Seen(self.played.log, reading, (view,), range(reading.positions))
+            origin = self.drawing.origin(view)
+            self.desks[view] = Desk(seen, origin, self.height, self.language)
+        return self.desks[view]
 
     def missing(self, stop: Stop) -> dict[str, Any]:
         """Return the remark that tells what is not there in a position."""
