@@ -29,5 +29,35 @@ WORDS: dict[str, str] = {
         "This browser cannot play the plans step by step: take one of 2023 or later. "
         "Sheets and protocol can be read below."
     ),
+    "everywhere": said("Everywhere"),
+    "lecture": said("Lecture"),
+    "help": said("Keys"),
+    "close": said("Close"),
+    "space": said("Space"),
+    "dark": said("Dark or light"),
+    "keys run": said("Play the steps, pause"),
+    "keys onward": said("Next step; then the next plan"),
+    "keys back": said("Previous step; then the plan before"),
+    "keys views": said("Next plan or position, the one before"),
+    "keys tabs": said("Among the ways to look, when one of them has the focus"),
+    "full screen": said("Full screen"),
+    "leave full screen": said("Leave the full screen"),
+    "black": said("Black screen, and back"),
+    "speaker": said("Speaker's window"),
+    "no window": said(
+        "The browser did not open the speaker's window: allow windows of this page, then press again."
+    ),
+    "comes next": said("What comes next"),
+    "nothing follows": said("This is the last picture of the last plan."),
+    "clock": said("Time gone"),
+    "clock start": said("Start the clock"),
+    "clock stop": said("Stop the clock"),
+    "clock back": said("Clock to 0:00"),
+    "begin": said("Draw it step by step"),
+    "welcome": said(
+        "Every plan of this mechanism is drawn here step by step, as on paper: "
+        "what is done, why, and what comes out."
+    ),
+    "or keys": said("Or press → for the next step, ? for all keys."),
 }
 """Braces are filled in by the page."""
