@@ -90,8 +90,8 @@ export class Speaker {
       "main",
       { class: "speaker-room" },
       element("header", {}, element("h1", {}, this.data.title), time),
-      element("section", { class: "now" }, this.title, this.count, this.now),
-      element("section", { class: "next" }, element("h2", {}, this.say("comes next")), this.next, this.picture),
+      element("section", { class: "speaker-now" }, this.title, this.count, this.now),
+      element("section", { class: "speaker-next" }, element("h2", {}, this.say("comes next")), this.next, this.picture),
       bar,
     );
   }
