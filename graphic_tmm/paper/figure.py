@@ -44,8 +44,11 @@ class Traces:
         self.seen, self.staying, self.rubbed = seen, staying, rubbed
 
 
-def figure(seen: Seen, manner: Manner | None = None) -> Traces:
-    """Return what the steps of a plan leave, in the order in which they are done."""
+def figure(seen: Seen, manner: Manner | None = None, *, helping: bool = True) -> Traces:
+    """Return what the steps of a plan leave, in the order in which they are done.
+
+    Not ``helping``: without what is rubbed out at the end.
+    """
     manner = manner or Manner()
     keep = manner.stays or stays
     staying: list[Ink] = []
@@ -54,7 +57,10 @@ def figure(seen: Seen, manner: Manner | None = None) -> Traces:
         rule = manner.marks.get(step.it) or manner.rules.get(step.op.name) or rule_of(step)
         if rule is None:
             continue
-        kept = staying if keep(seen, step) else rubbed
+        stays_ = keep(seen, step)
+        if not (stays_ or helping):
+            continue
+        kept = staying if stays_ else rubbed
         varies = seen.varies(step)
         for k in seen.positions if varies else seen.positions[:1]:
             for stroke in rule(seen, step, k):
