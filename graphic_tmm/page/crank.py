@@ -84,6 +84,7 @@ def crank(made: DrawnScene, sheets: Sequence[Sheet]) -> Turned | None:
             _cursor(one, drawn, found, sheets, rows) for one in cursors(found, drawn, sheets)
         ],
         "glyphs": glyphs.made,
+        "lengths": [row.size for row in rows],
     }
     return Turned(data, packed(rows))
 

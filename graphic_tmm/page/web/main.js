@@ -1,3 +1,4 @@
+import { crankRoom } from "./crank.js";
 import { packedData } from "./data.js";
 import { playRoom } from "./play.js";
 import { letRun } from "./run.js";
@@ -17,6 +18,7 @@ import { fillTabs } from "./tabs.js";
  */
 const ROOMS = {
   play: playRoom,
+  crank: crankRoom,
   sheets: () => /** @type {HTMLElement} */ (document.getElementById("sheets")),
 };
 
