@@ -167,7 +167,7 @@ def _figure(
     data: dict[str, Any] = {
         "name": moving.name,
         "title": clean(plain(moving.title)),
-        "caption": clean(plain(moving.caption)),
+        "caption": indexed(clean(moving.caption)),
         "box": _box(made, places, still),
         "refined": list(made.refined),
         "rows": [begun, len(packer.rows), len(made.drawn)],

@@ -1,7 +1,7 @@
 import { Cursors } from "./cursor.js";
 import { bytesOf } from "./data.js";
 import { indexAt, turnAt, whyNot } from "./dense.js";
-import { element, filled, iconButton } from "./dom.js";
+import { element, filled, iconButton, typeset } from "./dom.js";
 import { putHandle } from "./handle.js";
 import { listenToKeys } from "./keys.js";
 import { motor, SPEEDS } from "./motor.js";
@@ -82,11 +82,11 @@ function fill(room, data, dense, state, bytes) {
     return made;
   });
   const bar = element("div", { class: "bar", role: "toolbar", "aria-label": say("crank") }, run, speeds(say, engine), angle);
-  const row = element("div", { class: "row", role: "group", "aria-label": say("positions") }, `${say("positions")}: `, ...positions);
+  const row = element("div", { class: "row", role: "group", "aria-label": say("position") }, `${say("position")} `, ...positions);
   const grid = element("div", { class: "cards" });
   const choices = element("fieldset", { class: "choices" }, element("legend", {}, say("shown")));
   for (const card of cards) {
-    const figure = element("figure", { class: "card" }, card.svg, element("figcaption", {}, card.title, element("small", {}, card.caption)), card.values.list);
+    const figure = element("figure", { class: "card" }, card.svg, element("figcaption", {}, card.title, element("small", {}, ...typeset(card.caption))), card.values.list);
     figure.hidden = !chosen.has(card.name);
     const box = /** @type {HTMLInputElement} */ (element("input", { type: "checkbox" }));
     box.checked = chosen.has(card.name);
@@ -182,7 +182,7 @@ function slider(name, dense, go) {
  */
 function speeds(say, engine) {
   const made = /** @type {HTMLSelectElement} */ (element("select", {}));
-  made.append(...SPEEDS.map((speed, n) => element("option", { value: String(n) }, `${speed} °/${say("second")}`)));
+  made.append(...SPEEDS.map((speed, n) => element("option", { value: String(n) }, `${speed} ${say("a second")}`)));
   made.value = "1";
   made.addEventListener("change", () => engine.shift(Number(made.value)));
   return element("label", {}, `${say("speed")} `, made);
