@@ -1,3 +1,4 @@
+import { crankRoom } from "./crank.js";
 import { packedData } from "./data.js";
 import { helpButton, helpPanel } from "./help.js";
 import { listenToKeys } from "./keys.js";
@@ -23,6 +24,7 @@ import { themeButton, turnTheme } from "./theme.js";
  */
 const ROOMS = {
   play: playRoom,
+  crank: crankRoom,
   sheets: () => /** @type {HTMLElement} */ (document.getElementById("sheets")),
   lecture: lectureRoom,
 };
