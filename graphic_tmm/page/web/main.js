@@ -1,6 +1,7 @@
 import { packedData } from "./data.js";
 import { playRoom } from "./play.js";
 import { letRun } from "./run.js";
+import { sheetRoom } from "./sheet.js";
 import { State } from "./state.js";
 import { fillTabs } from "./tabs.js";
 
@@ -17,7 +18,7 @@ import { fillTabs } from "./tabs.js";
  */
 const ROOMS = {
   play: playRoom,
-  sheets: () => /** @type {HTMLElement} */ (document.getElementById("sheets")),
+  sheets: sheetRoom,
 };
 
 const data = await packedData();

@@ -11,7 +11,7 @@
  *   box: number[], names: Record<string, string>, position: string, first: number,
  *   lines: Record<string, Line[]>, pictures: Picture[]}} View
  * @typedef {{name: string, width: number, height: number, format: string}} SheetSize
- * @typedef {{language: string, title: string, words: Record<string, string>, sheets: SheetSize[],
+ * @typedef {{language: string, title: string, words: Record<string, string>, parts: Record<string, string>, sheets: SheetSize[],
  *   views: View[]}} Data
  */
 export {};
