@@ -18,11 +18,11 @@ from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.page.join import script, style
 from graphic_tmm.page.layers import PARTS
+from graphic_tmm.page.protocol import protocol_of
 from graphic_tmm.page.views import played
 from graphic_tmm.page.words import WORDS
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.write.svg import ids, svg
-from graphic_tmm.readers.protocol import plans, steps_of
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -48,7 +48,7 @@ def page(made: DrawnScene, sheets: Sequence[Sheet]) -> str:
             words=data["words"],
             sheets=[(one, Markup(inline(one))) for one in sheets],
             rubbed=[Markup(inline(_rubbed(one))) for one in sheets],
-            protocol=steps_of(made, plans(), None, language, why=True) if made.boards else (),
+            protocol=protocol_of(made, language) if made.boards else (),
             data=packed(data),
             style=Markup(style()),
             style_hash=_hash(style()),

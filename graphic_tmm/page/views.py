@@ -15,8 +15,8 @@ from graphic_tmm.paper.figure import Picture, pictures
 from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.write.svg import clean, ids
+from graphic_tmm.readers.covering import covering
 from graphic_tmm.readers.narration import protocol
-from graphic_tmm.readers.protocol import covering
 
 EDGE = 6.0
 """White about a view, mm."""

@@ -59,5 +59,9 @@ WORDS: dict[str, str] = {
         "Print at 100 %, without fitting to the page; then measure the line of 100 mm."
     ),
     "tile": said("Sheet {sheet}: row {row} of {rows}, column {column} of {columns}"),
+    "too old": said(
+        "This browser cannot play the plans step by step: take one of 2023 or later. "
+        "Sheets and protocol can be read below."
+    ),
 }
 """Braces are filled in by the page."""

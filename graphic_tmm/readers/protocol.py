@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-
-import numpy as np
+from typing import NamedTuple
 
 from graphic_tmm.board.doubt import Doubts
-from graphic_tmm.board.execute import Reading, execute
-from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Curve, undefined
+from graphic_tmm.board.execute import execute
 from graphic_tmm.captions import captions, view_name
 from graphic_tmm.chapter import MECHANISM, chapters
 from graphic_tmm.drawn import Drawn, DrawnScene
@@ -17,17 +14,23 @@ from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.fitting.choice import SCALES, Choices, choices
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.synthesis import Found, rocker
+from graphic_tmm.readers.covering import covering
 from graphic_tmm.readers.narration import Line
 from graphic_tmm.readers.narration import protocol as narrate
 from graphic_tmm.readers.titles import title_of
 from graphic_tmm.scene.records import Scene
 
-MOST = 0.8
-"""Positions with so large a share of the values that the best one has are as good. Chosen by eye."""
 SYNTHESIS = "synthesis"
 """The plan by which the lengths of a mechanism are found from a task."""
 BESIDE = (SYNTHESIS, SCALES)
 """The plans that are calculated beside the drawing."""
+
+
+class Told(NamedTuple):
+    """A plan's protocol in one position: what it is headed by, its lines."""
+
+    title: str
+    lines: tuple[Line, ...]
 
 
 def plans() -> tuple[str, ...]:
@@ -45,9 +48,22 @@ def steps_of(
     *,
     why: bool = False,
 ) -> list[str]:
-    """Return the lines of the protocol of plans in one position, of the mechanism and of the parts.
+    """Return the lines of the protocol of plans in one position as text; ``why``: with the steps' reasons.
 
-    ``why``: below each step why it is done.
+    Raises
+    ------
+    SceneError
+        As `told`.
+    """
+    return [
+        line for one in told(made, wanted, position, language) for line in _text(one, language, why)
+    ]
+
+
+def told(
+    made: DrawnScene, wanted: Sequence[str], position: str | None, language: str
+) -> list[Told]:
+    """Return the protocols of plans in one position, of the mechanism and of the parts.
 
     Raises
     ------
@@ -55,23 +71,22 @@ def steps_of(
         If the scene has none of the plans (those it has are told), or no such position.
     """
 
-    def lines(some: Sequence[str], place: str | None) -> list[str]:
-        found: list[str] = []
+    def found(some: Sequence[str], place: str | None) -> list[Told]:
+        every: list[Told] = []
         for drawn in made.boards:
             own = drawn.board == MECHANISM
             at = place if own or made.mechanism is None else None
-            tell = protocol if own else part_protocol
-            found += tell(drawn, some, at, language, why=why)
-        return found
+            every += (_told if own else _part_told)(drawn, some, at, language)
+        return every
 
-    found = lines(wanted, position)
-    if not found:
-        there = ", ".join(plan for plan in plans() if lines((plan, ""), None))
+    every = found(wanted, position)
+    if not every:
+        there = ", ".join(plan for plan in plans() if found((plan, ""), None))
         says = said(
             "the scene has no plan {listed}; it has {there}", listed=", ".join(wanted), there=there
         )
         raise SceneError(made.scene.source, (Fault("--plan", 0, says),))
-    return found
+    return every
 
 
 def protocol(
@@ -89,12 +104,8 @@ def protocol(
     SceneError
         If there is no such position, or the only plan asked for is not drawn in it.
     """
-    place = _position(drawn, position)
-    for plan in wanted:
-        for view in _views_of(drawn, plan):
-            yield from _plan_lines(drawn, view, place, language, why)
-        if len(wanted) == 1 and plan in drawn.project.rows and place not in drawn.row(plan):
-            raise _refused(drawn, plan, drawn.names[place])
+    for one in _told(drawn, wanted, position, language):
+        yield from _text(one, language, why)
 
 
 def part_protocol(
@@ -115,8 +126,32 @@ def part_protocol(
     SceneError
         If the part has no such position.
     """
+    for one in _part_told(drawn, wanted, position, language):
+        yield from _text(one, language, why)
+
+
+def _text(one: Told, language: str, why: bool) -> Iterator[str]:
+    yield one.title
+    yield from _printed(one.lines, language if why else "")
+    yield ""
+
+
+def _told(
+    drawn: Drawn, wanted: Sequence[str], position: str | None, language: str
+) -> Iterator[Told]:
+    place = position_of(drawn, position)
+    for plan in wanted:
+        for view in _views_of(drawn, plan):
+            yield from _plan_told(drawn, view, place, language)
+        if len(wanted) == 1 and plan in drawn.project.rows and place not in drawn.row(plan):
+            raise _refused(drawn, plan, drawn.names[place])
+
+
+def _part_told(
+    drawn: Drawn, wanted: Sequence[str], position: str | None, language: str
+) -> Iterator[Told]:
     if SCALES in wanted:
-        yield from _beside(drawn, SCALES, language, why)
+        yield from _beside(drawn, SCALES, language)
     if not set(wanted) & {plan for one in drawn.project.chapters for plan in one.plans}:
         return
     log, names = drawn.construction, drawn.names
@@ -127,31 +162,8 @@ def part_protocol(
     others = [(k, names[k]) for k in places]
     at = f", {captions(language)['position']} {names[places[0]]}" if len(names) > 1 else ""
     for view in dict.fromkeys(step.it.view for step in log.steps):
-        yield f"{view_name(view, language)}{at}"
-        told = narrate(log, view, drawn.reading, places[0], language, elsewhere=others)
-        yield from _printed(told, language if why else "")
-        yield ""
-
-
-def covering(reading: Reading, marks: Sequence[Mark], first: Sequence[int]) -> list[int]:
-    """Return positions (indices) so that each mark has a value in one of them: ``first``, then few more.
-
-    A position is taken in the middle of the longest stretch on which the same has a value, and most of it.
-    """
-    rows = [undefined(reading[mark])[0] for mark in marks if mark.kind is not Curve]
-    there = np.array([~row for row in rows if row.size == reading.positions])
-    places, left = list(first), np.ones(len(there), dtype=bool)
-    while True:
-        for place in places:
-            left &= ~there[:, place] if there.size else left
-        counts = there[left].sum(axis=0) if there.size else np.zeros(1)
-        if not counts.any():
-            return places or [0]
-        changes = np.flatnonzero((there[left][:, 1:] != there[left][:, :-1]).any(axis=0)) + 1
-        stretches = np.split(np.arange(counts.size), changes)
-        whole = [s for s in stretches if counts[s[0]] >= MOST * counts.max()]
-        longest = max(whole, key=len)
-        places.append(int(longest[longest.size // 2]))
+        lines = narrate(log, view, drawn.reading, places[0], language, elsewhere=others)
+        yield Told(f"{view_name(view, language)}{at}", tuple(lines))
 
 
 def _no_position(scene: Scene, name: str, names: Sequence[str]) -> SceneError:
@@ -181,9 +193,9 @@ def _views_of(drawn: Drawn, plan: str) -> list[str]:
     return [view for view in views if view in found]
 
 
-def _plan_lines(drawn: Drawn, view: str, place: int, language: str, why: bool) -> Iterator[str]:
+def _plan_told(drawn: Drawn, view: str, place: int, language: str) -> Iterator[Told]:
     if view in BESIDE:
-        yield from _beside(drawn, view, language, why)
+        yield from _beside(drawn, view, language)
         return
     at, row = drawn.of(view), drawn.row(view)
     if at is None or place not in row:
@@ -194,27 +206,34 @@ def _plan_lines(drawn: Drawn, view: str, place: int, language: str, why: bool) -
     if not lines:
         return
     title = title_of(drawn.project, view, language)
-    yield f"{title}, {captions(language)['position']} {drawn.names[place]}"
-    for one in drawn.project.chapters:
-        yield from (f"      [{text}]" for text in one.equations(drawn, view, language))
-    yield from _printed(lines, language if why else "")
-    yield ""
+    equations = [
+        Line(0, text)
+        for one in drawn.project.chapters
+        for text in one.equations(drawn, view, language)
+    ]
+    heading = f"{title}, {captions(language)['position']} {drawn.names[place]}"
+    yield Told(heading, (*equations, *lines))
 
 
-def _beside(drawn: Drawn, plan: str, language: str, why: bool) -> Iterator[str]:
-    """Yield the lines of a plan that is calculated beside the drawing, if there is anything in it."""
+def _beside(drawn: Drawn, plan: str, language: str) -> Iterator[Told]:
+    """Yield a plan that is calculated beside the drawing, if there is anything in it."""
     found: Found | Choices | None
     found = synthesis(drawn.scene) if plan == SYNTHESIS else choices(drawn)
     if found is None or not found.construction.steps:
         return
     log = found.construction
     reading = execute(log, found.given).doubted(Doubts(log.steps, found.given))
-    yield view_name(plan, language)
-    yield from _printed(narrate(log, plan, reading, 0, language), language if why else "")
-    yield ""
+    yield Told(view_name(plan, language), tuple(narrate(log, plan, reading, 0, language)))
 
 
-def _position(drawn: Drawn, name: str | None) -> int:
+def position_of(drawn: Drawn, name: str | None) -> int:
+    """Return a position (index) by its name; None: the first that a plan is drawn in by itself, or the second.
+
+    Raises
+    ------
+    SceneError
+        If there is no such position.
+    """
     if name is None:
         row = range(len(drawn.names))
         own = [place for places in drawn.project.rows.values() for place in places]

@@ -90,3 +90,16 @@ function walk(names) {
   }
   return found;
 }
+
+/** Go to a view by its address, to its end; tell where its drawing stands (px), what part of the sheet it shows (mm). */
+function atTheEnd(names, address) {
+  location.hash = address;
+  return new Promise((done) => {
+    addEventListener("hashchange", () => {
+      button(names.last).click();
+      const found = drawing(names);
+      const { x, y, width, height } = found.getBoundingClientRect();
+      done({ rect: { x, y, width, height }, box: found.viewBox.baseVal === null ? null : found.getAttribute("viewBox") });
+    }, { once: true });
+  });
+}

@@ -8,8 +8,8 @@
 
 /** The part of an address that stands for what belongs to all positions. */
 const WHOLE = "all";
-/** An address is written at most so often, ms: browsers refuse to write it many times a second. */
-const OFTEN = 250;
+/** After so long an angle is written into the address, and what a browser refused is tried again, ms. */
+const LATER = 500;
 
 /**
  * What is looked at, in one place for all ways of looking.
@@ -35,7 +35,7 @@ export class State {
     this.told = [];
     this.timer = 0;
     window.addEventListener("hashchange", () => this.follow());
-    window.addEventListener("pagehide", () => this.write());
+    window.addEventListener("pagehide", () => this.note());
   }
 
   /** @returns {View} */
@@ -69,15 +69,15 @@ export class State {
    */
   within(where) {
     const before = this.place;
-    const view = Math.min(Math.max(where.view ?? before.view, 0), Math.max(this.views.length - 1, 0));
-    const most = this.views[view]?.pictures.length ?? 0;
+    const view = between(where.view ?? before.view, this.views.length - 1);
     const wanted = where.picture ?? (view === before.view ? before.picture : 0);
+    const still = where.picture === undefined && where.tab === undefined;
     return {
-      tab: this.tabs.includes(where.tab ?? "") ? (where.tab ?? "") : before.tab,
+      tab: where.tab !== undefined && this.tabs.includes(where.tab) ? where.tab : before.tab,
       view,
-      picture: Math.min(Math.max(wanted, 0), most),
+      picture: between(wanted, this.views[view]?.pictures.length ?? 0),
       turn: where.turn ?? before.turn,
-      running: where.running ?? (where.picture === undefined && where.tab === undefined && before.running),
+      running: where.running ?? (still && before.running),
     };
   }
 
@@ -86,10 +86,10 @@ export class State {
    * @param {Place} after
    */
   leave(after) {
-    this.write();
+    this.note();
     const before = this.place;
     this.place = after;
-    if (location.hash !== this.address()) record("pushState", this.address());
+    if (!record("pushState", this.address())) this.noteLater();
     for (const listener of this.told) listener(after, before);
   }
 
@@ -99,19 +99,21 @@ export class State {
   arrive(after) {
     const before = this.place;
     this.place = after;
-    if (this.timer === 0) {
-      this.write();
-      this.timer = window.setTimeout(() => {
-        this.timer = 0;
-        this.write();
-      }, OFTEN);
-    }
+    if (after.turn === before.turn) this.note();
+    else this.noteLater();
     for (const listener of this.told) listener(after, before);
   }
 
-  /** Let the address say what is there. */
-  write() {
-    if (location.hash !== this.address()) record("replaceState", this.address());
+  /** Let the address say what is there; a browser refuses to write it hundreds of times in seconds. */
+  note() {
+    window.clearTimeout(this.timer);
+    this.timer = 0;
+    if (!record("replaceState", this.address())) this.noteLater();
+  }
+
+  /** Let the address say soon what is there then. */
+  noteLater() {
+    if (this.timer === 0) this.timer = window.setTimeout(() => this.note(), LATER);
   }
 
   /** The address of the place. */
@@ -148,6 +150,14 @@ export class State {
 const ADDRESS = /^#(?:(\w+):)?(?:([^/@]*)(?:\/([^/@]*))?(?:\/(\d+))?(?:@(-?\d+(?:\.\d+)?))?)?$/;
 
 /**
+ * @param {number} wanted
+ * @param {number} most
+ */
+function between(wanted, most) {
+  return Math.max(Math.min(wanted, most), 0);
+}
+
+/**
  * @param {string} part
  */
 function decoded(part) {
@@ -159,14 +169,15 @@ function decoded(part) {
 }
 
 /**
- * Write an address into the history; a browser may refuse it, and the page goes on without.
+ * Write an address into the history if it is another; return whether it stands there.
  * @param {"pushState" | "replaceState"} how
  * @param {string} address
  */
 function record(how, address) {
   try {
-    history[how](null, "", address);
+    if (location.hash !== address) history[how](null, "", address);
   } catch {
-    // A file that may not name its place, or an address written too often.
+    return false;
   }
+  return location.hash === address;
 }

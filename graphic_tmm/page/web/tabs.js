@@ -18,8 +18,7 @@ export function fillTabs(list, state, rooms, words) {
   });
   for (const [name, room] of Object.entries(rooms)) {
     room.setAttribute("role", "tabpanel");
-    room.setAttribute("aria-labelledby", `tab-${name}`);
-    room.removeAttribute("aria-label");
+    room.setAttribute("aria-label", words[name] ?? name);
   }
   list.append(...tabs);
   list.addEventListener("keydown", (event) => {
