@@ -57,7 +57,7 @@ def papers() -> str:
         page = name.replace(" ", "-")
         rules += [
             f"@page {page} {{ size: {paper.width:g}mm {paper.height:g}mm; margin: 0; }}",
-            f'@media print {{ .sheet[data-format="{name}"] {{ page: {page};'
+            f'@media print {{ #sheets > figure[data-format="{name}"] {{ page: {page};'
             f" width: {paper.width:g}mm; height: {paper.height - LOWER:g}mm; }} }}",
         ]
     return "".join(f"{rule}\n" for rule in rules)

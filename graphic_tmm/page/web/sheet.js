@@ -154,7 +154,7 @@ export function sheetRoom(data, state) {
     from = place.view;
     choose(desk.sheet.views.find((one) => one.id === view?.id) ?? null);
   });
-  room.prepend(bar, element("div", { class: "board" }, element("div", { class: "lying" }, surface, told), panel));
+  room.prepend(bar, surface, told, panel);
   return room;
 }
 

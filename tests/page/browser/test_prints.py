@@ -21,12 +21,13 @@ MARGIN, OVERLAP, WIDE, HIGH = 10.0, 10.0, 190.0, 277.0
 
 
 class Printed(NamedTuple):
-    """A page of a PDF: its size, the points of its lines (from the upper left), mm; its words."""
+    """A page of a PDF: its size, the points of its lines (from the upper left), mm; its words, its colours."""
 
     width: float
     height: float
     points: Any
     text: str
+    colours: set[str]
 
 
 def printed(tab: Any) -> list[Printed]:
@@ -37,10 +38,25 @@ def printed(tab: Any) -> list[Printed]:
         for page in pdf.pages:
             drawn = [*page.lines, *page.curves, *page.rects]
             points = MM * np.array([point for one in drawn for point in one["pts"]])
+            colours = {
+                one[f"{kind}_color"]
+                for one in drawn
+                for kind in ("non_stroking", "stroking")
+                if one["fill" if kind == "non_stroking" else "stroke"]
+            }
+            text = page.extract_text() or ""
             found.append(
-                Printed(MM * page.width, MM * page.height, points, page.extract_text() or "")
+                Printed(
+                    MM * page.width, MM * page.height, points, text, {named(c) for c in colours}
+                )
             )
     return found
+
+
+def named(colour: Any) -> str:
+    """What a colour of a PDF is: grey or red, green, blue."""
+    parts = {round(float(part), 3) for part in (colour if isinstance(colour, tuple) else (colour,))}
+    return {frozenset({0.0}): "black", frozenset({1.0}): "white"}.get(frozenset(parts), str(colour))
 
 
 def corners(sheet: Any) -> Any:
@@ -88,6 +104,14 @@ def test_all_sheets_are_printed_each_on_its_own_paper(name: str, scripts: bool, 
         assert_paper(page, sheet.width, sheet.height)
         assert off(page.points, corners(sheet)).max() < PLACED
         assert page.text == ""
+
+
+@pytest.mark.parametrize("theme", ["", "dark"])
+def test_paper_is_white_and_ink_black_wherever_one_looks_in_the_dark(theme: str, page_of):
+    tab = page_of("crank-rocker", "en", color_scheme="dark")
+    tab.page.evaluate("theme => { document.documentElement.dataset.theme = theme; }", theme)
+    for page in printed(tab):
+        assert page.colours == {"black", "white"}
 
 
 def test_one_sheet_is_printed_on_its_own_paper_and_then_all_again(page_of):
