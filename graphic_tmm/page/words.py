@@ -42,6 +42,40 @@ WORDS: dict[str, str] = {
     "in position": said("position"),
     "tabs": said("Ways to look at the scene"),
     "no scripts": said("Sheets and protocol; with scripts the plans play step by step."),
+    "sheet": said("Sheet"),
+    "fit": said("Fit"),
+    "fit whole": said("The whole sheet (key 0)"),
+    "fit true": said("True size (key 1)"),
+    "larger": said("Larger"),
+    "smaller": said("Smaller"),
+    "size": said("Sheet and size"),
+    "desk keys": said(
+        "The sheet: arrows move it, + and − zoom, 0 whole, 1 true size, Enter plays the chosen view"
+    ),
+    "desk": said(
+        "Tap a view to see it large, once more to play it; tap a line to read what it is."
+    ),
+    "true size": said("{percent} of true size"),
+    "100 mm": said("100 mm"),
+    "screen size": said("Size of the screen"),
+    "ruler": said("Lay a ruler at the line and move the slider until it is 100 mm long."),
+    "calibrate": said("A millimetre of this screen"),
+    "layers": said("Layers"),
+    "letters": said("Letters"),
+    "large letters": said("Letters large enough for the screen"),
+    "helping lines": said("Helping lines that were rubbed out"),
+    "all positions": said("all"),
+    "parts": said("Parts"),
+    "views": said("Views"),
+    "show step": said("Show step {step}"),
+    "play view": said("Play this view"),
+    "print": said("Print"),
+    "print sheet": said("This sheet 1 : 1, on paper of its size"),
+    "print tiles": said("This sheet on A4, to be glued"),
+    "print check": said(
+        "Print at 100 %, without fitting to the page; then measure the line of 100 mm."
+    ),
+    "tile": said("Sheet {sheet}: row {row} of {rows}, column {column} of {columns}"),
     "too old": said(
         "This browser cannot play the plans step by step: take one of 2023 or later. "
         "Sheets and protocol can be read below."

@@ -7,6 +7,7 @@ import { liveRegion } from "./live.js";
 import { playRoom } from "./play.js";
 import { showPoster } from "./poster.js";
 import { letRun } from "./run.js";
+import { sheetRoom } from "./sheet.js";
 import { State } from "./state.js";
 import { asPanel, fillTabs } from "./tabs.js";
 import { themeButton, turnTheme } from "./theme.js";
@@ -25,7 +26,7 @@ import { themeButton, turnTheme } from "./theme.js";
 const ROOMS = {
   play: playRoom,
   crank: crankRoom,
-  sheets: () => /** @type {HTMLElement} */ (document.getElementById("sheets")),
+  sheets: sheetRoom,
   lecture: lectureRoom,
 };
 

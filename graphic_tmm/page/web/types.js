@@ -17,7 +17,7 @@
  *   values: Record<string, Row[]>}} View
  * @typedef {{name: string, width: number, height: number, format: string}} SheetSize
  * @typedef {{language: string, title: string, words: Record<string, string>, sheets: SheetSize[],
- *   views: View[], crank?: Dense}} Data
+ *   parts: Record<string, string>, views: View[], crank?: Dense}} Data
  *
  * The mechanism at every degree; the names are those of page/crank.py. A coordinate is a number of thousandths of
  * a millimetre, or a row and a distance; what is not always there says from which to behind which angle it is.
