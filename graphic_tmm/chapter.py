@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from graphic_tmm.fitting.choice import Ledger
     from graphic_tmm.fitting.scales import Fitting
     from graphic_tmm.language.catalogue import Speech
+    from graphic_tmm.moving import Between, Moving, Turn
     from graphic_tmm.note.document import Block, Runs
     from graphic_tmm.paper.drawing import Drawing, Stroke
     from graphic_tmm.project import Bench, Project
@@ -201,6 +202,10 @@ class Chapter:
     the note calls them; ``symbols``: its letters, what they stand for, their units.
     ``accuracy``: what it tells of its accuracy.
 
+    **What moves with the crank.** ``between``: of a drawn board, at any angles of a turn, what its own given
+    marks are there, and those that are read off what is drawn, not run again; ``moving``: the figures that it
+    shows of one position, whichever it is.
+
     **What a check reads.** ``pointed``: the plans of which readings may give points; ``plan_at``: such a plan
     in one position, lettered clear of what is drawn upon it. ``named_marks``: marks by plan and the name that
     machines read; ``speeds``: the marks that tell how fast the mechanism runs.
@@ -258,6 +263,8 @@ class Chapter:
     sources: tuple[str, ...] = ()
     symbols: tuple[tuple[str, str, str], ...] = ()
     accuracy: Accuracy = NOTHING
+    between: Callable[[Drawn, Turn], Between] = lambda drawn, turn: {}
+    moving: Callable[[Drawn], Iterable[Moving]] = lambda drawn: ()
 
 
 _ADDED: list[Chapter] = []

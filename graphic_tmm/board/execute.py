@@ -18,6 +18,7 @@ from graphic_tmm.board.hand import EXACT, Hand, Slipping, Streams, trials_in_blo
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Curve, at, blank
 from graphic_tmm.board.values import given as as_value
+from graphic_tmm.board.values import places as positions_of
 from graphic_tmm.errors import ConstructionError
 
 if TYPE_CHECKING:
@@ -172,7 +173,7 @@ class Program(NamedTuple):
             if value is None:
                 raise ConstructionError(f"{mark.view}: '{mark.letter}' was not given")
             values[mark.slot] = as_value(value, mark.kind)
-        count = max((v.shape[1] for v in values.values()), default=1)
+        count = max(map(positions_of, values.values()), default=1)
         if not hand.slips and hand.digits is None:
             self._run(values, count, block, hand, None)
             return Reading({i: v for i, v in values.items() if i in self.wanted}, count)

@@ -111,7 +111,7 @@ def lay_base(draft: Draft, length: Mark, mu: Mark, count: int, numbers: object) 
             f"{mu.view}: a graph needs {INTERVALS.least} intervals at least, not {count}: take more positions"
         )
     intervals = draft.take(Number, "N", float(count))
-    n = draft.take(Number, "n", numbers)
+    n = draft.take(Number, "n", numbers, role=roles.STATION)
     x = draft.draw(abscissa, "x_{n}", n, length, intervals, why=why.STATION)
     return Base(count, length, x, mu, draft.direction(0.0))
 

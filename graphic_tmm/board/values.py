@@ -69,6 +69,13 @@ def arrays(value: Any) -> tuple[NDArray[Any], ...]:
     return tuple(value) if isinstance(value, tuple) else (value,)
 
 
+def places(value: Any) -> int:
+    """Return how many positions a value has: 1 where it does not vary, as a curve does not."""
+    if isinstance(value, Curve):
+        return 1
+    return max(int(part.shape[1]) for part in arrays(value))
+
+
 def undefined(value: Any) -> NDArray[np.bool_]:
     """Return where a value is not a finite one, (trial, position)."""
     bad = [~np.isfinite(part) for part in arrays(value)]
@@ -91,7 +98,12 @@ def blank(value: Any, mask: NDArray[np.bool_]) -> Any:
 
 
 def given(value: object, kind: Kind) -> Any:
-    """Return plain numbers as a value of ``kind`` with axes (trial, position): a scalar becomes (1, 1)."""
+    """Return plain numbers as a value of ``kind`` with axes (trial, position): a scalar becomes (1, 1).
+
+    What was drawn elsewhere (a line, a curve) is one already.
+    """
+    if isinstance(value, tuple):
+        return value
     dtype = np.complex128 if kind is Point else np.float64
     found = np.asarray(value, dtype=dtype)
     return found if found.ndim > 1 else np.array(found, ndmin=2)

@@ -1,7 +1,9 @@
-"""steps: the protocol of a plan."""
+"""steps: the protocol of a plan, printed, or picture by picture on sheets."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -13,6 +15,8 @@ from graphic_tmm.commands.shared.telling import warn
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
+    from graphic_tmm.drawn import DrawnScene
+
     Choice = click.Choice[str]
 else:
     Choice = click.Choice  # no generic class before click 8.2
@@ -48,15 +52,76 @@ class Plans(Choice):
 @click.option("-n", "--position", help=said("Number of the position, as on the sheet."))
 @click.option("--why", is_flag=True, help=said("Tell why each step is done, too."))
 @click.option("--exact", is_flag=True, help=said("Read without the ruler's rounding."))
-def steps(scene: str | None, plan: str, position: str | None, why: bool, exact: bool) -> None:
+@click.option(
+    "--sheets",
+    is_flag=True,
+    help=said("Write the series of pictures as A4 sheets, with an overview, instead."),
+)
+@click.option("-o", "--output", help=said("--sheets: folder for the sheets.  [default: out]"))
+@click.option(
+    "-f",
+    "--format",
+    "forms",
+    help=said("--sheets: svg, pdf, png; several with commas.  [default: svg]"),
+)
+def steps(
+    scene: str | None,
+    plan: str,
+    position: str | None,
+    why: bool,
+    exact: bool,
+    sheets: bool,
+    output: str | None,
+    forms: str | None,
+) -> None:
     """Print the numbered protocol of a plan in one position, with the calculation note."""
     from graphic_tmm.readers.protocol import plans, steps_of
     from graphic_tmm.studio import make
 
-    task = read_scene(scene)
+    wanted = _formats(forms, output, sheets=sheets)
+    task = read_scene(scene, lettered=sheets)
     with waiting(said("drawing the plans")):
         drawn = make(task, exact=exact)
     chosen = plans() if plan == "all" else (plan,)
-    for line in steps_of(drawn, chosen, position, task.language, why=why):
+    lines = steps_of(drawn, chosen, position, task.language, why=why)
+    if sheets:
+        lines = _written(drawn, chosen, position, wanted, output or "out")
+    for line in lines:
         click.echo(line)
     warn(drawn)
+
+
+def _formats(forms: str | None, output: str | None, *, sheets: bool) -> list[str]:
+    """Return what the sheets are written as; refuse what is none of it, and what is asked of no sheets."""
+    from graphic_tmm.errors import SheetError
+    from graphic_tmm.handout.handout import FORMATS
+
+    if not sheets and (forms is not None or output is not None):
+        raise SheetError(said("-o and -f tell where sheets are written and as what: add --sheets"))
+    wanted = [form.strip().lower() for form in (forms or FORMATS[0]).split(",")]
+    if unknown := [form for form in wanted if form not in FORMATS]:
+        says = said(
+            "--format: no {unknown}; choose from {known}",
+            unknown=", ".join(unknown),
+            known=", ".join(FORMATS),
+        )
+        raise SheetError(says)
+    return wanted
+
+
+def _written(
+    drawn: DrawnScene,
+    plans: Sequence[str],
+    position: str | None,
+    formats: Sequence[str],
+    output: str,
+) -> list[str]:
+    """Write the sheets of the pictures; return where they are."""
+    from graphic_tmm.files import write
+    from graphic_tmm.handout.handout import handout_files
+
+    with waiting(said("drawing the pictures")):
+        texts = handout_files(drawn, plans, position, formats)
+    return [
+        str(path) for path in write(Path(output), texts, remedy=said("name another folder with -o"))
+    ]

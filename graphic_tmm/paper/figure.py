@@ -44,8 +44,11 @@ class Traces:
         self.seen, self.staying, self.rubbed = seen, staying, rubbed
 
 
-def figure(seen: Seen, manner: Manner | None = None) -> Traces:
-    """Return what the steps of a plan leave, in the order in which they are done."""
+def figure(seen: Seen, manner: Manner | None = None, *, helping: bool = True) -> Traces:
+    """Return what the steps of a plan leave, in the order in which they are done.
+
+    Not ``helping``: without what is rubbed out at the end.
+    """
     manner = manner or Manner()
     keep = manner.stays or stays
     staying: list[Ink] = []
@@ -54,7 +57,10 @@ def figure(seen: Seen, manner: Manner | None = None) -> Traces:
         rule = manner.marks.get(step.it) or manner.rules.get(step.op.name) or rule_of(step)
         if rule is None:
             continue
-        kept = staying if keep(seen, step) else rubbed
+        stays_ = keep(seen, step)
+        if not (stays_ or helping):
+            continue
+        kept = staying if stays_ else rubbed
         varies = seen.varies(step)
         for k in seen.positions if varies else seen.positions[:1]:
             for stroke in rule(seen, step, k):
@@ -94,9 +100,12 @@ class Picture:
     again: bool = False
 
 
-def pictures(construction: Construction, drawing: Drawing) -> tuple[Picture, ...]:
+def pictures(
+    construction: Construction, drawing: Drawing, begin: int | None = None
+) -> tuple[Picture, ...]:
     """Return the pictures of a view in the order in which it is drawn: the given first, then its steps.
 
+    ``begin``: the position (index) that is drawn step by step, of those that have ink; None: the first of them.
     A body and a letter appear with the last of the marks that they stand on; what a view adds is there from the
     beginning, or with the marks that it begins with; letters that belong to no ink yet wait for the first. What
     is the same in all positions is drawn once, with the first position; the others follow, one
@@ -119,7 +128,7 @@ def pictures(construction: Construction, drawing: Drawing) -> tuple[Picture, ...
         letters.setdefault(first, [])[:0] = letters.pop(begun, [])
     made = [Picture((), None, tuple(ink.pop(begun, ())), tuple(letters.pop(begun, ())), given=True)]
     keys = sorted({*ink, *letters}, key=_in_turn)
-    for some, again in _of_a_step(_together(construction, keys)):
+    for some, again in _of_a_step(_together(construction, keys, begin)):
         made.append(
             Picture(
                 tuple(dict.fromkeys(construction.steps[n].it.slot for n, _ in some)),
@@ -204,7 +213,7 @@ def _needed(construction: Construction, own: Set[int]) -> set[int]:
 
 
 def _together(
-    construction: Construction, keys: Sequence[_When]
+    construction: Construction, keys: Sequence[_When], first: int | None
 ) -> Iterator[tuple[list[_When], bool]]:
     """Yield what appears in one picture, and whether it repeats in another position what the first one has.
 
@@ -213,7 +222,8 @@ def _together(
     count = Counter(n for n, position in keys if position is not None)
     own = {n for n, times in count.items() if times > 1}
     latest, needed = _latest(construction, own), _needed(construction, own)
-    first = min((k for _, k in keys if k is not None), default=None)
+    there = {k for _, k in keys if k is not None}
+    first = first if first in there else min(there, default=None)
     others: dict[int, list[_When]] = {}
     curves: list[_When] = []
     for key in keys:

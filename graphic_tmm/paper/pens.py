@@ -34,10 +34,12 @@ KINDS = MappingProxyType(
         "main": said("main lines"),
         "thick": said("thick lines"),
         "body": said("sliders"),
+        "outline": said("sliders drawn before"),
         "rod": said("rods over sliders"),
         "over": said("vectors over sliders"),
         "paper": said("paper under figures"),
         "joint": said("turning pairs"),
+        "pin": said("turning pairs drawn before"),
     }
 )
 """What the layer of a pen is called in a drawing program."""
@@ -63,9 +65,10 @@ def pens(format: str) -> Mapping[str, Pen]:
 
     "thin" (construction, dimension and hatching lines), "dashed", "centre" (dash-dot), "phantom"
     (dash and two dots), "medium" (vectors of plans), "main", "thick" (open section line, 1.5 s),
-    "body" (a slider: a main line round the paper's white, hides its guide), "rod" (a main line that
-    runs over a slider to its pin), "over" (a medium line that does), "paper" (hides what lies under
-    it, draws no line), "joint" (a main line round white: pins, uppermost).
+    "body" (a slider: a main line round the paper's white, hides its guide), "outline" (the same, thin),
+    "rod" (a main line that runs over a slider to its pin), "over" (a medium line that does), "paper" (hides
+    what lies under it, draws no line), "joint" (a main line round white: pins, uppermost), "pin" (the same,
+    thin).
     """
     if format not in FORMATS:
         known = ", ".join(FORMATS)
@@ -82,10 +85,12 @@ def pens(format: str) -> Mapping[str, Pen]:
             "main": Pen(s),
             "thick": Pen(round(1.5 * s, 2)),
             "body": Pen(s, (), "black", "white"),
+            "outline": Pen(thin, (), "black", "white"),
             "rod": Pen(s),
             "over": Pen(round(s / 2, 2)),
             "paper": Pen(0.0, (), "none", "white"),
             "joint": Pen(s, (), "black", "white"),
+            "pin": Pen(thin, (), "black", "white"),
         }
     )
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -36,21 +36,17 @@ class Seen:
     @cached_property
     def by_mark(self) -> Mapping[Mark, Step]:
         """The steps of the whole log by the mark that each left."""
-        return {step.it: step for step in self.construction.steps}
+        return _by_mark(_Log(self.construction))
 
     @cached_property
     def steps(self) -> tuple[Step, ...]:
         """The steps of the views, in the order in which they were done."""
-        return tuple(s for s in self.construction.steps if s.it.view in self.views)
+        return _steps(_Log(self.construction), self.views)
 
     @cached_property
     def uses(self) -> Mapping[Mark, tuple[Step, ...]]:
         """The steps of the views that use a mark."""
-        found: dict[Mark, tuple[Step, ...]] = {}
-        for step in self.steps:
-            for mark in dict.fromkeys(step.uses):
-                found[mark] = (*found.get(mark, ()), step)
-        return found
+        return _uses(self.steps)
 
     def point(self, mark: Mark, k: int) -> complex:
         """Return where a point is, mm; NaN where it cannot be drawn."""
@@ -77,6 +73,37 @@ class Seen:
         value = self.reading[step.it]
         parts = value if isinstance(value, tuple) else (value,)
         return any(part.shape[1] > 1 for part in parts)
+
+
+class _Log:
+    """A log that is known by being this one: a view is seen in hundreds of positions."""
+
+    def __init__(self, construction: Construction) -> None:
+        self.construction = construction
+
+    def __hash__(self) -> int:
+        return id(self.construction)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Log) and self.construction is other.construction
+
+
+@lru_cache(maxsize=8)
+def _by_mark(log: _Log) -> Mapping[Mark, Step]:
+    return {step.it: step for step in log.construction.steps}
+
+
+@lru_cache(maxsize=64)
+def _steps(log: _Log, views: tuple[str, ...]) -> tuple[Step, ...]:
+    return tuple(s for s in log.construction.steps if s.it.view in views)
+
+
+def _uses(steps: Sequence[Step]) -> Mapping[Mark, tuple[Step, ...]]:
+    found: dict[Mark, tuple[Step, ...]] = {}
+    for step in steps:
+        for mark in dict.fromkeys(step.uses):
+            found[mark] = (*found.get(mark, ()), step)
+    return found
 
 
 def _at(row: np.ndarray, k: int) -> complex:

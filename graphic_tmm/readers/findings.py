@@ -23,6 +23,18 @@ _WHY = {
 }
 
 
+def reason(found: Finding, project: Project, language: str) -> str:
+    """Return why something cannot be drawn: plan, step, letter, what is missing."""
+    _ = speaking(language)
+    return _(
+        "{plan}, step {number} '{it}': {why}",
+        plan=_in_sentence(project, found.step.it.view, language),
+        number=found.number,
+        it=spoken(found.step.it, language),
+        why=_why(found, _),
+    )
+
+
 def finding(found: Finding, project: Project, language: str) -> str:
     """Return a finding as a sentence: plan, step, letter, why, positions."""
     _ = speaking(language)

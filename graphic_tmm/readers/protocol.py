@@ -139,7 +139,7 @@ def _text(one: Told, language: str, why: bool) -> Iterator[str]:
 def _told(
     drawn: Drawn, wanted: Sequence[str], position: str | None, language: str
 ) -> Iterator[Told]:
-    place = _position(drawn, position)
+    place = position_of(drawn, position)
     for plan in wanted:
         for view in _views_of(drawn, plan):
             yield from _plan_told(drawn, view, place, language)
@@ -226,7 +226,14 @@ def _beside(drawn: Drawn, plan: str, language: str) -> Iterator[Told]:
     yield Told(view_name(plan, language), tuple(narrate(log, plan, reading, 0, language)))
 
 
-def _position(drawn: Drawn, name: str | None) -> int:
+def position_of(drawn: Drawn, name: str | None) -> int:
+    """Return a position (index) by its name; None: the first that a plan is drawn in by itself, or the second.
+
+    Raises
+    ------
+    SceneError
+        If there is no such position.
+    """
     if name is None:
         row = range(len(drawn.names))
         own = [place for places in drawn.project.rows.values() for place in places]

@@ -41,6 +41,7 @@ from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named,
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.engine.task import ASKED, SECTIONS
 from graphic_tmm.chapters.engine.transfer import VIEW as TRANSFER
+from graphic_tmm.chapters.engine.turning import moving
 from graphic_tmm.chapters.engine.views import (
     TRANSFER_PLACE,
     engine_diagram_views,
@@ -116,6 +117,7 @@ CHAPTER = Chapter(
     record=record,
     aside=record_beside,
     charts=lambda made: made.charts,
+    moving=moving,
     reach=reach,
     scales=engine_scales,
     choice=choose,

@@ -49,6 +49,7 @@ from graphic_tmm.chapters.forces.scales import SIZES, force_scales, named, reach
 from graphic_tmm.chapters.forces.sections import SECTIONS
 from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.forces.task import ASKED
+from graphic_tmm.chapters.forces.turning import between, moving
 from graphic_tmm.chapters.forces.views_loads import PLACE, load_views
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.chapters.indicator.task import Wish
@@ -136,6 +137,8 @@ CHAPTER = Chapter(
     views=_views,
     equations=views.polygon_equation,
     accuracy=ACCURACY,
+    between=between,
+    moving=moving,
     note=note,
     concludes=concludes,
     sources=("artobolevsky", "popov"),

@@ -111,11 +111,12 @@ def draw_group(
     factors: tuple[Mark, int],
     language: str,
     high: Heights,
+    helping: bool = True,
 ) -> Drawing:
     """Return a detached group, or the driving link, in one position.
 
     ``factors``: μ_l of the plan of positions, and to how many decimals the ruler tells a length. ``language``:
-    of the sheet; ``high``: how high its letters are.
+    of the sheet; ``high``: how high its letters are. Not ``helping``: without what is rubbed out.
     """
     mu_l, decimals = factors
     view = shown.figure.view
@@ -133,7 +134,7 @@ def draw_group(
             return False
         return arm_shows(seen, step, index)
 
-    traces = figure(seen, Manner(rules, stays))
+    traces = figure(seen, Manner(rules, stays), helping=helping)
     times = seen.number(mu_l, index) / seen.number(shown.figure.mu, index)
     bodies = Bodies(seen, reaches, shown.links, shown.figure.points, times)
     links = [*bodies.strokes()]
@@ -149,8 +150,10 @@ def draw_group(
     above = _Above(construction, reading, shown, index)
     displaced = loads.displaced(above, times, decimals)
     strokes = (*links, *circles, *loads.arrows.strokes, *displaced, *traces.staying)
-    drawn = (*strokes, *traces.rubbed)
-    rubbed = (*traces.rubbed, *pricks(seen, drawn, index), *pricks(above, drawn, index, times))
+    rubbed = traces.rubbed
+    if helping:
+        drawn = (*strokes, *rubbed)
+        rubbed += (*pricks(seen, drawn, index), *pricks(above, drawn, index, times))
     wanted = (*bodies.letters(high), *loads.arrows.wanted, *loads.arms(traces.staying, decimals))
     return Drawing(
         name, title, strokes, rubbed=rubbed, shows=(view, LOADS), wanted=(*wanted, *loads.offs)

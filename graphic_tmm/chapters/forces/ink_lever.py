@@ -56,11 +56,12 @@ def draw_lever_ink(
     decimals: int,
     language: str,
     high: Heights,
+    helping: bool = True,
 ) -> Drawing:
     """Return the lever in one position.
 
     ``decimals``: to how many the ruler tells a length. ``language``: of the sheet; ``high``: how high its
-    letters are.
+    letters are. Not ``helping``: without what is rubbed out.
     """
     seen = Seen(construction, reading, (VIEW,), [index])
     lines = {force.line for force in lever.forces}
@@ -69,7 +70,7 @@ def draw_lever_ink(
     def stays(seen: Seen, step: Step) -> bool:
         return step.it.kind is Point or arm_shows(seen, step, index)
 
-    traces = figure(seen, Manner(rules, stays))
+    traces = figure(seen, Manner(rules, stays), helping=helping)
     ink = _Loads(seen, lever, index, language, high)
     for force, arm_ in zip(lever.forces, ink.measured(), strict=True):
         _, along = seen.line(force.line, index)
@@ -83,7 +84,9 @@ def draw_lever_ink(
     sides = _sides(seen, lever, index)
     strokes = (*traces.staying, *sides, *ink.arrows.strokes)
     strokes += tuple(body(pole(seen.point(lever.pole, index)), "pole", [lever.pole]))
-    rubbed = (*traces.rubbed, *pricks(seen, (*strokes, *traces.rubbed), index))
+    rubbed = traces.rubbed
+    if helping:
+        rubbed += pricks(seen, (*strokes, *rubbed), index)
     wanted = (*_letters(seen, lever, index, high), *ink.arrows.wanted, *ink.arms(lines, decimals))
     return Drawing(name, title, strokes, rubbed=rubbed, shows=(VIEW,), wanted=wanted)
 

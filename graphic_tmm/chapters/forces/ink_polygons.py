@@ -117,11 +117,12 @@ def draw_polygon(
     mu: float,
     language: str,
     high: Heights,
+    helping: bool = True,
 ) -> Drawing:
     """Return a polygon of forces in one position; the last sides were unknown.
 
     ``reactions``: of the group; those that are no side of the polygon are drawn across it. ``language``:
-    of the sheet; ``high``: how high its letters are.
+    of the sheet; ``high``: how high its letters are. Not ``helping``: without what is rubbed out.
     """
     seen = Seen(construction, reading, (polygon.view,), [index])
     sides = _Sides(seen, polygon, reactions, mu)
@@ -132,8 +133,10 @@ def draw_polygon(
         meet.name: sides.met,
     }
     lines = {step.op.name: drawn_line for step in seen.steps if step.it.kind is Line}
-    traces = figure(seen, Manner({**lines, **rules}, _stays))
-    rubbed = (*traces.rubbed, *pricks(seen, (*traces.staying, *traces.rubbed), index))
+    traces = figure(seen, Manner({**lines, **rules}, _stays), helping=helping)
+    rubbed = traces.rubbed
+    if helping:
+        rubbed += pricks(seen, (*traces.staying, *rubbed), index)
     corners = [seen.point(tail, index) for _, tail, _ in polygon.sides]
     middle = complex(np.mean(corners))
     drawn = [*polygon.sides, *((r.letter, r.tail, r.head) for r in sides.across.values())]

@@ -42,10 +42,10 @@ class _Row(NamedTuple):
     size: bool = False
 
 
-def force_columns(drawn: Drawn) -> tuple[Column, ...]:
-    """Return the columns of forces at the positions whose forces are asked for."""
+def force_columns(drawn: Drawn, everywhere: bool = False) -> tuple[Column, ...]:
+    """Return the columns of forces at the positions whose forces are asked for, or ``everywhere``."""
     made, count, reading = FORCES.on(drawn), len(drawn.names), drawn.reading
-    places = made.places
+    places = drawn.all if everywhere else made.places
     rows = [*_loads(made), *_reactions(made), *_balance(made)]
     found = []
     for row in rows:

@@ -95,12 +95,12 @@ def _parts(
         )
     turn = numbers[int(np.argmax(shares))]
     return [
-        _part(travel.out if n <= turn else travel.back, float(share))
+        part_of_travel(travel.out if n <= turn else travel.back, float(share))
         for n, share in zip(numbers, shares, strict=True)
     ]
 
 
-def _part(points: tuple[tuple[float, float], ...], share: float) -> _Part:
+def part_of_travel(points: tuple[tuple[float, float], ...], share: float) -> _Part:
     """Return the part that a share of the stroke stands on; nothing acts outside of them."""
     ordered = sorted(points)
     for (a, p), (b, q) in pairwise(ordered):

@@ -70,7 +70,7 @@ def force_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
             rows = group_rows(writer, made, solved)
             views += _three(
                 drawn,
-                _group(drawn, made, solved),
+                group_shown(drawn, made, solved),
                 solved.polygon,
                 solved.reactions,
                 rows,
@@ -80,7 +80,7 @@ def force_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         pivot = plans.positions.bodies[crank].marks[plans.structure.pivot]
         rows, reactions = driver_rows(writer, made, pivot, crank), (made.driven.reaction,)
         views += _three(
-            drawn, _driver(drawn, made), made.driven.polygon, reactions, rows, place, lettered
+            drawn, driver_shown(drawn, made), made.driven.polygon, reactions, rows, place, lettered
         )
     return views
 
@@ -89,14 +89,14 @@ def _places(drawn: Drawn) -> list[int]:
     return [k for k in FORCES.on(drawn).places if k not in drawn.undrawn]
 
 
-def _decimals(drawn: Drawn) -> int:
+def decimals_told(drawn: Drawn) -> int:
     """Return to how many decimals a length is told: those of the ruler."""
     return EXACTLY if drawn.hand.ruler is None else decimals_of(drawn.hand.ruler)
 
 
 def _writer(drawn: Drawn, place: int) -> Writer:
     seen = Seen(drawn.construction, drawn.reading, (), [place])
-    return Writer(seen, place, drawn.scene.language, _decimals(drawn))
+    return Writer(seen, place, drawn.scene.language, decimals_told(drawn))
 
 
 def _three(
@@ -124,7 +124,7 @@ def _three(
         place,
         f"group-{name}-{position}",
         title,
-        (KINEMATICS.on(drawn).mu_l, _decimals(drawn)),
+        (KINEMATICS.on(drawn).mu_l, decimals_told(drawn)),
         language,
         high,
     )
@@ -177,7 +177,8 @@ def vectors_of(polygon: Polygon, language: str) -> str:
     return " + ".join(terms) + " = 0"
 
 
-def _group(drawn: Drawn, made: Forces, solved: Solved) -> Shown:
+def group_shown(drawn: Drawn, made: Forces, solved: Solved) -> Shown:
+    """Return what the figure of a group shows."""
     closing, unknown = solved.closing, list[Reactive]()
     links = closing.group.links
     # the sides of unknown size end a polygon, that of the first leg last
@@ -217,7 +218,8 @@ def _rubbed(drawn: Drawn, made: Forces, links: tuple[int, ...]) -> list[Rubbed]:
     return found
 
 
-def _driver(drawn: Drawn, made: Forces) -> Shown:
+def driver_shown(drawn: Drawn, made: Forces) -> Shown:
+    """Return what the figure of the driving link shows."""
     plans, driven = KINEMATICS.on(drawn), made.driven
     crank, reaction = plans.structure.driver, made.driven.reaction
     body = plans.positions.bodies[crank]
@@ -250,7 +252,7 @@ def lever_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
             place,
             f"lever-{name}",
             title,
-            _decimals(drawn),
+            decimals_told(drawn),
             language,
             high,
         )

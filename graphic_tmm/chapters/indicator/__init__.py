@@ -31,6 +31,7 @@ from graphic_tmm.chapters.indicator.captions import CAPTIONS
 from graphic_tmm.chapters.indicator.cylinder import INDICATOR, record
 from graphic_tmm.chapters.indicator.plan import VIEW
 from graphic_tmm.chapters.indicator.task import SECTIONS
+from graphic_tmm.chapters.indicator.turning import between
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS
 
 CHAPTER = Chapter(
@@ -42,6 +43,7 @@ CHAPTER = Chapter(
     record=record,
     aside=record_beside,
     charts=lambda made: (made.indicator.chart,),
+    between=between,
     scale_key=lambda view: "mu_p" if view == VIEW else "",
     sources=("artobolevsky",),
 )

@@ -68,6 +68,7 @@ from graphic_tmm.chapters.kinematics.scales import (
     sizes_of,
 )
 from graphic_tmm.chapters.kinematics.table import kinematic_columns, rate_marks, speed_marks
+from graphic_tmm.chapters.kinematics.turning import between, moving
 from graphic_tmm.language.said import joined
 from graphic_tmm.project import Project
 
@@ -177,6 +178,8 @@ CHAPTER = Chapter(
     speeds=speed_marks,
     views=lambda project: {plan: (plan,) for plan in (EXTREMES, *PLANS)},
     accuracy=ACCURACY,
+    between=between,
+    moving=moving,
     note=note,
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,

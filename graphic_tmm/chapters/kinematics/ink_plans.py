@@ -63,12 +63,13 @@ def draw_plan(
     *,
     upon: Sequence[Stroke] = (),
     heights: Heights = HEIGHTS["A1"],
+    helping: bool = True,
 ) -> Drawing:
     """Return a plan in one position, or in several from a common pole: vectors with arrows, lines, letters.
 
     From a common pole the vectors between images are thin and construction lines are left out. ``mu``
     (SI per mm) and ``unit`` are told to a page that reads the sheet. ``upon``: what is drawn over the plan;
-    letters stay clear of it.
+    letters stay clear of it. Not ``helping``: without what is rubbed out.
     """
     view = construction.view(plan)
     assert view is not None
@@ -77,7 +78,7 @@ def draw_plan(
     seen = Seen(construction, reading, (plan,), [place.at for place in places])
     told = vectors(construction, plan)
     manner = _manner(seen, told, mu, unit, common=common)
-    traces = figure(seen, manner)
+    traces = figure(seen, manner, helping=helping)
     spot = seen.point(view.pole, places[0].at)
     strokes = (*traces.staying, *body(pole(spot), "pole", [view.pole]), *upon)
     wanted = _letters(seen, places, view.pole, heights)

@@ -76,7 +76,7 @@ def draw_positions_ink(
     """
     places = [i for i in range(len(names)) if i not in skipped]
     ink = PositionsInk(construction, reading, reaches, places)
-    traces = figure(ink.seen, Manner({french_curve.name: _path}, lambda _, step: _stays(step)))
+    traces = figure(ink.seen, Manner({french_curve.name: drawn_path}, path_stays))
     strokes: list[Ink] = [*ink.guides(), *ink.crank_circle(crank), *traces.staying]
     full = [index for index in extremes if index in places and index != main]
     for index in places:
@@ -136,13 +136,13 @@ def draw_position_ink(
     return Drawing(name, title, strokes, rubbed=traces.rubbed, shows=ink.seen.views, wanted=wanted)
 
 
-def _path(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+def drawn_path(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
     """The path of a point, drawn with the French curve."""
     for controls in bezier(seen.reading[step.it]):
         yield Bezier("thin", tuple(complex(z) for z in controls), step.it.name)
 
 
-def _stays(step: Step) -> bool:
+def path_stays(seen: Seen, step: Step) -> bool:
     """Whether what a step leaves is there at the end: only the paths of points are."""
     return step.it.kind is Curve
 

@@ -156,7 +156,7 @@ def record(bench: Bench) -> KinematicPlans:
     for group in structure.groups:
         side = side_record(mechanism, group)
         if group.name in positions.sides and side is not None:
-            draft.given[positions.sides[group.name]] = _sides(side, angles, mechanism.drive)
+            draft.given[positions.sides[group.name]] = sides_at(side, angles, mechanism.drive)
     return KinematicPlans(
         mechanism,
         structure,
@@ -222,7 +222,7 @@ def _angle(degrees: float) -> float:
     return round(float(degrees), LAST) % 360.0 + 0.0
 
 
-def _sides(side: Side, angles: np.ndarray, drive: Drive) -> object:
+def sides_at(side: Side, angles: np.ndarray, drive: Drive) -> object:
     """Return the side in every position, carried on from the zero position in the sense of the drive.
 
     With an odd number of flips (a pin that passes over another once a turn) the mechanism comes back to

@@ -23,6 +23,10 @@ class Heights(NamedTuple):
     title: float
     number: float
 
+    def times(self, factor: float) -> Heights:
+        """Return heights so many times as large."""
+        return Heights(*(factor * height for height in self))
+
 
 _WALL, _DESK = Heights(5.0, 7.0, 3.5), Heights(3.5, 5.0, 3.5)
 """On a wall, where a board of examiners reads it from 1.5 m; in the hand."""
@@ -44,4 +48,5 @@ def heights(scene: Scene, *places: str) -> Heights:
     ``places``: it and those that it is a part of. One that no sheet shows is lettered as the narrowest of all.
     """
     shown = [sheet.format for sheet in scene.sheets if not {*places}.isdisjoint(sheet.place)]
-    return heights_on(shown or (sheet.format for sheet in scene.sheets))
+    found = heights_on(shown or (sheet.format for sheet in scene.sheets))
+    return found if scene.letters == 1.0 else found.times(scene.letters)

@@ -1,0 +1,30 @@
+"""The force triangles of an engine at any angle of its crank."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphic_tmm.chapters.engine.ink import draw_triangles
+from graphic_tmm.chapters.engine.plan import ENGINE, VIEW
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.moving import Moving
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.paper.views import mu_text
+
+
+def moving(drawn: Drawn) -> Iterator[Moving]:
+    """Yield the triangles of the forces at crosshead and pin."""
+    made, language, scale = ENGINE.on(drawn), drawn.scene.language, drawn.scales[VIEW]
+    plans, high = KINEMATICS.on(drawn), heights(drawn.scene, ENGINE.chapter)
+    pivot = plans.positions.point(plans.structure.pivot)
+
+    def at(place: int) -> Drawing:
+        log, reading = drawn.construction, drawn.reading
+        return draw_triangles(log, reading, made, pivot, place, VIEW, "", scale.value, high)
+
+    title = speaking(language)("Force triangles")
+    told = mu_text(scale, language)
+    yield Moving(VIEW, title, told, at, lambda name: f"engine-{name}")

@@ -1,0 +1,176 @@
+"""Forces at any angle of the crank: what loads are there, and the figures that move with it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Reals
+from graphic_tmm.captions import captions
+from graphic_tmm.chapters.forces.captions import called
+from graphic_tmm.chapters.forces.given import varies
+from graphic_tmm.chapters.forces.ink_groups import Shown, draw_group
+from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
+from graphic_tmm.chapters.forces.ink_polygons import draw_polygon, whole
+from graphic_tmm.chapters.forces.pictured import travelled
+from graphic_tmm.chapters.forces.plan import FORCES, Forces
+from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
+from graphic_tmm.chapters.forces.table import force_columns
+from graphic_tmm.chapters.forces.task import Load
+from graphic_tmm.chapters.forces.travel import part_of_travel
+from graphic_tmm.chapters.forces.views import decimals_told, driver_shown, group_shown
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.scales import reaches
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.moving import Between, Moving, Turn
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.paper.views import mu_text
+
+TURN = 360.0
+
+
+def between(drawn: Drawn, turn: Turn) -> Between:
+    """Return the loads that vary, read off their diagrams: by travel, by the turn, by the position."""
+    made, found = FORCES.on(drawn), dict[Mark, object]()
+    in_turn = KINEMATICS.on(drawn).in_turn
+    at = turn.numbers % in_turn
+    for load, size in zip(made.order.loads, made.loads.given, strict=True):
+        if not varies(load):
+            continue
+        if load.travel is not None:
+            found |= _by_travel(drawn, turn, load, size, at)
+        elif load.by_angle:
+            angles, sizes = zip(*load.by_angle, strict=True)
+            found[size] = np.interp(at * (TURN / in_turn), angles, sizes, period=TURN)[None, :]
+        elif isinstance(load.size, tuple):
+            found[size] = np.interp(at, np.arange(in_turn), load.size, period=in_turn)[None, :]
+    return found
+
+
+def _by_travel(drawn: Drawn, turn: Turn, load: Load, size: Mark, at: Reals) -> dict[Mark, object]:
+    """Return the part of its diagram on which a load stands at every angle.
+
+    The stroke out ends with the position that is farthest, as it does for the positions drawn.
+    """
+    way, stroke = travelled(drawn, size)
+    given = next(step.uses[:4] for step in drawn.construction.steps if step.it == size)
+    sheet = drawn.numbers.drawn[way][0, : KINEMATICS.on(drawn).in_turn]
+    reading = turn.read([way, stroke])
+    shares = reading[way][0] / reading[stroke][0, 0]
+    far = int(np.argmax(sheet)) if np.isfinite(sheet).all() else 0
+    assert load.travel is not None
+    parts = [
+        part_of_travel(load.travel.out if n <= far else load.travel.back, float(share))
+        for n, share in zip(at, shares, strict=True)
+    ]
+    values = np.array([(p[2], p[3], p[0], p[1]) for p in parts]).T
+    return {mark: row[None, :] for mark, row in zip(given, values, strict=True)}
+
+
+def moving(drawn: Drawn) -> Iterator[Moving]:
+    """Yield every detached group with its polygon, the driving link with its own, the lever."""
+    made = FORCES.on(drawn)
+    columns = force_columns(drawn, everywhere=True)
+    for solved in made.groups:
+        yield from _pair(
+            drawn, made, group_shown(drawn, made, solved), solved.polygon, solved.reactions
+        )
+    reactions = (made.driven.reaction,)
+    yield from _pair(drawn, made, driver_shown(drawn, made), made.driven.polygon, reactions)
+    words, language = captions(drawn.scene.language), drawn.scene.language
+    high = heights(drawn.scene, "lever")
+
+    def lever(place: int) -> Drawing:
+        return draw_lever_ink(
+            drawn.construction,
+            drawn.reading,
+            made.lever,
+            place,
+            "lever",
+            "",
+            decimals_told(drawn),
+            language,
+            high,
+            helping=False,
+        )
+
+    yield Moving(
+        "lever",
+        words["lever"],
+        mu_text(drawn.scales["lever"], language),
+        lever,
+        lambda name: f"lever-{name}",
+        columns=lambda: columns,
+    )
+
+
+def _pair(
+    drawn: Drawn, made: Forces, shown: Shown, polygon: Polygon, reactions: tuple[Reaction, ...]
+) -> Iterator[Moving]:
+    language, high = drawn.scene.language, heights(drawn.scene, "forces")
+    _, name = speaking(language), "-".join(map(str, shown.links))
+    scale = drawn.scales.get(polygon.view)
+    yield Moving(
+        f"group {name}",
+        called(f"group {name}", _),
+        mu_text(drawn.scales[shown.figure.view], language),
+        _group(drawn, shown, polygon, reactions),
+        lambda position: f"group-{name}-{position}",
+    )
+    if scale is None:
+        return
+
+    def sides(place: int) -> Drawing:
+        if not whole(drawn.reading, polygon, reactions, place):
+            return Drawing(polygon.view, "")
+        return draw_polygon(
+            drawn.construction,
+            drawn.reading,
+            polygon,
+            reactions,
+            place,
+            polygon.view,
+            "",
+            scale.value,
+            language,
+            high,
+            helping=False,
+        )
+
+    yield Moving(
+        f"forces {name}",
+        called(f"forces {name}", _),
+        mu_text(scale, language),
+        sides,
+        lambda position: f"forces-{name}-{position}",
+    )
+
+
+def _group(
+    drawn: Drawn, shown: Shown, polygon: Polygon, reactions: tuple[Reaction, ...]
+) -> Callable[[int], Drawing]:
+    language, high = drawn.scene.language, heights(drawn.scene, "forces")
+    factors = (KINEMATICS.on(drawn).mu_l, decimals_told(drawn))
+
+    def at(place: int) -> Drawing:
+        if not whole(drawn.reading, polygon, reactions, place):
+            return Drawing(shown.figure.view, "")
+        return draw_group(
+            drawn.construction,
+            drawn.reading,
+            reaches(drawn),
+            shown,
+            place,
+            shown.figure.view,
+            "",
+            factors,
+            language,
+            high,
+            helping=False,
+        )
+
+    return at

@@ -1,0 +1,130 @@
+"""The plans of a mechanism at any angle of its crank: what is given there, the figures that move with it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from graphic_tmm.board import roles
+from graphic_tmm.board.operations.curve import french_curve
+from graphic_tmm.board.operations.instruments import stand
+from graphic_tmm.board.record import Mark
+from graphic_tmm.captions import captions
+from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
+from graphic_tmm.chapters.kinematics.ink_positions import (
+    FULL,
+    PositionsInk,
+    drawn_path,
+    path_stays,
+)
+from graphic_tmm.chapters.kinematics.plan import (
+    ACCELERATIONS,
+    KINEMATICS,
+    POSITIONS,
+    VELOCITIES,
+    KinematicPlans,
+    sides_at,
+)
+from graphic_tmm.chapters.kinematics.positions import side_record
+from graphic_tmm.chapters.kinematics.scales import reaches
+from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.moving import Between, Moving, Turn
+from graphic_tmm.paper.drawing import Drawing, Ink
+from graphic_tmm.paper.figure import Manner, figure
+from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.paper.views import mu_text
+
+
+def between(drawn: Drawn, turn: Turn) -> Between:
+    """Return how far the crank has turned, that no angle is an extra one, on which side each group stands."""
+    made, log = KINEMATICS.on(drawn), drawn.construction
+    found: dict[Mark, object] = {
+        mark: turn.turned[None, :] for mark in log.given if mark.role == roles.CRANK_ANGLE
+    }
+    none = np.zeros((1, turn.turned.size))
+    found |= {step.uses[2]: none for step in log.steps if step.op is stand}
+    angles = float(drawn.numbers.drawn[made.positions.phi][0, 0]) + turn.turned[None, :]
+    for group in made.structure.groups:
+        side = side_record(made.mechanism, group)
+        if group.name in made.positions.sides and side is not None:
+            mark = made.positions.sides[group.name]
+            found[mark] = sides_at(side, angles, made.mechanism.drive)
+    return found
+
+
+def moving(drawn: Drawn) -> Iterator[Moving]:
+    """Yield the mechanism in one position, and its plans of velocities and accelerations there."""
+    made, language = KINEMATICS.on(drawn), drawn.scene.language
+    words = captions(language)
+    yield Moving(
+        POSITIONS,
+        words[POSITIONS],
+        mu_text(drawn.scales[POSITIONS], language),
+        _mechanism(drawn),
+        lambda name: POSITIONS,
+        lambda: _about(drawn, made),
+        lambda: plan_columns(drawn, POSITIONS),
+        crank=made.crank,
+    )
+    for plan in (VELOCITIES, ACCELERATIONS):
+        if made.motion(plan) is not None and plan in drawn.scales and drawn.of(plan) is not None:
+            yield _plan(drawn, plan, words[plan])
+
+
+def _mechanism(drawn: Drawn) -> Callable[[int], Drawing]:
+    size = heights(drawn.scene, POSITIONS).point
+    ink = PositionsInk(drawn.construction, drawn.reading, reaches(drawn), [0])
+    names, rails = (ink.frame.name, *ink.names), ink.guides()
+
+    def at(place: int) -> Drawing:
+        wanted = tuple(ink.letters(names, place, size))
+        return Drawing(POSITIONS, "", (*rails, *ink.heavy(place)), wanted=wanted)
+
+    return at
+
+
+def _about(drawn: Drawn, made: KinematicPlans) -> Drawing:
+    """Return what stands about the mechanism: the crank's circle, paths, extreme positions, numbers."""
+    left_out = {*drawn.undrawn, *made.repeated}
+    places = [k for k in drawn.all if k not in left_out]
+    ink = PositionsInk(drawn.construction, drawn.reading, reaches(drawn), places)
+    traces = figure(ink.seen, Manner({french_curve.name: drawn_path}, path_stays))
+    strokes: list[Ink] = [*ink.crank_circle(made.crank), *traces.staying]
+    for k in made.extremes:
+        strokes += ink.thin(k, FULL) if k in places else []
+    size = heights(drawn.scene, POSITIONS).number
+    wanted = tuple(ink.numbers(made.crank, drawn.names, size))
+    return Drawing(POSITIONS, "", tuple(strokes), wanted=wanted)
+
+
+def _plan(drawn: Drawn, plan: str, title: str) -> Moving:
+    log, reading = drawn.construction, drawn.of(plan)
+    scale, size = drawn.scales[plan], heights(drawn.scene, plan)
+    assert reading is not None
+    row = drawn.row(plan)
+
+    def at(place: int) -> Drawing:
+        stood = [Place(row.index(place) if len(row) < len(drawn.names) else place)]
+        return draw_plan(
+            log,
+            reading,
+            plan,
+            stood,
+            plan,
+            "",
+            scale.value,
+            UNITS[plan],
+            heights=size,
+            helping=False,
+        )
+
+    return Moving(
+        plan,
+        title,
+        mu_text(scale, drawn.scene.language),
+        at,
+        lambda name: f"{plan}-{name}",
+        columns=lambda: plan_columns(drawn, plan),
+    )

@@ -1,0 +1,118 @@
+"""What a picture of a construction is drawn with: done strokes thin, the new ones heavy; views made smaller."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from types import MappingProxyType
+from typing import NamedTuple
+
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Label
+from graphic_tmm.paper.lettering.letters import plain
+from graphic_tmm.paper.packing import bounds
+
+FORMAT = "A4"
+"""The format of the sheets: its pens and its heights of letters."""
+DONE: Mapping[str, str] = MappingProxyType(
+    {
+        "main": "thin",
+        "medium": "thin",
+        "thick": "thin",
+        "rod": "over",
+        "body": "outline",
+        "joint": "pin",
+    }
+)
+"""With what a stroke is drawn that was there before, by its own pen; others stay as they are."""
+NEW: Mapping[str, str] = MappingProxyType({"thin": "main", "medium": "main", "over": "rod"})
+"""With what a stroke of a step is drawn when it is new; what is part of a body has the body's own pens."""
+ADDED = ("axis", "dimension", "hatching", "leader", "number")
+"""Parts of views that are no lines of a construction: they are as thin when they are new."""
+EPSILON = 1e-9
+"""Lines of lettering nearer to one another, mm, stand on one."""
+ROUND = 9
+"""Places to which heights of letters are rounded, so that what was made larger and smaller is as it was."""
+
+
+def in_hand(drawn: Drawn, factor: float) -> Drawn:
+    """Return a board whose views, so many times as large, have the letters of a sheet in the hand."""
+    scene = drawn.scene
+    orders = tuple(replace(order, format=FORMAT) for order in scene.sheets)
+    scene = replace(scene, sheets=orders, letters=1.0 / factor)
+    return replace(drawn, project=replace(drawn.project, scene=scene))
+
+
+class Bare(NamedTuple):
+    """A view without the lines of its caption, and these lines (mark-up)."""
+
+    view: Drawing
+    told: tuple[str, ...]
+
+
+def bare(view: Drawing) -> Bare:
+    """Return a view without its caption and without what a page would read of its strokes."""
+    caption = _caption(view)
+    view = view._replace(
+        strokes=tuple(_mute(one) for one in view.strokes),
+        rubbed=tuple(_mute(one) for one in view.rubbed),
+        labels=tuple(label for label in view.labels if label not in caption),
+        cell=None,
+        apart=None,
+        foot=0.0,
+    )
+    return Bare(view, tuple(label.text for label in caption))
+
+
+def _caption(view: Drawing) -> list[Label]:
+    """Return the lines below a view: its title and what stands below that; they name no mark of their own."""
+    title = plain(view.title)
+    named = [one for one in view.labels if one.of in ((), view.begins)]
+    heads = [one for one in named if len(one.text) > 1 and plain(one.text) in title]
+    if heads:
+        largest = max(one.size for one in heads)
+        foot = max(one.at.imag for one in heads if one.size == largest) + EPSILON
+    else:
+        foot = bounds(view)[1] + view.foot - EPSILON
+    return [one for one in named if one.at.imag < foot]
+
+
+def _mute(stroke: Ink) -> Ink:
+    if isinstance(stroke, Bezier):
+        return stroke._replace(title="", data=())
+    return stroke._replace(title="", data=())
+
+
+def enlarged(view: Drawing, factor: float) -> Drawing:
+    """Return a view so many times as large, its letters and all."""
+    return view._replace(
+        strokes=tuple(times(one, factor) for one in view.strokes),
+        rubbed=tuple(times(one, factor) for one in view.rubbed),
+        labels=tuple(
+            one._replace(at=one.at * factor, size=round(one.size * factor, ROUND))
+            for one in view.labels
+        ),
+    )
+
+
+def times(stroke: Ink, factor: float) -> Ink:
+    """Return a stroke so many times as large, about the origin."""
+    if isinstance(stroke, Bezier):
+        return stroke._replace(controls=tuple(c * factor for c in stroke.controls))
+    path = tuple((x * factor, y * factor, bulge) for x, y, bulge in stroke.path)
+    return stroke._replace(path=path, symbol=None)
+
+
+def done(strokes: Iterable[Ink]) -> Iterator[Ink]:
+    """Yield strokes as they are drawn in pictures after their own: thin."""
+    for stroke in strokes:
+        yield stroke._replace(pen=DONE.get(stroke.pen, stroke.pen))
+
+
+def new(strokes: Iterable[Ink]) -> Iterator[Ink]:
+    """Yield strokes as they are drawn in their own picture: those of the step heavy."""
+    for stroke in strokes:
+        if stroke.part in ADDED or (stroke.part and stroke.pen == "thin"):
+            yield stroke
+        else:
+            yield stroke._replace(pen=NEW.get(stroke.pen, stroke.pen))

@@ -1,0 +1,165 @@
+"""A mechanism at every degree of its crank: the same log, executed by the exact hand at so many angles more.
+
+Chapters tell what their givens are there (`Chapter.between`). What is drawn across positions, a curve, an
+extreme, is the sheet's own and is not drawn again. What follows from something else that belongs to the
+positions of the sheet alone (a chord between two of them) is left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from graphic_tmm.board import roles
+from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.findings import examine, step_number
+from graphic_tmm.board.hand import EXACT
+from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.values import Reals, places
+from graphic_tmm.drawn import Drawn, Numbers
+from graphic_tmm.moving import Turn
+from graphic_tmm.project import Project
+from graphic_tmm.readers.findings import reason
+
+WHOLE = 360.0
+"""Degrees of a turn; so many angles are drawn of it."""
+ON_GRID = 1e-6
+"""A position that is off a whole degree by more than this has an angle of its own."""
+
+
+@dataclass(frozen=True)
+class Dense:
+    """A mechanism at every degree of its crank.
+
+    ``drawn``: as drawn there, by the exact hand; its positions are the angles. ``sheet``: the same at the
+    positions of the sheet. ``turned``: how far the crank has turned at each angle, degrees, all whole degrees
+    of the row's turns in order, behind them what positions are not among them; ``angles``: its direction.
+    ``whole``: how many these are; ``at``: the index of each position of the sheet. ``why``: by index the reason
+    why an angle is not drawn.
+    """
+
+    drawn: Drawn
+    sheet: Drawn
+    turned: Reals
+    angles: Reals
+    whole: int
+    at: tuple[int, ...]
+    why: Mapping[int, str]
+
+
+def dense(drawn: Drawn) -> Dense | None:
+    """Return a mechanism at every degree; None of a board whose positions are no angles of a crank."""
+    log = drawn.construction
+    sheet = drawn if _exact(drawn) else drawn.drawn_by(EXACT)
+    by = next((mark for mark in log.given if mark.role == roles.CRANK_ANGLE), None)
+    if by is None:
+        return None
+    turned, numbers, whole, at = _turned(drawn, by)
+    known = _kept(sheet)
+    known |= {mark: numbers[None, :] for mark in log.given if mark.role == roles.STATION}
+
+    def read(marks: Iterable[Mark]) -> Reading:
+        return execute(_again(log, known), known, marks)
+
+    turn = Turn(turned, numbers, drawn.project.count, read)
+    for chapter in drawn.project.chapters:
+        known |= chapter.between(sheet, turn)
+    again = _again(log, known)
+    reading = execute(again, known)
+    angles = np.array(drawn.project.angles[0] or 0.0) + turned
+    names = tuple(f"{angle % WHOLE:g}°" for angle in angles)
+    everywhere = tuple(range(turned.size))
+    rows = dict.fromkeys(drawn.project.rows, everywhere)
+    project = replace(
+        drawn.project, names=names, angles=tuple(float(a) for a in angles % WHOLE), rows=rows
+    )
+    bad, why = _undrawn(project, again, reading, known)
+    numbers_there = Numbers(reading, dict.fromkeys(rows, reading), reading)
+    there = replace(sheet, project=project, numbers=numbers_there, hand=EXACT, undrawn=bad)
+    there.cache.update(sheet.cache)
+    return Dense(there, sheet, turned, angles, whole, at, why)
+
+
+def _exact(drawn: Drawn) -> bool:
+    hand = drawn.hand
+    return hand.ruler is None and not hand.slips and hand.digits is None
+
+
+def _turned(drawn: Drawn, by: Mark) -> tuple[Reals, Reals, int, tuple[int, ...]]:
+    """Return how far the crank has turned at every angle, its number in the row; see `Dense` for the others."""
+    count = drawn.project.count
+    row = np.asarray(drawn.given[by], dtype=float)[0]
+    assert drawn.scene.mechanism is not None
+    sense = 1.0 if drawn.scene.mechanism.drive.speed > 0.0 else -1.0
+    degrees = round(abs(float(row[1])) * count) if count > 1 else round(WHOLE)
+    turned = list(sense * np.arange(degrees, dtype=float))
+    zero = float(drawn.project.angles[0] or 0.0)
+    at = []
+    for k, angle in enumerate(drawn.project.angles):
+        own = abs(row[k]) if k < count else (sense * (float(angle or 0.0) - zero)) % WHOLE
+        near = round(own)
+        if abs(own - near) < ON_GRID and near < degrees:
+            at.append(near)
+        else:
+            at.append(len(turned))
+            turned.append(sense * own)
+    found = np.array(turned)
+    return found, np.abs(found) * count / degrees, degrees, tuple(at)
+
+
+def _kept(sheet: Drawn) -> dict[Mark, Any]:
+    """Return what is given that does not vary, and what is drawn across positions, once for all of them."""
+    drawn, steps = sheet.numbers.drawn, sheet.construction.steps
+    known: dict[Mark, Any] = {
+        mark: value
+        for mark, value in sheet.given.items()
+        if not (isinstance(value, np.ndarray) and value.ndim == 2 and value.shape[1] > 1)
+    }
+    across = [step.it for step in steps if step.op.across and step.it in drawn]
+    return known | {mark: drawn[mark] for mark in across if places(drawn[mark]) == 1}
+
+
+def _again(log: Construction, known: Collection[Mark]) -> Construction:
+    """Return the log of what follows from what is known, and from nothing else."""
+    there, steps = set(known), []
+    for step in log.steps:
+        if step.it in known:
+            continue
+        if not step.op.across and there.issuperset(step.uses):
+            there.add(step.it)
+            steps.append(step)
+    begun = tuple(mark for mark in (*log.given, *(s.it for s in log.steps)) if mark in known)
+    return log._replace(given=begun, steps=tuple(steps))
+
+
+def _undrawn(
+    project: Project, again: Construction, reading: Reading, known: Mapping[Mark, Any]
+) -> tuple[tuple[int, ...], dict[int, str]]:
+    """Return the angles at which the mechanism cannot be drawn, and of each the sentence that tells why."""
+    found: set[int] = set()
+    for chapter in project.chapters:
+        found |= set(chapter.undrawn(project, reading))
+    bad, why = tuple(sorted(found)), dict[int, str]()
+    if bad:
+        marks = [step.it for step in again.steps]
+        for run in _runs(bad):
+            told = examine(again, known, marks, positions=run)
+            first = next((one for one in told if one.kind == "undrawn"), None)
+            if first is not None:
+                first = first._replace(number=step_number(project.construction, first.step))
+                why |= dict.fromkeys(run, reason(first, project, project.scene.language))
+    return bad, why
+
+
+def _runs(places: Sequence[int]) -> Iterator[list[int]]:
+    """Yield the runs of neighbours among places in order."""
+    run: list[int] = []
+    for place in places:
+        if run and place != run[-1] + 1:
+            yield run
+            run = []
+        run.append(place)
+    yield run
