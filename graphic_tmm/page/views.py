@@ -62,7 +62,7 @@ def board_of(made: DrawnScene, drawing: Drawing) -> Drawn | None:
     """Return the board whose log a view is the picture of; None of tables, frames, texts."""
     for drawn in made.boards:
         views = {view.name for view in drawn.construction.views}
-        if drawing.shows and views.issuperset(drawing.shows):
+        if not views.isdisjoint(drawing.shows):
             return drawn
     return None
 

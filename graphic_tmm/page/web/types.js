@@ -17,6 +17,23 @@
  *   values: Record<string, Row[]>}} View
  * @typedef {{name: string, width: number, height: number, format: string}} SheetSize
  * @typedef {{language: string, title: string, words: Record<string, string>, sheets: SheetSize[],
- *   views: View[]}} Data
+ *   parts: Record<string, string>, views: View[], crank?: Dense}} Data
+ *
+ * The mechanism at every degree; the names are those of page/crank.py. A coordinate is a number of thousandths of
+ * a millimetre, or a row and a distance; what is not always there says from which to behind which angle it is.
+ * @typedef {0 | number[]} There
+ * @typedef {[string, [number, string][]]} Glyph words, strokes by pen
+ * @typedef {{letter: string, unit: string, places: number, texts: (string | null)[], row: number[],
+ *   worth: number, there: There}} Value
+ * @typedef {{name: string, title: string, caption: string, box: number[], refined: number[], rows: number[],
+ *   lines: [string, number, number[][], 0 | number[][], There][],
+ *   letters: [number, number[], number[], There][], values: Value[], still?: [string, string][],
+ *   stands?: [number, number, number][], crank?: number[]}} MovingFigure
+ * @typedef {{view: string, letter: string, unit: string, mu: number, origin: number, upright: boolean,
+ *   x: number[], y: number[], there: There, texts: (string | null)[]}} Cursor
+ * @typedef {{whole: number, step: number, sense: number, zero: number, more: number[], lengths: number[],
+ *   positions: [string, number][], why: [number, number, string][], decimal: string,
+ *   pens: Record<string, [number, number[], string, string]>, figures: MovingFigure[], cursors: Cursor[],
+ *   glyphs: Glyph[]}} Dense
  */
 export {};
