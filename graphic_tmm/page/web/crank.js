@@ -55,7 +55,7 @@ function fill(room, data, dense, state, bytes) {
   const cards = cardsOf(data, dense, unpackedRows(bytes, dense.lengths));
   const chosen = new Set(cards.slice(0, FIRST).map((card) => card.name));
   const turn = () => state.place.turn;
-  const go = (/** @type {number} */ to) => state.go({ turn: within(dense, to) });
+  const go = (/** @type {number} */ to) => state.go({ turn: withinTurn(dense, to) });
   const degree = () => Math.round(turn());
 
   const run = iconButton(RUN, say("turn on"), () => engine.toggle());
@@ -71,7 +71,7 @@ function fill(room, data, dense, state, bytes) {
     engine.run(false);
     go(to);
   });
-  const angle = element("output", { class: "angle" });
+  const angle = /** @type {HTMLOutputElement} */ (element("output", { class: "angle" }));
   const why = element("p", { class: "why", role: "status" });
   const positions = dense.positions.map(([name, index]) => {
     const made = element("button", { type: "button" }, name);
@@ -152,7 +152,7 @@ function fill(room, data, dense, state, bytes) {
  * @param {Dense} dense
  * @param {number} turn
  */
-function within(dense, turn) {
+function withinTurn(dense, turn) {
   return ((turn % dense.whole) + dense.whole) % dense.whole;
 }
 
@@ -171,7 +171,7 @@ function slider(name, dense, go) {
     const by = { PageUp: LEAP, PageDown: -LEAP }[event.key];
     if (by === undefined) return;
     event.preventDefault();
-    go(within(dense, Number(made.value) + by));
+    go(withinTurn(dense, Number(made.value) + by));
   });
   return made;
 }
