@@ -23,6 +23,7 @@ NAMES = {
     "steps": "Steps",
     "sheets": "Sheets",
     "crank": "Crank",
+    "lecture": "Lecture",
 }
 """What a page calls what is pressed or chosen, in English."""
 HELPERS = (Path(__file__).parent / "lesson.js").read_text(encoding="utf-8")
