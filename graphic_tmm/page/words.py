@@ -14,6 +14,7 @@ WORDS: dict[str, str] = {
     "speed": said("Speed"),
     "a second": said("°/s"),
     "shown": said("What is seen"),
+    "fit": said("As large as it is now"),
     "not drawn": said("It cannot be drawn here: {why}."),
     "protocol": said("Protocol"),
     "plan": said("Plan"),

@@ -23,11 +23,12 @@ const ROOMS = {
 };
 
 const data = await packedData();
-const state = new State(data.views, Object.keys(ROOMS));
+const there = Object.entries(ROOMS).filter(([name]) => name !== "crank" || data.crank !== undefined);
+const state = new State(data.views, there.map(([name]) => name));
 document.documentElement.classList.add("js");
 const main = /** @type {HTMLElement} */ (document.getElementById("main"));
 /** @type {Record<string, HTMLElement>} */
-const rooms = Object.fromEntries(Object.entries(ROOMS).map(([name, room]) => [name, room(data, state)]));
+const rooms = Object.fromEntries(there.map(([name, room]) => [name, room(data, state)]));
 for (const room of Object.values(rooms)) if (!room.isConnected) main.append(room);
 const tabs = /** @type {HTMLElement} */ (document.getElementById("tabs"));
 fillTabs(tabs, state, rooms, data.words);
