@@ -18,6 +18,7 @@ from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.page.crank import crank
 from graphic_tmm.page.join import script, style
+from graphic_tmm.page.layers import PARTS
 from graphic_tmm.page.protocol import protocol_of
 from graphic_tmm.page.views import played
 from graphic_tmm.page.words import WORDS
@@ -70,12 +71,24 @@ def page_data(made: DrawnScene, sheets: Sequence[Sheet]) -> dict[str, Any]:
         "language": made.scene.language,
         "title": made.scene.title,
         "words": words,
+        "parts": {part: speech(PARTS[part]) for part in parts_of(sheets)},
         "sheets": [
             {"name": one.name, "width": one.width, "height": one.height, "format": one.format}
             for one in sheets
         ],
         "views": played(made, sheets),
     }
+
+
+def parts_of(sheets: Sequence[Sheet]) -> list[str]:
+    """Return the parts of which ink of sheets is, what was rubbed out too."""
+    found = {
+        stroke.part
+        for sheet in sheets
+        for drawing in sheet.drawings
+        for stroke in (*drawing.strokes, *drawing.rubbed)
+    }
+    return sorted(found - {""})
 
 
 def packed(data: object) -> str:

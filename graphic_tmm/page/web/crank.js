@@ -5,8 +5,16 @@ import { element, filled } from "./dom.js";
 import { putHandle } from "./handle.js";
 import { listenToKeys } from "./keys.js";
 import { unpackedRows } from "./pack.js";
-import { choices, LEAP, positionButtons, runner, turningRange } from "./tools.js";
+<<<<<<< HEAD
+import { choices, LEAP, positionButtons, runner, turningRange } from "./controls.js";
 import { fourFigures } from "./values.js";
+||||||| 8250538
+import { placeOf } from "./strokes.js";
+import { fixedText, fourFigures, Values } from "./values.js";
+=======
+import { placeOf } from "./strokes.js";
+import { fixedText, fourFigures, Values } from "./crank-values.js";
+>>>>>>> main
 
 /**
  * @typedef {import("./types.js").Data} Data

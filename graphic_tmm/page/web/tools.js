@@ -1,91 +1,60 @@
-import { turnAt } from "./dense.js";
-import { element, iconButton, typeset } from "./dom.js";
-import { motor, SPEEDS } from "./motor.js";
+import { drawnElement, element } from "./dom.js";
+import { outlinesOf } from "./outlines.js";
 
 /**
- * @typedef {import("./types.js").Dense} Dense
- * @typedef {import("./cards.js").Card} Card
- * @typedef {(key: string) => string} Say
- * @typedef {ReturnType<typeof motor>} Motor
+ * @typedef {import("./types.js").Data} Data
+ * @typedef {import("./types.js").Tool} Tool
+ * @typedef {import("./types.js").View} View
  */
 
-const RUN = "M7 4v16l13-8z";
-const HALT = "M7 5v14M16 5v14";
-/** So many degrees a page up or down. */
-export const LEAP = 30;
+/** On a drawing of this size, mm, instruments are shown as large as they usually are; on a smaller one smaller. */
+const ROOMY = 140;
 
 /**
- * Return the button that lets the crank turn by itself, the motor behind it, and the choice of its speed.
- * @param {Say} say
- * @param {(by: number) => void} turn
+ * The instrument of a step, hinted over the drawing as an outline that does not hide its ink.
  */
-export function runner(say, turn) {
-  const run = iconButton(RUN, say("turn on"), () => engine.toggle());
-  const engine = motor(turn, (runs) => {
-    run.querySelector("path")?.setAttribute("d", runs ? HALT : RUN);
-    run.setAttribute("aria-label", say(runs ? "turn off" : "turn on"));
-    run.title = say(runs ? "turn off" : "turn on");
-  });
-  const speed = /** @type {HTMLSelectElement} */ (element("select", {}));
-  speed.append(...SPEEDS.map((one, n) => element("option", { value: String(n) }, `${one} ${say("a second")}`)));
-  speed.value = "1";
-  speed.addEventListener("change", () => engine.shift(Number(speed.value)));
-  return { engine, parts: [run, element("label", {}, `${say("speed")} `, speed)] };
+export class Tools {
+  /**
+   * @param {SVGElement} svg
+   * @param {View} view
+   */
+  constructor(svg, view) {
+    this.view = view;
+    this.layer = drawnElement("g", { class: "instrument", "aria-hidden": "true" });
+    svg.prepend(this.layer);
+  }
+
+  /**
+   * Lay the instrument where the step of a stop needs it.
+   * @param {number} n
+   */
+  show(n) {
+    const lines = this.view.pictures[n]?.lines ?? [];
+    const made = this.view.pictures[n]?.again ? [] : lines.flatMap((line) => (line.tool ? this.outlines(line.tool) : []));
+    this.layer.replaceChildren(...made);
+  }
+
+  /**
+   * @param {Tool} tool
+   */
+  outlines([kind, , ...numbers]) {
+    /** @type {[number, number][]} */
+    const spots = [];
+    for (let k = 0; k + 1 < numbers.length; k += 2) spots.push([numbers[k] ?? 0, numbers[k + 1] ?? 0]);
+    const [, , width = 0, height = 0] = this.view.box;
+    const scale = Math.min(1, Math.max(width, height) / ROOMY);
+    return outlinesOf(kind, spots, scale).map(({ d, ghost }) => drawnElement("path", ghost ? { d, class: "ghost" } : { d }));
+  }
 }
 
 /**
- * Return the range that turns the crank, for who has no pointer.
- * @param {string} name
- * @param {Dense} dense
- * @param {(turn: number) => void} go
+ * Return the switch that takes the instruments off the board.
+ * @param {Data} data
+ * @param {Element} board
  */
-export function turningRange(name, dense, go) {
-  const most = dense.whole - 1;
-  const made = /** @type {HTMLInputElement} */ (
-    element("input", { type: "range", class: "turn", min: "0", max: String(most), step: "1", "aria-label": name })
-  );
-  made.addEventListener("input", () => go(Number(made.value)));
-  made.addEventListener("keydown", (event) => {
-    const by = { PageUp: LEAP, PageDown: -LEAP }[event.key];
-    if (by === undefined) return;
-    event.preventDefault();
-    go(Number(made.value) + by);
-  });
-  return made;
-}
-
-/**
- * Return a button for each position of the sheet.
- * @param {Dense} dense
- * @param {(turn: number) => void} go
- */
-export function positionButtons(dense, go) {
-  return dense.positions.map(([name, index]) => {
-    const made = element("button", { type: "button" }, name);
-    made.addEventListener("click", () => go(turnAt(dense, index)));
-    return made;
-  });
-}
-
-/**
- * Return the choice of what is seen; `chosen` follows it.
- * @param {string} name
- * @param {Card[]} cards
- * @param {Set<Card>} chosen
- * @param {() => void} show
- */
-export function choices(name, cards, chosen, show) {
-  const boxes = cards.map((card) => {
-    const box = /** @type {HTMLInputElement} */ (element("input", { type: "checkbox" }));
-    box.checked = chosen.has(card);
-    card.figure.hidden = !box.checked;
-    box.addEventListener("change", () => {
-      card.figure.hidden = !box.checked;
-      if (box.checked) chosen.add(card);
-      else chosen.delete(card);
-      show();
-    });
-    return element("label", {}, box, element("span", {}, ...typeset(card.title)));
-  });
-  return element("div", { class: "choices", role: "group", "aria-label": name }, ...boxes);
+export function toolSwitch(data, board) {
+  const box = /** @type {HTMLInputElement} */ (element("input", { type: "checkbox" }));
+  box.checked = true;
+  box.addEventListener("change", () => board.classList.toggle("bare", !box.checked));
+  return element("label", { class: "switch" }, box, ` ${data.words["instrument"] ?? ""}`);
 }
