@@ -2,7 +2,7 @@ import { Cursors } from "./cursor.js";
 import { element, iconButton, typeset } from "./dom.js";
 import { Moving } from "./moving.js";
 import { placeOf } from "./strokes.js";
-import { fixedText, fourFigures, Values } from "./values.js";
+import { fixedText, fourFigures, Values } from "./crank-values.js";
 
 /**
  * @typedef {import("./types.js").Data} Data
@@ -14,7 +14,7 @@ import { fixedText, fourFigures, Values } from "./values.js";
  */
 
 /** What takes more over the turn has two columns, mm. */
-const WIDE = 280;
+const BROAD = 280;
 /** Letters are told large enough to be read, px for a capital of 5 mm. */
 const READ = 13;
 const CAPITAL = 5;
@@ -88,7 +88,7 @@ function card(name, title, caption, box, values, make, own, fit = "") {
   const heading = element("figcaption", {}, element("span", {}, ...typeset(title)), element("small", {}, ...typeset(caption)));
   const figure = element("figure", { class: "card" }, heading, values.list);
   const [, , width = 1, height = 1] = box;
-  figure.classList.toggle("wide", Math.max(width, height) > WIDE);
+  figure.classList.toggle("wide", Math.max(width, height) > BROAD);
   /** @type {Shown | null} */
   let shown = null;
   const built = () => {

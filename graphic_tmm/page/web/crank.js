@@ -5,16 +5,8 @@ import { element, filled } from "./dom.js";
 import { putHandle } from "./handle.js";
 import { listenToKeys } from "./keys.js";
 import { unpackedRows } from "./pack.js";
-<<<<<<< HEAD
 import { choices, LEAP, positionButtons, runner, turningRange } from "./controls.js";
-import { fourFigures } from "./values.js";
-||||||| 8250538
-import { placeOf } from "./strokes.js";
-import { fixedText, fourFigures, Values } from "./values.js";
-=======
-import { placeOf } from "./strokes.js";
-import { fixedText, fourFigures, Values } from "./crank-values.js";
->>>>>>> main
+import { fourFigures } from "./crank-values.js";
 
 /**
  * @typedef {import("./types.js").Data} Data

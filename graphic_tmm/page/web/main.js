@@ -30,34 +30,6 @@ const ROOMS = {
   lecture: lectureRoom,
 };
 
-<<<<<<< HEAD
-const data = await packedData();
-const there = Object.entries(ROOMS).filter(([name]) => name !== "crank" || data.crank !== undefined);
-const state = new State(data.views, there.map(([name]) => name));
-document.documentElement.classList.add("js");
-const main = /** @type {HTMLElement} */ (document.getElementById("main"));
-/** @type {Record<string, HTMLElement>} */
-const rooms = Object.fromEntries(there.map(([name, room]) => [name, room(data, state)]));
-for (const room of Object.values(rooms)) if (!room.isConnected) main.append(room);
-const tabs = /** @type {HTMLElement} */ (document.getElementById("tabs"));
-fillTabs(tabs, state, rooms, data.words);
-letRun(state);
-state.follow();
-document.documentElement.classList.add("ready");
-||||||| 8250538
-const data = await packedData();
-const state = new State(data.views, Object.keys(ROOMS));
-document.documentElement.classList.add("js");
-const main = /** @type {HTMLElement} */ (document.getElementById("main"));
-/** @type {Record<string, HTMLElement>} */
-const rooms = Object.fromEntries(Object.entries(ROOMS).map(([name, room]) => [name, room(data, state)]));
-for (const room of Object.values(rooms)) if (!room.isConnected) main.append(room);
-const tabs = /** @type {HTMLElement} */ (document.getElementById("tabs"));
-fillTabs(tabs, state, rooms, data.words);
-letRun(state);
-state.follow();
-document.documentElement.classList.add("ready");
-=======
 try {
   begin(await packedData());
 } catch (fault) {
@@ -70,10 +42,11 @@ try {
 function begin(data) {
   const root = document.documentElement;
   const opened = location.hash.length < 2;
-  const state = new State(data.views, Object.keys(ROOMS));
+  const rooms = Object.entries(ROOMS).filter(([name]) => name !== "crank" || data.crank !== undefined);
+  const state = new State(data.views, rooms.map(([name]) => name));
   root.classList.add("js");
   fillTabs(part("tabs"), state, data.words);
-  for (const [name, room] of Object.entries(ROOMS)) {
+  for (const [name, room] of rooms) {
     const made = room(data, state);
     asPanel(made, name, data.words[name] ?? name);
     made.hidden = name !== state.place.tab;
@@ -93,4 +66,3 @@ function begin(data) {
 function part(id) {
   return /** @type {HTMLElement} */ (document.getElementById(id));
 }
->>>>>>> main
