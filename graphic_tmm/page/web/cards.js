@@ -16,14 +16,14 @@ import { fixedText, fourFigures, Values } from "./crank-values.js";
 /** What takes more over the turn has two columns, mm. */
 const BROAD = 280;
 /** Letters are told large enough to be read, px for a capital of 5 mm. */
-const READ = 13;
+const LEGIBLE = 13;
 const CAPITAL = 5;
-const MOST = 2.2;
+const LARGEST = 2.2;
 /** At fewer px a millimetre lines are drawn broader. */
 const SEEN = 2;
 const FIT = "M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5";
 /** White about a drawing that is fitted, mm. */
-const EDGE = 6;
+const ABOUT = 6;
 
 /**
  * Return what moves with the crank, each as a card: figures, then the views of the sheets that bear cursors. A card is
@@ -126,7 +126,7 @@ function fitting(svg, box, name) {
     made.setAttribute("aria-pressed", String(fits));
     const body = /** @type {SVGGraphicsElement | null} */ (svg.querySelector(".body"));
     const now = body?.getBBox();
-    const close = now === undefined ? box : [now.x - EDGE, now.y - EDGE, now.width + 2 * EDGE, now.height + 2 * EDGE];
+    const close = now === undefined ? box : [now.x - ABOUT, now.y - ABOUT, now.width + 2 * ABOUT, now.height + 2 * ABOUT];
     svg.setAttribute("viewBox", (fits ? close : box).join(" "));
     weigh(svg);
   });
@@ -148,6 +148,6 @@ function weigh(svg) {
   const [, , across = 1, up = 1] = (svg.getAttribute("viewBox") ?? "").split(" ").map(Number);
   const scale = Math.min(width / across, height / up);
   if (!(scale > 0)) return;
-  svg.style.setProperty("--larger", Math.min(MOST, Math.max(1, READ / (CAPITAL * scale))).toFixed(2));
+  svg.style.setProperty("--larger", Math.min(LARGEST, Math.max(1, LEGIBLE / (CAPITAL * scale))).toFixed(2));
   svg.style.setProperty("--heavier", Math.max(1, SEEN / scale).toFixed(2));
 }
