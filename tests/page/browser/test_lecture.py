@@ -196,7 +196,9 @@ def test_the_speaker_drives_the_lecture(lecture) -> None:
     other.locator(".plans select").select_option(label="Acceleration plan")
     assert steps(page)[:2] == ("Acceleration plan, position 2", 0)
     page.keyboard.press("End")
-    assert other.locator(".speaker-next .remark").first.inner_text() == "Acceleration plan, position 6"
+    assert (
+        other.locator(".speaker-next .remark").first.inner_text() == "Acceleration plan, position 6"
+    )
 
 
 def test_the_clock_is_the_speaker_s(lecture) -> None:
