@@ -35,7 +35,8 @@ class Series(NamedTuple):
     """A view, picture by picture.
 
     ``told``: lines of its caption (mark-up); ``factor``: how many times larger it is than on its own sheet;
-    ``box``: of all pictures together, mm; ``manner``: how they stand on a sheet; ``letters``: see `words.letters_of`.
+    ``box``: of all pictures together, mm; ``manner``: how they stand on a sheet; ``letters``: see
+    `words.letters_of`.
     """
 
     name: str
@@ -84,7 +85,7 @@ def series(drawn: Drawn, draw: Draw, place: int, untold: frozenset[int] = frozen
 
 
 def _begun(made: Sequence[Told]) -> Iterator[tuple[int, Told]]:
-    """Yield pictures with their numbers; where nothing is given, what is told of it goes with the first step."""
+    """Yield pictures with their numbers; where nothing is given, what is told of it goes with a step."""
     waiting: tuple[Line, ...] = ()
     for n, one in enumerate(made):
         if n == 0 and not one.picture.ink:

@@ -29,13 +29,13 @@ export function enlarge(svg, least) {
  */
 export function closeIn(svg) {
   const own = /** @type {NodeListOf<SVGGraphicsElement>} */ (svg.querySelectorAll(".label:not([data-of])"));
-  const titles = [...own].filter((label) => Number(label.parentElement?.getAttribute("stroke-width")) >= TITLE);
+  const titles = [...own].filter((label) => Number(label.parentElement?.getAttribute("stroke-width")) >= PLAN_TITLE);
   if (titles.length > 0) {
     const title = around(titles);
     const below = [...own].filter((label) => !titles.includes(label) && label.getBBox().y >= title.y + title.height - 1);
     titles.forEach((label) => label.remove());
     const up = below.length === 0 ? 0 : around(below).y - title.y;
-    below.forEach((label) => label.parentElement?.append(moved(label, -up)));
+    below.forEach((label) => label.parentElement?.append(liftedLabel(label, -up)));
   }
   const box = around([...svg.children].map((part) => /** @type {SVGGraphicsElement} */ (part)));
   if (box.width <= 0 && box.height <= 0) return;
@@ -46,14 +46,14 @@ export function closeIn(svg) {
 /** White about what is closed in on, mm. */
 const EDGE = 5;
 /** The width of the strokes of titles, mm. */
-const TITLE = 0.7;
+const PLAN_TITLE = 0.7;
 
 /**
  * Return a part within a group that moves it down.
  * @param {SVGElement} part
  * @param {number} by mm
  */
-function moved(part, by) {
+function liftedLabel(part, by) {
   return drawnElement("g", { transform: `translate(0 ${by})` }, part);
 }
 

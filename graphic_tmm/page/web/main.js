@@ -1,3 +1,4 @@
+import { crankRoom } from "./crank.js";
 import { packedData } from "./data.js";
 import { helpButton, helpPanel } from "./help.js";
 import { listenToKeys } from "./keys.js";
@@ -6,6 +7,7 @@ import { liveRegion } from "./live.js";
 import { playRoom } from "./play.js";
 import { showPoster } from "./poster.js";
 import { letRun } from "./run.js";
+import { sheetRoom } from "./sheet.js";
 import { State } from "./state.js";
 import { asPanel, fillTabs } from "./tabs.js";
 import { themeButton, turnTheme } from "./theme.js";
@@ -23,7 +25,8 @@ import { themeButton, turnTheme } from "./theme.js";
  */
 const ROOMS = {
   play: playRoom,
-  sheets: () => /** @type {HTMLElement} */ (document.getElementById("sheets")),
+  crank: crankRoom,
+  sheets: sheetRoom,
   lecture: lectureRoom,
 };
 
