@@ -10,9 +10,9 @@ from graphic_tmm.handout.sheets import BETWEEN, CAPTION, TITLE, advance, paper, 
 from graphic_tmm.handout.words import broken
 from graphic_tmm.paper.drawing import Drawing, Label, shifted
 
-ACROSS = 5
+ACROSS = 6
 """Pictures beside one another."""
-HIGH = 34.0
+HIGH = 27.0
 """How high a picture is at most, mm."""
 GAP = 5.0
 """Between pictures beside one another, mm."""
@@ -27,15 +27,15 @@ def overview(some: Sequence[Series], title: str, language: str) -> list[list[Dra
     room = paper(language)
     told = list(broken(title, TITLE, room.right - room.head.real))
     head = Drawing("overview title", title, (), tuple(set_rows(told, room.head)))
-    start = room.bottom + 0.0
     found: list[list[Drawing]] = []
-    top = start
+    top = room.bottom
+    wide = (room.right - room.left - GAP * (ACROSS - 1)) / ACROSS
     first = room.top - max(sum(map(advance, told)), ROOM) - BETWEEN
     for one in some:
         rows = list(_rows(one))
         for n, row in enumerate(rows):
             heading = list(broken(one.title, CAPTION, room.right - room.left)) if n == 0 else []
-            high = NUMBER + ABOVE + _height(one)
+            high = NUMBER + ABOVE + _factor(one, wide) * (one.box[3] - one.box[1])
             above = sum(map(advance, heading)) + (ABOVE if heading else 0.0)
             if top - above - high < room.bottom or not found:
                 found.append([head])
@@ -44,11 +44,10 @@ def overview(some: Sequence[Series], title: str, language: str) -> list[list[Dra
             if labels:
                 found[-1].append(Drawing(f"{one.name} heading", one.title, (), labels))
             top -= above
-            wide = (room.right - room.left - GAP * (ACROSS - 1)) / ACROSS
             for k, picture in enumerate(row):
                 at = complex(room.left + k * (wide + GAP), top)
                 found[-1].append(_small(one, picture, at, wide))
-            top -= high + BETWEEN
+            top -= high + GAP
     return found
 
 
@@ -61,22 +60,15 @@ def _rows(one: Series) -> Iterator[Sequence[Picture]]:
         yield one.pictures[k : k + ACROSS]
 
 
-def _wide() -> float:
-    return 30.0
-
-
-def _factor(one: Series) -> float:
+def _factor(one: Series, wide: float) -> float:
+    """Return how many times smaller the pictures of a series stand here; ``wide``: their room, mm."""
     x0, y0, x1, y1 = one.box
-    return min(1.0, _wide() / (x1 - x0), HIGH / (y1 - y0))
-
-
-def _height(one: Series) -> float:
-    return _factor(one) * (one.box[3] - one.box[1])
+    return min(1.0, wide / (x1 - x0), HIGH / (y1 - y0))
 
 
 def _small(one: Series, picture: Picture, at: complex, wide: float) -> Drawing:
     """Return a picture made small, without its letters: they could not be read."""
-    factor = _factor(one)
+    factor = _factor(one, wide)
     x0, _, x1, y1 = (factor * edge for edge in one.box)
     by = at - 1j * (NUMBER + ABOVE) + (wide - (x1 - x0)) / 2 - complex(x0, y1)
     strokes = tuple(shifted(times(stroke, factor), by) for stroke in picture.ink)
