@@ -84,6 +84,7 @@ def crank(made: DrawnScene, sheets: Sequence[Sheet]) -> Turned | None:
             _cursor(one, drawn, found, sheets, rows) for one in cursors(found, drawn, sheets)
         ],
         "glyphs": glyphs.made,
+        "lengths": [row.size for row in rows],
     }
     return Turned(data, packed(rows))
 
@@ -166,7 +167,7 @@ def _figure(
     data: dict[str, Any] = {
         "name": moving.name,
         "title": clean(plain(moving.title)),
-        "caption": clean(plain(moving.caption)),
+        "caption": indexed(clean(moving.caption)),
         "box": _box(made, places, still),
         "refined": list(made.refined),
         "rows": [begun, len(packer.rows), len(made.drawn)],

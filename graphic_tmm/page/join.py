@@ -8,11 +8,15 @@ from graphlib import TopologicalSorter
 from importlib.resources import files
 
 from graphic_tmm.errors import SheetError
+from graphic_tmm.paper.formats import FORMATS
+
+LOWER = 0.2
+"""How much lower than its page a figure in print is, mm."""
 
 _IMPORT = re.compile(r'^import \{[^}]*\} from "\./([\w-]+)\.js";\n', re.M)
 _EXPORT = re.compile(r"^export (?=(?:async )?(?:function|const|let|class)\b)", re.M)
 _NAME = re.compile(r"^(?:export )?(?:async )?(?:function\*?|const|let|class) (\w+)", re.M)
-_COMMENT = re.compile(r"^[ \t]*/\*\*(?:.|\n)*?\*/\n|^[ \t]*//.*\n", re.M)
+_COMMENT = re.compile(r"^[ \t]*/\*\*(?:(?!\*/).|\n)*\*/\n|^[ \t]*//.*\n", re.M)
 
 
 @cache
@@ -37,10 +41,26 @@ def script() -> str:
 
 @cache
 def style() -> str:
-    """Return the page's style sheet: all of its parts in the order of their names."""
+    """Return the page's style sheet: all of its parts in the order of their names, then the papers."""
     folder = files(__package__) / "web"
     sheets = sorted(one.name for one in folder.iterdir() if one.name.endswith(".css"))
-    return "\n" + "".join((folder / name).read_text("utf-8") for name in sheets)
+    return "\n" + "".join((folder / name).read_text("utf-8") for name in sheets) + papers()
+
+
+def papers() -> str:
+    """Return the rules by which a sheet in print has a page of its own format.
+
+    A figure is a little lower than its page: one as high would, by the rounding of its pixels, begin another.
+    """
+    rules = []
+    for name, paper in FORMATS.items():
+        page = name.replace(" ", "-")
+        rules += [
+            f"@page {page} {{ size: {paper.width:g}mm {paper.height:g}mm; margin: 0; }}",
+            f'@media print {{ #sheets > figure[data-format="{name}"] {{ page: {page};'
+            f" width: {paper.width:g}mm; height: {paper.height - LOWER:g}mm; }} }}",
+        ]
+    return "".join(f"{rule}\n" for rule in rules)
 
 
 def _modules() -> dict[str, str]:

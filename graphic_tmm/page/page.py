@@ -16,7 +16,9 @@ from typing import TYPE_CHECKING, Any
 
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.page.crank import crank
 from graphic_tmm.page.join import script, style
+from graphic_tmm.page.layers import PARTS
 from graphic_tmm.page.protocol import protocol_of
 from graphic_tmm.page.views import played
 from graphic_tmm.page.words import WORDS
@@ -37,6 +39,9 @@ def page(made: DrawnScene, sheets: Sequence[Sheet]) -> str:
 
     language = made.scene.language
     data = page_data(made, sheets)
+    turned = crank(made, sheets)
+    if turned is not None:
+        data["crank"] = turned.data
     program = script()
     return (
         _environment()
@@ -49,6 +54,7 @@ def page(made: DrawnScene, sheets: Sequence[Sheet]) -> str:
             rubbed=[Markup(inline(_rubbed(one))) for one in sheets],
             protocol=protocol_of(made, language) if made.boards else (),
             data=packed(data),
+            rows=carried(turned.rows) if turned is not None else "",
             style=Markup(style()),
             style_hash=_hash(style()),
             program=Markup(program),
@@ -65,6 +71,7 @@ def page_data(made: DrawnScene, sheets: Sequence[Sheet]) -> dict[str, Any]:
         "language": made.scene.language,
         "title": made.scene.title,
         "words": words,
+        "parts": {part: speech(PARTS[part]) for part in parts_of(sheets)},
         "sheets": [
             {"name": one.name, "width": one.width, "height": one.height, "format": one.format}
             for one in sheets
@@ -73,10 +80,26 @@ def page_data(made: DrawnScene, sheets: Sequence[Sheet]) -> dict[str, Any]:
     }
 
 
+def parts_of(sheets: Sequence[Sheet]) -> list[str]:
+    """Return the parts of which ink of sheets is, what was rubbed out too."""
+    found = {
+        stroke.part
+        for sheet in sheets
+        for drawing in sheet.drawings
+        for stroke in (*drawing.strokes, *drawing.rubbed)
+    }
+    return sorted(found - {""})
+
+
 def packed(data: object) -> str:
     """Return data as the page carries it: JSON, gzip, base64; the same data the same text."""
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
-    return base64.b64encode(gzip.compress(text.encode(), 9, mtime=0)).decode()
+    return carried(text.encode())
+
+
+def carried(data: bytes) -> str:
+    """Return bytes as the page carries them: gzip, base64."""
+    return base64.b64encode(gzip.compress(data, 9, mtime=0)).decode()
 
 
 def inline(sheet: Sheet) -> str:

@@ -4,7 +4,8 @@ const UNREADABLE =
 
 /** What a part is called: its label, or what stands on it. */
 function called(part) {
-  return part.getAttribute("aria-label") ?? part.textContent.trim();
+  const other = document.getElementById(part.getAttribute("aria-labelledby") ?? "");
+  return other?.textContent.trim() ?? part.getAttribute("aria-label") ?? part.textContent.trim();
 }
 
 function button(name) {
@@ -29,7 +30,8 @@ function values(select) {
 }
 
 function room(names) {
-  return document.querySelector(`section[aria-label="${names.play}"]`);
+  const rooms = [...document.querySelectorAll("section, [role=tabpanel]")];
+  return rooms.find((one) => called(one) === names.play);
 }
 
 /** The drawing of the plan that is played. */

@@ -1,0 +1,218 @@
+import { element } from "./dom.js";
+import { Camera } from "./pan.js";
+import { boxesMeet } from "./sheet-bounds.js";
+import { grownLetters, paintNames } from "./sheet-letters.js";
+import { batchesOf, paintBatches, paintLit } from "./sheet-paint.js";
+
+/**
+ * @typedef {import("./sheet-bounds.js").Box} Box
+ * @typedef {import("./sheet-ink.js").Ink} Ink
+ * @typedef {import("./sheet-ink.js").SheetInk} SheetInk
+ * @typedef {import("./sheet-ink.js").SheetView} SheetView
+ * @typedef {import("./sheet-paint.js").Batch} Batch
+ */
+
+/** No canvas has more points than this: telephones have little memory. */
+const MOST_POINTS = 9e6;
+/** So long nothing has moved before letters are set anew, ms. */
+const REST = 120;
+const GLIDE = 220;
+const STILL_PLEASE = "(prefers-reduced-motion: reduce)";
+
+/** The canvas on which a sheet lies; what it shows follows its camera, at most once a frame. */
+export class Desk {
+  /**
+   * @param {HTMLElement} surface what the canvas fills
+   * @param {(view: SheetView) => string} short a short name of a view
+   */
+  constructor(surface, short) {
+    this.surface = surface;
+    this.short = short;
+    this.canvas = /** @type {HTMLCanvasElement} */ (element("canvas", {}));
+    this.context = contextOf(this.canvas);
+    /** A context in millimetres, to ask what is under a point. */
+    this.asking = contextOf(element("canvas", { width: "1", height: "1" }));
+    this.camera = new Camera(1, 1);
+    /** @type {SheetInk} */
+    this.sheet = { width: 1, height: 1, ink: [], views: [], labels: [] };
+    /** @type {Ink[]} */
+    this.shown = [];
+    /** @type {Ink[]} */
+    this.lit = [];
+    /** @type {SheetView | null} */
+    this.chosen = null;
+    this.large = true;
+    /** @type {Batch[]} */
+    this.batches = [];
+    /** @type {Map<number, DOMMatrix>} */
+    this.grown = new Map();
+    this.frame = 0;
+    this.rest = 0;
+    this.onDrawn = () => {};
+    surface.append(this.canvas);
+    new ResizeObserver(() => this.measure()).observe(surface);
+    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.moved());
+  }
+
+  /**
+   * Lay a sheet on the desk.
+   * @param {SheetInk} sheet
+   */
+  lay(sheet) {
+    this.sheet = sheet;
+    this.lit = [];
+    this.chosen = null;
+    this.camera = new Camera(sheet.width, sheet.height);
+    this.camera.resize(this.surface.clientWidth, this.surface.clientHeight);
+  }
+
+  /**
+   * Say what of the sheet is shown.
+   * @param {Ink[]} shown
+   * @param {boolean} large whether letters are enlarged where they could not be read
+   */
+  show(shown, large) {
+    this.shown = shown;
+    this.large = large;
+    this.lit = this.lit.filter((one) => shown.includes(one));
+    this.settle();
+  }
+
+  /** Take the size that the surface has now. */
+  measure() {
+    const { clientWidth, clientHeight } = this.surface;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.camera.resize(clientWidth, clientHeight);
+    this.moved();
+  }
+
+  /** What is seen has changed. */
+  moved() {
+    if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
+    window.clearTimeout(this.rest);
+    this.rest = window.setTimeout(() => this.settle(), REST);
+  }
+
+  /** Set the letters for the size that they have now. */
+  settle() {
+    const grown = this.large ? grownLetters(this.sheet, this.camera.zoom) : new Map();
+    const same = grown.size === 0 && this.grown.size === 0 && this.batched === this.shown;
+    if (!same) {
+      this.grown = grown;
+      this.batches = batchesOf(this.shown, grown);
+      this.batched = this.shown;
+    }
+    window.clearTimeout(this.rest);
+    if (!same && this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
+  }
+
+  draw() {
+    this.frame = 0;
+    const { canvas, context, camera } = this;
+    const { width, height } = camera.window;
+    const ratio = Math.min(devicePixelRatio, Math.sqrt(MOST_POINTS / (width * height)));
+    const [across, down] = [Math.round(width * ratio), Math.round(height * ratio)];
+    if (canvas.width !== across) canvas.width = across;
+    if (canvas.height !== down) canvas.height = down;
+    const style = getComputedStyle(this.surface);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.fillStyle = style.backgroundColor;
+    context.fillRect(0, 0, width, height);
+    const scale = ratio * camera.zoom;
+    context.setTransform(scale, 0, 0, scale, -scale * camera.x, -scale * camera.y);
+    context.fillStyle = "#fff";
+    context.fillRect(0, 0, this.sheet.width, this.sheet.height);
+    paintBatches(context, this.batches, camera.seen, camera.zoom);
+    paintLit(context, this.lit, style.getPropertyValue("--lit"), camera.zoom);
+    if (this.chosen !== null) this.outline(this.chosen.box, style.getPropertyValue("--lit"));
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    if (this.large) paintNames(context, this.sheet.views, this.short, camera);
+    this.surface.dataset["seen"] = [camera.x, camera.y, camera.zoom].join(" ");
+    this.onDrawn();
+  }
+
+  /**
+   * @param {Box} box
+   * @param {string} colour
+   */
+  outline([left, top, right, bottom], colour) {
+    const rim = 3 / this.camera.zoom;
+    this.context.setLineDash([]);
+    this.context.lineWidth = 2 / this.camera.zoom;
+    this.context.strokeStyle = colour;
+    this.context.strokeRect(left - rim, top - rim, right - left + 2 * rim, bottom - top + 2 * rim);
+  }
+
+  /**
+   * Let a box fill the desk, gliding there unless that is not wanted.
+   * @param {Box} box
+   */
+  glideTo(box) {
+    const [left, top, right, bottom] = this.camera.seen;
+    const from = [(left + right) / 2, (top + bottom) / 2, Math.log(this.camera.zoom)];
+    const to = [(box[0] + box[2]) / 2, (box[1] + box[3]) / 2];
+    to.push(Math.log(this.camera.zoomFor(box[2] - box[0], box[3] - box[1])));
+    const begun = performance.now();
+    const length = window.matchMedia(STILL_PLEASE).matches ? 0 : GLIDE;
+    const go = () => {
+      const t = length === 0 ? 1 : Math.min((performance.now() - begun) / length, 1);
+      const eased = t * t * (3 - 2 * t);
+      const [x = 0, y = 0, zoom = 0] = from.map((one, k) => one + ((to[k] ?? one) - one) * eased);
+      this.camera.look(x, y, Math.exp(zoom));
+      this.moved();
+      if (t < 1) requestAnimationFrame(go);
+    };
+    go();
+  }
+
+  /**
+   * Return the ink under a point, what lies uppermost first; letters and ink with a title before others.
+   * @param {number} px
+   * @param {number} py
+   * @param {number} reach px
+   */
+  inkAt(px, py, reach) {
+    const [x, y] = this.camera.onSheet(px, py);
+    const by = reach / this.camera.zoom;
+    /** @type {Box} */
+    const about = [x - by, y - by, x + by, y + by];
+    const found = this.shown.filter((one) => {
+      if (!boxesMeet(one.box, about)) return false;
+      if (one.label >= 0) return boxesMeet(this.sheet.labels[one.label]?.box ?? one.box, about);
+      this.asking.lineWidth = one.pen.width + 2 * by;
+      return this.asking.isPointInStroke(one.path, x, y);
+    });
+    const rank = (/** @type {Ink} */ one) => (titleOf(one) ? 2 : one.of !== "" ? 1 : 0);
+    return found.reverse().sort((a, b) => rank(b) - rank(a));
+  }
+
+  /**
+   * Return the view at a point; of several the smallest.
+   * @param {number} px
+   * @param {number} py
+   */
+  viewAt(px, py) {
+    const [x, y] = this.camera.onSheet(px, py);
+    const area = (/** @type {SheetView} */ one) => (one.box[2] - one.box[0]) * (one.box[3] - one.box[1]);
+    return this.sheet.views
+      .filter((one) => !one.frame && boxesMeet(one.box, [x, y, x, y]))
+      .sort((a, b) => area(a) - area(b))[0];
+  }
+}
+
+/**
+ * Return what a path is called on the sheet.
+ * @param {Ink} ink
+ */
+export function titleOf(ink) {
+  return ink.label < 0 ? (ink.element.querySelector(":scope > title")?.textContent ?? "") : "";
+}
+
+/**
+ * Return a canvas's context without see-through points: what is under it need not be blended in.
+ * @param {HTMLElement} canvas
+ */
+function contextOf(canvas) {
+  const found = /** @type {HTMLCanvasElement} */ (canvas).getContext("2d", { alpha: false });
+  return /** @type {CanvasRenderingContext2D} */ (found);
+}
