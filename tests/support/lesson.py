@@ -22,6 +22,8 @@ NAMES = {
     "last": "Last picture",
     "steps": "Steps",
     "sheets": "Sheets",
+    "crank": "Crank",
+    "lecture": "Lecture",
 }
 """What a page calls what is pressed or chosen, in English."""
 HELPERS = (Path(__file__).parent / "lesson.js").read_text(encoding="utf-8")

@@ -17,6 +17,15 @@ const KEYS = {
     ["End", "last"],
     ["space", "keys run"],
   ],
+  crank: [
+    ["→ ↑", "degree on"],
+    ["← ↓", "degree back"],
+    ["PgUp", "leap on"],
+    ["PgDn", "leap back"],
+    ["Home", "turn begin"],
+    ["End", "turn end"],
+    ["space", "turn on"],
+  ],
   lecture: [
     ["→ PgDn space", "keys onward"],
     ["← PgUp", "keys back"],
