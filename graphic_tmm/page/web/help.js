@@ -26,6 +26,12 @@ const KEYS = {
     ["End", "turn end"],
     ["space", "turn on"],
   ],
+  sheets: [
+    ["← → ↑ ↓", "keys pan"],
+    ["+ −", "keys zoom"],
+    ["0", "fit whole"],
+    ["1", "fit true"],
+  ],
   lecture: [
     ["→ PgDn space", "keys onward"],
     ["← PgUp", "keys back"],
