@@ -133,7 +133,7 @@ class _View:
             name = title_of(self.drawn.project, told.view, self.language)
             yield {"head": True, "text": [indexed(name)]}
         terms = polygon(self.played.log, told.view)
-        if terms:
+        if terms and all(term.line is None or term.line.slot in self.made for term in terms):
             yield sum_of(terms, self.made, self.language)
 
     def line(self, told: Told, stop: Stop, *, again: bool) -> Iterator[dict[str, Any]]:

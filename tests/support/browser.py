@@ -118,6 +118,7 @@ class Opened:
     def __init__(
         self, browser: Browser, file: Path | None, address: str = "", **options: Any
     ) -> None:
+        self.file = file
         self.context = browser.new_context(
             **{"viewport": {"width": 1280, "height": 800}, **options}
         )

@@ -10,6 +10,7 @@ import { Speaker } from "./speaker.js";
 import { Stage } from "./stage.js";
 import { tellingOf } from "./telling.js";
 import { turnTheme } from "./theme.js";
+import { Tools } from "./tools.js";
 
 /**
  * @typedef {import("./types.js").Data} Data
@@ -45,6 +46,8 @@ export function lectureRoom(data, state) {
   const trouble = element("p", { class: "hint", role: "alert", hidden: "" });
   /** @type {Stage | null} */
   let stage = null;
+  /** @type {Tools | null} */
+  let tools = null;
 
   const full = button("full", "full screen", () => (isFull() ? leaveFull(dressed) : enterFull(dressed)));
   const dressed = (/** @type {boolean} */ on) => {
@@ -100,8 +103,10 @@ export function lectureRoom(data, state) {
       title.textContent = state.view.title;
       paper.replaceChildren(stage.svg);
       fit();
+      tools = new Tools(stage.svg, state.view);
     }
     stage.show(place.picture);
+    tools?.show(place.picture);
     count.textContent = filled(say("step of"), { step: place.picture, count: state.view.pictures.length });
     heads.replaceChildren(...groupOf(state.view, place.picture));
     telling.replaceChildren(...tellingOf(data, state.view, place.picture));
