@@ -72,7 +72,7 @@ def bare(view: Drawing) -> Bare:
 def _caption(view: Drawing) -> list[Label]:
     """Return the lines below a view: its title and what stands below that; they name no mark of their own."""
     title = plain(view.title)
-    heads = [one for one in view.labels if len(one.text) > WORD and plain(one.text) in title]
+    heads = [one for one in view.labels if len(plain(one.text)) > WORD and plain(one.text) in title]
     lines = [one.at.imag + EPSILON for one in heads]
     foot = max(lines, default=bounds(view)[1] + view.foot - EPSILON)
     own = ((), *(one.of for one in heads))

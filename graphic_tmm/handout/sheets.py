@@ -33,7 +33,7 @@ HEAD = 7.5
 """Above a picture, for its number, mm."""
 TEXT = 3.0
 """Clear between a picture and its sentences, mm."""
-SCALE = said("scale of the pictures {scale}; mm in the sentences are those of the drawing 1:1")
+SCALE = said("scale of the pictures {scale}; mm in the sentences as at 1:1")
 FURTHER = said("{number}, continued")
 SIZE = said("scale of the pictures 1:1")
 

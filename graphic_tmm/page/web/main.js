@@ -42,8 +42,11 @@ try {
 function begin(data) {
   const root = document.documentElement;
   const opened = location.hash.length < 2;
-  const rooms = Object.entries(ROOMS).filter(([name]) => name !== "crank" || data.crank !== undefined);
-  const state = new State(data.views, rooms.map(([name]) => name));
+  const rooms = Object.entries(ROOMS).filter(([name]) => hasAny(name, data));
+  const state = new State(
+    data.views,
+    rooms.map(([name]) => name),
+  );
   root.classList.add("js");
   fillTabs(part("tabs"), state, data.words);
   for (const [name, room] of rooms) {
@@ -58,8 +61,19 @@ function begin(data) {
   listenToKeys(state, "", { d: turnTheme, "?": () => help.showModal() });
   letRun(state);
   state.follow();
-  if (opened) showPoster(data, state, /** @type {HTMLElement} */ (document.querySelector("#play .paper")));
+  const paper = /** @type {HTMLElement | null} */ (document.querySelector("#play .paper"));
+  if (opened && paper !== null) showPoster(data, state, paper);
   root.classList.add("ready");
+}
+
+/**
+ * Tell whether a way of looking has anything to show: not every scene has plans, or a crank.
+ * @param {string} name
+ * @param {Data} data
+ */
+function hasAny(name, data) {
+  if (name === "crank") return data.crank !== undefined;
+  return name === "sheets" || data.views.length > 0;
 }
 
 /** @param {string} id */

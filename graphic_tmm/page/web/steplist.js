@@ -61,10 +61,9 @@ export class StepList {
     const now = this.buttons[n];
     const frame = this.whole;
     if (now === undefined || frame.scrollHeight <= frame.clientHeight) return;
-    const top = now.offsetTop - frame.offsetTop;
-    const below = top + now.offsetHeight - frame.clientHeight;
-    if (top - now.offsetHeight < frame.scrollTop) frame.scrollTop = top - now.offsetHeight * 2;
-    else if (below + now.offsetHeight > frame.scrollTop) frame.scrollTop = below + now.offsetHeight * 2;
+    const [top, high, seen] = [now.offsetTop, now.offsetHeight, frame.clientHeight];
+    const near = top - high > frame.scrollTop && top + 2 * high < frame.scrollTop + seen;
+    if (!near) frame.scrollTop = top - seen / 3;
   }
 }
 

@@ -53,11 +53,17 @@ function tellingOfLine(line, why) {
  * @returns {(Node | string)[]}
  */
 export function readingOf([, segment, mm, mu, value, quantity]) {
-  if (mm === "") return [...typeset(segment), ` = ${value}`];
+  if (mm === "") return pieces([[...typeset(segment), ` = ${value}`]]);
   const read = [...typeset(segment), ` = ${mm}`];
-  if (mu === "") return read;
-  const worth = `${mu} = ${value}`;
-  return quantity === ""
-    ? [...read, ` × ${worth}`]
-    : [...read, " → ", ...typeset(quantity), ` = ${mm} × ${worth}`];
+  if (mu === "") return pieces([read]);
+  if (quantity === "") return pieces([read, [`× ${mu}`], [`= ${value}`]]);
+  return pieces([read, ["→ ", ...typeset(quantity), ` = ${mm}`], [`× ${mu}`], [`= ${value}`]]);
+}
+
+/**
+ * Return pieces of a line that is broken between them only.
+ * @param {(Node | string)[][]} parts
+ */
+function pieces(parts) {
+  return parts.flatMap((inner, k) => [...(k > 0 ? [" "] : []), element("span", { class: "piece" }, ...inner)]);
 }
