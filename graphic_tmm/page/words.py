@@ -45,7 +45,7 @@ WORDS: dict[str, str] = {
     "calibrate": said("A millimetre of this screen"),
     "layers": said("Layers"),
     "letters": said("Letters"),
-    "large letters": said("Letters large enough for the screen"),
+    "large letters": said("Letters and lines large enough for the screen"),
     "helping lines": said("Helping lines that were rubbed out"),
     "all positions": said("all"),
     "parts": said("Parts"),

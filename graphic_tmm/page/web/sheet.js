@@ -45,13 +45,15 @@ export function sheetRoom(data, state) {
   const read = new Map();
   let number = -1;
   let from = -1;
+  /** @type {import("./sheet-ink.js").Ink | undefined} */
+  let pointed;
 
   const surface = element("div", { class: "desk", tabindex: "0", role: "application", "aria-label": say("desk keys") });
   const desk = new Desk(surface, (view) => played.get(view.id)?.position ?? "");
   const told = element("p", { class: "told", role: "status" }, say("desk"));
-  const scale = element("output", { class: "count" });
+  const scale = element("span", { class: "count" });
   const choice = element("div", { class: "choice" });
-  const list = element("ol", { class: "views" });
+  const list = element("ol", { class: "views", "aria-label": say("views") });
   const chooser = /** @type {HTMLSelectElement} */ (element("select", {}));
   chooser.append(...data.sheets.map((one, k) => element("option", { value: String(k) }, `${k + 1} · ${one.format.split(" ")[0]}`)));
   chooser.addEventListener("change", () => lay(Number(chooser.value)));
@@ -130,8 +132,11 @@ export function sheetRoom(data, state) {
    * @param {boolean} touch
    */
   function tap(px, py, touch) {
-    const ink = touch && desk.camera.zoom < FINE ? undefined : desk.inkAt(px, py, touch ? FINGER : REACH)[0];
-    if (ink !== undefined && (ink.of !== "" || ink.label >= 0)) {
+    const there = touch && desk.camera.zoom < FINE ? [] : desk.inkAt(px, py, touch ? FINGER : REACH);
+    // what lies upon each other is told in turn
+    const ink = there[(there.findIndex((one) => one === pointed) + 1) % there.length];
+    pointed = ink;
+    if (ink !== undefined) {
       const ofView = (/** @type {number} */ k) => played.get(desk.sheet.views[k]?.id ?? "");
       desk.chosen = null;
       desk.lit = sameMark(ink, desk.shown, (k) => ofView(k)?.board ?? "");
