@@ -54,7 +54,7 @@ def test_the_judge_of_lines_can_fail() -> None:
 
 def test_five_commands_are_worked() -> None:
     commands = [words.split()[0] for words, _ in examples()]
-    assert commands == ["draw", "table", "steps", "check", "accuracy"]
+    assert list(dict.fromkeys(commands)) == ["draw", "table", "steps", "check", "accuracy"]
 
 
 @pytest.mark.slow

@@ -9,11 +9,14 @@ from typing import NamedTuple
 
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Label
+from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.paper.packing import bounds
 
 FORMAT = "A4"
 """The format of the sheets: its pens and its heights of letters."""
+HEIGHTS = Heights(3.5, 3.5, 2.5)
+"""Heights of letters in pictures: the least of those in the hand, titles within a view no larger, mm."""
 DONE: Mapping[str, str] = MappingProxyType(
     {
         "main": "thin",
@@ -29,6 +32,8 @@ NEW: Mapping[str, str] = MappingProxyType({"thin": "main", "medium": "main", "ov
 """With what a stroke of a step is drawn when it is new; what is part of a body has the body's own pens."""
 ADDED = ("axis", "dimension", "hatching", "leader", "number")
 """Parts of views that are no lines of a construction: they are as thin when they are new."""
+WORD = 4
+"""What has no more letters is no line of a title."""
 EPSILON = 1e-9
 """Lines of lettering nearer to one another, mm, stand on one."""
 ROUND = 9
@@ -39,7 +44,7 @@ def in_hand(drawn: Drawn, factor: float) -> Drawn:
     """Return a board whose views, so many times as large, have the letters of a sheet in the hand."""
     scene = drawn.scene
     orders = tuple(replace(order, format=FORMAT) for order in scene.sheets)
-    scene = replace(scene, sheets=orders, letters=1.0 / factor)
+    scene = replace(scene, sheets=orders, letters=HEIGHTS.times(1 / factor))
     return replace(drawn, project=replace(drawn.project, scene=scene))
 
 
@@ -67,14 +72,11 @@ def bare(view: Drawing) -> Bare:
 def _caption(view: Drawing) -> list[Label]:
     """Return the lines below a view: its title and what stands below that; they name no mark of their own."""
     title = plain(view.title)
-    named = [one for one in view.labels if one.of in ((), view.begins)]
-    heads = [one for one in named if len(one.text) > 1 and plain(one.text) in title]
-    if heads:
-        largest = max(one.size for one in heads)
-        foot = max(one.at.imag for one in heads if one.size == largest) + EPSILON
-    else:
-        foot = bounds(view)[1] + view.foot - EPSILON
-    return [one for one in named if one.at.imag < foot]
+    heads = [one for one in view.labels if len(plain(one.text)) > WORD and plain(one.text) in title]
+    lines = [one.at.imag + EPSILON for one in heads]
+    foot = max(lines, default=bounds(view)[1] + view.foot - EPSILON)
+    own = ((), *(one.of for one in heads))
+    return [one for one in view.labels if one.of in own and one.at.imag < foot]
 
 
 def _mute(stroke: Ink) -> Ink:
@@ -84,12 +86,14 @@ def _mute(stroke: Ink) -> Ink:
 
 
 def enlarged(view: Drawing, factor: float) -> Drawing:
-    """Return a view so many times as large, its letters and all."""
+    """Return a view so many times as large, its letters and all; none becomes smaller than the least height."""
     return view._replace(
         strokes=tuple(times(one, factor) for one in view.strokes),
         rubbed=tuple(times(one, factor) for one in view.rubbed),
         labels=tuple(
-            one._replace(at=one.at * factor, size=round(one.size * factor, ROUND))
+            one._replace(
+                at=one.at * factor, size=max(round(one.size * factor, ROUND), HEIGHTS.number)
+            )
             for one in view.labels
         ),
     )

@@ -22,12 +22,16 @@ AGAIN = said("The same in position {name}.")
 
 
 class Picture(NamedTuple):
-    """A picture as it is drawn: its number, its ink and letters (mm, as large as it stands), what it tells."""
+    """A picture as it is drawn: its number, its ink and letters (mm, as large as it stands), what it tells.
+
+    ``marks``: slots of the marks whose steps are done in it; ``again``: in another position than the first.
+    """
 
     number: int
     ink: tuple[Ink, ...]
     letters: tuple[Label, ...]
     lines: tuple[Line, ...]
+    marks: tuple[int, ...] = ()
     again: bool = False
 
 
@@ -35,7 +39,8 @@ class Series(NamedTuple):
     """A view, picture by picture.
 
     ``told``: lines of its caption (mark-up); ``factor``: how many times larger it is than on its own sheet;
-    ``box``: of all pictures together, mm; ``manner``: how they stand on a sheet; ``letters``: see `words.letters_of`.
+    ``box``: of all pictures together, mm; ``manner``: how they stand on a sheet; ``letters``: see
+    `words.letters_of`. ``ready``: the last picture is the view without what only helped.
     """
 
     name: str
@@ -47,6 +52,7 @@ class Series(NamedTuple):
     pictures: tuple[Picture, ...]
     letters: dict[str, str]
     language: str
+    ready: bool = False
 
 
 def series(drawn: Drawn, draw: Draw, place: int, untold: frozenset[int] = frozenset()) -> Series:
@@ -63,8 +69,8 @@ def series(drawn: Drawn, draw: Draw, place: int, untold: frozenset[int] = frozen
         ink = one.picture.ink
         fresh = done(ink) if one.picture.given else new(ink)
         letters += one.picture.letters
-        shown = (*done(before), *fresh)
-        found.append(Picture(n, shown, tuple(letters), _lines(one, speech), one.picture.again))
+        shown, lines, marks = (*done(before), *fresh), _lines(one, speech), one.picture.marks
+        found.append(Picture(n, shown, tuple(letters), lines, marks, one.picture.again))
         before += ink
     if view.rubbed:
         ready = Line(0, speech(READY))
@@ -80,11 +86,12 @@ def series(drawn: Drawn, draw: Draw, place: int, untold: frozenset[int] = frozen
         tuple(found),
         dict(letters_of(log, language)),
         language,
+        bool(view.rubbed),
     )
 
 
 def _begun(made: Sequence[Told]) -> Iterator[tuple[int, Told]]:
-    """Yield pictures with their numbers; where nothing is given, what is told of it goes with the first step."""
+    """Yield pictures with their numbers; where nothing is given, what is told of it goes with a step."""
     waiting: tuple[Line, ...] = ()
     for n, one in enumerate(made):
         if n == 0 and not one.picture.ink:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 from typing import NamedTuple
 
@@ -33,7 +33,7 @@ HEAD = 7.5
 """Above a picture, for its number, mm."""
 TEXT = 3.0
 """Clear between a picture and its sentences, mm."""
-SCALE = said("scale of the pictures {scale}; mm in the sentences are those of the drawing 1:1")
+SCALE = said("scale of the pictures {scale}; mm in the sentences as at 1:1")
 FURTHER = said("{number}, continued")
 SIZE = said("scale of the pictures 1:1")
 
@@ -41,8 +41,8 @@ SIZE = said("scale of the pictures 1:1")
 class Standing(NamedTuple):
     """How a picture stands on its sheet.
 
-    ``factor``: how many times as large as the others; ``room``, ``text``: its width and that of its sentences, mm;
-    ``beside``: whether these stand beside it.
+    ``factor``: how many times as large as the others; ``room``, ``text``: its width and that of its sentences,
+    mm; ``beside``: whether these stand beside it.
     """
 
     factor: float
@@ -71,16 +71,15 @@ def ratio(factor: float, language: str) -> str:
     return f"{number(factor, language)}:1"
 
 
-def head(one: Series) -> list[Row]:
-    """Return the lines at the head of the sheets of a series."""
-    _ = speaking(one.language)
-    found = list(broken(one.title, TITLE, _head_width(one.language)))
-    told = [row for row in one.told if row.replace(" ", "") not in one.title.replace(" ", "")]
+def head(one: Series, *, first: bool) -> list[Row]:
+    """Return the lines at the head of a sheet of a series: on the ``first`` one its caption, too."""
+    _, width = speaking(one.language), _head_width(one.language)
+    title = one.title.replace(" ", "")
+    told = [row for row in one.told if row.replace(" ", "") not in title] if first else []
     scale = SIZE if one.factor == 1.0 else SCALE
     told.append(_(scale, scale=ratio(one.factor, one.language)))
-    for text in told:
-        found += broken(text, CAPTION, _head_width(one.language))
-    return found
+    lines = [row for text in told for row in broken(text, CAPTION, width)]
+    return [*broken(one.title, TITLE, width), *lines]
 
 
 class Paper(NamedTuple):
@@ -123,13 +122,13 @@ def cells(one: Series, most: float) -> Iterator[Cell]:
         high = stand.factor * (one.box[3] - one.box[1])
         left, taken = list[Row](), HEAD + (0.0 if stand.beside else high + TEXT)
         least = HEAD + high
-        for row in rows(picture.lines, stand.text, one.letters, one.language, known):
-            step = advance(row)
+        for some in rows(picture.lines, stand.text, one.letters, one.language, known):
+            step = sum(map(advance, some))
             if taken + step > most:
                 yield Cell(picture, tuple(left), stand, max(taken, least))
                 picture = picture._replace(ink=(), letters=())
                 left, taken, least = [], HEAD, 0.0
-            left.append(row)
+            left += some
             taken += step
         yield Cell(picture, tuple(left), stand, max(taken, least))
 
@@ -191,54 +190,67 @@ def pages(one: Series) -> list[list[Drawing]]:
 
     Pictures follow one another down a column, then down the next one; those of other positions stand in rows.
     """
-    room, told = paper(one.language), head(one)
-    title = Drawing(f"{one.name} title", one.title, (), tuple(set_rows(told, room.head)))
-    start = room.top - sum(map(advance, told)) - BETWEEN
+    room = paper(one.language)
+    heads = [head(one, first=first) for first in (True, False)]
+    titles = [_title(one, rows, room) for rows in heads]
+    starts = [room.top - sum(map(advance, rows)) - BETWEEN for rows in heads]
     found: list[list[Drawing]] = []
-    top = room.bottom
-    for again, group in groupby(cells(one, start - room.bottom), lambda c: c.picture.again):
-        some = list(group)
-        if again:
-            stood = _rows(some, start, top, room)
-        else:
-            stood = _columns(some, one.manner.columns, start, top, room)
-        for cell, new, at in stood:
-            if new:
-                found.append([title])
-            found[-1].append(drawn(cell, one, at))
-            top = min(top if not new else start, at.imag - cell.height - BETWEEN)
+    place = Place(room, one.manner.columns, starts)
+    for again, group in groupby(cells(one, starts[0] - room.bottom), lambda c: c.picture.again):
+        for cell, at, sheet in place.rows(group) if again else place.columns(group):
+            if sheet == len(found):
+                found.append([titles[sheet > 0]])
+            found[sheet].append(drawn(cell, one, at))
     return found
 
 
-Stood = Iterator[tuple[Cell, bool, complex]]
-"""Pictures, whether a new sheet begins with them, their upper left corners, mm."""
+def _title(one: Series, rows: Sequence[Row], room: Paper) -> Drawing:
+    return Drawing(f"{one.name} title", one.title, (), tuple(set_rows(rows, room.head)))
 
 
-def _columns(some: Sequence[Cell], columns: int, start: float, top: float, room: Paper) -> Stood:
-    """Yield pictures down columns, those of the first sheet as high as what stands on it leaves."""
-    begin, column = top, 0
-    for cell in some:
-        fresh = False
-        if top - cell.height < room.bottom:
-            column, top = column + 1, begin
-        if column >= columns or top - cell.height < room.bottom:
-            fresh, column, begin = True, 0, start
-            top = start
-        yield cell, fresh, complex(room.left + column * (COLUMN + GAP), top)
-        top -= cell.height + BETWEEN
+Stood = Iterator[tuple[Cell, complex, int]]
+"""Pictures, their upper left corners, mm, the index of their sheet."""
 
 
-def _rows(some: Sequence[Cell], start: float, top: float, room: Paper) -> Stood:
-    """Yield pictures in rows."""
-    across = max(1, round((FULL + GAP) / (some[0].stand.room + GAP)))
-    for k in range(0, len(some), across):
-        row = some[k : k + across]
-        height = max(cell.height for cell in row)
-        fresh = top - height < room.bottom
-        top = start if fresh else top
-        for n, cell in enumerate(row):
-            yield cell, fresh and n == 0, complex(room.left + n * (cell.stand.room + GAP), top)
-        top -= height + BETWEEN
+class Place:
+    """Where the next picture of a series may stand: the sheet, its upper edge."""
+
+    def __init__(self, room: Paper, count: int, starts: Sequence[float]) -> None:
+        self.room, self.count, self.starts = room, count, starts
+        self.sheet, self.top = 0, starts[0]
+
+    def turn(self) -> None:
+        """Begin a new sheet."""
+        self.sheet += 1
+        self.top = self.starts[1]
+
+    def columns(self, some: Iterable[Cell]) -> Stood:
+        """Yield pictures down columns; the next one begins as high as the first on its sheet."""
+        begin, low, column = self.top, self.top, 0
+        for cell in some:
+            if self.top - cell.height < self.room.bottom:
+                column, self.top = column + 1, begin
+            if column >= self.count or self.top - cell.height < self.room.bottom:
+                self.turn()
+                begin, low, column = self.top, self.top, 0
+            yield cell, complex(self.room.left + column * (COLUMN + GAP), self.top), self.sheet
+            self.top -= cell.height + BETWEEN
+            low = min(low, self.top)
+        self.top = low
+
+    def rows(self, some: Iterable[Cell]) -> Stood:
+        """Yield pictures in rows, all of them alike."""
+        there = list(some)
+        across = max(1, round((FULL + GAP) / (there[0].stand.room + GAP)))
+        for k in range(0, len(there), across):
+            row = there[k : k + across]
+            height = max(cell.height for cell in row)
+            if self.top - height < self.room.bottom:
+                self.turn()
+            for n, cell in enumerate(row):
+                at = complex(self.room.left + n * (cell.stand.room + GAP), self.top)
+                yield cell, at, self.sheet
+            self.top -= height + BETWEEN
 
 
 def framed(

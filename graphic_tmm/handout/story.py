@@ -15,8 +15,8 @@ from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.figure import Picture, pictures
-from graphic_tmm.readers.narration import Line, protocol
 from graphic_tmm.readers.covering import covering
+from graphic_tmm.readers.narration import Line, protocol
 
 
 class Told(NamedTuple):

@@ -19,7 +19,7 @@ SENTENCE, REASON = 3.5, 2.5
 SPACE = 0.8
 """What is between the letters of two words, of their height."""
 _SIGN = r"(?:[^\W_⁰-⁹⁻¹²³])"
-_INDEX = re.compile(rf"_(?P<low>{_SIGN}+)|\^(?P<high>{_SIGN}+)|(?<=[^\W\d_])(?P<figure>\d+)")
+_INDEX = re.compile(rf"_(?P<low>{_SIGN}+)|\^(?P<high>{_SIGN}+)|(?<=[^\W\d_⁰-⁹¹²³⁻])(?P<figure>\d+)")
 
 
 class Row(NamedTuple):
@@ -77,20 +77,21 @@ def rows(
     letters: Mapping[str, str],
     language: str,
     known: set[str],
-) -> Iterator[Row]:
-    """Yield what lines of the protocol tell, in lines of lettering no wider than ``width`` mm.
+) -> Iterator[list[Row]]:
+    """Yield what each line of the protocol tells, in lines of lettering no wider than ``width`` mm.
 
     ``known``: the reasons that were told; each is told once, and entered.
     """
     for line in lines:
         told = f"{line.label}. {line.text}" if line.number else line.text
-        yield from broken(marked_up(told, letters), SENTENCE, width)
+        found = list(broken(marked_up(told, letters), SENTENCE, width))
         if line.calculation:
-            yield from broken(marked_up(line.calculation, letters), SENTENCE, width)
+            found += broken(marked_up(line.calculation, letters), SENTENCE, width)
         if line.why and line.why not in known:
             known.add(line.why)
             why = f"{captions(language)['why']}: {line.why}"
-            yield from broken(marked_up(why, letters), REASON, width)
+            found += broken(marked_up(why, letters), REASON, width)
+        yield found
 
 
 def broken(text: str, size: float, width: float) -> Iterator[Row]:

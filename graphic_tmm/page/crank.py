@@ -84,6 +84,7 @@ def crank(made: DrawnScene, sheets: Sequence[Sheet]) -> Turned | None:
             _cursor(one, drawn, found, sheets, rows) for one in cursors(found, drawn, sheets)
         ],
         "glyphs": glyphs.made,
+        "lengths": [row.size for row in rows],
     }
     return Turned(data, packed(rows))
 
@@ -149,7 +150,8 @@ def _figure(
     glyphs: _Glyphs,
 ) -> dict[str, Any]:
     made = strands(found, moving)
-    places = lettered(found, moving, made, shown)
+    still = finished(exact.still()) if exact.still is not None else None
+    places = lettered(found, moving, made, shown, still)
     packer = Packer()
     lines = [_line(key, row, packer) for key, row in made.rows.items() if isinstance(key, Line)]
     letters = [
@@ -162,11 +164,10 @@ def _figure(
     ]
     begun = len(rows)
     rows += [folded(row, found.whole, made.refined) for row in packer.rows]
-    still = finished(exact.still()) if exact.still is not None else None
     data: dict[str, Any] = {
         "name": moving.name,
         "title": clean(plain(moving.title)),
-        "caption": clean(plain(moving.caption)),
+        "caption": indexed(clean(moving.caption)),
         "box": _box(made, places, still),
         "refined": list(made.refined),
         "rows": [begun, len(packer.rows), len(made.drawn)],

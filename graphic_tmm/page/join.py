@@ -16,7 +16,7 @@ LOWER = 0.2
 _IMPORT = re.compile(r'^import \{[^}]*\} from "\./([\w-]+)\.js";\n', re.M)
 _EXPORT = re.compile(r"^export (?=(?:async )?(?:function|const|let|class)\b)", re.M)
 _NAME = re.compile(r"^(?:export )?(?:async )?(?:function\*?|const|let|class) (\w+)", re.M)
-_COMMENT = re.compile(r"^[ \t]*/\*\*(?:(?!\*/)(?:.|\n))*\*/\n|^[ \t]*//.*\n", re.M)
+_COMMENT = re.compile(r"^[ \t]*/\*\*(?:(?!\*/).|\n)*\*/\n|^[ \t]*//.*\n", re.M)
 
 
 @cache

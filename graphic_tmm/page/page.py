@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.page.crank import crank
 from graphic_tmm.page.join import script, style
 from graphic_tmm.page.layers import PARTS
 from graphic_tmm.page.protocol import protocol_of
@@ -38,6 +39,9 @@ def page(made: DrawnScene, sheets: Sequence[Sheet]) -> str:
 
     language = made.scene.language
     data = page_data(made, sheets)
+    turned = crank(made, sheets)
+    if turned is not None:
+        data["crank"] = turned.data
     program = script()
     return (
         _environment()
@@ -50,6 +54,7 @@ def page(made: DrawnScene, sheets: Sequence[Sheet]) -> str:
             rubbed=[Markup(inline(_rubbed(one))) for one in sheets],
             protocol=protocol_of(made, language) if made.boards else (),
             data=packed(data),
+            rows=carried(turned.rows) if turned is not None else "",
             style=Markup(style()),
             style_hash=_hash(style()),
             program=Markup(program),
@@ -89,7 +94,12 @@ def parts_of(sheets: Sequence[Sheet]) -> list[str]:
 def packed(data: object) -> str:
     """Return data as the page carries it: JSON, gzip, base64; the same data the same text."""
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
-    return base64.b64encode(gzip.compress(text.encode(), 9, mtime=0)).decode()
+    return carried(text.encode())
+
+
+def carried(data: bytes) -> str:
+    """Return bytes as the page carries them: gzip, base64."""
+    return base64.b64encode(gzip.compress(data, 9, mtime=0)).decode()
 
 
 def inline(sheet: Sheet) -> str:

@@ -3,35 +3,31 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from string import Formatter
 from typing import Any
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.language.names import spoken
+from graphic_tmm.language.names import plain, spoken
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.lettering.indices import markup
-from graphic_tmm.readers.equations import Equation, Term
+from graphic_tmm.readers.equations import Term
 from graphic_tmm.readers.narration import Line
 from graphic_tmm.readers.sentences import Phrase, grounds, phrase
 
 Run = str | list[Any]
 """Text, or the mark-up of a letter with the slot of its mark."""
-_INDEX = re.compile(r"_((?:(?!\w′*_)[^\W_]|[′*–-])+)")
+_INDEX = re.compile(r"_((?:(?!\w′*_)[^\W_²³]|[′*–-])+)")
+_FIGURE = re.compile(r"[_^]?\{[^{}]*\}|([^\W\d_])(\d+)")
 _SINGLE = re.compile(r"([_^])([^{])")
 
 
 def line_of(line: Line, reading: Reading, language: str) -> dict[str, Any]:
-    """Return a line of the protocol as data; what it has nothing to say to is left out."""
+    """Return a line of the protocol that tells a step as data; what it has nothing to say to is left out."""
     step = line.step
-    if step is None:
-        told: dict[str, Any] = {"text": [indexed(line.text)]}
-        if line.equation is not None:
-            told |= {"equation": equation_of(line.equation)}
-        return told
-    told = {
-        "n": line.label,
+    assert step is not None
+    told: dict[str, Any] = {
         "text": runs(phrase(step, language, reading, line.place), step, language),
         "it": step.it.slot,
         "uses": [mark.slot for mark in step.uses],
@@ -45,13 +41,60 @@ def line_of(line: Line, reading: Reading, language: str) -> dict[str, Any]:
     return told
 
 
+def head_of(line: Line, stops: Mapping[int, int]) -> dict[str, Any]:
+    """Return a remark that stands before a step as data; ``stops``: in which a mark is made, by its slot."""
+    text = line.text if "=" in line.text else f"{line.text[:1].upper()}{line.text[1:]}"
+    told: dict[str, Any] = {"head": True, "text": [indexed(text)]}
+    if line.equation is not None:
+        one = line.equation
+        sought = one.sought
+        left = sought if isinstance(sought, Term) else Term(sought, False, marks=one.marks)
+        under = 1 if isinstance(sought, Term) else 0
+        sides = [_sides([left], stops, under), *(_sides(side, stops) for side in one.sides)]
+        told["equation"] = {"sides": sides, "ways": indexed(line.text.partition(";  ")[2])}
+    return told
+
+
+def sum_of(terms: Sequence[Term], stops: Mapping[int, int], language: str) -> dict[str, Any]:
+    """Return the equation of a closed polygon as data: its vectors make nothing."""
+    named = [one._replace(symbol=symbol(one.symbol, language)) for one in terms]
+    text = " + ".join(plain(one.symbol) for one in named) + " = 0"
+    sides = [_sides(named, stops), [{"s": "0", "u": 0, "of": [], "from": 0, "to": 0}]]
+    return {"head": True, "text": [indexed(text)], "equation": {"sides": sides, "ways": ""}}
+
+
+def _sides(
+    terms: Sequence[Term], stops: Mapping[int, int], under: int | None = None
+) -> list[dict[str, Any]]:
+    return [term_of(term, stops, under) for term in terms]
+
+
+def term_of(term: Term, stops: Mapping[int, int], under: int | None = None) -> dict[str, Any]:
+    """Return a vector of an equation as data.
+
+    ``s``: its letter; ``u``: the lines under it, two where it is known wholly, one where its direction is;
+    ``of``: the marks that draw it; ``from``, ``to``: the stops in which its line is drawn and it is whole.
+    """
+    marks = [*term.marks, *([term.line] if term.line is not None else [])]
+    whole = max((stops.get(mark.slot, 0) for mark in marks), default=0)
+    begun = stops.get(term.line.slot, 0) if term.line is not None else whole
+    lines = under if under is not None else (2 if term.known else 1 if term.line else 0)
+    of = [mark.slot for mark in marks]
+    return {"s": braced(term.symbol), "u": lines, "of": of, "from": begun, "to": whole}
+
+
 def indexed(text: str) -> str:
     """Return plain text whose indices are marked up: v_BA -> v_{BA}.
 
     >>> indexed("v_A = ω_1·l_OA"), indexed("(O_1B_1)")
     ('v_{A} = ω_{1}·l_{OA}', '(O_{1}B_{1})')
+    >>> indexed("a_A = ω_1²·l_OA")
+    'a_{A} = ω_{1}²·l_{OA}'
+    >>> indexed("ps1/pa3 = OS1/OA = 27,17 mm")
+    'ps_{1}/pa_{3} = OS_{1}/OA = 27,17 mm'
     """
-    return _INDEX.sub(r"_{\1}", text)
+    told = _INDEX.sub(r"_{\1}", text)
+    return _FIGURE.sub(lambda found: f"{found[1]}_{{{found[2]}}}" if found[1] else found[0], told)
 
 
 def runs(said: Phrase, step: Step, language: str) -> list[Run]:
@@ -79,25 +122,13 @@ def _runs(said: Phrase, step: Step, language: str) -> Iterator[Run]:
 
 def marked_up(mark: Mark, language: str) -> str:
     """Return the letter of a mark as on the sheet, each of its indices in braces."""
-    return _SINGLE.sub(r"\1{\2}", markup(symbol(mark.name, language)))
+    return braced(symbol(mark.name, language))
 
 
-def equation_of(equation: Equation) -> dict[str, Any]:
-    """Return a vector equation as data: its sides, each a row of vectors."""
-    sought = equation.sought
-    return {
-        "sought": term_of(sought) if isinstance(sought, Term) else {"symbol": sought},
-        "marks": [mark.slot for mark in equation.marks],
-        "sides": [[term_of(term) for term in side] for side in equation.sides],
-    }
+def braced(letter: str) -> str:
+    """Return a letter with each of its indices in braces.
 
-
-def term_of(term: Term) -> dict[str, Any]:
-    """Return a vector of an equation as data: its letter, what is known of it, the marks that draw it."""
-    return {
-        "symbol": term.symbol,
-        "known": term.known,
-        "way": term.direction,
-        "marks": [mark.slot for mark in term.marks],
-        "line": term.line.slot if term.line is not None else -1,
-    }
+    >>> braced("a_{BA}^n"), braced("v_A")
+    ('a_{BA}^{n}', 'v_{A}')
+    """
+    return _SINGLE.sub(r"\1{\2}", markup(letter))

@@ -1,95 +1,184 @@
-"""The views that the page plays: where they stand on the sheets, their pictures, the sentences to each."""
+"""The views that the page plays: where they stand on the sheets, their stops, what is told in each."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.names import plain as plainly
 from graphic_tmm.language.said import said
-from graphic_tmm.page.told import line_of
+from graphic_tmm.language.symbols import symbol
+from graphic_tmm.page.stops import Played, Stop, Told
+from graphic_tmm.page.told import head_of, indexed, line_of, sum_of
+from graphic_tmm.page.tools import Desk
+from graphic_tmm.page.values import Values
 from graphic_tmm.paper.drawing import Drawing, Sheet
-from graphic_tmm.paper.figure import Picture, pictures
 from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.paper.packing import bounds
+from graphic_tmm.paper.seen import Seen
 from graphic_tmm.paper.write.svg import clean, ids
-from graphic_tmm.readers.covering import covering
-from graphic_tmm.readers.narration import protocol
+from graphic_tmm.readers.equations import polygon
+from graphic_tmm.readers.titles import title_of
 
 EDGE = 6.0
 """White about a view, mm."""
-ALL = -1
-"""The place of what belongs to all positions."""
+_POSITION = said("position")
+_MISSING = said("Not there in this position: {listed}.")
+_AGAINST = said("The sign is minus: it points against its line.")
 
 
 def played(made: DrawnScene, sheets: Sequence[Sheet]) -> list[dict[str, Any]]:
     """Return the views of the sheets that have steps, in the order of the sheets, as data."""
-    found: list[dict[str, Any]] = []
-    taken = set()
+    values = {drawn.board: Values(drawn, made.scene.language) for drawn in made.boards}
+    found, taken = [], set()
+    for number, name, view in plays_of(made, sheets):
+        place = _placed(view.drawing, name, sheets[number], number)
+        told = place | _View(view, values[view.drawn.board], sheets[number].height).data()
+        if (told["plan"], told["position"]) in taken:
+            told["plan"] = view.drawing.name
+        taken.add((told["plan"], told["position"]))
+        found.append(told)
+    return found
+
+
+def plays_of(made: DrawnScene, sheets: Sequence[Sheet]) -> Iterator[tuple[int, str, Played]]:
+    """Yield the views of the sheets that have steps: number of the sheet, name there, how it is played."""
+    found = []
     for number, sheet in enumerate(sheets):
         for name, drawing in zip(ids(sheet), sheet.drawings, strict=True):
             drawn = board_of(made, drawing)
-            if drawn is None:
-                continue
-            shown = pictures(drawn.construction, drawing)
-            if len(shown) > 1:
-                view = _view(drawn, drawing, shown, made.scene.language, name, sheet, number)
-                if (view["plan"], view["position"]) in taken:
-                    view["plan"] = drawing.name
-                taken.add((view["plan"], view["position"]))
-                found.append(view)
-    return found
+            if drawn is not None:
+                view = Played(drawn, drawing, made.scene.language)
+                found.append((number, name, view))
+    for number, name, view in found:
+        view.others = tuple(other for _, _, other in found if other is not view)
+        if len(view.shown) > 1:
+            yield number, name, view
 
 
 def board_of(made: DrawnScene, drawing: Drawing) -> Drawn | None:
     """Return the board whose log a view is the picture of; None of tables, frames, texts."""
     for drawn in made.boards:
         views = {view.name for view in drawn.construction.views}
-        if drawing.shows and views.issuperset(drawing.shows):
+        if not views.isdisjoint(drawing.shows):
             return drawn
     return None
 
 
-def _view(
-    drawn: Drawn,
-    drawing: Drawing,
-    shown: Sequence[Picture],
-    language: str,
-    name: str,
-    sheet: Sheet,
-    number: int,
-) -> dict[str, Any]:
-    names = _names(drawn, drawing)
-    first = next((one.position for one in shown if one.position is not None), None)
-    if first is None:
-        first = drawing.numbers[0][0] if drawing.numbers else 0
-    places = sorted({first, *(one.position for one in shown if one.position is not None)})
+def _placed(drawing: Drawing, name: str, sheet: Sheet, number: int) -> dict[str, Any]:
+    """Return where a view stands, as data."""
     left, low, right, top = bounds(drawing)
-    single = len(places) == 1 and len(names) > 1
-    return {
-        "id": name,
-        "plan": drawing.shows[-1],
-        "family": _family(drawing, language, single=single),
-        "title": clean(plain(drawing.title)),
-        "board": drawn.board,
-        "sheet": number,
-        "box": [
-            round(x, 3)
-            for x in (
-                left - EDGE,
-                sheet.height - top - EDGE,
-                right - left + 2 * EDGE,
-                top - low + 2 * EDGE,
-            )
-        ],
-        "names": {str(k): names[k] for k in places if k < len(names)},
-        "position": names[first] if single else "",
-        "first": first,
-        "lines": {str(k): list(_lines(drawn, drawing, k, language)) for k in places},
-        "pictures": [_picture(one, first) for one in shown],
-    }
+    wide, high = right - left + 2 * EDGE, top - low + 2 * EDGE
+    box = (left - EDGE, sheet.height - top - EDGE, wide, high)
+    return {"id": name, "sheet": number, "box": [round(x, 3) for x in box]}
+
+
+class _View:
+    """A view while it is written down."""
+
+    def __init__(self, played: Played, values: Values, height: float) -> None:
+        self.played, self.values, self.height = played, values, height
+        self.drawn, self.drawing, self.language = played.drawn, played.drawing, played.language
+        self.desks: dict[str, Desk] = {}
+        self.made: dict[int, int] = {}
+        for n, stop in enumerate(played.stops):
+            for told in stop.told:
+                self.made.setdefault(told.slot, n)
+
+    def data(self) -> dict[str, Any]:
+        """Return the view as data."""
+        played, drawing = self.played, self.drawing
+        names, places, first = _names(self.drawn, drawing), played.places, played.first
+        single = len(places) == 1 and len(names) > 1
+        return {
+            "plan": drawing.shows[-1],
+            "family": _family(drawing, self.language, single=single),
+            "title": clean(plain(drawing.title)),
+            "board": self.drawn.board,
+            "names": {str(k): names[k] for k in places if k < len(names)},
+            "position": names[first] if single else "",
+            "first": first,
+            "pictures": list(self.stops()),
+            "values": {str(k): self.rows(k) for k in places},
+        }
+
+    def rows(self, place: int) -> list[list[Any]]:
+        """Return the small table of a position."""
+        return list(self.values.rows(self.played.views, self.played.position(place)))
+
+    def stops(self) -> Iterator[dict[str, Any]]:
+        """Yield the stops: what appears (`data-of` @ `data-at`), the position, what is told."""
+        view = ""
+        several = len(self.played.views) > 1
+        for stop in self.played.stops:
+            found: dict[str, Any] = {"keys": _keys(stop), "at": stop.place, "lines": []}
+            if stop.picture is not None:
+                found["marks"] = list(stop.picture.marks)
+                if stop.picture.again:
+                    found["again"] = True
+            for told in stop.told:
+                if told.view != view and not found.get("again"):
+                    found["lines"] += self.begun(told, title=several)
+                    view = told.view
+                found["lines"] += self.line(told, stop, again="again" in found)
+            if stop.missing:
+                found["lines"].append(self.missing(stop))
+            yield found
+
+    def begun(self, told: Told, *, title: bool) -> Iterator[dict[str, Any]]:
+        """Yield what stands above the steps of a plan: its name, the equation of its polygon."""
+        if title:
+            name = title_of(self.drawn.project, told.view, self.language)
+            yield {"head": True, "text": [indexed(name)]}
+        terms = polygon(self.played.log, told.view)
+        if terms:
+            yield sum_of(terms, self.made, self.language)
+
+    def line(self, told: Told, stop: Stop, *, again: bool) -> Iterator[dict[str, Any]]:
+        """Yield what is told of a step: its heads, its sentence with its calculation or its reading."""
+        if not again:
+            yield from (head_of(head, self.made) for head in told.heads)
+        step, reading = told.line.step, self.drawn.of(told.view)
+        assert step is not None
+        assert reading is not None
+        found = line_of(told.line, reading, self.language)
+        row = self.values.row(step.it, self.played.position(stop.place))
+        if step.op.reads and row is not None:
+            found.pop("calc", None)
+            found["row"] = row
+            mm = reading.figure(step.it)[0]
+            if mm[told.line.place if mm.size > 1 else 0] < 0 and "−" not in row[2]:
+                found["sign"] = speaking(self.language)(_AGAINST)
+        if not step.op.formula:
+            found["tool"] = self.desk(told.view).hint(step, told.line.place)
+        if again and told.slot in self.made:
+            found = {key: found[key] for key in ("it", "calc", "row", "sign") if key in found}
+        yield found
+
+    def desk(self, view: str) -> Desk:
+        """Return where the instruments of a view of the log are laid."""
+        if view not in self.desks:
+            reading = self.drawn.of(view)
+            assert reading is not None
+            seen = Seen(self.played.log, reading, (view,), range(reading.positions))
+            origin = self.drawing.origin(view)
+            self.desks[view] = Desk(seen, origin, self.height, self.language)
+        return self.desks[view]
+
+    def missing(self, stop: Stop) -> dict[str, Any]:
+        """Return the remark that tells what is not there in a position."""
+        names = dict.fromkeys(plainly(symbol(mark.name, self.language)) for mark in stop.missing)
+        listed = ", ".join(name for name in names if name)
+        return {"text": [indexed(speaking(self.language)(_MISSING, listed=listed))]}
+
+
+def _keys(stop: Stop) -> list[str]:
+    if stop.picture is None:
+        return []
+    parts = (*stop.picture.ink, *stop.picture.letters)
+    return list(dict.fromkeys(key(part.of, part.position) for part in parts))
 
 
 def _family(drawing: Drawing, language: str, *, single: bool) -> str:
@@ -98,23 +187,10 @@ def _family(drawing: Drawing, language: str, *, single: bool) -> str:
     return title.partition(f", {speaking(language)(_POSITION)} ")[0] if single else title
 
 
-_POSITION = said("position")
-
-
 def _names(drawn: Drawn, drawing: Drawing) -> list[str]:
     """Return what the positions are called, by their index in the numbers of a view."""
     row = drawn.row(drawing.shows[-1])
     return [drawn.names[k] for k in row]
-
-
-def _picture(one: Picture, first: int) -> dict[str, Any]:
-    """Return a picture as data: what appears in it (`data-of` @ `data-at`), its steps, its position."""
-    keys = dict.fromkeys(key(part.of, part.position) for part in (*one.ink, *one.letters))
-    found: dict[str, Any] = {"keys": list(keys), "marks": list(one.marks)}
-    found["at"] = first if one.position is None else one.position
-    if one.again:
-        found["again"] = True
-    return found
 
 
 def key(of: Sequence[int], position: int | None) -> str:
@@ -124,20 +200,3 @@ def key(of: Sequence[int], position: int | None) -> str:
     ('3 4@', '5@2')
     """
     return f"{' '.join(map(str, of))}@{'' if position is None else position}"
-
-
-def _lines(drawn: Drawn, drawing: Drawing, place: int, language: str) -> Iterator[dict[str, Any]]:
-    """Yield the lines of the protocol of a view in a position, in the order of the log."""
-    turned = drawn.scene.turned and drawn.board == MECHANISM
-    for view in drawing.shows:
-        reading = drawn.of(view)
-        if reading is None:
-            continue
-        own = place
-        if drawn.board == MECHANISM:
-            told = protocol(drawn.construction, view, reading, own, language, turned=turned)
-        else:
-            marks = [step.it for step in drawn.construction.steps if step.it.view == view]
-            others = [(k, drawn.names[k]) for k in covering(reading, marks, [own])]
-            told = protocol(drawn.construction, view, reading, own, language, elsewhere=others)
-        yield from (line_of(line, reading, language) for line in told)

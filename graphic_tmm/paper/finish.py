@@ -62,7 +62,7 @@ class Named(NamedTuple):
 def shared(points: Iterable[Named], together: float = TOGETHER) -> list[Named]:
     """Return points with those in one place as one, their names in the order met, each name once.
 
-    What is not there is left out.
+    It belongs to the last of their positions: then all of them are there. What is not there is left out.
     """
     groups: list[list[Named]] = []
     for one in points:
@@ -79,8 +79,7 @@ def shared(points: Iterable[Named], together: float = TOGETHER) -> list[Named]:
 def _joined(group: Sequence[Named]) -> Named:
     texts = dict.fromkeys(one.text for one in group)
     slots = dict.fromkeys(slot for one in group for slot in one.of)
-    places = {one.position for one in group}
-    position = places.pop() if len(places) == 1 else None
+    position = max((one.position for one in group if one.position is not None), default=None)
     return Named(group[0].at, ", ".join(texts), tuple(slots), position)
 
 

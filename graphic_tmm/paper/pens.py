@@ -38,8 +38,8 @@ KINDS = MappingProxyType(
         "rod": said("rods over sliders"),
         "over": said("vectors over sliders"),
         "paper": said("paper under figures"),
-        "joint": said("turning pairs"),
         "pin": said("turning pairs drawn before"),
+        "joint": said("turning pairs"),
     }
 )
 """What the layer of a pen is called in a drawing program."""
@@ -89,8 +89,8 @@ def pens(format: str) -> Mapping[str, Pen]:
             "rod": Pen(s),
             "over": Pen(round(s / 2, 2)),
             "paper": Pen(0.0, (), "none", "white"),
-            "joint": Pen(s, (), "black", "white"),
             "pin": Pen(thin, (), "black", "white"),
+            "joint": Pen(s, (), "black", "white"),
         }
     )
 

@@ -15,6 +15,7 @@ from typing import NamedTuple
 from graphic_tmm.board import roles
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet, parallel
 from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Length
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 
@@ -187,3 +188,43 @@ def _direction(line: Step, turned: bool) -> str:
     if along and line.choice["sense"] < 0 and len(ends) == 2:
         return f"{ends[1]} → {ends[0]}"
     return f"{'∥' if along else '⊥'} {of if len(ends) > 1 else f'{of}–{of}'}"
+
+
+def polygon(construction: Construction, plan: str) -> tuple[Term, ...]:
+    """Return the sides of a polygon of forces, whose sum is nothing, in their order; none of another plan.
+
+    What was laid off is known wholly. Where two lines met, the sides that close the polygon are known in
+    direction: first the one that goes on from the last known side. Else one side closes it, as it was measured.
+    """
+    view = construction.view(plan)
+    if view is None or view.pole is None or view.role != roles.FORCE_POLYGON:
+        return ()
+    steps = [step for step in construction.steps if step.it.view == plan]
+    by_mark = {step.it: step for step in steps}
+    found, end = list[Term](), view.pole
+    for step in steps:
+        if step.op is lay_off:
+            line = step.uses[0]
+            start = by_mark[line].uses[0]
+            found.append(Term(_force(line), True, marks=(start, step.it), line=line))
+            end = step.it
+        elif step.op is meet:
+            lines = sorted(step.uses, key=lambda line: by_mark[line].uses[0] != end)
+            for line in lines:
+                found.append(
+                    Term(_force(line), False, marks=(by_mark[line].uses[0], step.it), line=line)
+                )
+            return tuple(found)
+    closing = next(
+        (s for s in steps if s.it.kind is Length and set(s.uses[:2]) == {end, view.pole}), None
+    )
+    if closing is not None:
+        letter = closing.it.name.removeprefix("y_{").removesuffix("}")
+        found.append(
+            Term(f"{letter[0]}_{{{letter[1:]}}}", False, marks=(end, view.pole, closing.it))
+        )
+    return tuple(found)
+
+
+def _force(line: Mark) -> str:
+    return line.name.strip("()")

@@ -25,9 +25,9 @@ class Scene:
 
     ``common_pole``: the velocity plans of all positions have one pole. ``main``: the number of the position
     drawn in heavy lines. ``author``: what the author of the note says. ``tasks``: what chapters are asked, by
-    section (`chapter.Asked`). ``letters``: how many times larger letters are than usual, of views that
-    are shown smaller. ``remarks``: what of the file comes to nothing, and defaults that matter, a line
-    each. ``told``: the keys that the file writes in its sections, as section.key, each with its line.
+    section (`chapter.Asked`). ``letters``: how high letters of points, titles, numbers are, mm; None:
+    by the formats of the sheets. ``remarks``: what of the file comes to nothing, and defaults that matter, a
+    line each. ``told``: the keys that the file writes in its sections, as section.key, each with its line.
     """
 
     source: str
@@ -47,7 +47,7 @@ class Scene:
     sheets: tuple[SheetOrder, ...] = (SheetOrder(),)
     title_block: Mapping[str, str] = field(default_factory=dict)
     print_check: bool = True
-    letters: float = 1.0
+    letters: tuple[float, float, float] | None = None
     task: Task | None = None
     author: Author = field(default_factory=Author)
     remarks: tuple[str, ...] = ()

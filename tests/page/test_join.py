@@ -26,4 +26,6 @@ def test_no_comment_is_carried():
 
 
 def _comment(line: str) -> bool:
-    return line.lstrip().startswith(("/**", "* ", "*/", "//")) or line.strip() == "*"
+    bare = line.strip()
+    cast = bare.startswith("/**") and "*/ " in bare
+    return not cast and (bare.startswith(("/**", "* ", "*/", "//")) or bare == "*")

@@ -4,7 +4,8 @@ const UNREADABLE =
 
 /** What a part is called: its label, or what stands on it. */
 function called(part) {
-  return part.getAttribute("aria-label") ?? part.textContent.trim();
+  const other = document.getElementById(part.getAttribute("aria-labelledby") ?? "");
+  return other?.textContent.trim() ?? part.getAttribute("aria-label") ?? part.textContent.trim();
 }
 
 function button(name) {
@@ -29,7 +30,8 @@ function values(select) {
 }
 
 function room(names) {
-  return document.querySelector(`section[aria-label="${names.play}"]`);
+  const rooms = [...document.querySelectorAll("section, [role=tabpanel]")];
+  return rooms.find((one) => called(one) === names.play);
 }
 
 /** The drawing of the plan that is played. */
@@ -38,10 +40,10 @@ function drawing(names) {
 }
 
 /** What is told with the picture that is shown. */
-function telling() {
-  const told = document.querySelector("[role=status], [aria-live], .telling");
-  const lines = told === null ? [] : [...told.querySelectorAll("p, dd")];
-  return lines.length > 0 ? lines.map(textOf) : [textOf(told)];
+function telling(names, kinds = "p, dd") {
+  const told = room(names).querySelector(".telling");
+  const lines = told === null ? [] : [...told.querySelectorAll(kinds)];
+  return lines.map(textOf);
 }
 
 /** The text of a part in one line; an index stands behind a "_", as in the protocol. */
@@ -62,20 +64,26 @@ function played(names) {
   };
   const faults = new Set();
   const lines = [];
+  const readings = [];
+  const pictures = new Set();
   button(names.first).click();
   const address = location.hash;
   for (let before = ""; before !== location.hash; next.click()) {
     before = location.hash;
-    lines.push(telling());
+    lines.push(telling(names, "p:not(.reading, .tool, .remark)"));
+    readings.push(...telling(names, ".reading"));
+    pictures.add(drawing(names).dataset.picture);
     for (const text of lines.at(-1)) {
       const found = UNREADABLE.exec(text);
       if (found !== null) faults.add(`${location.hash}: ${text}`);
     }
   }
   for (const text of seen()) if (UNREADABLE.test(text)) faults.add(text);
-  const bar = textOf(document.querySelector("[role=toolbar]"));
+  const bar = textOf(room(names).querySelector("[role=toolbar]"));
   const count = /\d+(?=\D*$)/u.exec(bar)?.[0] ?? "";
-  return { title: called(drawing(names)), pictures: lines.length - 1, count, lines, address, faults: [...faults] };
+  const title = called(drawing(names));
+  const stops = lines.length - 1;
+  return { title, pictures: pictures.size, stops, count, lines, readings, address, faults: [...faults] };
 }
 
 function walk(names) {

@@ -62,7 +62,7 @@ def views(name: str, spoken: str) -> Iterator[View]:
         for number, drawing in enumerate(sheet.drawings):
             for board in made.boards:
                 there = {view.name for view in board.construction.views}
-                if drawing.shows and there.issuperset(drawing.shows):
+                if any(view in there for view in drawing.shows):
                     shown = pictures(board.construction, drawing)
                     if len(shown) > 1:
                         yield View(board, sheet, number, shown)

@@ -95,8 +95,7 @@ def path_numbers(
             middle, away = sum(spots) / len(spots), ticks[found[0]][1]
             others = tuple(one for one in drawn if one is not own and abs(one[0] - own[0]) < RIVAL)
             told, of = _listed(names, found), (path.mark.slot,)
-            at = found[0] if len(found) == 1 else None
-            yield Wanted(told, middle, size, path.reach, away, of, at, own, others)
+            yield Wanted(told, middle, size, path.reach, away, of, max(found), own, others)
 
 
 def together(spots: Sequence[complex], within: float) -> list[list[int]]:

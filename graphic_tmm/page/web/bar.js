@@ -1,5 +1,5 @@
 import { element, filled, iconButton } from "./dom.js";
-import { toggle } from "./run.js";
+import { setPace, toggle } from "./run.js";
 
 /**
  * @typedef {import("./types.js").Data} Data
@@ -15,8 +15,26 @@ const ICONS = {
   last: "M18 5v14M5 5l10 7-10 7z",
 };
 
+/** How long a step may be left standing, s, and usually is. */
+const PACES = [1, 2, 4, 8];
+const USUAL = 2;
+
 /**
- * Return the buttons that go through the pictures of a view, and how far it is drawn.
+ * Return the choice of the pace at which steps follow by themselves.
+ * @param {Data} data
+ * @param {State} state
+ */
+export function paceChooser(data, state) {
+  const pace = /** @type {HTMLSelectElement} */ (element("select", { "aria-label": data.words["pace"] ?? "", class: "pace" }));
+  for (const n of PACES) pace.append(element("option", { value: String(n) }, filled(data.words["seconds"] ?? "", { n })));
+  pace.value = String(USUAL);
+  pace.addEventListener("change", () => setPace(state, 1000 * Number(pace.value)));
+  setPace(state, 1000 * USUAL);
+  return pace;
+}
+
+/**
+ * Return the buttons that go through the stops of a view, and how far it is drawn.
  * @param {Data} data
  * @param {State} state
  */

@@ -39,7 +39,7 @@ export function keyOf(event) {
 export function takenBy(event) {
   if (event.ctrlKey || event.altKey || event.metaKey) return true;
   const target = /** @type {Element | null} */ (event.target);
-  if (!(target instanceof Element)) return false;
+  if (target === null || !("closest" in target)) return false;
   if (target.closest(OWN) !== null) return true;
   return (event.key === " " || event.key === "Enter") && target.closest(PRESSED) !== null;
 }

@@ -1,9 +1,16 @@
+import { crankRoom } from "./crank.js";
 import { packedData } from "./data.js";
+import { helpButton, helpPanel } from "./help.js";
+import { listenToKeys } from "./keys.js";
+import { lectureRoom } from "./lecture.js";
+import { liveRegion } from "./live.js";
 import { playRoom } from "./play.js";
+import { showPoster } from "./poster.js";
 import { letRun } from "./run.js";
 import { sheetRoom } from "./sheet.js";
 import { State } from "./state.js";
-import { fillTabs } from "./tabs.js";
+import { asPanel, fillTabs } from "./tabs.js";
+import { themeButton, turnTheme } from "./theme.js";
 
 /**
  * @typedef {import("./types.js").Data} Data
@@ -11,25 +18,65 @@ import { fillTabs } from "./tabs.js";
  */
 
 /**
- * The ways of looking, in the order of their tabs; each is entered here and nowhere else. A room makes its element
- * (with an id), hears the state, shows what `place` says while `place.tab` is its name, lets keys act by
- * `listenToKeys(state, name, {…})`. Its tab is called by `data.words[name]`.
+ * The ways of looking, in the order of their tabs; each is entered here and nowhere else. A room makes its element,
+ * hears the state, shows what `place` says while `place.tab` is its name (its element is seen by then), lets keys
+ * act by `listenToKeys(state, name, {…})`, tells them in `KEYS` of help.js. Its tab is called by `data.words[name]`.
  * @type {Record<string, Room>}
  */
 const ROOMS = {
   play: playRoom,
+  crank: crankRoom,
   sheets: sheetRoom,
+  lecture: lectureRoom,
 };
 
-const data = await packedData();
-const state = new State(data.views, Object.keys(ROOMS));
-document.documentElement.classList.add("js");
-const main = /** @type {HTMLElement} */ (document.getElementById("main"));
-/** @type {Record<string, HTMLElement>} */
-const rooms = Object.fromEntries(Object.entries(ROOMS).map(([name, room]) => [name, room(data, state)]));
-for (const room of Object.values(rooms)) if (!room.isConnected) main.append(room);
-const tabs = /** @type {HTMLElement} */ (document.getElementById("tabs"));
-fillTabs(tabs, state, rooms, data.words);
-letRun(state);
-state.follow();
-document.documentElement.classList.add("ready");
+try {
+  begin(await packedData());
+} catch (fault) {
+  document.documentElement.classList.remove("js");
+  document.documentElement.classList.add("failed");
+  throw fault;
+}
+
+/** @param {Data} data */
+function begin(data) {
+  const root = document.documentElement;
+  const opened = location.hash.length < 2;
+  const rooms = Object.entries(ROOMS).filter(([name]) => hasAny(name, data));
+  const state = new State(
+    data.views,
+    rooms.map(([name]) => name),
+  );
+  root.classList.add("js");
+  fillTabs(part("tabs"), state, data.words);
+  for (const [name, room] of rooms) {
+    const made = room(data, state);
+    asPanel(made, name, data.words[name] ?? name);
+    made.hidden = name !== state.place.tab;
+    if (!made.isConnected) part("main").append(made);
+  }
+  const help = helpPanel(data.words, state.tabs);
+  part("aids").append(themeButton(data.words), helpButton(data.words, help));
+  document.body.append(help, liveRegion(data, state));
+  listenToKeys(state, "", { d: turnTheme, "?": () => help.showModal() });
+  letRun(state);
+  state.follow();
+  const paper = /** @type {HTMLElement | null} */ (document.querySelector("#play .paper"));
+  if (opened && paper !== null) showPoster(data, state, paper);
+  root.classList.add("ready");
+}
+
+/**
+ * Tell whether a way of looking has anything to show: not every scene has plans, or a crank.
+ * @param {string} name
+ * @param {Data} data
+ */
+function hasAny(name, data) {
+  if (name === "crank") return data.crank !== undefined;
+  return name === "sheets" || data.views.length > 0;
+}
+
+/** @param {string} id */
+function part(id) {
+  return /** @type {HTMLElement} */ (document.getElementById(id));
+}

@@ -1,16 +1,22 @@
-import { stepBar } from "./bar.js";
+import { paceChooser, stepBar } from "./bar.js";
 import { chooser } from "./chooser.js";
-import { element, sentenceOf } from "./dom.js";
+import { element } from "./dom.js";
+import { groupOf } from "./equation.js";
 import { listenToKeys } from "./keys.js";
+import { lightAlike } from "./light.js";
 import { toggle } from "./run.js";
 import { Stage } from "./stage.js";
+import { StepList } from "./steplist.js";
 import { tellingOf } from "./telling.js";
-import { linesOfPictures } from "./told.js";
+import { madeIn } from "./told.js";
+import { Tools, toolSwitch } from "./tools.js";
+import { ValuesTable } from "./values.js";
 
 /**
  * @typedef {import("./types.js").Data} Data
- * @typedef {import("./types.js").Line} Line
+ * @typedef {import("./types.js").View} View
  * @typedef {import("./state.js").State} State
+ * @typedef {{view: View, stage: Stage, tools: Tools, table: ValuesTable, list: StepList}} Shown
  */
 
 /**
@@ -20,12 +26,11 @@ import { linesOfPictures } from "./told.js";
  * @returns {HTMLElement}
  */
 export function playRoom(data, state) {
-  const words = data.words;
-  const say = (/** @type {string} */ key) => words[key] ?? key;
   const paper = element("div", { class: "paper" });
-  const sentence = element("div", { class: "telling" });
-  const list = element("ol", { class: "steps", "aria-label": say("steps") });
-  const plans = chooser(data, state);
+  const group = element("div", { class: "heads" });
+  const telling = element("div", { class: "telling" });
+  const beside = element("div", { class: "beside" });
+  const list = element("div", { class: "listed" });
   const step = (/** @type {number} */ by) => () => state.go({ picture: state.place.picture + by });
   listenToKeys(state, "play", {
     ArrowRight: step(1),
@@ -37,38 +42,36 @@ export function playRoom(data, state) {
     " ": () => toggle(state),
   });
 
-  /** @type {Stage | null} */
-  let stage = null;
-  /** @type {Line[][]} */
-  let told = [];
+  /** @type {Shown | null} */
+  let shown = null;
   state.hear((place) => {
     if (place.tab !== "play" || state.views.length === 0) return;
     const view = state.view;
-    if (stage?.view !== view) {
-      stage = new Stage(view);
-      told = linesOfPictures(view);
+    if (shown?.view !== view) {
+      const stage = new Stage(view);
+      const table = new ValuesTable(data, view, madeIn(view));
+      const steps = new StepList(data, view, (n) => state.go({ picture: n }));
+      shown = { view, stage, tools: new Tools(stage.svg, view), table, list: steps };
       paper.replaceChildren(stage.svg);
-      list.replaceChildren(...told.map((lines, n) => item(lines, n)));
+      beside.replaceChildren(table.table);
+      list.replaceChildren(steps.whole);
     }
-    stage.show(place.picture);
-    sentence.replaceChildren(...tellingOf(data, view, place.picture));
-    [...list.children].forEach((one, n) => {
-      if (n === place.picture) one.setAttribute("aria-current", "step");
-      else one.removeAttribute("aria-current");
-    });
+    const n = place.picture;
+    shown.stage.show(n);
+    shown.tools.show(n);
+    group.replaceChildren(...groupOf(view, n));
+    telling.replaceChildren(...tellingOf(data, view, n));
+    shown.table.show(n);
+    shown.list.show(n);
   });
 
-  /**
-   * @param {Line[]} lines
-   * @param {number} n
-   */
-  function item(lines, n) {
-    const made = element("li", {}, ...lines.map((line) => element("p", {}, ...sentenceOf(line.text))));
-    made.addEventListener("click", () => state.go({ picture: n }));
-    if (lines.length === 0) made.append(element("p", {}, n === 0 ? say("given") : ""));
-    return made;
-  }
-
-  const panel = element("div", { class: "panel", tabindex: "0" }, sentence, list);
-  return element("section", { id: "play", "aria-label": say("play") }, plans, element("div", { class: "board" }, paper, panel), stepBar(data, state));
+  const said = element("div", { class: "words" }, group, telling, beside);
+  const options = element("div", { class: "options" }, paceChooser(data, state));
+  const panel = element("div", { class: "panel", tabindex: "0" }, said, options, list);
+  const board = element("div", { class: "board" }, paper, panel);
+  const bar = stepBar(data, state);
+  options.append(toolSwitch(data, board));
+  const room = element("section", { id: "play", "aria-label": data.words["play"] ?? "" }, chooser(data, state), board, bar);
+  lightAlike(room, () => state.view);
+  return room;
 }

@@ -9,10 +9,10 @@ import { drawnElement, filled } from "./dom.js";
 const PAGE = { width: 210, height: 297, margin: 10, overlap: 10, drawn: 296.8 };
 const ROOM = { width: PAGE.width - 2 * PAGE.margin, height: PAGE.height - 2 * PAGE.margin };
 /** Marks where to cut begin off the drawing and end so far from it, mm. */
-const MARK = { from: 1, to: 6 };
+const CROP_MARK = { from: 1, to: 6 };
 const CHECKED = 100;
 /** So far from the paper's edge stands what is to be read: nearer many printers do not print, mm. */
-const EDGE = 6;
+const TILE_EDGE = 6;
 const THIN = { fill: "none", stroke: "black", "stroke-width": 0.2 };
 
 /**
@@ -61,7 +61,7 @@ function tilePage(views, x, y, size, told, check) {
   const high = Math.min(ROOM.height, size.height - y);
   const uses = views.map((id) => drawnElement("use", { href: `#${id}` }));
   const box = { x: margin, y: margin, width: wide, height: high, viewBox: `${x} ${y} ${wide} ${high}` };
-  const low = height - EDGE;
+  const low = height - TILE_EDGE;
   const left = width / 2 - CHECKED / 2;
   const line = `M${left} ${low}h${CHECKED}m0 -1v2m${-CHECKED} 0v-2`;
   return drawnElement(
@@ -71,7 +71,7 @@ function tilePage(views, x, y, size, told, check) {
     drawnElement("path", { ...THIN, d: cutMarks(margin, margin, wide, high) }),
     drawnElement("path", { ...THIN, class: "check", d: line }),
     lettered(check, left + CHECKED + 2, low + 1),
-    lettered(told, margin + PAGE.overlap + 4, EDGE + 1),
+    lettered(told, margin + PAGE.overlap + 4, TILE_EDGE + 1),
   );
 }
 
@@ -84,16 +84,16 @@ function tilePage(views, x, y, size, told, check) {
  */
 function cutMarks(left, top, wide, high) {
   const { overlap } = PAGE;
-  const long = MARK.to - MARK.from;
+  const long = CROP_MARK.to - CROP_MARK.from;
   const across = [0, overlap, wide - overlap, wide].map((x, k) => {
     const length = k % 3 === 0 ? long : long / 2;
     const at = left + x;
-    return `M${at} ${top - MARK.from}v${-length}M${at} ${top + high + MARK.from}v${length}`;
+    return `M${at} ${top - CROP_MARK.from}v${-length}M${at} ${top + high + CROP_MARK.from}v${length}`;
   });
   const down = [0, overlap, high - overlap, high].map((y, k) => {
     const length = k % 3 === 0 ? long : long / 2;
     const at = top + y;
-    return `M${left - MARK.from} ${at}h${-length}M${left + wide + MARK.from} ${at}h${length}`;
+    return `M${left - CROP_MARK.from} ${at}h${-length}M${left + wide + CROP_MARK.from} ${at}h${length}`;
   });
   return [...across, ...down].join("");
 }

@@ -1,7 +1,7 @@
 /** @typedef {import("./state.js").State} State */
 
 /** A step is left standing so long, ms. */
-const PACE = 1600;
+let pace = 1600;
 
 /**
  * Let the steps of a view follow by themselves while the place says that they run.
@@ -12,8 +12,20 @@ export function letRun(state) {
   state.hear((place) => {
     if (place.running === (timer !== 0)) return;
     window.clearInterval(timer);
-    timer = place.running ? window.setInterval(() => stepOn(state), PACE) : 0;
+    timer = place.running ? window.setInterval(() => stepOn(state), pace) : 0;
   });
+}
+
+/**
+ * Let every step stand so long, ms, from now on.
+ * @param {State} state
+ * @param {number} wanted
+ */
+export function setPace(state, wanted) {
+  pace = wanted;
+  if (!state.place.running) return;
+  state.go({ running: false });
+  state.go({ running: true });
 }
 
 /**

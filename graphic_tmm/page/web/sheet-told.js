@@ -48,7 +48,7 @@ export function toldOf(ink, sheet, data, view, state) {
   const where = element("span", { class: "where" }, sheet.views[ink.view]?.title ?? "");
   if (view === undefined) return [...told, where];
   const line = lineOf(ink, view);
-  if (line !== undefined) told.push(element("span", {}, ...sentenceOf(line.text)));
+  if (line?.text !== undefined) told.push(element("span", {}, ...sentenceOf(line.text)));
   told.push(where);
   const key = `${ink.of}@${ink.at < 0 ? "" : ink.at}`;
   const picture = view.pictures.findIndex((one) => one.keys.includes(key));
@@ -78,7 +78,9 @@ function wayTo(data, view, picture, state) {
 function lineOf(ink, view) {
   if (ink.of === "") return undefined;
   const marks = ink.of.split(" ").map(Number);
-  const lines = view.lines[String(ink.at < 0 ? view.first : ink.at)] ?? view.lines[String(view.first)] ?? [];
+  const at = ink.at < 0 ? view.first : ink.at;
+  const there = view.pictures.filter((picture) => picture.at === at);
+  const lines = (there.length === 0 ? view.pictures : there).flatMap((picture) => picture.lines);
   return lines.findLast((line) => line.it !== undefined && marks.includes(line.it));
 }
 

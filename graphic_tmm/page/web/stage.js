@@ -1,4 +1,5 @@
 import { drawnElement } from "./dom.js";
+import { pictureAt } from "./told.js";
 
 /** @typedef {import("./types.js").View} View */
 
@@ -6,17 +7,18 @@ import { drawnElement } from "./dom.js";
 const RUBBED = "s-of-rubbed-";
 
 /**
- * The drawing of a view as it grows: the ink of its sheet, each stroke and letter in the picture it appears in.
+ * The drawing of a view as it grows: the ink of its sheet, each stroke and letter in the stop it appears in.
  */
 export class Stage {
   /** @param {View} view */
   constructor(view) {
     this.view = view;
-    this.svg = drawnElement("svg", { viewBox: view.box.join(" "), class: "stage", role: "img" });
+    this.svg = drawnElement("svg", { viewBox: view.box.join(" "), class: "stage", role: "img", tabindex: 0 });
     this.svg.setAttribute("aria-label", view.title);
     /** @type {Map<string, number>} */
     this.pictures = new Map();
     view.pictures.forEach((picture, n) => picture.keys.forEach((key) => this.pictures.set(key, n)));
+    this.svg.setAttribute("data-pictures", String(pictureAt(view, view.pictures.length)));
     /** @type {[Element, number][]} */
     this.parts = [];
     this.add(document.getElementById(RUBBED + view.id), true);
@@ -41,12 +43,16 @@ export class Stage {
   }
 
   /**
-   * Show a picture: done strokes thin, new ones heavy; the last one is ready, as on the sheet.
+   * Show a stop: done strokes thin, new ones heavy; the last one is ready, as on the sheet.
+   *
+   * A step that leaves no ink reads or calculates of what is there.
    * @param {number} n
    */
   show(n) {
     const ready = n >= this.view.pictures.length;
     this.svg.classList.toggle("ready", ready);
+    this.svg.setAttribute("data-step", String(n));
+    this.svg.setAttribute("data-picture", String(pictureAt(this.view, n)));
     for (const [part, k] of this.parts) {
       part.classList.toggle("later", k > n);
       part.classList.toggle("now", k === n && n > 0 && !ready);

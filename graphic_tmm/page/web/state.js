@@ -35,7 +35,9 @@ export class State {
     this.told = [];
     this.timer = 0;
     window.addEventListener("hashchange", () => this.follow());
-    window.addEventListener("pagehide", () => this.note());
+    window.addEventListener("pagehide", () => {
+      if (this.timer !== 0) this.note();
+    });
   }
 
   /** @returns {View} */

@@ -3,23 +3,19 @@ import { element } from "./dom.js";
 /** @typedef {import("./state.js").State} State */
 
 /**
- * Fill the list of tabs: one stop of the keyboard, arrows go among them; the room of the tab is what is seen.
+ * Fill the list of tabs: one stop of the keyboard, arrows go among them. Of the rooms (their ids are the names of
+ * the tabs) that of the tab is seen.
  * @param {HTMLElement} list
  * @param {State} state
- * @param {Record<string, HTMLElement>} rooms
  * @param {Record<string, string>} words
  */
-export function fillTabs(list, state, rooms, words) {
+export function fillTabs(list, state, words) {
   const tabs = state.tabs.map((name) => {
     const tab = element("button", { type: "button", role: "tab", id: `tab-${name}` }, words[name] ?? name);
-    tab.setAttribute("aria-controls", rooms[name]?.id ?? name);
+    tab.setAttribute("aria-controls", name);
     tab.addEventListener("click", () => state.go({ tab: name }));
     return tab;
   });
-  for (const [name, room] of Object.entries(rooms)) {
-    room.setAttribute("role", "tabpanel");
-    room.setAttribute("aria-label", words[name] ?? name);
-  }
   list.append(...tabs);
   list.addEventListener("keydown", (event) => {
     const now = state.tabs.indexOf(state.place.tab);
@@ -35,9 +31,29 @@ export function fillTabs(list, state, rooms, words) {
       const chosen = name === place.tab;
       tabs[k]?.setAttribute("aria-selected", String(chosen));
       tabs[k]?.setAttribute("tabindex", chosen ? "0" : "-1");
-      const room = rooms[name];
-      if (room !== undefined) room.hidden = !chosen;
+      showRoom(name, chosen);
     });
     document.documentElement.dataset["tab"] = place.tab;
   });
+}
+
+/**
+ * Make an element the room of a tab: named as it is.
+ * @param {HTMLElement} room
+ * @param {string} name
+ * @param {string} called
+ */
+export function asPanel(room, name, called) {
+  room.id = name;
+  room.setAttribute("role", "tabpanel");
+  room.setAttribute("aria-label", called);
+}
+
+/**
+ * @param {string} name
+ * @param {boolean} seen
+ */
+function showRoom(name, seen) {
+  const room = document.getElementById(name);
+  if (room !== null) room.hidden = !seen;
 }

@@ -4,11 +4,12 @@ import { linesOfPictures } from "./told.js";
 /**
  * @typedef {import("./types.js").Data} Data
  * @typedef {import("./types.js").Line} Line
+ * @typedef {import("./types.js").Row} Row
  * @typedef {import("./types.js").View} View
  */
 
 /**
- * Return what is told with a picture of a view: paragraphs of the classes step, remark, why, calc.
+ * Return what is told in a stop of a view: paragraphs of the classes step, remark, tool, calc, reading, why.
  * @param {Data} data
  * @param {View} view
  * @param {number} n
@@ -31,9 +32,38 @@ export function tellingOf(data, view, n) {
  * @returns {HTMLElement[]}
  */
 function tellingOfLine(line, why) {
-  const number = line.n ? [element("b", {}, `${line.n}. `)] : [];
-  const made = [element("p", { class: line.n ? "step" : "remark" }, ...number, ...sentenceOf(line.text))];
+  /** @type {HTMLElement[]} */
+  const made = [];
+  /** @type {Record<string, string>} */
+  const of = line.it === undefined ? {} : { "data-of": String(line.it) };
+  if (line.text) {
+    made.push(element("p", { class: line.it === undefined ? "remark" : "step" }, ...sentenceOf(line.text)));
+  }
+  if (line.tool) made.push(element("p", { class: "tool" }, line.tool[1]));
+  if (line.calc) made.push(element("p", { class: "calc", ...of }, ...typeset(line.calc)));
+  if (line.row) made.push(element("p", { class: "reading", "data-of": line.row[0].join(" ") }, ...readingOf(line.row)));
+  if (line.sign) made.push(element("p", { class: "remark" }, line.sign));
   if (line.why) made.push(element("p", { class: "why" }, `${why}: `, ...sentenceOf(line.why)));
-  if (line.calc) made.push(element("p", { class: "calc" }, ...typeset(line.calc)));
   return made;
+}
+
+/**
+ * Return what was read off the drawing and what it stands for: BA = 115,0 mm × 0,004 m/mm = 0,460 m.
+ * @param {Row} row
+ * @returns {(Node | string)[]}
+ */
+export function readingOf([, segment, mm, mu, value, quantity]) {
+  if (mm === "") return pieces([[...typeset(segment), ` = ${value}`]]);
+  const read = [...typeset(segment), ` = ${mm}`];
+  if (mu === "") return pieces([read]);
+  if (quantity === "") return pieces([read, [`× ${mu}`], [`= ${value}`]]);
+  return pieces([read, ["→ ", ...typeset(quantity), ` = ${mm}`], [`× ${mu}`], [`= ${value}`]]);
+}
+
+/**
+ * Return pieces of a line that is broken between them only.
+ * @param {(Node | string)[][]} parts
+ */
+function pieces(parts) {
+  return parts.flatMap((inner, k) => [...(k > 0 ? [" "] : []), element("span", { class: "piece" }, ...inner)]);
 }

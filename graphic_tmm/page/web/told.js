@@ -1,35 +1,64 @@
 /**
  * @typedef {import("./types.js").View} View
  * @typedef {import("./types.js").Line} Line
+ * @typedef {import("./types.js").Row} Row
  */
 
-/** @type {WeakMap<View, Line[][]>} */
-const TOLD = new WeakMap();
-
 /**
- * Return, for each picture of a view, the lines of the protocol that are told with it.
- *
- * A line is told with the first picture in which its step is done or a later step is; what follows the last
- * picture of its position is told with that. The picture of what is given tells nothing.
+ * Return, for each stop of a view, what is told in it: its step, or in another position its figures.
  * @param {View} view
  * @returns {Line[][]}
  */
 export function linesOfPictures(view) {
-  const known = TOLD.get(view);
-  if (known !== undefined) return known;
-  /** @type {Line[][]} */
-  const found = view.pictures.map(() => []);
-  for (const [at, lines] of Object.entries(view.lines)) {
-    const own = view.pictures.flatMap((one, n) => (n > 0 && one.at === Number(at) ? [n] : []));
-    let from = 0;
-    own.forEach((n, k) => {
-      const marks = new Set(view.pictures[n]?.marks);
-      const last = lines.findLastIndex((line) => line.it !== undefined && marks.has(line.it));
-      const end = k === own.length - 1 ? lines.length : Math.max(from, last + 1);
-      found[n] = lines.slice(from, end);
-      from = end;
-    });
+  return view.pictures.map((one) => one.lines.filter((line) => !line.head));
+}
+
+/**
+ * Return what stands above the step of a stop: the headings and the equation that it belongs to.
+ * @param {View} view
+ * @param {number} n
+ * @returns {Line[]}
+ */
+export function headsAt(view, n) {
+  for (let k = Math.min(n, view.pictures.length - 1); k >= 0; k -= 1) {
+    const heads = view.pictures[k]?.lines.filter((line) => line.head) ?? [];
+    if (heads.length > 0) return heads;
   }
-  TOLD.set(view, found);
+  return [];
+}
+
+/**
+ * Return the sentence of the step that left a mark.
+ * @param {View} view
+ * @param {number} slot
+ * @returns {Line | undefined}
+ */
+export function lineOfMark(view, slot) {
+  const lines = view.pictures.flatMap((one) => one.lines);
+  return lines.find((line) => line.it === slot && line.text !== undefined);
+}
+
+/**
+ * Return the number of the last picture with ink up to a stop: how far the drawing is.
+ * @param {View} view
+ * @param {number} n
+ */
+export function pictureAt(view, n) {
+  return view.pictures.slice(1, n + 1).filter((one) => one.keys.length > 0).length;
+}
+
+/**
+ * Return in which stop each mark of a view is made first.
+ * @param {View} view
+ * @returns {Map<number, number>}
+ */
+export function madeIn(view) {
+  /** @type {Map<number, number>} */
+  const found = new Map();
+  view.pictures.forEach((one, n) => {
+    for (const line of one.lines) {
+      if (line.it !== undefined && !found.has(line.it)) found.set(line.it, n);
+    }
+  });
   return found;
 }

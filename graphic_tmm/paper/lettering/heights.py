@@ -48,5 +48,6 @@ def heights(scene: Scene, *places: str) -> Heights:
     ``places``: it and those that it is a part of. One that no sheet shows is lettered as the narrowest of all.
     """
     shown = [sheet.format for sheet in scene.sheets if not {*places}.isdisjoint(sheet.place)]
-    found = heights_on(shown or (sheet.format for sheet in scene.sheets))
-    return found if scene.letters == 1.0 else found.times(scene.letters)
+    if scene.letters is not None:
+        return Heights(*scene.letters)
+    return heights_on(shown or (sheet.format for sheet in scene.sheets))

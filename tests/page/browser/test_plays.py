@@ -2,49 +2,190 @@
 
 from __future__ import annotations
 
+import csv
+import io
+import re
 from collections import Counter
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
 
+import numpy as np
 import pytest
 from support import pages
-from support.gallery import ALL
-from support.lesson import Played, walk
+from support.browser import Opened
+from support.command import invoke
+from support.gallery import ALL, SHEETS
+from support.lesson import Played, at_the_end, names, walk
+from support.pixels import alone, at, show_alone
+
+from graphic_tmm.errors import SceneError
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.page.words import WORDS
+from graphic_tmm.paper.write.svg import ids
+from graphic_tmm.readers.protocol import part_protocol, plans, protocol
+
+NUMBERED = re.compile(r"^\s*\d+(–\d+)?\. ")
+MEASURED = re.compile(r"(?P<segment>\S+) = (?P<mm>−?[\d.,]+) (?:мм|mm)")
+AT = re.compile(r", (?:положение|position) (\S+)$")
+FAINT = 64
+"""Where two pictures differ by no more than this of 255, their lines are smoothed otherwise, no more."""
+
+EDGE = 4
+"""So many px around the drawing of a page may be its frame."""
+
+
+class Lesson(NamedTuple):
+    """The page of a scene, open, and what was met when all of it was played."""
+
+    tab: Opened
+    met: list[Played]
+    faults: list[str]
 
 
 @pytest.fixture(scope="module")
-def walked(browser, files):
-    """Play all plans of a scene once: what was met, and what the page did that it must not."""
-    from support.browser import Opened
+def lesson(browser: Any, files: Callable[..., Path]) -> Iterator[Callable[[str], Lesson]]:
+    """Play all of a scene once; its page stays open until that of another is asked for."""
+    kept: dict[str, Lesson] = {}
 
-    found: dict[str, tuple[list[Played], list[str]]] = {}
-
-    def of(name: str) -> tuple[list[Played], list[str]]:
-        if name not in found:
+    def of(name: str) -> Lesson:
+        if name not in kept:
+            for before in kept.values():
+                before.tab.close()
+            kept.clear()
             tab = Opened(browser, files(name))
             tab.page.get_by_role("tab").first.wait_for()
-            found[name] = walk(tab.page, pages.language(name)), tab.settle()
-            tab.close()
-        return found[name]
+            kept[name] = Lesson(tab, walk(tab.page, pages.language(name)), tab.settle())
+        return kept[name]
 
-    return of
+    yield of
+    for one in kept.values():
+        one.tab.close()
 
 
 @pytest.mark.parametrize("name", ALL)
-def test_the_pictures_are_those_that_the_log_tells(name: str, walked) -> None:
-    met, faults = walked(name)
+def test_the_pictures_are_those_that_the_log_tells(name: str, lesson) -> None:
+    met = lesson(name).met
     due = Counter((one.title, len(one.pictures)) for one in pages.views(name, pages.language(name)))
     assert Counter((one.title, one.pictures) for one in met) == due
-    assert [(one.title, one.count) for one in met if one.count != str(one.pictures)] == []
-    assert faults == []
+    assert [(one.title, one.count) for one in met if one.count != str(one.stops)] == []
+    assert lesson(name).faults == []
 
 
 @pytest.mark.parametrize("name", ALL)
-def test_nothing_is_seen_that_nobody_can_read(name: str, walked) -> None:
-    met, _ = walked(name)
-    assert [one.faults for one in met if one.faults] == []
-    assert [one.address for one in met if not all(one.lines)] == []
+def test_nothing_is_seen_that_nobody_can_read(name: str, lesson) -> None:
+    assert [one.faults for one in lesson(name).met if one.faults] == []
+    assert [one.address for one in lesson(name).met if not all(one.lines)] == []
 
 
 @pytest.mark.parametrize("name", ALL)
-def test_every_view_has_an_address_of_its_own(name: str, walked) -> None:
-    met, _ = walked(name)
-    assert [a for a, times in Counter(one.address for one in met).items() if times > 1] == []
+def test_every_view_has_an_address_of_its_own(name: str, lesson) -> None:
+    addresses = Counter(one.address for one in lesson(name).met)
+    assert [one for one, times in addresses.items() if times > 1] == []
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_the_last_picture_is_the_view_of_the_sheet(name: str, lesson, opened, tmp_path) -> None:
+    spoken, shown = pages.language(name), lesson(name)
+    _, sheets = pages.on_sheets(name, spoken)
+    paper = opened(alone(sheets, tmp_path / "alone.html"))
+    titled = places(name)
+    for one in shown.met:
+        there = at_the_end(shown.tab.page, spoken, one.address)
+        show_alone(paper.page, *titled[one.title].pop(0), there)
+        played, due = (at(page, there) for page in (shown.tab.page, paper.page))
+        assert (due < 128).any(), one.title
+        assert unlike(played, due) <= FAINT, one.title
+    assert shown.tab.settle() == []
+
+
+def places(name: str) -> dict[str, list[tuple[int, str]]]:
+    """Where the views of a title stand: the number of their sheet, their id on it."""
+    spoken = pages.language(name)
+    _, sheets = pages.on_sheets(name, spoken)
+    found: dict[str, list[tuple[int, str]]] = {}
+    for view in pages.views(name, spoken):
+        place = sheets.index(view.sheet), ids(view.sheet)[view.number]
+        found.setdefault(view.title, []).append(place)
+    return found
+
+
+def unlike(played: np.ndarray, due: np.ndarray) -> int:
+    """By how much two pictures differ at most, where they do most."""
+    return int(np.abs(played - due)[EDGE:-EDGE, EDGE:-EDGE].max())
+
+
+def test_the_judge_of_pictures_can_fail(lesson, opened, tmp_path) -> None:
+    """The last but one picture still has its helping lines, or lacks its last stroke."""
+    shown = lesson("crank-rocker")
+    _, sheets = pages.on_sheets("crank-rocker", "en")
+    paper = opened(alone(sheets, tmp_path / "alone.html"))
+    titled, told = places("crank-rocker"), names("en")
+    for one in shown.met:
+        there = at_the_end(shown.tab.page, "en", one.address)
+        show_alone(paper.page, *titled[one.title].pop(0), there)
+        shown.tab.page.get_by_role("button", name=told["previous"], exact=True).click()
+        assert unlike(at(shown.tab.page, there), at(paper.page, there)) > FAINT, one.title
+
+
+def spoken_in(name: str) -> set[str]:
+    """What the protocol of a scene says, in all positions, as `bare` text."""
+    made, _ = pages.on_sheets(name, pages.language(name))
+    found: set[str] = set()
+    for board in made.boards:
+        tell = protocol if board is made.mechanism else part_protocol
+        for place in board.names:
+            try:
+                told = tell(board, plans(), place, made.scene.language, why=True)
+                found.update(bare(NUMBERED.sub("", line)) for line in told)
+            except SceneError:
+                continue
+    return found
+
+
+def said_by_the_page(name: str) -> set[str]:
+    """What a page itself says of stops: what is given, what is ready, what is the same elsewhere."""
+    speech = speaking(pages.language(name))
+    found = {bare(speech(WORDS[key])) for key in ("given", "ready")}
+    made, _ = pages.on_sheets(name, pages.language(name))
+    again = speech(WORDS["again"])
+    return found | {bare(again.format(name=one)) for b in made.boards for one in b.names}
+
+
+def bare(text: str) -> str:
+    """Text without the marks of its indices, brackets, spaces."""
+    return re.sub(r"[\s_^{}\[\]]", "", text)
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_what_is_told_is_what_the_protocol_tells(name: str, lesson) -> None:
+    told = [
+        (one.address, line)
+        for one in lesson(name).met
+        for lines in one.lines
+        for line in lines
+        if " = " in line or line.endswith(".")
+    ]
+    assert told or not lesson(name).met
+    due = spoken_in(name) | said_by_the_page(name)
+    assert [one for one in told if bare(one[1]) not in due][:5] == []
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_lengths_are_those_of_the_tables(name: str, lesson) -> None:
+    """The tables tell lengths, the protocol their senses too."""
+    out = invoke("table", SHEETS / name, "-f", "csv").stdout
+    cells: dict[tuple[str, str], set[float]] = {}
+    for row in csv.DictReader(io.StringIO(out)):
+        if row["mm"]:
+            key = row["position"], bare(row["segment"])
+            cells.setdefault(key, set()).add(abs(float(row["mm"])))
+    wrong = []
+    for one in lesson(name).met:
+        place = AT.search(one.title)
+        for line in one.readings:
+            found = MEASURED.match(line)
+            due = place and found and cells.get((place[1], bare(found["segment"])))
+            if due and float(found["mm"].replace(",", ".").lstrip("−")) not in due:
+                wrong.append((one.address, line, due))
+    assert wrong == []

@@ -1,0 +1,149 @@
+import { cardsOf } from "./cards.js";
+import { bytesOf } from "./data.js";
+import { indexAt, turnAt, whyNot } from "./dense.js";
+import { element, filled } from "./dom.js";
+import { putHandle } from "./handle.js";
+import { listenToKeys } from "./keys.js";
+import { unpackedRows } from "./pack.js";
+import { choices, LEAP, positionButtons, runner, turningRange } from "./controls.js";
+import { fourFigures } from "./crank-values.js";
+
+/**
+ * @typedef {import("./types.js").Data} Data
+ * @typedef {import("./types.js").Dense} Dense
+ * @typedef {import("./cards.js").Card} Card
+ * @typedef {import("./state.js").State} State
+ */
+
+/** So many figures are seen at first: the mechanism and its plans. */
+const FIRST = 3;
+
+/**
+ * Build the way of looking in which the crank is turned; it is filled when it is looked at first.
+ * @param {Data} data
+ * @param {State} state
+ * @returns {HTMLElement}
+ */
+export function crankRoom(data, state) {
+  const room = element("section", { id: "crank" });
+  let begun = false;
+  state.hear((place) => {
+    if (place.tab !== "crank" || begun || data.crank === undefined) return;
+    begun = true;
+    const dense = data.crank;
+    bytesOf("crank-rows").then((bytes) => {
+      fill(room, data, dense, state, unpackedRows(bytes, dense.lengths));
+      room.dataset["ready"] = "";
+    });
+  });
+  return room;
+}
+
+/**
+ * @param {HTMLElement} room
+ * @param {Data} data
+ * @param {Dense} dense
+ * @param {State} state
+ * @param {Int32Array[]} packed
+ */
+function fill(room, data, dense, state, packed) {
+  const say = (/** @type {string} */ key) => data.words[key] ?? key;
+  const cards = cardsOf(data, dense, packed);
+  const chosen = new Set(cards.slice(0, FIRST));
+  const { engine, parts } = runner(say, (by) => go(state.place.turn + by));
+  const range = turningRange(say("angle"), dense, stand);
+  const angle = /** @type {HTMLOutputElement} */ (element("output", { class: "angle" }));
+  const why = element("p", { class: "why", role: "status" });
+  const positions = positionButtons(dense, stand);
+  const choice = choices(say("shown"), cards, chosen, show);
+  const bar = element("div", { class: "bar" }, ...parts, angle);
+  const row = element("div", { class: "row", role: "group", "aria-label": say("position") }, `${say("position")} `, ...positions);
+  const grid = element("div", { class: "cards" });
+  for (const card of cards) (card.leads ? room : grid).append(card.figure);
+  const seen = watched(cards, show);
+  room.append(element("div", { class: "tools" }, bar, range, row, choice), grid);
+  /** @type {(turn: number) => void} */
+  let hold = () => {};
+  const lead = cards.find((card) => card.leads !== null);
+  if (lead?.leads) {
+    lead.figure.classList.add("lead");
+    hold = putHandle(dense, lead.leads, lead.built().svg, () => state.place.turn, stand);
+    lead.figure.append(why);
+  }
+
+  /** @param {number} turn */
+  function go(turn) {
+    state.go({ turn: ((turn % dense.whole) + dense.whole) % dense.whole });
+  }
+
+  /**
+   * Go to an angle, and stand there.
+   * @param {number} turn
+   */
+  function stand(turn) {
+    engine.run(false);
+    go(turn);
+  }
+
+  function show() {
+    const k = indexAt(dense, state.place.turn);
+    const reason = whyNot(dense, k);
+    for (const card of cards) if (chosen.has(card) && seen.has(card)) card.show(k, reason === "");
+    hold(turnAt(dense, k));
+    range.value = String(Math.round(turnAt(dense, k)));
+    const name = dense.positions.find(([, index]) => index === k)?.[0];
+    angle.value = `φ = ${bearing(dense, k)}°${name === undefined ? "" : `, ${say("position").toLowerCase()} ${name}`}`;
+    range.setAttribute("aria-valuetext", angle.value);
+    const told = reason === "" ? "" : filled(say("not drawn"), { why: reason });
+    if (why.textContent !== told) why.textContent = told;
+    positions.forEach((one, n) => one.setAttribute("aria-pressed", String(dense.positions[n]?.[1] === k)));
+  }
+
+  state.hear((place) => {
+    if (place.tab === "crank") show();
+    else engine.run(false);
+  });
+  const step = (/** @type {number} */ by) => () => stand(Math.round(state.place.turn) + by);
+  listenToKeys(state, "crank", {
+    ArrowRight: step(1),
+    ArrowUp: step(1),
+    ArrowLeft: step(-1),
+    ArrowDown: step(-1),
+    PageUp: step(LEAP),
+    PageDown: step(-LEAP),
+    Home: () => stand(0),
+    End: () => stand(dense.whole - 1),
+    " ": () => engine.toggle(),
+  });
+}
+
+/**
+ * Return which cards stand in the window, kept as they come and go: what nobody sees is not drawn.
+ * @param {Card[]} cards
+ * @param {() => void} show
+ */
+function watched(cards, show) {
+  const seen = new Set(cards.slice(0, FIRST));
+  const observer = new IntersectionObserver((entries) => {
+    for (const entry of entries) {
+      const card = cards.find((one) => one.figure === entry.target);
+      if (card === undefined) continue;
+      if (entry.isIntersecting) seen.add(card);
+      else seen.delete(card);
+    }
+    show();
+  });
+  for (const card of cards) observer.observe(card.figure);
+  return seen;
+}
+
+/**
+ * Return the direction of the crank, degrees from the x axis, as sheets write it.
+ * @param {Dense} dense
+ * @param {number} k
+ */
+function bearing(dense, k) {
+  const angle = dense.zero + dense.sense * turnAt(dense, k);
+  const within = (((angle % 360) + 360) % 360).toFixed(2);
+  return fourFigures(Number(within) % 360, dense.decimal);
+}

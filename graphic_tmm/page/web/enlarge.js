@@ -1,0 +1,71 @@
+import { drawnElement } from "./dom.js";
+
+/** Letters grow no more than so many times: they would cover what they name. */
+const MOST = 2.2;
+/** The height of letters is so many times the width of their strokes (ГОСТ 2.304, type B). */
+const HEIGHT = 10;
+
+/**
+ * Keep letters and lines of a drawing readable at the size it has on the screen: lettering of at least `least`
+ * pixels, `--mm` the length of a pixel on the drawing.
+ * @param {SVGElement} svg
+ * @param {number} least
+ */
+export function enlarge(svg, least) {
+  const box = svg.getBoundingClientRect();
+  const [, , width = 1, height = 1] = (svg.getAttribute("viewBox") ?? "").split(" ").map(Number);
+  const scale = Math.min(box.width / width, box.height / height);
+  if (!(scale > 0)) return;
+  svg.style.setProperty("--mm", `${1 / scale}px`);
+  for (const group of /** @type {NodeListOf<SVGElement>} */ (svg.querySelectorAll(".lettering"))) {
+    const size = HEIGHT * Number(group.getAttribute("stroke-width")) * scale;
+    group.style.setProperty("--times", String(Math.min(Math.max(least / size, 1), MOST)));
+  }
+}
+
+/**
+ * Take a view's own title off a drawing (the page says it), move up what stands below it (μ), close in on what is left.
+ * @param {SVGElement} svg
+ */
+export function closeIn(svg) {
+  const own = /** @type {NodeListOf<SVGGraphicsElement>} */ (svg.querySelectorAll(".label:not([data-of])"));
+  const titles = [...own].filter((label) => Number(label.parentElement?.getAttribute("stroke-width")) >= PLAN_TITLE);
+  if (titles.length > 0) {
+    const title = around(titles);
+    const below = [...own].filter((label) => !titles.includes(label) && label.getBBox().y >= title.y + title.height - 1);
+    titles.forEach((label) => label.remove());
+    const up = below.length === 0 ? 0 : around(below).y - title.y;
+    below.forEach((label) => label.parentElement?.append(liftedLabel(label, -up)));
+  }
+  const box = around([...svg.children].map((part) => /** @type {SVGGraphicsElement} */ (part)));
+  if (box.width <= 0 && box.height <= 0) return;
+  const sides = [box.x - EDGE, box.y - EDGE, box.width + 2 * EDGE, box.height + 2 * EDGE];
+  svg.setAttribute("viewBox", sides.map((x) => x.toFixed(3)).join(" "));
+}
+
+/** White about what is closed in on, mm. */
+const EDGE = 5;
+/** The width of the strokes of titles, mm. */
+const PLAN_TITLE = 0.7;
+
+/**
+ * Return a part within a group that moves it down.
+ * @param {SVGElement} part
+ * @param {number} by mm
+ */
+function liftedLabel(part, by) {
+  return drawnElement("g", { transform: `translate(0 ${by})` }, part);
+}
+
+/**
+ * Return the box about parts that have ink.
+ * @param {SVGGraphicsElement[]} parts
+ */
+function around(parts) {
+  const boxes = parts.map((part) => part.getBBox()).filter((box) => box.width > 0 || box.height > 0);
+  const x = Math.min(...boxes.map((box) => box.x));
+  const y = Math.min(...boxes.map((box) => box.y));
+  const right = Math.max(...boxes.map((box) => box.x + box.width));
+  const low = Math.max(...boxes.map((box) => box.y + box.height));
+  return { x, y, width: right - x, height: low - y };
+}

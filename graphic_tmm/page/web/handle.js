@@ -1,0 +1,88 @@
+import { drawnElement } from "./dom.js";
+
+/**
+ * @typedef {import("./types.js").Dense} Dense
+ * @typedef {import("./types.js").MovingFigure} MovingFigure
+ */
+
+/** The radius of the handle, mm of the figure's height of 100. */
+const SIZE = 0.03;
+
+/**
+ * Put a handle on the crank of a figure; it is dragged round by pointer or touch, from wherever it is taken.
+ * @param {Dense} dense
+ * @param {MovingFigure} figure
+ * @param {SVGElement} svg
+ * @param {() => number} turn where the crank is now
+ * @param {(turn: number) => void} go
+ * @returns {(turn: number) => void} lets the handle stand at a turn
+ */
+export function putHandle(dense, figure, svg, turn, go) {
+  const [x = 0, y = 0, length = 0] = figure.crank ?? [];
+  const size = SIZE * Math.max(figure.box[2] ?? 0, figure.box[3] ?? 0);
+  const ring = drawnElement("circle", { class: "handle", r: size });
+  svg.append(ring);
+  let held = -1;
+  let apart = 0;
+  svg.style.touchAction = "none";
+  svg.addEventListener("pointerdown", (event) => {
+    const found = bearing(event);
+    if (found === null || !event.isPrimary) return;
+    held = event.pointerId;
+    const near = event.target === ring;
+    apart = near ? difference(turnOf(found), turn()) : 0;
+    svg.setPointerCapture(held);
+    svg.classList.add("held");
+    event.preventDefault();
+    follow(found);
+  });
+  svg.addEventListener("pointermove", (event) => {
+    if (event.pointerId !== held) return;
+    const found = bearing(event);
+    if (found !== null) follow(found);
+  });
+  for (const name of ["pointerup", "pointercancel", "lostpointercapture"]) {
+    svg.addEventListener(name, () => {
+      held = -1;
+      svg.classList.remove("held");
+    });
+  }
+
+  /** @param {number} found */
+  function follow(found) {
+    const now = turn();
+    const by = difference(turnOf(found) - apart, now);
+    go((((now + by) % dense.whole) + dense.whole) % dense.whole);
+  }
+
+  /**
+   * Return the direction from the pivot to the pointer, degrees, counter-clockwise from the x axis.
+   * @param {PointerEvent} event
+   */
+  function bearing(event) {
+    const matrix = /** @type {SVGSVGElement} */ (svg).getScreenCTM();
+    if (matrix === null) return null;
+    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+    return (Math.atan2(-at.y - y, at.x - x) * 180) / Math.PI;
+  }
+
+  /** @param {number} angle */
+  function turnOf(angle) {
+    return dense.sense * (angle - dense.zero);
+  }
+
+  return (at) => {
+    const angle = ((dense.zero + dense.sense * at) * Math.PI) / 180;
+    ring.setAttribute("cx", String(x + length * Math.cos(angle)));
+    ring.setAttribute("cy", String(-(y + length * Math.sin(angle))));
+  };
+}
+
+/**
+ * Return by how much to go on from one angle to another, the shorter way, −180 … 180.
+ * @param {number} to
+ * @param {number} from
+ */
+function difference(to, from) {
+  return ((((to - from + 180) % 360) + 360) % 360) - 180;
+}

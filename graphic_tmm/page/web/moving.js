@@ -1,0 +1,183 @@
+import { nearestDrawn, presenceOf, spreadRow } from "./dense.js";
+import { drawnElement } from "./dom.js";
+import { hundredths, pathOf, placeOf } from "./strokes.js";
+
+/**
+ * @typedef {import("./types.js").Dense} Dense
+ * @typedef {import("./types.js").MovingFigure} MovingFigure
+ * @typedef {import("./types.js").Glyph} Glyph
+ */
+
+/** White about a letter that stands on lines, in widths of its pen. */
+const HALO = 5;
+
+/**
+ * A figure that moves with the crank: built once, then only what changes is told anew.
+ */
+export class Moving {
+  /**
+   * @param {Dense} dense
+   * @param {MovingFigure} figure
+   * @param {Int32Array[]} packed
+   */
+  constructor(dense, figure, packed) {
+    this.figure = figure;
+    const [begun, count] = figure.rows;
+    const kept = packed.slice(begun, begun + count);
+    const rows = kept.map((row) => spreadRow(row, dense.whole, dense.step, figure.refined));
+    this.drawn = nearestDrawn(dense.whole, dense.step, figure.refined, dense.more.length);
+    this.svg = drawnElement("svg", { viewBox: figure.box.join(" "), class: "moving", role: "img", "aria-label": figure.title });
+    /** @type {((k: number) => void)[]} */
+    this.acts = [];
+    this.body = drawnElement("g", { class: "body" });
+    const pens = layers(dense, figure.still ?? []);
+    for (const line of figure.lines) this.line(line, rows, pens);
+    for (const layer of pens.values()) if (layer.childElementCount > 0) this.body.append(layer);
+    this.svg.append(this.body);
+    for (const [n, x, y] of figure.stands ?? []) {
+      this.svg.append(drawnElement("g", { transform: `translate(${x} ${-y})` }, written(dense.glyphs[n])));
+    }
+    const letters = drawnElement("g", { class: "letters" });
+    for (const [n, x, y, there] of figure.letters) {
+      const made = drawnElement("g", {}, written(dense.glyphs[n]));
+      const [u, v] = [placeOf(x, rows), placeOf(y, rows)];
+      this.act(made, there, (k) => moved(made, u(k), v(k)));
+      letters.append(made);
+    }
+    this.body.append(letters);
+    this.last = -1;
+  }
+
+  /**
+   * @param {MovingFigure["lines"][number]} line
+   * @param {Float32Array[]} rows
+   * @param {Map<string, Element>} pens
+   */
+  line([pen, flags, coordinates, bends, there], rows, pens) {
+    const made = drawnElement("path", flags >= 2 ? { fill: "var(--ink)", stroke: "none" } : {});
+    const closed = flags % 2 === 1;
+    const places = coordinates.map((one) => placeOf(one, rows));
+    const bulges = bulgesOf(bends, rows);
+    const at = new Float64Array(places.length);
+    pens.get(pen)?.append(made);
+    if (rigid(coordinates, bends)) {
+      const first = [apart(coordinates[0]), apart(coordinates[1])];
+      coordinates.forEach((one, n) => (at[n] = apart(one) - (first[n % 2] ?? 0)));
+      made.setAttribute("d", pathOf(at, bulges(0), closed));
+      const [x, y] = /** @type {[(k: number) => number, (k: number) => number]} */ (places);
+      this.act(made, there, (k) => moved(made, x(k), y(k)));
+    } else {
+      this.act(made, there, (k) => {
+        places.forEach((place, n) => (at[n] = place(k)));
+        made.setAttribute("d", pathOf(at, bulges(k), closed));
+      });
+    }
+  }
+
+  /**
+   * Let something follow the angle wherever it is there.
+   * @param {SVGElement} made
+   * @param {number[] | 0} runs
+   * @param {(k: number) => void} follow
+   */
+  act(made, runs, follow) {
+    const there = presenceOf(runs, this.drawn);
+    let seen = true;
+    this.acts.push((k) => {
+      const now = there === null || there[k] === 1;
+      if (now !== seen) made.setAttribute("visibility", now ? "inherit" : "hidden");
+      seen = now;
+      if (now) follow(k);
+    });
+  }
+
+  /**
+   * Show an angle.
+   * @param {number} k
+   * @param {boolean} drawn
+   */
+  show(k, drawn) {
+    if (k === this.last) return;
+    this.last = k;
+    this.body.setAttribute("visibility", drawn ? "visible" : "hidden");
+    if (drawn) for (const act of this.acts) act(k);
+  }
+}
+
+/**
+ * @param {SVGElement} made
+ * @param {number} x
+ * @param {number} y
+ */
+function moved(made, x, y) {
+  made.setAttribute("transform", `translate(${hundredths(x)} ${hundredths(-y)})`);
+}
+
+/**
+ * How far a coordinate is from its row, mm; a number is from none.
+ * @param {number[] | undefined} told
+ */
+function apart(told) {
+  return (told?.at(-1) ?? 0) / 1000;
+}
+
+/**
+ * @param {0 | number[][]} bends
+ * @param {Float32Array[]} rows
+ * @returns {(k: number) => number[] | null}
+ */
+function bulgesOf(bends, rows) {
+  if (bends === 0) return () => null;
+  const bulges = bends.map((one) => placeOf(one, rows));
+  return (k) => bulges.map((bulge) => bulge(k) / 1000);
+}
+
+/**
+ * Whether a stroke only shifts: all its x are one row and distances from it, or numbers, and all its y; no bend varies.
+ * @param {number[][]} coordinates
+ * @param {0 | number[][]} bends
+ */
+function rigid(coordinates, bends) {
+  const row = (/** @type {number[] | undefined} */ one) => (one?.length === 2 ? one[0] : undefined);
+  const bent = bends === 0 || bends.every((one) => one.length === 1);
+  return bent && coordinates.every((one, n) => row(one) === row(coordinates[n % 2]));
+}
+
+/**
+ * Return a group for each pen, in their order, with what stands still already in it.
+ * @param {Dense} dense
+ * @param {[string, string][]} still
+ * @returns {Map<string, Element>}
+ */
+function layers(dense, still) {
+  const found = new Map();
+  for (const [pen, [width, dashes, fill]] of Object.entries(dense.pens)) {
+    const group = drawnElement("g", {
+      fill: fill === "none" ? "none" : "var(--paper)",
+      stroke: width > 0 ? "var(--ink)" : "none",
+      class: "pen",
+      "stroke-linecap": dashes.length > 0 ? "butt" : "round",
+      "stroke-linejoin": "round",
+    });
+    group.style.setProperty("--pen", `${width}px`);
+    if (dashes.length > 0) group.setAttribute("stroke-dasharray", dashes.join(" "));
+    for (const [of, d] of still) if (of === pen) group.append(drawnElement("path", { d, class: "still" }));
+    found.set(pen, group);
+  }
+  return found;
+}
+
+/**
+ * Return the strokes of a letter, white about them.
+ * @param {Glyph | undefined} glyph
+ */
+function written(glyph) {
+  const strokes = glyph?.[1] ?? [];
+  const shared = { fill: "none", "stroke-linecap": "round", "stroke-linejoin": "round" };
+  return drawnElement(
+    "g",
+    { class: "glyph" },
+    ...strokes.map(([pen, d]) => drawnElement("path", { ...shared, d, stroke: "var(--paper)", "stroke-width": HALO * pen })),
+    ...strokes.map(([pen, d]) => drawnElement("path", { ...shared, d, stroke: "var(--ink)", "stroke-width": pen })),
+  );
+}
