@@ -50,12 +50,13 @@ WORDS: dict[str, str] = {
     "tabs": said("Ways to look at the scene"),
     "no scripts": said("Sheets and protocol; with scripts the plans play step by step."),
     "sheet": said("Sheet"),
-    "fit": said("Fit"),
-    "fit whole": said("The whole sheet (key 0)"),
-    "fit true": said("True size (key 1)"),
+    "fit sheet": said("Fit"),
+    "fit whole": said("The whole sheet"),
+    "fit true": said("True size"),
     "larger": said("Larger"),
     "smaller": said("Smaller"),
     "size": said("Sheet and size"),
+    "keys move": said("Move the sheet"),
     "desk keys": said(
         "The sheet: arrows move it, + and − zoom, 0 whole, 1 true size, Enter plays the chosen view"
     ),

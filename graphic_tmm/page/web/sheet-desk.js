@@ -52,6 +52,7 @@ export class Desk {
     surface.append(this.canvas);
     new ResizeObserver(() => this.measure()).observe(surface);
     window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.moved());
+    new MutationObserver(() => this.moved()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
   }
 
   /**

@@ -50,7 +50,7 @@ export function sheetRoom(data, state) {
 
   const surface = element("div", { class: "desk", tabindex: "0", role: "application", "aria-label": say("desk keys") });
   const desk = new Desk(surface, (view) => played.get(view.id)?.position ?? "");
-  const told = element("p", { class: "told", role: "status" }, say("desk"));
+  const told = element("p", { class: "told" }, say("desk"));
   const scale = element("span", { class: "count" });
   const choice = element("div", { class: "choice" });
   const list = element("ol", { class: "views", "aria-label": say("views") });
@@ -68,7 +68,7 @@ export function sheetRoom(data, state) {
     "div",
     { class: "bar", role: "toolbar", "aria-label": say("size") },
     element("label", {}, `${say("sheet")} `, chooser),
-    textButton(say("fit"), say("fit whole"), act("0")),
+    textButton(say("fit sheet"), say("fit whole"), act("0")),
     textButton("1 : 1", say("fit true"), act("1")),
     iconButton(ICONS_OF_SHEET.less, say("smaller"), act("-")),
     iconButton(ICONS_OF_SHEET.more, say("larger"), act("+")),
@@ -119,12 +119,19 @@ export function sheetRoom(data, state) {
     const found = data.views.findIndex((one) => one.id === view.id);
     if (found >= 0) state.go({ tab: "play", view: found });
   }
+  /** @param {HTMLElement[]} inner */
+  function tell(inner) {
+    told.replaceChildren(...inner);
+    const live = document.getElementById("live");
+    const said = inner.flatMap((one) => (one.localName === "button" ? [] : [one.textContent]));
+    if (live !== null) live.textContent = said.join(" ");
+  }
   /** @param {SheetView} view */
   function fill(view) {
     choose(view);
     desk.glideTo(view.box);
-    told.replaceChildren(element("b", {}, view.title));
-    if (played.has(view.id)) told.append(textButton(say("play view"), "", () => play(view)));
+    const way = played.has(view.id) ? [textButton(say("play view"), "", () => play(view))] : [];
+    tell([element("b", {}, view.title), ...way]);
   }
   /**
    * @param {number} px
@@ -140,7 +147,7 @@ export function sheetRoom(data, state) {
       const ofView = (/** @type {number} */ k) => played.get(desk.sheet.views[k]?.id ?? "");
       desk.chosen = null;
       desk.lit = sameMark(ink, desk.shown, (k) => ofView(k)?.board ?? "");
-      told.replaceChildren(...toldOf(ink, desk.sheet, data, ofView(ink.view), state));
+      tell(toldOf(ink, desk.sheet, data, ofView(ink.view), state));
       return desk.moved();
     }
     desk.lit = [];
