@@ -20,7 +20,7 @@ WORDS: dict[str, str] = {
     "speed": said("Speed"),
     "a second": said("°/s"),
     "shown": said("What is seen"),
-    "fit": said("As large as it is now"),
+    "fit now": said("As large as it is now"),
     "not drawn": said("It cannot be drawn here: {why}."),
     "protocol": said("Protocol"),
     "plan": said("Plan"),

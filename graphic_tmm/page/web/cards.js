@@ -37,7 +37,7 @@ export function cardsOf(data, dense, packed) {
   const figures = dense.figures.map((figure) => {
     const values = new Values(dense, figureValues(dense, figure, packed));
     const make = () => new Moving(dense, figure, packed);
-    return card(figure.name, figure.title, figure.caption, figure.box, values, make, figure, data.words["fit"]);
+    return card(figure.name, figure.title, figure.caption, figure.box, values, make, figure, data.words["fit now"]);
   });
   const ids = [...new Set(dense.cursors.map((one) => one.view))];
   const views = ids.flatMap((id) => {
