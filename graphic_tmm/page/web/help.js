@@ -27,10 +27,12 @@ const KEYS = {
     ["space", "turn on"],
   ],
   sheets: [
-    ["← → ↑ ↓", "keys pan"],
-    ["+ −", "keys zoom"],
+    ["← → ↑ ↓", "keys move"],
+    ["+", "larger"],
+    ["−", "smaller"],
     ["0", "fit whole"],
     ["1", "fit true"],
+    ["Enter", "play view"],
   ],
   lecture: [
     ["→ PgDn space", "keys onward"],

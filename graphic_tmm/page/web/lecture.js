@@ -141,7 +141,7 @@ export function lectureRoom(data, state) {
     full,
   );
   const bar = element("div", { class: "lecture-bar" }, stepBar(data, state), chooser(data, state), aids);
-  const told = element("div", { class: "told", tabindex: "0" }, title, count, heads, telling);
+  const told = element("div", { class: "saying", tabindex: "0" }, title, count, heads, telling);
   const room = element("section", { id: "lecture", class: "awake" }, paper, told, trouble, bar, black);
   let timer = 0;
   function wake() {

@@ -287,7 +287,7 @@ def test_without_scripts_sheets_and_protocol_are_read(
 def test_an_old_browser_is_told_in_words(opened, files) -> None:
     tab = opened(files("windrower", "en"))
     tab.page.add_init_script("delete globalThis.DecompressionStream")
-    tab.page.goto(tab.file.as_uri())
+    tab.page.goto(files("windrower", "en").as_uri())
     assert tab.page.get_by_text("This browser cannot play").is_visible()
     assert tab.page.locator("#protocol li").first.is_visible()
     assert tab.page.locator(".sheet svg").first.is_visible()
