@@ -50,12 +50,13 @@ WORDS: dict[str, str] = {
     "tabs": said("Ways to look at the scene"),
     "no scripts": said("Sheets and protocol; with scripts the plans play step by step."),
     "sheet": said("Sheet"),
-    "fit": said("Fit"),
-    "fit whole": said("The whole sheet (key 0)"),
-    "fit true": said("True size (key 1)"),
+    "fit sheet": said("Fit"),
+    "fit whole": said("The whole sheet"),
+    "fit true": said("True size"),
     "larger": said("Larger"),
     "smaller": said("Smaller"),
     "size": said("Sheet and size"),
+    "keys move": said("Move the sheet"),
     "desk keys": said(
         "The sheet: arrows move it, + and − zoom, 0 whole, 1 true size, Enter plays the chosen view"
     ),
@@ -69,7 +70,7 @@ WORDS: dict[str, str] = {
     "calibrate": said("A millimetre of this screen"),
     "layers": said("Layers"),
     "letters": said("Letters"),
-    "large letters": said("Letters large enough for the screen"),
+    "large letters": said("Letters and lines large enough for the screen"),
     "helping lines": said("Helping lines that were rubbed out"),
     "all positions": said("all"),
     "parts": said("Parts"),
@@ -117,5 +118,7 @@ WORDS: dict[str, str] = {
         "what is done, why, and what comes out."
     ),
     "or keys": said("Or press → for the next step, ? for all keys."),
+    "keys pan": said("Move the sheet"),
+    "keys zoom": said("Larger or smaller"),
 }
 """Braces are filled in by the page."""

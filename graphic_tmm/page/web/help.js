@@ -26,6 +26,14 @@ const KEYS = {
     ["End", "turn end"],
     ["space", "turn on"],
   ],
+  sheets: [
+    ["← → ↑ ↓", "keys move"],
+    ["+", "larger"],
+    ["−", "smaller"],
+    ["0", "fit whole"],
+    ["1", "fit true"],
+    ["Enter", "play view"],
+  ],
   lecture: [
     ["→ PgDn space", "keys onward"],
     ["← PgUp", "keys back"],
