@@ -52,7 +52,7 @@ function fill(room, data, dense, state, packed) {
   const chosen = new Set(cards.slice(0, FIRST));
   const { engine, parts } = runner(say, (by) => go(state.place.turn + by));
   const range = turningRange(say("angle"), dense, stand);
-  const angle = /** @type {HTMLOutputElement} */ (element("output", { class: "angle" }));
+  const angle = /** @type {HTMLOutputElement} */ (element("output", { class: "angle", "aria-live": "off" }));
   const why = element("p", { class: "why", role: "status" });
   const positions = positionButtons(dense, stand);
   const choice = choices(say("shown"), cards, chosen, show);
