@@ -20,8 +20,11 @@ from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.write.svg import shift
 
-LEAST, LED = 3, 6
+LEAST, LED = 2, 4
 """A figure is lettered at so many angles at least; the mechanism itself, round which much stands."""
+
+BESIDE = 1.5 + 1.5j
+"""Where a letter begins that is nowhere placed: so far from its point, mm."""
 
 Aside = dict[Letter, dict[int, complex]]
 """How far the middle of a letter stands from its point, mm, by the angles (indices) at which it was placed."""
@@ -77,7 +80,7 @@ def _anchors(made: Strands, row: int) -> Iterable[tuple[Letter, complex]]:
 def _placed(
     found: Aside, dense: Dense, moving: Moving, made: Strands, still: Drawing | None
 ) -> None:
-    """Place the letters that no sheet shows: in positions, as on a sheet."""
+    """Place the letters that no sheet shows, as on a sheet: in some positions, then where most are left."""
     there = [place for place in dense.at if place in made.drawn]
     there = [place for place in there if place not in dense.drawn.undrawn]
     need = {key for key in made.rows if isinstance(key, Letter)} - found.keys()
@@ -89,16 +92,13 @@ def _placed(
             if place not in done:
                 _place(found, moving, made, still, place, None)
         need -= found.keys()
-    while need:
-        rows = [
-            (sum(np.isfinite(made.rows[key][row, 0]) for key in need), -row)
-            for row in range(len(made.drawn))
-        ]
-        count, row = max(rows)
-        if not count:
-            return
+    rows = [
+        (sum(np.isfinite(made.rows[key][row, 0]) for key in need), -row)
+        for row in range(len(made.drawn))
+    ]
+    count, row = max(rows)
+    if count:
         _place(found, moving, made, still, made.drawn[-row], need)
-        need -= found.keys()
 
 
 def _place(
@@ -144,7 +144,9 @@ def _along(
 ) -> Reals:
     """Return where a letter stands at every angle drawn; ``at``: these, in degrees from the zero position."""
     middle = row[:, 0] + 1j * row[:, 1]
-    if placed:
+    if not placed:
+        middle = middle + BESIDE + _half(key)
+    else:
         where = np.array([dense.turned[k] for k in placed]) / dense.turned[1]
         middle = middle + glide(where, np.array(list(placed.values())), at, float(dense.whole))
     start = middle - _half(key)

@@ -118,5 +118,7 @@ WORDS: dict[str, str] = {
         "what is done, why, and what comes out."
     ),
     "or keys": said("Or press → for the next step, ? for all keys."),
+    "keys pan": said("Move the sheet"),
+    "keys zoom": said("Larger or smaller"),
 }
 """Braces are filled in by the page."""

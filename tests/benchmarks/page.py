@@ -133,7 +133,7 @@ def ready(browser: Browser, file: Path, slower: int) -> float:
 def frames(
     browser: Browser, file: Path, language: str, kind: str, address: str, tab: str = ""
 ) -> list[float]:
-    """Return the frames (ms) in which something is done again and again; none if the page does no such thing."""
+    """Return the frames (ms) in which something is done again and again; none where there is none."""
     opened = Opened(browser, file, address)
     opened.page.get_by_role("tab").first.wait_for()
     if tab:

@@ -54,6 +54,13 @@ function textOf(part) {
   return copy.textContent.replace(/\s+/gu, " ").trim();
 }
 
+/** The tables that stand beside the drawing: of each its caption, its rows as texts of cells. */
+function tables(names) {
+  const rows = (table) => [...table.rows].map((row) => [...row.cells].map(textOf));
+  const seen = [...room(names).querySelectorAll("table")].filter((one) => one.checkVisibility());
+  return seen.map((one) => [textOf(one.caption ?? one), rows(one)]);
+}
+
 /** Play what is chosen from its first picture to its last. */
 function played(names) {
   const next = button(names.next);
@@ -83,7 +90,8 @@ function played(names) {
   const count = /\d+(?=\D*$)/u.exec(bar)?.[0] ?? "";
   const title = called(drawing(names));
   const stops = lines.length - 1;
-  return { title, pictures: pictures.size, stops, count, lines, readings, address, faults: [...faults] };
+  const told = { title, count, address, lines, readings, tables: tables(names), faults: [...faults] };
+  return { ...told, pictures: pictures.size, stops };
 }
 
 function walk(names) {

@@ -53,6 +53,7 @@ class Played(NamedTuple):
     readings: list[str]
     address: str
     faults: list[str]
+    tables: list[tuple[str, list[list[str]]]]
 
 
 def walk(page: Page, language: str) -> list[Played]:

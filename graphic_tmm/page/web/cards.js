@@ -14,7 +14,7 @@ import { fixedText, fourFigures, Values } from "./crank-values.js";
  */
 
 /** What takes more over the turn has two columns, mm. */
-const BROAD = 280;
+const BROAD = 240;
 /** Letters are told large enough to be read, px for a capital of 5 mm. */
 const LEGIBLE = 13;
 const CAPITAL = 5;
@@ -88,7 +88,7 @@ function card(name, title, caption, box, values, make, own, fit = "") {
   const heading = element("figcaption", {}, element("span", {}, ...typeset(title)), element("small", {}, ...typeset(caption)));
   const figure = element("figure", { class: "card" }, heading, values.list);
   const [, , width = 1, height = 1] = box;
-  figure.classList.toggle("wide", Math.max(width, height) > BROAD);
+  figure.classList.toggle("wide", width > BROAD);
   /** @type {Shown | null} */
   let shown = null;
   const built = () => {

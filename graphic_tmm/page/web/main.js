@@ -57,12 +57,13 @@ function begin(data) {
   }
   const help = helpPanel(data.words, state.tabs);
   part("aids").append(themeButton(data.words), helpButton(data.words, help));
-  document.body.append(help, liveRegion(data, state));
+  document.body.append(help);
   listenToKeys(state, "", { d: turnTheme, "?": () => help.showModal() });
   letRun(state);
   state.follow();
   const paper = /** @type {HTMLElement | null} */ (document.querySelector("#play .paper"));
   if (opened && paper !== null) showPoster(data, state, paper);
+  document.body.append(liveRegion(data, state));
   root.classList.add("ready");
 }
 

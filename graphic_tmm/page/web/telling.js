@@ -39,7 +39,7 @@ function tellingOfLine(line, why) {
   if (line.text) {
     made.push(element("p", { class: line.it === undefined ? "remark" : "step" }, ...sentenceOf(line.text)));
   }
-  if (line.tool) made.push(element("p", { class: "tool" }, line.tool[1]));
+  if (line.tool) made.push(element("p", { class: "tool" }, ...typeset(line.tool[1])));
   if (line.calc) made.push(element("p", { class: "calc", ...of }, ...typeset(line.calc)));
   if (line.row) made.push(element("p", { class: "reading", "data-of": line.row[0].join(" ") }, ...readingOf(line.row)));
   if (line.sign) made.push(element("p", { class: "remark" }, line.sign));

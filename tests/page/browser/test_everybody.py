@@ -1,8 +1,9 @@
-"""The page for everybody: by keyboard alone, read aloud, enlarged, in high contrast, without scripts, on an old browser."""
+"""For everybody: by keys alone, read aloud, enlarged, in high contrast, without scripts, in old browsers."""
 
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 
 import pytest
 from support.browser import tool
@@ -14,7 +15,6 @@ SIZES = {
     "twice": {"width": 640, "height": 400},
 }
 """The last: a window of 1280 × 800 enlarged twice."""
-TABS = ("play", "crank", "sheets", "lecture")
 LOOKS = {
     "light": {"color_scheme": "light"},
     "dark": {"color_scheme": "dark"},
@@ -33,36 +33,36 @@ def tabs_of(page) -> list[str]:
     return there
 
 
-@pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("look", LOOKS)
+AXE = """() => axe.run({ exclude: [["svg > *"]] }, { resultTypes: ["violations"] }).then((found) =>
+  found.violations.filter((one) => ["serious", "critical"].includes(one.impact))
+    .map((one) => `${one.id}: ${one.nodes.map((node) => node.html.slice(0, 120)).join(" ")}`))"""
+
+
+def serious(page) -> list[str]:
+    """What axe finds on a page that is serious; the thousands of strokes of a drawing are one image."""
+    if not page.evaluate("() => 'axe' in window"):
+        page.evaluate(tool("axe-core/axe.min.js").read_text(encoding="utf-8"))
+    return page.evaluate(AXE)
+
+
+@pytest.mark.parametrize(
+    ("look", "size"),
+    [("light", "desk"), ("dark", "phone"), ("forced", "turned"), ("contrast", "twice")],
+)
 def test_axe_finds_no_serious_fault_in_any_tab(page_of, size: str, look: str) -> None:
-    if size != "desk" and look in ("forced", "contrast"):
-        pytest.skip("a look does not hang on the size")
     page = page_of("windrower", "en", STEP, viewport=SIZES[size], **LOOKS[look]).page
-    page.evaluate(tool("axe-core/axe.min.js").read_text(encoding="utf-8"))
     for tab in tabs_of(page):
         page.locator(f"#tab-{tab}").click()
-        found = page.evaluate("() => axe.run()")["violations"]
-        told = [(tab, one["id"], one["nodes"][0]["html"][:200]) for one in found if _serious(one)]
-        assert told == []
-    page.keyboard.press("Home")
+        assert (tab, *serious(page)) == (tab,)
     page.locator("#aids button").last.click()
-    assert [
-        one["id"] for one in page.evaluate("() => axe.run()")["violations"] if _serious(one)
-    ] == []
-
-
-def _serious(violation: dict[str, str]) -> bool:
-    return violation["impact"] in ("serious", "critical")
+    assert serious(page) == []
 
 
 def test_axe_finds_no_serious_fault_in_the_speaker_s_window(page_of) -> None:
     page = page_of("windrower", "en", "#lecture:velocities/5/9").page
     with page.expect_popup() as found:
         page.keyboard.press("s")
-    found.value.evaluate(tool("axe-core/axe.min.js").read_text(encoding="utf-8"))
-    faults = found.value.evaluate("() => axe.run()")["violations"]
-    assert [(one["id"], one["nodes"][0]["html"][:200]) for one in faults if _serious(one)] == []
+    assert serious(found.value) == []
 
 
 @pytest.mark.parametrize("language", ["en", "ru"])
@@ -84,7 +84,8 @@ def test_everything_is_in_sight_and_large_enough_to_press(
             const name = told + [box.x, box.y, box.width, box.height].map(Math.round);
             if (box.width < 43.5 || box.height < 43.5) found.push(`small: ${name}`);
             if (box.x < 0 || box.y < 0 || box.right > innerWidth + 1) found.push(`out: ${name}`);
-            if (box.bottom > innerHeight + 1 && one.closest(".bar, .chooser, header, .lecture-bar")) found.push(`below: ${name}`);
+            const pinned = one.closest(".bar, .chooser, header, .lecture-bar") !== null;
+            if (pinned && box.bottom > innerHeight + 1) found.push(`below: ${name}`);
           }
           return found;
         }"""
@@ -127,8 +128,10 @@ def test_steps_that_run_are_not_read_until_they_stop(page_of) -> None:
 
 
 def focused(page) -> str:
+    """What has the focus: its id, or its name and its place among all elements."""
     return page.evaluate(
-        "() => { const at = document.activeElement; return at.id || at.getAttribute('aria-label') || at.className || at.tagName }"
+        """() => { const at = document.activeElement, all = [...document.querySelectorAll("*")];
+        return at.id || `${at.getAttribute("aria-label") ?? at.tagName} ${all.indexOf(at)}`; }"""
     )
 
 
@@ -156,13 +159,17 @@ def test_no_step_takes_the_focus_away(page_of, tab: str) -> None:
     for _ in range(40):
         page.keyboard.press("Tab")
         before = focused(page)
-        if before in met or before == "BODY":
+        if before in met or before.startswith("BODY"):
             break
         met.append(before)
+        if before.startswith("SELECT"):
+            continue
         page.keyboard.press("PageDown")
         page.keyboard.press("PageUp")
         assert focused(page) == before
-    assert {"Next step", "Previous step"} <= set(met)
+    names = {name.rstrip("0123456789").strip() for name in met}
+    assert {"Next step", "Previous step", "SELECT", "Velocity plan, position 5"} <= names
+    assert sum("Velocity plan" in name for name in met) == 1
     assert len(met) < 25
 
 
@@ -176,7 +183,7 @@ def test_the_panel_of_keys_opens_and_gives_the_focus_back(page_of) -> None:
     assert page.evaluate("() => location.hash") == STEP
     page.keyboard.press("Escape")
     assert not panel.is_visible()
-    assert focused(page) == "Next step"
+    assert focused(page).startswith("Next step")
     page.get_by_role("button", name="Keys").click()
     page.get_by_role("button", name="Close").click()
     assert not panel.is_visible()
@@ -196,7 +203,7 @@ def test_letters_act_on_a_russian_keyboard_too(page_of) -> None:
 def test_what_is_new_is_told_by_its_width_too(page_of, look: str) -> None:
     page = page_of("windrower", "en", STEP, **LOOKS[look]).page
     width = "(parts) => parts.map((part) => parseFloat(getComputedStyle(part).strokeWidth))"
-    drawn = "#play .stage path:not(.label path):not(.later)"
+    drawn = "#play .stage path:not(.label path, .later, [stroke=none], .instrument path)"
     new = page.locator(f"{drawn}.now").evaluate_all(width)
     done = page.locator(f"{drawn}:not(.now)").evaluate_all(width)
     assert new
@@ -270,7 +277,7 @@ def test_without_scripts_sheets_and_protocol_are_read(
         "(all) => all.map((one) => Number(one.tagName[1]))"
     )
     assert heads[0] == 1
-    assert all(after - before <= 1 for before, after in zip(heads, heads[1:], strict=False))
+    assert all(after - before <= 1 for before, after in pairwise(heads))
     assert page.locator("#protocol h3").count() > 5
     assert page.locator("#protocol ol > li").count() > 100
     assert page.locator(".sheet svg").first.is_visible()
@@ -280,11 +287,14 @@ def test_without_scripts_sheets_and_protocol_are_read(
 def test_an_old_browser_is_told_in_words(opened, files) -> None:
     tab = opened(files("windrower", "en"))
     tab.page.add_init_script("delete globalThis.DecompressionStream")
-    tab.page.goto(tab.file.as_uri())
+    tab.page.goto(files("windrower", "en").as_uri())
     assert tab.page.get_by_text("This browser cannot play").is_visible()
     assert tab.page.locator("#protocol li").first.is_visible()
     assert tab.page.locator(".sheet svg").first.is_visible()
     assert any("DecompressionStream" in fault for fault in tab.settle())
+
+
+MOVING = "() => document.getAnimations().filter((one) => one.playState === 'running').length"
 
 
 def test_nothing_moves_for_whoever_asked_for_that(page_of) -> None:

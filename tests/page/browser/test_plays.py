@@ -28,6 +28,7 @@ from graphic_tmm.readers.protocol import part_protocol, plans, protocol
 NUMBERED = re.compile(r"^\s*\d+(–\d+)?\. ")
 MEASURED = re.compile(r"(?P<segment>\S+) = (?P<mm>−?[\d.,]+) (?:мм|mm)")
 AT = re.compile(r", (?:положение|position) (\S+)$")
+VALUES = re.compile(r"(?:Значения, положение|Values, position) (\S+)")
 FAINT = 64
 """Where two pictures differ by no more than this of 255, their lines are smoothed otherwise, no more."""
 
@@ -189,3 +190,52 @@ def test_lengths_are_those_of_the_tables(name: str, lesson) -> None:
             if due and float(found["mm"].replace(",", ".").lstrip("−")) not in due:
                 wrong.append((one.address, line, due))
     assert wrong == []
+
+
+Cells = dict[tuple[str, str, str], set[str]]
+
+
+def printed(name: str) -> Cells:
+    """What tables of the sheets print, by plan, letter, position: a cell stands below its position's number."""
+    _, sheets = pages.on_sheets(name, pages.language(name))
+    found: dict[tuple[str, str], set[str]] = {}
+    for table in (
+        one for sheet in sheets for one in sheet.drawings if one.name.startswith("table-")
+    ):
+        rows: dict[float, list[tuple[float, str]]] = {}
+        for label in table.labels:
+            rows.setdefault(round(label.at.imag, 2), []).append((label.at.real, label.text))
+        head: list[tuple[float, str]] = []
+        for _, cells in sorted(rows.items(), reverse=True):
+            (_, letter), *others = sorted(cells)
+            if letter in ("Величина", "Quantity"):
+                head = others[1:]
+                continue
+            for x, text in others[1:] if head else ():
+                place = min(head, key=lambda one: abs(one[0] - x))[1]
+                key = table.name.split("-")[1], bare(letter), bare(place)
+                found.setdefault(key, set()).add(text)
+    return found
+
+
+TABLED = ("windrower", "crank-press", "oscillating-cylinder")
+"""Scenes whose sheets print tables of plans, position by position."""
+
+
+@pytest.mark.parametrize("name", TABLED)
+def test_values_are_the_texts_of_the_tables_on_the_sheets(name: str, lesson) -> None:
+    due, met, wrong = printed(name), 0, []
+    for one in lesson(name).met:
+        plan = re.match(r"#(\w+)", one.address)
+        for caption, rows in one.tables if plan else ():
+            place = VALUES.match(caption)
+            for segment, mm, _, told in rows[1:] if place else ():
+                letter, _, value = told.rpartition(" = ")
+                for symbol, text in ((segment, mm), (letter or segment, value)):
+                    cells = due.get((plan[1], bare(symbol), bare(place[1])))
+                    if cells and text:
+                        met += 1
+                        if text.split(" ")[0] not in cells:
+                            wrong.append((one.address, symbol, text, cells))
+    assert wrong == []
+    assert met > 20
