@@ -7,6 +7,8 @@
 const STILL = 6;
 /** How much a pixel of the wheel zooms. */
 const OF_WHEEL = 0.0016;
+/** A turn of the wheel, however quick, zooms by no larger power of e. */
+const MOST_TURN = 0.5;
 /** What a line or a page of the wheel is, px. */
 const LINES = [1, 16, 400];
 /** The share of the window that an arrow key moves. */
@@ -61,7 +63,8 @@ export function listenToHands(surface, camera, moved, tap) {
       event.preventDefault();
       const by = event.deltaY * (LINES[event.deltaMode] ?? 1);
       const at = spot(event);
-      camera().zoomAt(Math.exp(-by * OF_WHEEL * (event.ctrlKey ? 5 : 1)), at.x, at.y);
+      const turn = Math.min(Math.max(by * OF_WHEEL * (event.ctrlKey ? 5 : 1), -MOST_TURN), MOST_TURN);
+      camera().zoomAt(Math.exp(-turn), at.x, at.y);
       moved();
     },
     { passive: false },

@@ -50,7 +50,7 @@ export function sheetRoom(data, state) {
 
   const surface = element("div", { class: "desk", tabindex: "0", role: "application", "aria-label": say("desk keys") });
   const desk = new Desk(surface, (view) => played.get(view.id)?.position ?? "");
-  const told = element("p", { class: "told" }, say("desk"));
+  const told = element("p", { class: "pointed" }, say("desk"));
   const scale = element("span", { class: "count" });
   const choice = element("div", { class: "choice" });
   const list = element("ol", { class: "views", "aria-label": say("views") });
