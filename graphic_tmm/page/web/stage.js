@@ -19,8 +19,9 @@ export class Stage {
     this.pictures = new Map();
     view.pictures.forEach((picture, n) => picture.keys.forEach((key) => this.pictures.set(key, n)));
     this.svg.setAttribute("data-pictures", String(pictureAt(view, view.pictures.length)));
-    /** @type {[Element, number][]} */
-    this.parts = [];
+    /** What appears in a stop, by its number. @type {Map<number, Element[]>} */
+    this.parts = new Map();
+    this.shown = Infinity;
     this.add(document.getElementById(RUBBED + view.id), true);
     this.add(document.getElementById(view.id), false);
   }
@@ -36,7 +37,10 @@ export class Stage {
     if (rubbed) copy.classList.add("helping");
     for (const part of copy.querySelectorAll("path:not(.label path), g.label")) {
       const { of = "", at = "" } = /** @type {SVGElement} */ (part).dataset;
-      this.parts.push([part, this.pictures.get(`${of}@${at}`) ?? 0]);
+      const k = this.pictures.get(`${of}@${at}`) ?? 0;
+      const beside = this.parts.get(k);
+      if (beside === undefined) this.parts.set(k, [part]);
+      else beside.push(part);
     }
     for (const title of copy.querySelectorAll("title, desc")) title.remove();
     this.svg.append(copy);
@@ -45,7 +49,8 @@ export class Stage {
   /**
    * Show a stop: done strokes thin, new ones heavy; the last one is ready, as on the sheet.
    *
-   * A step that leaves no ink reads or calculates of what is there.
+   * A step that leaves no ink reads or calculates of what is there. What is neither new nor was, nor comes or goes
+   * between the stop that was shown and this one, stays as it is.
    * @param {number} n
    */
   show(n) {
@@ -53,9 +58,14 @@ export class Stage {
     this.svg.classList.toggle("ready", ready);
     this.svg.setAttribute("data-step", String(n));
     this.svg.setAttribute("data-picture", String(pictureAt(this.view, n)));
-    for (const [part, k] of this.parts) {
-      part.classList.toggle("later", k > n);
-      part.classList.toggle("now", k === n && n > 0 && !ready);
+    const [from, to] = [Math.min(n, this.shown), Math.max(n, this.shown)];
+    this.shown = n;
+    for (const [k, parts] of this.parts) {
+      if (k < from || k > to) continue;
+      for (const part of parts) {
+        part.classList.toggle("later", k > n);
+        part.classList.toggle("now", k === n && n > 0 && !ready);
+      }
     }
   }
 }

@@ -176,17 +176,17 @@ def test_what_is_told_is_what_the_protocol_tells(name: str, lesson) -> None:
 def test_lengths_are_those_of_the_tables(name: str, lesson) -> None:
     """The tables tell lengths, the protocol their senses too."""
     out = invoke("table", SHEETS / name, "-f", "csv").stdout
-    cells: dict[tuple[str, str], set[float]] = {}
+    cells: dict[tuple[str, str, str], set[float]] = {}
     for row in csv.DictReader(io.StringIO(out)):
         if row["mm"]:
-            key = row["position"], bare(row["segment"])
+            key = row["plan"], row["position"], bare(row["segment"])
             cells.setdefault(key, set()).add(abs(float(row["mm"])))
     wrong = []
     for one in lesson(name).met:
-        place = AT.search(one.title)
-        for line in one.readings:
+        plan, place = re.match(r"#(\w+)", one.address), AT.search(one.title)
+        for line in one.readings if plan and place else ():
             found = MEASURED.match(line)
-            due = place and found and cells.get((place[1], bare(found["segment"])))
+            due = found and cells.get((plan[1], place[1], bare(found["segment"])))
             if due and float(found["mm"].replace(",", ".").lstrip("−")) not in due:
                 wrong.append((one.address, line, due))
     assert wrong == []
@@ -198,7 +198,7 @@ Cells = dict[tuple[str, str, str], set[str]]
 def printed(name: str) -> Cells:
     """What tables of the sheets print, by plan, letter, position: a cell stands below its position's number."""
     _, sheets = pages.on_sheets(name, pages.language(name))
-    found: dict[tuple[str, str], set[str]] = {}
+    found: Cells = {}
     for table in (
         one for sheet in sheets for one in sheet.drawings if one.name.startswith("table-")
     ):
