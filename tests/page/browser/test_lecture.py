@@ -82,6 +82,8 @@ def test_every_sentence_is_read_from_the_last_row(lecture, scene: str) -> None:
 
 def test_letters_and_new_lines_are_seen_from_afar(lecture) -> None:
     page = lecture("#lecture:positions/all/20").page
+    while page.locator("#lecture .stage path.now").count() == 0:
+        page.keyboard.press("PageDown")
     small = page.evaluate(
         """() => {
       const svg = document.querySelector("#lecture .stage"), wide = svg.getScreenCTM().a;
