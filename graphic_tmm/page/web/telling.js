@@ -40,11 +40,21 @@ function tellingOfLine(line, why) {
     made.push(element("p", { class: line.it === undefined ? "remark" : "step" }, ...sentenceOf(line.text)));
   }
   if (line.tool) made.push(element("p", { class: "tool" }, ...typeset(line.tool[1])));
-  if (line.calc) made.push(element("p", { class: "calc", ...of }, ...typeset(line.calc)));
+  if (line.calc) made.push(element("p", { class: "calc", ...of }, ...breakable(typeset(line.calc))));
   if (line.row) made.push(element("p", { class: "reading", "data-of": line.row[0].join(" ") }, ...readingOf(line.row)));
   if (line.sign) made.push(element("p", { class: "remark" }, line.sign));
   if (line.why) made.push(element("p", { class: "why" }, `${why}: `, ...sentenceOf(line.why)));
   return made;
+}
+
+/**
+ * Return a formula that may go on in the next line behind a sign, never within a number.
+ * @param {(Node | string)[]} nodes
+ */
+function breakable(nodes) {
+  return nodes.flatMap((node) =>
+    typeof node === "string" ? node.split(/(?<=[·/])/).flatMap((part, k) => (k > 0 ? [element("wbr"), part] : [part])) : [node],
+  );
 }
 
 /**

@@ -52,11 +52,22 @@ def test_a_remote_goes_through_the_plans(lecture) -> None:
     title, at, most = steps(page)
     assert at == most
     page.keyboard.press("PageDown")
-    assert steps(page)[:2] == ("Velocity plan, position 6", 0)
+    assert steps(page)[:2] == ("Acceleration plan, position 2", 0)
     page.keyboard.press("PageUp")
     assert steps(page) == (title, most, most)
     page.keyboard.press("ArrowUp")
     assert steps(page)[:2] == ("Velocity plan, position 4", 0)
+
+
+def test_a_lecture_goes_from_plan_to_plan_in_one_position(lecture) -> None:
+    page = lecture("#lecture:velocities/8/0").page
+    met = []
+    for _ in range(4):
+        met.append(steps(page)[0])
+        page.keyboard.press("End")
+        page.keyboard.press("PageDown")
+    assert met[:2] == ["Velocity plan, position 8", "Acceleration plan, position 8"]
+    assert len(set(met)) == 4
 
 
 @pytest.mark.parametrize("scene", ["windrower", "engine"])
