@@ -50,11 +50,16 @@ function tellingOfLine(line, why) {
 /**
  * Return a formula that may go on in the next line behind a sign, never within a number.
  * @param {(Node | string)[]} nodes
+ * @returns {(Node | string)[]}
  */
 function breakable(nodes) {
-  return nodes.flatMap((node) =>
-    typeof node === "string" ? node.split(/(?<=[·/])/).flatMap((part, k) => (k > 0 ? [element("wbr"), part] : [part])) : [node],
-  );
+  /** @type {(Node | string)[]} */
+  const found = [];
+  for (const node of nodes) {
+    const parts = typeof node === "string" ? node.split(/(?<=[·/])/) : [node];
+    parts.forEach((part, k) => found.push(...(k > 0 ? [element("wbr"), part] : [part])));
+  }
+  return found;
 }
 
 /**

@@ -209,9 +209,7 @@ def test_the_speaker_drives_the_lecture(lecture) -> None:
     other.locator(".plans select").select_option(label="Acceleration plan")
     assert steps(page)[:2] == ("Acceleration plan, position 2", 0)
     page.keyboard.press("End")
-    assert (
-        other.locator(".speaker-next .remark").first.inner_text() == "Acceleration plan, position 6"
-    )
+    assert other.locator(".speaker-next .remark").first.inner_text() == "Group 4-5, position 8"
 
 
 def test_the_clock_is_the_speaker_s(lecture) -> None:
