@@ -54,6 +54,7 @@ export function lectureRoom(data, state) {
     wake();
     full.title = say(on ? "leave full screen" : "full screen");
     full.setAttribute("aria-label", full.title);
+    full.querySelector("span")?.replaceChildren(full.title);
   };
   const turnBlack = (to = black.hidden) => {
     black.hidden = !to;
@@ -70,6 +71,7 @@ export function lectureRoom(data, state) {
   function button(sign, key, act) {
     const made = iconButton(SIGNS[sign], say(key), act);
     if (sign !== "black") made.querySelector("path")?.classList.add("line");
+    made.append(element("span", {}, say(key)));
     return made;
   }
 

@@ -4,7 +4,7 @@ import { element, filled } from "./dom.js";
 import { closeIn } from "./enlarge.js";
 import { groupOf } from "./equation.js";
 import { keyOf, takenBy } from "./keys.js";
-import { stepOver } from "./onward.js";
+import { planBeside, stepOver } from "./onward.js";
 import { Stage } from "./stage.js";
 import { tellingOf } from "./telling.js";
 
@@ -110,7 +110,7 @@ export class Speaker {
     if (this.other === null || this.other.closed || this.data.views.length === 0) return;
     const { view, place, data } = { view: this.state.view, place: this.state.place, data: this.data };
     const ready = place.picture >= view.pictures.length;
-    const following = ready ? data.views[place.view + 1] : view;
+    const following = ready ? data.views[planBeside(this.state, 1) ?? -1] : view;
     const step = ready ? 0 : place.picture + 1;
     this.title.textContent = view.title;
     this.count.textContent = filled(this.say("step of"), { step: place.picture, count: view.pictures.length });

@@ -40,11 +40,26 @@ function tellingOfLine(line, why) {
     made.push(element("p", { class: line.it === undefined ? "remark" : "step" }, ...sentenceOf(line.text)));
   }
   if (line.tool) made.push(element("p", { class: "tool" }, ...typeset(line.tool[1])));
-  if (line.calc) made.push(element("p", { class: "calc", ...of }, ...typeset(line.calc)));
+  if (line.calc) made.push(element("p", { class: "calc", ...of }, ...breakable(typeset(line.calc))));
   if (line.row) made.push(element("p", { class: "reading", "data-of": line.row[0].join(" ") }, ...readingOf(line.row)));
   if (line.sign) made.push(element("p", { class: "remark" }, line.sign));
   if (line.why) made.push(element("p", { class: "why" }, `${why}: `, ...sentenceOf(line.why)));
   return made;
+}
+
+/**
+ * Return a formula that may go on in the next line behind a sign, never within a number.
+ * @param {(Node | string)[]} nodes
+ * @returns {(Node | string)[]}
+ */
+function breakable(nodes) {
+  /** @type {(Node | string)[]} */
+  const found = [];
+  for (const node of nodes) {
+    const parts = typeof node === "string" ? node.split(/(?<=[·/])/) : [node];
+    parts.forEach((part, k) => found.push(...(k > 0 ? [element("wbr"), part] : [part])));
+  }
+  return found;
 }
 
 /**

@@ -7,6 +7,11 @@ from itertools import pairwise
 
 import pytest
 from support.browser import tool
+from support.scenes import edited
+
+from graphic_tmm.page.page import page as written
+from graphic_tmm.scene.read import read
+from graphic_tmm.studio import sheets
 
 SIZES = {
     "desk": {"width": 1280, "height": 800},
@@ -307,3 +312,19 @@ def test_nothing_moves_for_whoever_asked_for_that(page_of) -> None:
             )
             == 0
         )
+
+
+HOSTILE = "</script><img src=x onerror=alert(1)>&amp;{{ 7*7 }}"
+
+
+def test_text_of_a_scene_stays_text_in_every_window(opened, tmp_path) -> None:
+    scene = edited(tmp_path, ("Film feed: crank and rocker", HOSTILE), name="crank-rocker")
+    file = tmp_path / "page.html"
+    file.write_text(written(*sheets(read(scene))), encoding="utf-8")
+    shown = opened(file, "#lecture:").page
+    with shown.expect_popup() as found:
+        shown.get_by_role("button", name="Speaker's window").click()
+    for window in (shown, found.value):
+        assert window.locator("h1").inner_text() == HOSTILE
+        assert HOSTILE in window.title()
+        assert window.locator("img").count() == 0
