@@ -150,7 +150,8 @@ def _figure(
     glyphs: _Glyphs,
 ) -> dict[str, Any]:
     made = strands(found, moving)
-    places = lettered(found, moving, made, shown)
+    still = finished(exact.still()) if exact.still is not None else None
+    places = lettered(found, moving, made, shown, still)
     packer = Packer()
     lines = [_line(key, row, packer) for key, row in made.rows.items() if isinstance(key, Line)]
     letters = [
@@ -163,7 +164,6 @@ def _figure(
     ]
     begun = len(rows)
     rows += [folded(row, found.whole, made.refined) for row in packer.rows]
-    still = finished(exact.still()) if exact.still is not None else None
     data: dict[str, Any] = {
         "name": moving.name,
         "title": clean(plain(moving.title)),

@@ -9,6 +9,7 @@ import numpy as np
 
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.operations.curve import over
 from graphic_tmm.board.operations.graphs import erect
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Complexes, Curve, Point
@@ -16,6 +17,9 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.page.dense import Dense
 from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet
 from graphic_tmm.paper.write.svg import ids
+
+ORIGIN, FEET, END = 0, 3, 4
+"""The marks of axes among those of their figure."""
 
 
 class Cursor(NamedTuple):
@@ -83,10 +87,12 @@ def _called(chart: Chart, read: Mark | None) -> str:
 
 
 def _read(log: Construction, step: Step, chart: Chart) -> Mark | None:
-    """Return the reading of the points that a curve goes through, or that were marked on it."""
+    """Return the reading, from the base, of the points that a curve goes through or that were marked on it."""
     points = {step.uses[0]}
     points |= {one.it for one in log.steps if one.uses[:1] == (step.it,) and one.it.kind is Point}
-    return next((s.it for s in log.steps if s.it in chart.ordinates and s.uses[1] in points), None)
+    axes = next((f for f in log.figures if f.kind == "axes" and f.view == step.it.view), None)
+    found = (s for s in log.steps if s.it in chart.ordinates and s.uses[1] in points)
+    return next((s.it for s in found if axes is None or s.uses[0] == axes.marks[FEET]), None)
 
 
 def _spots(dense: Dense, log: Construction, step: Step, reading: Reading) -> tuple[Complexes, bool]:
@@ -97,12 +103,12 @@ def _spots(dense: Dense, log: Construction, step: Step, reading: Reading) -> tup
     axes = next((f for f in log.figures if f.kind == "axes" and f.view == step.it.view), None)
     through = step.uses[0]
     if axes is not None and not curve.closed:
-        origin, end = (reading[axes.marks[k]][0, 0] for k in (0, 4))
+        origin, end = (reading[axes.marks[k]][0, 0] for k in (ORIGIN, END))
         feet = origin + numbers / count * (end - origin)
         return np.asarray(erect.run(curve, feet[None, :])[0]), True
     if through in dense.drawn.reading and axes is None:
-        found = np.broadcast_to(dense.drawn.reading[through][0], numbers.shape)
-        return np.asarray(found), False
+        x = np.broadcast_to(dense.drawn.reading[through][0].real, numbers.shape)
+        return np.asarray(x + 1j * over(curve, numbers, x)), False
     return _on(curve, numbers), False
 
 

@@ -20,26 +20,33 @@ from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.write.svg import shift
 
-LEAST = 3
-"""A figure is lettered at so many angles at least."""
+LEAST, LED = 2, 4
+"""A figure is lettered at so many angles at least; the mechanism itself, round which much stands."""
+
+BESIDE = 1.5 + 1.5j
+"""Where a letter begins that is nowhere placed: so far from its point, mm."""
 
 Aside = dict[Letter, dict[int, complex]]
 """How far the middle of a letter stands from its point, mm, by the angles (indices) at which it was placed."""
 
 
 def lettered(
-    dense: Dense, moving: Moving, made: Strands, shown: Mapping[str, Drawing]
+    dense: Dense,
+    moving: Moving,
+    made: Strands,
+    shown: Mapping[str, Drawing],
+    still: Drawing | None = None,
 ) -> dict[Letter, Reals]:
     """Return where the base lines of letters begin at the angles drawn, (drawn, 2), mm.
 
-    ``shown``: the views of the sheets by their names.
+    ``shown``: the views of the sheets by their names; ``still``: what stands about the figure, lettered.
     """
     found: Aside = {}
     for k, place in enumerate(dense.at):
         view = shown.get(moving.on_sheet(dense.sheet.names[k]))
         if view is not None and moving.name in view.shows and place in made.drawn:
             _from_sheet(found, made, view, view.origin(moving.name), place, k)
-    _placed(found, dense, moving, made)
+    _placed(found, dense, moving, made, still)
     at = np.array([dense.turned[k] for k in made.drawn]) / dense.turned[1]
     return {
         key: _along(key, row, found.get(key, {}), dense, at)
@@ -70,34 +77,43 @@ def _anchors(made: Strands, row: int) -> Iterable[tuple[Letter, complex]]:
             yield key, complex(*rows[row])
 
 
-def _placed(found: Aside, dense: Dense, moving: Moving, made: Strands) -> None:
-    """Place the letters that no sheet shows: in positions, as on a sheet."""
+def _placed(
+    found: Aside, dense: Dense, moving: Moving, made: Strands, still: Drawing | None
+) -> None:
+    """Place the letters that no sheet shows, as on a sheet: in some positions, then where most are left."""
     there = [place for place in dense.at if place in made.drawn]
     there = [place for place in there if place not in dense.drawn.undrawn]
     need = {key for key in made.rows if isinstance(key, Letter)} - found.keys()
     done = {place for places in found.values() for place in places}
-    if len(done) < min(LEAST, len(there)):
-        spread = np.linspace(0, len(there), LEAST, endpoint=False).astype(int)
+    least = min(LEAST if moving.crank is None else LED, len(there))
+    if len(done) < least:
+        spread = np.linspace(0, len(there), least, endpoint=False).astype(int)
         for place in dict.fromkeys(there[k] for k in spread):
             if place not in done:
-                _place(found, moving, made, place, None)
+                _place(found, moving, made, still, place, None)
         need -= found.keys()
-    while need:
-        rows = [
-            (sum(np.isfinite(made.rows[key][row, 0]) for key in need), -row)
-            for row in range(len(made.drawn))
-        ]
-        count, row = max(rows)
-        if not count:
-            return
-        _place(found, moving, made, made.drawn[-row], need)
-        need -= found.keys()
+    rows = [
+        (sum(np.isfinite(made.rows[key][row, 0]) for key in need), -row)
+        for row in range(len(made.drawn))
+    ]
+    count, row = max(rows)
+    if count:
+        _place(found, moving, made, still, made.drawn[-row], need)
 
 
 def _place(
-    found: Aside, moving: Moving, made: Strands, place: int, only: set[Letter] | None
+    found: Aside,
+    moving: Moving,
+    made: Strands,
+    still: Drawing | None,
+    place: int,
+    only: set[Letter] | None,
 ) -> None:
     drawing = moving.at(place)
+    if still is not None:
+        drawing = drawing._replace(
+            strokes=(*drawing.strokes, *still.strokes), labels=(*drawing.labels, *still.labels)
+        )
     row = made.drawn.index(place)
     labels = finished(drawing).labels
     wanted = [one for one in drawing.wanted if np.isfinite(one.at)]
@@ -128,7 +144,9 @@ def _along(
 ) -> Reals:
     """Return where a letter stands at every angle drawn; ``at``: these, in degrees from the zero position."""
     middle = row[:, 0] + 1j * row[:, 1]
-    if placed:
+    if not placed:
+        middle = middle + BESIDE + _half(key)
+    else:
         where = np.array([dense.turned[k] for k in placed]) / dense.turned[1]
         middle = middle + glide(where, np.array(list(placed.values())), at, float(dense.whole))
     start = middle - _half(key)

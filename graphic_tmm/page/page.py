@@ -71,7 +71,7 @@ def page_data(made: DrawnScene, sheets: Sequence[Sheet]) -> dict[str, Any]:
         "language": made.scene.language,
         "title": made.scene.title,
         "words": words,
-        "parts": {part: speech(PARTS[part]) for part in parts_of(sheets)},
+        "parts": {part: speech(PARTS[part]) for part in parts_of(sheets) if part in PARTS},
         "sheets": [
             {"name": one.name, "width": one.width, "height": one.height, "format": one.format}
             for one in sheets

@@ -12,7 +12,7 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.language.names import plain, spoken
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.lettering.indices import markup
-from graphic_tmm.readers.equations import Term
+from graphic_tmm.readers.equations import Equation, Term
 from graphic_tmm.readers.narration import Line
 from graphic_tmm.readers.sentences import Phrase, grounds, phrase
 
@@ -41,26 +41,38 @@ def line_of(line: Line, reading: Reading, language: str) -> dict[str, Any]:
     return told
 
 
-def head_of(line: Line, stops: Mapping[int, int]) -> dict[str, Any]:
+def head_of(line: Line, stops: Mapping[int, int], language: str) -> dict[str, Any]:
     """Return a remark that stands before a step as data; ``stops``: in which a mark is made, by its slot."""
     text = line.text if "=" in line.text else f"{line.text[:1].upper()}{line.text[1:]}"
     told: dict[str, Any] = {"head": True, "text": [indexed(text)]}
     if line.equation is not None:
-        one = line.equation
+        one = _spoken(line.equation, language)
         sought = one.sought
         left = sought if isinstance(sought, Term) else Term(sought, False, marks=one.marks)
         under = 1 if isinstance(sought, Term) else 0
         sides = [_sides([left], stops, under), *(_sides(side, stops) for side in one.sides)]
-        told["equation"] = {"sides": sides, "ways": indexed(line.text.partition(";  ")[2])}
+        told["equation"] = {"sides": sides, "ways": braced(one.directions)}
     return told
 
 
 def sum_of(terms: Sequence[Term], stops: Mapping[int, int], language: str) -> dict[str, Any]:
     """Return the equation of a closed polygon as data: its vectors make nothing."""
-    named = [one._replace(symbol=symbol(one.symbol, language)) for one in terms]
+    named = [_named(one, language) for one in terms]
     text = " + ".join(plain(one.symbol) for one in named) + " = 0"
     sides = [_sides(named, stops), [{"s": "0", "u": 0, "of": [], "from": 0, "to": 0}]]
     return {"head": True, "text": [indexed(text)], "equation": {"sides": sides, "ways": ""}}
+
+
+def _spoken(equation: Equation, language: str) -> Equation:
+    """Return an equation with its letters as a language has them."""
+    sought = equation.sought
+    left = symbol(sought, language) if isinstance(sought, str) else _named(sought, language)
+    sides = tuple(tuple(_named(term, language) for term in side) for side in equation.sides)
+    return equation._replace(sought=left, sides=sides)
+
+
+def _named(term: Term, language: str) -> Term:
+    return term._replace(symbol=symbol(term.symbol, language))
 
 
 def _sides(

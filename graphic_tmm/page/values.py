@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from graphic_tmm.board.naming import segment_name
+from graphic_tmm.board.operations.statics import arm
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Length, Number, Reals
 from graphic_tmm.drawn import Drawn
@@ -76,6 +77,11 @@ class Values:
         return {s.uses[1]: s.it for s in steps if s.op.name == "lay_off"}
 
     @cached_property
+    def arms(self) -> frozenset[Mark]:
+        """Arms of forces: they stand for no quantity until a force is at them."""
+        return frozenset(s.it for s in self.steps if s.op is arm)
+
+    @cached_property
     def lengths(self) -> Mapping[Mark, Reals]:
         """The lengths that are read off the drawing, in mm along the positions of the board, by their marks."""
         found = {}
@@ -128,8 +134,10 @@ class Values:
         if abs(abs(mm) * scale.value - abs(value)) > OFF * abs(value) + scale.value:
             return None
         length = f"{fixed(mm, figures.mm_places, language)} {unit('mm', language)}"
-        by = f"{number(scale.value, language)} {unit(scale.unit, language)}"
         slots = [mark.slot, *([self.laid[mark].slot] if mark in self.laid else [])]
+        if mark in self.arms:
+            return [slots, marked_up(mark, language), length, "", "", ""]
+        by = f"{number(scale.value, language)} {unit(scale.unit, language)}"
         return [slots, marked_up(mark, language), length, by, worth, self.quantity(entry)]
 
     def quantity(self, entry: Entry) -> str:

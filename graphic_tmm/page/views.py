@@ -139,7 +139,7 @@ class _View:
     def line(self, told: Told, stop: Stop, *, again: bool) -> Iterator[dict[str, Any]]:
         """Yield what is told of a step: its heads, its sentence with its calculation or its reading."""
         if not again:
-            yield from (head_of(head, self.made) for head in told.heads)
+            yield from (head_of(head, self.made, self.language) for head in told.heads)
         step, reading = told.line.step, self.drawn.of(told.view)
         assert step is not None
         assert reading is not None
@@ -152,7 +152,8 @@ class _View:
             if mm[told.line.place if mm.size > 1 else 0] < 0 and "−" not in row[2]:
                 found["sign"] = speaking(self.language)(_AGAINST)
         if not step.op.formula:
-            found["tool"] = self.desk(told.view).hint(step, told.line.place)
+            kind, words, *numbers = self.desk(told.view).hint(step, told.line.place)
+            found["tool"] = [kind, indexed(words), *numbers]
         if again and told.slot in self.made:
             found = {key: found[key] for key in ("it", "calc", "row", "sign") if key in found}
         yield found

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
@@ -63,27 +64,33 @@ def captioned(
     *lines: str,
     heights: Heights = HEIGHTS["A4"],
     series: Sequence[Drawing] = (),
+    known: Sequence[Mark] = (),
 ) -> Drawing:
     """Return a view with lines of lettering below it: in the middle, below a table from its left edge.
 
     The first of them is the title, broken where it is much wider than its view, or than the narrowest of the
     ``series`` that it is one of; a table has its own above it. Where a sheet is too narrow, all lines are
-    broken, and the view comes apart if it can.
+    broken, and the view comes apart if it can. ``known``: the marks that the lines behind the second one tell:
+    these appear with them.
     """
+    of = tuple(mark.slot for mark in known)
     boxes = [bounds(one) for one in (view, *series)]
     width = min(right - left for left, _, right, _ in boxes)
     if view.name.startswith("table"):
-        told = [(text, heights.number) for text in lines]
+        told = [_Line(text, heights.number) for text in lines]
     else:
         titles = [_titled(text, heights.title, width) for text in lines[:1]]
-        told = [(part, heights.title) for parts in titles for part in parts]
-        told += [(text, heights.point) for text in lines[1:]]
+        told = [_Line(part, heights.title) for parts in titles for part in parts]
+        told += [_Line(text, heights.point, of if k else ()) for k, text in enumerate(lines[1:])]
 
     def apart(within: Within) -> list[Drawing]:
         *first, last = settled(view, within)
         return [
             *first,
-            _above([(p, s) for t, s in told for p in _broken([t], s, within.width)], last),
+            _above(
+                [one._replace(text=p) for one in told for p in wrapped(*one[:2], within.width)],
+                last,
+            ),
         ]
 
     return _above(told, view)._replace(apart=apart)
@@ -111,23 +118,27 @@ def _even(text: str, size: float, most: float) -> list[str]:
     return lines
 
 
-def _broken(lines: Sequence[str], size: float, width: float) -> list[str]:
-    return [part for text in lines for part in wrapped(text, size, width)]
+class _Line(NamedTuple):
+    """A line of a caption: what it says, its height, mm; the slots of the marks with which it appears."""
+
+    text: str
+    size: float
+    of: tuple[int, ...] = ()
 
 
-def _above(lines: Sequence[tuple[str, float]], view: Drawing) -> Drawing:
+def _above(lines: Sequence[_Line], view: Drawing) -> Drawing:
     """Return a view with lines below it, each in its height; it does not come apart."""
     left, low, right, top = bounds(view)
     tabular, middle = view.name.startswith("table"), (left + right) / 2
     anchor = "start" if tabular else "middle"
     # leaning tops reach out at the right, tails at the left
     labels, widest = list(view.labels), 0.0
-    for text, size in lines:
+    for text, size, of in lines:
         made = letter(text, size=size)
         low -= made.ascent + BELOW * size
         tail = max(0.0, -made.left)
         at = left + tail if tabular else middle
-        labels.append(Label(text, complex(at, low), size, anchor))
+        labels.append(Label(text, complex(at, low), size, anchor, of=of))
         low -= made.descent
         half = max(made.right - made.width / 2, tail + made.width / 2)
         widest = max(widest, tail + made.right if tabular else 2 * half)

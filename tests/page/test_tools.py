@@ -85,8 +85,8 @@ def inked(name: str, view: dict[str, Any]) -> tuple[float, dict[int, list[Stroke
     (drawing,) = (d for i, d in zip(ids(sheet), sheet.drawings, strict=True) if i == view["id"])
     found: dict[int, list[Stroke]] = {}
     for stroke in (*drawing.strokes, *drawing.rubbed):
-        plain = isinstance(stroke, Stroke) and len(stroke.of) == 1 and not stroke.part
-        if plain and stroke.position in (None, view["first"]):
+        plain = isinstance(stroke, Stroke) and len(stroke.of) == 1 and not stroke.closed
+        if plain and not stroke.part and stroke.position in (None, view["first"]):
             found.setdefault(stroke.of[0], []).append(stroke)
     return sheet.height, found
 

@@ -11,30 +11,17 @@ from typing import Any
 import pytest
 from support.each import each
 from support.gallery import ALL, paper
+from support.readable import UNREADABLE, texts
 
 from graphic_tmm.page.page import page_data
 from graphic_tmm.paper.drawing import Drawing
 
 SOME = ("arc-cam", "cam", "engine", "windrower")
-UNREADABLE = re.compile(r"NaN|Infinity|undefined|10⁻¹[1-9]|(?:^|[=≈:] ?)—|\{it\}|None\b")
-"""What no person should ever read."""
 
 
 @cache
 def data(name: str) -> dict[str, Any]:
     return page_data(*paper(name))
-
-
-def texts(told: object) -> Iterator[str]:
-    """Every text of some data."""
-    if isinstance(told, str):
-        yield told
-    elif isinstance(told, dict):
-        for one in told.values():
-            yield from texts(one)
-    elif isinstance(told, list | tuple):
-        for one in told:
-            yield from texts(one)
 
 
 def rows(view: dict[str, Any]) -> Iterator[list[Any]]:

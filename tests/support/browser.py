@@ -86,9 +86,9 @@ def launched(*flags: str) -> Iterator[Browser]:
 class Watch:
     """What a page, and the windows that it opens, did that it must not."""
 
-    def __init__(self, context: BrowserContext, file: Path) -> None:
+    def __init__(self, context: BrowserContext, file: Path | None) -> None:
         self.faults: list[str] = []
-        self.own = {file.as_uri(), "about:blank"}
+        self.own = {"about:blank", *([file.as_uri()] if file is not None else [])}
         context.on("console", self._said)
         context.on("weberror", lambda one: self.faults.append(f"fault: {_told(one.error)}"))
         context.on("dialog", self._asked)
@@ -113,17 +113,19 @@ class Watch:
 
 
 class Opened:
-    """A file in a tab of its own, watched: ``page`` is Playwright's."""
+    """A file, or nothing yet, in a tab of its own, watched: ``page`` is Playwright's."""
 
-    def __init__(self, browser: Browser, file: Path, address: str = "", **options: Any) -> None:
-        self.file = file
+    def __init__(
+        self, browser: Browser, file: Path | None, address: str = "", **options: Any
+    ) -> None:
         self.context = browser.new_context(
             **{"viewport": {"width": 1280, "height": 800}, **options}
         )
         self.context.set_default_timeout(10_000)
         self.watch = Watch(self.context, file)
         self.page: Page = self.context.new_page()
-        self.page.goto(file.as_uri() + address)
+        if file is not None:
+            self.page.goto(file.as_uri() + address)
 
     def settle(self) -> list[str]:
         """Return what the page did until now that it must not, and forget it.

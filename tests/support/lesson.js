@@ -40,10 +40,10 @@ function drawing(names) {
 }
 
 /** What is told with the picture that is shown. */
-function telling() {
-  const told = document.querySelector("[role=status], [aria-live], .telling");
-  const lines = told === null ? [] : [...told.querySelectorAll("p, dd")];
-  return lines.length > 0 ? lines.map(textOf) : [textOf(told)];
+function telling(names, kinds = "p, dd") {
+  const told = room(names).querySelector(".telling");
+  const lines = told === null ? [] : [...told.querySelectorAll(kinds)];
+  return lines.map(textOf);
 }
 
 /** The text of a part in one line; an index stands behind a "_", as in the protocol. */
@@ -52,6 +52,13 @@ function textOf(part) {
   for (const index of copy.querySelectorAll("sub")) index.prepend("_");
   for (const power of copy.querySelectorAll("sup")) power.prepend("^");
   return copy.textContent.replace(/\s+/gu, " ").trim();
+}
+
+/** The tables that stand beside the drawing: of each its caption, its rows as texts of cells. */
+function tables(names) {
+  const rows = (table) => [...table.rows].map((row) => [...row.cells].map(textOf));
+  const seen = [...room(names).querySelectorAll("table")].filter((one) => one.checkVisibility());
+  return seen.map((one) => [textOf(one.caption ?? one), rows(one)]);
 }
 
 /** Play what is chosen from its first picture to its last. */
@@ -64,20 +71,27 @@ function played(names) {
   };
   const faults = new Set();
   const lines = [];
+  const readings = [];
+  const pictures = new Set();
   button(names.first).click();
   const address = location.hash;
   for (let before = ""; before !== location.hash; next.click()) {
     before = location.hash;
-    lines.push(telling());
+    lines.push(telling(names, "p:not(.reading, .tool, .remark)"));
+    readings.push(...telling(names, ".reading"));
+    pictures.add(drawing(names).dataset.picture);
     for (const text of lines.at(-1)) {
       const found = UNREADABLE.exec(text);
       if (found !== null) faults.add(`${location.hash}: ${text}`);
     }
   }
   for (const text of seen()) if (UNREADABLE.test(text)) faults.add(text);
-  const bar = textOf(document.querySelector("[role=toolbar]"));
+  const bar = textOf(room(names).querySelector("[role=toolbar]"));
   const count = /\d+(?=\D*$)/u.exec(bar)?.[0] ?? "";
-  return { title: called(drawing(names)), pictures: lines.length - 1, count, lines, address, faults: [...faults] };
+  const title = called(drawing(names));
+  const stops = lines.length - 1;
+  const told = { title, count, address, lines, readings, tables: tables(names), faults: [...faults] };
+  return { ...told, pictures: pictures.size, stops };
 }
 
 function walk(names) {

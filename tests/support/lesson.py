@@ -22,6 +22,8 @@ NAMES = {
     "last": "Last picture",
     "steps": "Steps",
     "sheets": "Sheets",
+    "crank": "Crank",
+    "lecture": "Lecture",
 }
 """What a page calls what is pressed or chosen, in English."""
 HELPERS = (Path(__file__).parent / "lesson.js").read_text(encoding="utf-8")
@@ -36,18 +38,22 @@ def names(language: str) -> Mapping[str, str]:
 
 
 class Played(NamedTuple):
-    """A view as a page plays it: its title, how many pictures were met, the last number told, what was seen.
+    """A view as a page plays it: its title, how many pictures and stops were met, the last number told.
 
-    ``lines``: of each picture the sentences told with it; ``address``: of its first picture.
+    ``lines``: of each stop the sentences and calculations told with it, ``readings``: all that was read off the
+    drawing; ``address``: of its first stop.
     ``faults``: whatever no person should ever read.
     """
 
     title: str
     pictures: int
+    stops: int
     count: str
     lines: list[list[str]]
+    readings: list[str]
     address: str
     faults: list[str]
+    tables: list[tuple[str, list[list[str]]]]
 
 
 def walk(page: Page, language: str) -> list[Played]:

@@ -178,7 +178,8 @@ def _centre(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Dr
         view = draw(*on, told, title, high)
     lines = [f"r_{{0min}} = {_mm(drawn, made.least)}, r_{{0}} = {_mm(drawn, made.r0)}"]
     view = finished(view, lettered)
-    return captioned(view, title, _lengths(drawn, made), *lines, heights=high)
+    known = (made.least, made.r0)
+    return captioned(view, title, _lengths(drawn, made), *lines, heights=high, known=known)
 
 
 def _offset(drawn: Drawn, made: Cam) -> str:

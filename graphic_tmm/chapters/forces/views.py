@@ -262,7 +262,8 @@ def lever_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         heading = f"{_('Equations of the lever')}, {at}"
         rows = lever_rows(_writer(drawn, place), made)
         told = draw_balances(f"equations-lever-{name}", heading, rows, place, high)
-        views += paired([captioned(finished(view, lettered), title, *lines, heights=high), told])
+        view, known = finished(view, lettered), (made.lever.balance,)
+        views += paired([captioned(view, title, *lines, heights=high, known=known), told])
     return views
 
 

@@ -38,6 +38,7 @@ from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
+from graphic_tmm.paper.rules import rule_of
 from graphic_tmm.paper.seen import Seen
 from graphic_tmm.paper.shapes import box
 from graphic_tmm.paper.views import wrapped
@@ -84,7 +85,7 @@ def draw_planetary_ink(
         NAME,
         title,
         strokes,
-        tuple(_captions(ink, captions)),
+        tuple(_with_steps(ink, _captions(ink, captions))),
         rubbed=traces.rubbed,
         shows=VIEWS,
         numbers=tuple((k, str(k + 1)) for k in seen.positions),
@@ -114,7 +115,15 @@ def _numbers(ink: TrainInk) -> Iterator[Wanted]:
         yield Wanted(name, at, ink.heights.point, BESIDE, toward, of)
 
 
-def _captions(ink: TrainInk, captions: Captions) -> list[Label]:
+def _with_steps(ink: TrainInk, captions: Sequence[Sequence[Label]]) -> Iterator[Label]:
+    """Yield the captions: titles and scales come with the first step of a picture, results with its last."""
+    for view, lines in zip(VIEWS, captions, strict=True):
+        steps = [step.it.slot for step in ink.seen.steps if step.it.view == view and rule_of(step)]
+        for k, one in enumerate(lines):
+            yield one._replace(of=(steps[0 if k < 2 else -1],) if steps else ())
+
+
+def _captions(ink: TrainInk, captions: Captions) -> list[list[Label]]:
     """The captions: below the two views, between picture and plan, below the plan.
 
     One that would stand on another, or on the pair behind the train, goes below it; that of the picture keeps
@@ -127,7 +136,7 @@ def _captions(ink: TrainInk, captions: Captions) -> list[Label]:
     heights = (low, ink.centre.imag, ink.pole.imag)
     half = (min(picture) + max(picture)) / 2 - ink.scheme.right - 2.0
     widths = (math.inf, 2 * half, max(max(rates) - min(rates), COLUMN * ink.heights.point))
-    labels: list[Label] = []
+    labels: list[list[Label]] = []
     taken = [shapely.box(*sides) for sides in occupied(ink.scheme)]
     for lines, xs, y, down, most in zip(
         captions, (views, picture, rates), heights, BELOW, widths, strict=True
@@ -143,7 +152,7 @@ def _captions(ink: TrainInk, captions: Captions) -> list[Label]:
         if any(shapely.intersects(box(one), other) for one in block for other in taken):
             lowest = min(other.bounds[1] for other in taken)
             block = _block(told, middle, min(y - down, lowest - PITCH * ink.heights.point))
-        labels += block
+        labels.append(block)
         taken += [box(one) for one in block]
     return labels
 

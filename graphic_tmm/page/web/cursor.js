@@ -1,5 +1,5 @@
 import { drawnElement } from "./dom.js";
-import { placeOf, told } from "./strokes.js";
+import { hundredths, placeOf } from "./strokes.js";
 import { presenceOf } from "./dense.js";
 
 /**
@@ -21,7 +21,7 @@ export class Cursors {
    * @param {Float32Array[]} rows
    */
   constructor(view, cursors, rows) {
-    this.svg = drawnElement("svg", { viewBox: view.box.join(" "), class: "stage", role: "img", "aria-label": view.title });
+    this.svg = drawnElement("svg", { viewBox: view.box.join(" "), class: "moving stage ready", role: "img", "aria-label": view.title });
     const copy = /** @type {Element | undefined} */ (document.getElementById(view.id)?.cloneNode(true));
     copy?.removeAttribute("id");
     for (const title of copy?.querySelectorAll("title, desc") ?? []) title.remove();
@@ -49,7 +49,7 @@ export class Cursors {
       point.setAttribute("visibility", seen ? "visible" : "hidden");
       line.setAttribute("visibility", seen ? "visible" : "hidden");
       if (!seen) return;
-      const [u, v] = [told(x(k)), told(y(k))];
+      const [u, v] = [hundredths(x(k)), hundredths(y(k))];
       point.setAttribute("cx", String(u));
       point.setAttribute("cy", String(v));
       if (!lined) return;

@@ -23,6 +23,18 @@ export function enlarge(svg, least) {
   }
 }
 
+/** A window narrower than this is a phone's, px; letters on it are so high. */
+const PHONE = { width: 800, letters: 13 };
+
+/**
+ * Keep the letters of a drawing readable on a phone whatever happens to its window.
+ * @param {SVGElement} svg
+ */
+export function keepReadable(svg) {
+  const fit = () => enlarge(svg, window.innerWidth < PHONE.width ? PHONE.letters : 0);
+  new ResizeObserver(fit).observe(svg);
+}
+
 /**
  * Take a view's own title off a drawing (the page says it), move up what stands below it (μ), close in on what is left.
  * @param {SVGElement} svg

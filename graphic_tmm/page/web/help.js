@@ -17,6 +17,23 @@ const KEYS = {
     ["End", "last"],
     ["space", "keys run"],
   ],
+  crank: [
+    ["→ ↑", "degree on"],
+    ["← ↓", "degree back"],
+    ["PgUp", "leap on"],
+    ["PgDn", "leap back"],
+    ["Home", "turn begin"],
+    ["End", "turn end"],
+    ["space", "turn on"],
+  ],
+  sheets: [
+    ["← → ↑ ↓", "keys move"],
+    ["+", "larger"],
+    ["−", "smaller"],
+    ["0", "fit whole"],
+    ["1", "fit true"],
+    ["Enter", "play view"],
+  ],
   lecture: [
     ["→ PgDn space", "keys onward"],
     ["← PgUp", "keys back"],

@@ -1,7 +1,9 @@
 /** @typedef {import("./state.js").State} State */
 
 /** What wants the keys of the page for itself. */
-const OWN = "select, input, textarea, dialog, [role=slider], [role=tablist], [contenteditable]";
+const OWN = "select, input, textarea, dialog, [role=slider], [contenteditable]";
+/** The keys by which one goes among tabs. */
+const AMONG = ["ArrowLeft", "ArrowRight", "Home", "End"];
 /** What the space bar and Enter press. */
 const PRESSED = "button, a, summary, [role=button]";
 
@@ -41,5 +43,6 @@ export function takenBy(event) {
   const target = /** @type {Element | null} */ (event.target);
   if (target === null || !("closest" in target)) return false;
   if (target.closest(OWN) !== null) return true;
+  if (AMONG.includes(event.key) && target.closest("[role=tablist]") !== null) return true;
   return (event.key === " " || event.key === "Enter") && target.closest(PRESSED) !== null;
 }

@@ -65,8 +65,8 @@ export function layersPanel(data, sheet, layers, played, changed) {
       ? []
       : [flagBox(/** @type {"letters"} */ (flag), say(word ?? ""))],
   );
-  const parts = [...new Set(sheet.ink.flatMap((one) => (one.part ? [one.part] : [])))];
-  const named = parts.map((part) => ({ part, name: data.parts[part] ?? part }));
+  const parts = [...new Set(sheet.ink.flatMap((one) => (one.part in data.parts ? [one.part] : [])))];
+  const named = parts.map((part) => ({ part, name: data.parts[part] ?? "" }));
   named.sort((a, b) => a.name.localeCompare(b.name, data.language));
   const views = sheet.views.filter((view) => !view.frame);
 

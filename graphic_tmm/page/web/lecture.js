@@ -2,6 +2,7 @@ import { stepBar } from "./bar.js";
 import { chooser } from "./chooser.js";
 import { element, filled, iconButton } from "./dom.js";
 import { closeIn, enlarge } from "./enlarge.js";
+import { groupOf } from "./equation.js";
 import { enterFull, hearFull, isFull, leaveFull } from "./full.js";
 import { listenToKeys } from "./keys.js";
 import { toggle } from "./run.js";
@@ -35,9 +36,10 @@ const AWAKE = 3000;
  */
 export function lectureRoom(data, state) {
   const say = (/** @type {string} */ key) => data.words[key] ?? key;
-  const paper = element("div", { class: "paper", tabindex: "0", role: "group", "aria-label": say("drawing") });
+  const paper = element("div", { class: "paper" });
   const title = element("h2", {});
   const count = element("p", { class: "count" });
+  const heads = element("div", { class: "heads" });
   const telling = element("div", { class: "telling" });
   const black = element("div", { class: "black", hidden: "" });
   const trouble = element("p", { class: "hint", role: "alert", hidden: "" });
@@ -101,6 +103,7 @@ export function lectureRoom(data, state) {
     }
     stage.show(place.picture);
     count.textContent = filled(say("step of"), { step: place.picture, count: state.view.pictures.length });
+    heads.replaceChildren(...groupOf(state.view, place.picture));
     telling.replaceChildren(...tellingOf(data, state.view, place.picture));
     fit();
   });
@@ -133,7 +136,7 @@ export function lectureRoom(data, state) {
     full,
   );
   const bar = element("div", { class: "lecture-bar" }, stepBar(data, state), chooser(data, state), aids);
-  const told = element("div", { class: "told", tabindex: "0" }, title, count, telling);
+  const told = element("div", { class: "saying", tabindex: "0" }, title, count, heads, telling);
   const room = element("section", { id: "lecture", class: "awake" }, paper, told, trouble, bar, black);
   let timer = 0;
   function wake() {

@@ -12,21 +12,28 @@ const FEW = 2;
  * @param {() => View} viewOf
  */
 export function lightAlike(room, viewOf) {
-  /** @param {Event} event */
-  const light = (event) => {
-    const target = /** @type {Element | null} */ (event.target);
-    const of = target instanceof Element ? target.closest("[data-of]") : null;
+  /** @param {Element | null} of */
+  const light = (of) => {
     const slots = of === null ? [] : slotsOf(of);
     const wanted = new Set(slots.flatMap((slot) => [slot, ...alike(viewOf(), slot)]));
     for (const one of room.querySelectorAll("[data-of]")) {
       one.classList.toggle("lit", one === of || isLit(one, wanted, slots.length));
     }
   };
-  for (const kind of ["pointerover", "pointerdown", "focusin"]) room.addEventListener(kind, light);
-  room.addEventListener("pointerleave", (event) => {
-    if (/** @type {PointerEvent} */ (event).pointerType === "mouse") light(event);
+  for (const kind of ["pointerover", "pointerdown"]) room.addEventListener(kind, (event) => light(pointed(event)));
+  // what the keyboard or a finger comes upon stays lit until it goes elsewhere
+  room.addEventListener("focusin", (event) => {
+    const of = pointed(event);
+    if (of !== null) light(of);
   });
-  room.addEventListener("focusout", light);
+  room.addEventListener("pointerleave", (event) => {
+    if (/** @type {PointerEvent} */ (event).pointerType === "mouse") light(null);
+  });
+}
+
+/** @param {Event} event */
+function pointed({ target }) {
+  return target instanceof Element ? target.closest("[data-of]") : null;
 }
 
 /**

@@ -42,10 +42,14 @@ try {
 function begin(data) {
   const root = document.documentElement;
   const opened = location.hash.length < 2;
-  const state = new State(data.views, Object.keys(ROOMS));
+  const rooms = Object.entries(ROOMS).filter(([name]) => hasAny(name, data));
+  const state = new State(
+    data.views,
+    rooms.map(([name]) => name),
+  );
   root.classList.add("js");
   fillTabs(part("tabs"), state, data.words);
-  for (const [name, room] of Object.entries(ROOMS)) {
+  for (const [name, room] of rooms) {
     const made = room(data, state);
     asPanel(made, name, data.words[name] ?? name);
     made.hidden = name !== state.place.tab;
@@ -53,12 +57,24 @@ function begin(data) {
   }
   const help = helpPanel(data.words, state.tabs);
   part("aids").append(themeButton(data.words), helpButton(data.words, help));
-  document.body.append(help, liveRegion(data, state));
+  document.body.append(help);
   listenToKeys(state, "", { d: turnTheme, "?": () => help.showModal() });
   letRun(state);
   state.follow();
-  if (opened) showPoster(data, state, /** @type {HTMLElement} */ (document.querySelector("#play .paper")));
+  const paper = /** @type {HTMLElement | null} */ (document.querySelector("#play .paper"));
+  if (opened && paper !== null) showPoster(data, state, paper);
+  document.body.append(liveRegion(data, state));
   root.classList.add("ready");
+}
+
+/**
+ * Tell whether a way of looking has anything to show: not every scene has plans, or a crank.
+ * @param {string} name
+ * @param {Data} data
+ */
+function hasAny(name, data) {
+  if (name === "crank") return data.crank !== undefined;
+  return name === "sheets" || data.views.length > 0;
 }
 
 /** @param {string} id */

@@ -1,6 +1,6 @@
 import { nearestDrawn, presenceOf, spreadRow } from "./dense.js";
 import { drawnElement } from "./dom.js";
-import { pathOf, placeOf, told } from "./strokes.js";
+import { hundredths, pathOf, placeOf } from "./strokes.js";
 
 /**
  * @typedef {import("./types.js").Dense} Dense
@@ -26,22 +26,22 @@ export class Moving {
     const kept = packed.slice(begun, begun + count);
     const rows = kept.map((row) => spreadRow(row, dense.whole, dense.step, figure.refined));
     this.drawn = nearestDrawn(dense.whole, dense.step, figure.refined, dense.more.length);
-    this.svg = drawnElement("svg", { viewBox: figure.box.join(" "), class: "stage", role: "img", "aria-label": figure.title });
+    this.svg = drawnElement("svg", { viewBox: figure.box.join(" "), class: "moving", role: "img", "aria-label": figure.title });
     /** @type {((k: number) => void)[]} */
     this.acts = [];
-    this.body = drawnElement("g", {});
+    this.body = drawnElement("g", { class: "body" });
     const pens = layers(dense, figure.still ?? []);
     for (const line of figure.lines) this.line(line, rows, pens);
     for (const layer of pens.values()) if (layer.childElementCount > 0) this.body.append(layer);
     this.svg.append(this.body);
     for (const [n, x, y] of figure.stands ?? []) {
-      this.svg.append(drawnElement("g", { transform: `translate(${x} ${-y})` }, ...written(dense.glyphs[n])));
+      this.svg.append(drawnElement("g", { transform: `translate(${x} ${-y})` }, written(dense.glyphs[n])));
     }
     const letters = drawnElement("g", { class: "letters" });
     for (const [n, x, y, there] of figure.letters) {
-      const made = drawnElement("g", {}, ...written(dense.glyphs[n]));
-      const places = [placeOf(x, rows), placeOf(y, rows)];
-      this.act(made, there, (k) => moved(made, places[0]?.(k), places[1]?.(k)));
+      const made = drawnElement("g", {}, written(dense.glyphs[n]));
+      const [u, v] = [placeOf(x, rows), placeOf(y, rows)];
+      this.act(made, there, (k) => moved(made, u(k), v(k)));
       letters.append(made);
     }
     this.body.append(letters);
@@ -54,30 +54,24 @@ export class Moving {
    * @param {Map<string, Element>} pens
    */
   line([pen, flags, coordinates, bends, there], rows, pens) {
-    const made = drawnElement("path", {});
-    if (flags >= 2) {
-      made.setAttribute("fill", "var(--ink)");
-      made.setAttribute("stroke", "none");
-    }
+    const made = drawnElement("path", flags >= 2 ? { fill: "var(--ink)", stroke: "none" } : {});
     const closed = flags % 2 === 1;
     const places = coordinates.map((one) => placeOf(one, rows));
-    const curves = bends === 0 ? null : bends.map((one) => placeOf(one, rows));
-    const bulges = (/** @type {number} */ k) => curves?.map((bend) => bend(k) / 1000) ?? null;
-    const together = sameRow(coordinates, 0) && sameRow(coordinates, 1) && (bends === 0 || bends.every((one) => one.length === 1));
-    if (together) {
-      const [x0, y0] = [coordinates[0]?.[1] ?? coordinates[0]?.[0] ?? 0, coordinates[1]?.[1] ?? coordinates[1]?.[0] ?? 0];
-      const own = coordinates.map((one, n) => ((one[1] ?? one[0] ?? 0) - (n % 2 === 0 ? x0 : y0)) / 1000);
-      made.setAttribute("d", pathOf(own, bulges(0), closed));
-      if (coordinates.every((one) => one.length === 1)) moved(made, places[0]?.(0), places[1]?.(0));
-      else this.act(made, there, (k) => moved(made, places[0]?.(k), places[1]?.(k)));
+    const bulges = bulgesOf(bends, rows);
+    const at = new Float64Array(places.length);
+    pens.get(pen)?.append(made);
+    if (rigid(coordinates, bends)) {
+      const first = [apart(coordinates[0]), apart(coordinates[1])];
+      coordinates.forEach((one, n) => (at[n] = apart(one) - (first[n % 2] ?? 0)));
+      made.setAttribute("d", pathOf(at, bulges(0), closed));
+      const [x, y] = /** @type {[(k: number) => number, (k: number) => number]} */ (places);
+      this.act(made, there, (k) => moved(made, x(k), y(k)));
     } else {
-      const at = new Array(places.length).fill(0);
       this.act(made, there, (k) => {
-        for (let n = 0; n < places.length; n++) at[n] = places[n]?.(k) ?? 0;
+        places.forEach((place, n) => (at[n] = place(k)));
         made.setAttribute("d", pathOf(at, bulges(k), closed));
       });
     }
-    pens.get(pen)?.append(made);
   }
 
   /**
@@ -112,22 +106,41 @@ export class Moving {
 
 /**
  * @param {SVGElement} made
- * @param {number | undefined} x
- * @param {number | undefined} y
+ * @param {number} x
+ * @param {number} y
  */
 function moved(made, x, y) {
-  made.setAttribute("transform", `translate(${told(x)} ${told(-(y ?? 0))})`);
+  made.setAttribute("transform", `translate(${hundredths(x)} ${hundredths(-y)})`);
 }
 
 /**
- * Whether all x (0) or all y (1) of a stroke are one row and distances from it, or numbers.
- * @param {number[][]} coordinates
- * @param {number} first
+ * How far a coordinate is from its row, mm; a number is from none.
+ * @param {number[] | undefined} told
  */
-function sameRow(coordinates, first) {
-  const own = coordinates.filter((_, n) => n % 2 === first);
-  const row = own[0]?.length === 2 ? own[0]?.[0] : undefined;
-  return own.every((one) => (one.length === 2 ? one[0] : undefined) === row);
+function apart(told) {
+  return (told?.at(-1) ?? 0) / 1000;
+}
+
+/**
+ * @param {0 | number[][]} bends
+ * @param {Float32Array[]} rows
+ * @returns {(k: number) => number[] | null}
+ */
+function bulgesOf(bends, rows) {
+  if (bends === 0) return () => null;
+  const bulges = bends.map((one) => placeOf(one, rows));
+  return (k) => bulges.map((bulge) => bulge(k) / 1000);
+}
+
+/**
+ * Whether a stroke only shifts: all its x are one row and distances from it, or numbers, and all its y; no bend varies.
+ * @param {number[][]} coordinates
+ * @param {0 | number[][]} bends
+ */
+function rigid(coordinates, bends) {
+  const row = (/** @type {number[] | undefined} */ one) => (one?.length === 2 ? one[0] : undefined);
+  const bent = bends === 0 || bends.every((one) => one.length === 1);
+  return bent && coordinates.every((one, n) => row(one) === row(coordinates[n % 2]));
 }
 
 /**
@@ -142,10 +155,11 @@ function layers(dense, still) {
     const group = drawnElement("g", {
       fill: fill === "none" ? "none" : "var(--paper)",
       stroke: width > 0 ? "var(--ink)" : "none",
-      "stroke-width": width,
+      class: "pen",
       "stroke-linecap": dashes.length > 0 ? "butt" : "round",
       "stroke-linejoin": "round",
     });
+    group.style.setProperty("--pen", `${width}px`);
     if (dashes.length > 0) group.setAttribute("stroke-dasharray", dashes.join(" "));
     for (const [of, d] of still) if (of === pen) group.append(drawnElement("path", { d, class: "still" }));
     found.set(pen, group);
@@ -160,8 +174,10 @@ function layers(dense, still) {
 function written(glyph) {
   const strokes = glyph?.[1] ?? [];
   const shared = { fill: "none", "stroke-linecap": "round", "stroke-linejoin": "round" };
-  return [
+  return drawnElement(
+    "g",
+    { class: "glyph" },
     ...strokes.map(([pen, d]) => drawnElement("path", { ...shared, d, stroke: "var(--paper)", "stroke-width": HALO * pen })),
     ...strokes.map(([pen, d]) => drawnElement("path", { ...shared, d, stroke: "var(--ink)", "stroke-width": pen })),
-  ];
+  );
 }

@@ -1,6 +1,7 @@
 import { paceChooser, stepBar } from "./bar.js";
 import { chooser } from "./chooser.js";
 import { element } from "./dom.js";
+import { keepReadable } from "./enlarge.js";
 import { groupOf } from "./equation.js";
 import { listenToKeys } from "./keys.js";
 import { lightAlike } from "./light.js";
@@ -53,6 +54,7 @@ export function playRoom(data, state) {
       const steps = new StepList(data, view, (n) => state.go({ picture: n }));
       shown = { view, stage, tools: new Tools(stage.svg, view), table, list: steps };
       paper.replaceChildren(stage.svg);
+      keepReadable(stage.svg);
       beside.replaceChildren(table.table);
       list.replaceChildren(steps.whole);
     }
@@ -65,7 +67,7 @@ export function playRoom(data, state) {
     shown.list.show(n);
   });
 
-  const said = element("div", { class: "words" }, group, telling, beside);
+  const said = element("div", { class: "words", tabindex: "0" }, group, telling, beside);
   const options = element("div", { class: "options" }, paceChooser(data, state));
   const panel = element("div", { class: "panel", tabindex: "0" }, said, options, list);
   const board = element("div", { class: "board" }, paper, panel);

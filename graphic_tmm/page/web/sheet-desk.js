@@ -52,6 +52,7 @@ export class Desk {
     surface.append(this.canvas);
     new ResizeObserver(() => this.measure()).observe(surface);
     window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.moved());
+    new MutationObserver(() => this.moved()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
   }
 
   /**
@@ -69,7 +70,7 @@ export class Desk {
   /**
    * Say what of the sheet is shown.
    * @param {Ink[]} shown
-   * @param {boolean} large whether letters are enlarged where they could not be read
+   * @param {boolean} large whether letters are larger and lines wider where they could not be seen
    */
   show(shown, large) {
     this.shown = shown;
@@ -122,7 +123,7 @@ export class Desk {
     context.setTransform(scale, 0, 0, scale, -scale * camera.x, -scale * camera.y);
     context.fillStyle = "#fff";
     context.fillRect(0, 0, this.sheet.width, this.sheet.height);
-    paintBatches(context, this.batches, camera.seen, camera.zoom);
+    paintBatches(context, this.batches, camera.seen, this.large ? camera.zoom : 0);
     paintLit(context, this.lit, style.getPropertyValue("--lit"), camera.zoom);
     if (this.chosen !== null) this.outline(this.chosen.box, style.getPropertyValue("--lit"));
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -166,7 +167,7 @@ export class Desk {
   }
 
   /**
-   * Return the ink under a point, what lies uppermost first; letters and ink with a title before others.
+   * Return the ink under a point that says what it is, what lies uppermost first, ink with a title before other.
    * @param {number} px
    * @param {number} py
    * @param {number} reach px
@@ -177,13 +178,14 @@ export class Desk {
     /** @type {Box} */
     const about = [x - by, y - by, x + by, y + by];
     const found = this.shown.filter((one) => {
-      if (!boxesMeet(one.box, about)) return false;
+      if (!boxesMeet(one.box, about) || (one.of === "" && one.label < 0 && !titleOf(one))) return false;
       if (one.label >= 0) return boxesMeet(this.sheet.labels[one.label]?.box ?? one.box, about);
       this.asking.lineWidth = one.pen.width + 2 * by;
       return this.asking.isPointInStroke(one.path, x, y);
     });
     const rank = (/** @type {Ink} */ one) => (titleOf(one) ? 2 : one.of !== "" ? 1 : 0);
-    return found.reverse().sort((a, b) => rank(b) - rank(a));
+    const sorted = found.reverse().sort((a, b) => rank(b) - rank(a));
+    return sorted.filter((one, k) => one.label < 0 || sorted.findIndex((other) => other.label === one.label) === k);
   }
 
   /**

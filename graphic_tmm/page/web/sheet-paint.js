@@ -67,7 +67,7 @@ function movedBox(box, by) {
  * @param {CanvasRenderingContext2D} context
  * @param {Batch[]} batches
  * @param {Box} seen mm
- * @param {number} zoom CSS px a millimetre
+ * @param {number} zoom CSS px a millimetre, to be read on a screen; 0: on paper
  */
 export function paintBatches(context, batches, seen, zoom) {
   let key = "";
@@ -77,7 +77,7 @@ export function paintBatches(context, batches, seen, zoom) {
       takePen(context, pen);
       key = pen.key;
     }
-    context.lineWidth = letters ? pen.width : widthOn(pen.width, zoom);
+    context.lineWidth = letters || zoom === 0 ? pen.width : widthOn(pen.width, zoom);
     if (pen.fill !== "") context.fill(path);
     if (pen.stroke !== "" && pen.width > 0) context.stroke(path);
   }

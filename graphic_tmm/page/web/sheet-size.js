@@ -27,7 +27,7 @@ export class ScreenSize {
     const slider = /** @type {HTMLInputElement} */ (
       element("input", { type: "range", min: String(MARGIN.least), max: String(MARGIN.most), step: String(MARGIN.step) })
     );
-    const told = element("output", {});
+    const told = element("span", {});
     const show = () => {
       line.style.width = `${100 * this.millimetre}px`;
       told.textContent = percent(this.factor, data.language);

@@ -45,13 +45,15 @@ export function sheetRoom(data, state) {
   const read = new Map();
   let number = -1;
   let from = -1;
+  /** @type {import("./sheet-ink.js").Ink | undefined} */
+  let pointed;
 
   const surface = element("div", { class: "desk", tabindex: "0", role: "application", "aria-label": say("desk keys") });
   const desk = new Desk(surface, (view) => played.get(view.id)?.position ?? "");
-  const told = element("p", { class: "told", role: "status" }, say("desk"));
-  const scale = element("output", { class: "count" });
+  const told = element("p", { class: "told" }, say("desk"));
+  const scale = element("span", { class: "count" });
   const choice = element("div", { class: "choice" });
-  const list = element("ol", { class: "views" });
+  const list = element("ol", { class: "views", "aria-label": say("views") });
   const chooser = /** @type {HTMLSelectElement} */ (element("select", {}));
   chooser.append(...data.sheets.map((one, k) => element("option", { value: String(k) }, `${k + 1} · ${one.format.split(" ")[0]}`)));
   chooser.addEventListener("change", () => lay(Number(chooser.value)));
@@ -66,7 +68,7 @@ export function sheetRoom(data, state) {
     "div",
     { class: "bar", role: "toolbar", "aria-label": say("size") },
     element("label", {}, `${say("sheet")} `, chooser),
-    textButton(say("fit"), say("fit whole"), act("0")),
+    textButton(say("fit sheet"), say("fit whole"), act("0")),
     textButton("1 : 1", say("fit true"), act("1")),
     iconButton(ICONS_OF_SHEET.less, say("smaller"), act("-")),
     iconButton(ICONS_OF_SHEET.more, say("larger"), act("+")),
@@ -117,12 +119,19 @@ export function sheetRoom(data, state) {
     const found = data.views.findIndex((one) => one.id === view.id);
     if (found >= 0) state.go({ tab: "play", view: found });
   }
+  /** @param {HTMLElement[]} inner */
+  function tell(inner) {
+    told.replaceChildren(...inner);
+    const live = document.getElementById("live");
+    const said = inner.flatMap((one) => (one.localName === "button" ? [] : [one.textContent]));
+    if (live !== null) live.textContent = said.join(" ");
+  }
   /** @param {SheetView} view */
   function fill(view) {
     choose(view);
     desk.glideTo(view.box);
-    told.replaceChildren(element("b", {}, view.title));
-    if (played.has(view.id)) told.append(textButton(say("play view"), "", () => play(view)));
+    const way = played.has(view.id) ? [textButton(say("play view"), "", () => play(view))] : [];
+    tell([element("b", {}, view.title), ...way]);
   }
   /**
    * @param {number} px
@@ -130,12 +139,15 @@ export function sheetRoom(data, state) {
    * @param {boolean} touch
    */
   function tap(px, py, touch) {
-    const ink = touch && desk.camera.zoom < FINE ? undefined : desk.inkAt(px, py, touch ? FINGER : REACH)[0];
-    if (ink !== undefined && (ink.of !== "" || ink.label >= 0)) {
+    const there = touch && desk.camera.zoom < FINE ? [] : desk.inkAt(px, py, touch ? FINGER : REACH);
+    // what lies upon each other is told in turn
+    const ink = there[(there.findIndex((one) => one === pointed) + 1) % there.length];
+    pointed = ink;
+    if (ink !== undefined) {
       const ofView = (/** @type {number} */ k) => played.get(desk.sheet.views[k]?.id ?? "");
       desk.chosen = null;
       desk.lit = sameMark(ink, desk.shown, (k) => ofView(k)?.board ?? "");
-      told.replaceChildren(...toldOf(ink, desk.sheet, data, ofView(ink.view), state));
+      tell(toldOf(ink, desk.sheet, data, ofView(ink.view), state));
       return desk.moved();
     }
     desk.lit = [];

@@ -2,6 +2,7 @@ import { chooser } from "./chooser.js";
 import { Clock } from "./clock.js";
 import { element, filled } from "./dom.js";
 import { closeIn } from "./enlarge.js";
+import { groupOf } from "./equation.js";
 import { keyOf, takenBy } from "./keys.js";
 import { stepOver } from "./onward.js";
 import { Stage } from "./stage.js";
@@ -113,7 +114,7 @@ export class Speaker {
     const step = ready ? 0 : place.picture + 1;
     this.title.textContent = view.title;
     this.count.textContent = filled(this.say("step of"), { step: place.picture, count: view.pictures.length });
-    this.now.replaceChildren(...tellingOf(data, view, place.picture));
+    this.now.replaceChildren(...groupOf(view, place.picture), ...tellingOf(data, view, place.picture));
     if (following === undefined) {
       this.next.replaceChildren(element("p", {}, this.say("nothing follows")));
       this.picture.replaceChildren();

@@ -10,6 +10,7 @@ import { sumOf } from "./equation.js";
 
 /**
  * The steps of a view as a list of buttons under the headings of their groups: the drawing for those who cannot see it.
+ * One stop of the keyboard, arrows go among them.
  */
 export class StepList {
   /**
@@ -23,7 +24,13 @@ export class StepList {
     this.buttons = [];
     this.whole = element("div", { class: "steps", role: "group", "aria-label": say("steps") });
     let list = element("ol", { start: "0" });
-    this.whole.append(list);
+    this.whole.append(element("h2", { class: "unseen" }, say("steps")), list);
+    this.whole.addEventListener("keydown", (event) => {
+      const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+      if (by === undefined) return;
+      event.preventDefault();
+      go(this.buttons.findIndex((button) => button.tabIndex === 0) + by);
+    });
     view.pictures.forEach((picture, n) => {
       const heads = picture.lines.filter((line) => line.head);
       if (heads.length > 0) {
@@ -54,17 +61,19 @@ export class StepList {
    * @param {number} n
    */
   show(n) {
+    const within = this.whole.contains(document.activeElement);
     this.buttons.forEach((button, k) => {
+      button.tabIndex = k === n ? 0 : -1;
       if (k === n) button.setAttribute("aria-current", "step");
       else button.removeAttribute("aria-current");
     });
     const now = this.buttons[n];
+    if (within) now?.focus({ preventScroll: true });
     const frame = this.whole;
     if (now === undefined || frame.scrollHeight <= frame.clientHeight) return;
-    const top = now.offsetTop - frame.offsetTop;
-    const below = top + now.offsetHeight - frame.clientHeight;
-    if (top - now.offsetHeight < frame.scrollTop) frame.scrollTop = top - now.offsetHeight * 2;
-    else if (below + now.offsetHeight > frame.scrollTop) frame.scrollTop = below + now.offsetHeight * 2;
+    const [top, high, seen] = [now.offsetTop, now.offsetHeight, frame.clientHeight];
+    const near = top - high > frame.scrollTop && top + 2 * high < frame.scrollTop + seen;
+    if (!near) frame.scrollTop = top - seen / 3;
   }
 }
 

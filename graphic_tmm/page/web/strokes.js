@@ -13,24 +13,33 @@ export function placeOf(told, rows) {
 
 /**
  * Return the data of a path through places, y upward; a bulge bends what goes to the next one, as in DXF.
- * @param {number[]} at x, y, x, y …
+ * @param {Float64Array} at x, y, x, y …
  * @param {number[] | null} bulges
  * @param {boolean} closed
  */
 export function pathOf(at, bulges, closed) {
-  let text = `M${told(at[0])} ${told(-(at[1] ?? 0))}`;
+  const [x, y] = /** @type {[number, number]} */ (/** @type {unknown} */ (at));
+  let text = `M${hundredths(x)} ${hundredths(-y)}`;
   const count = at.length / 2;
   const last = closed && bulges !== null ? count : count - 1;
-  for (let n = 0; n < last; n++) {
-    const m = (n + 1) % count;
-    const [x = 0, y = 0, u = 0, v = 0] = [at[2 * n], at[2 * n + 1], at[2 * m], at[2 * m + 1]];
-    const bulge = bulges?.[n] ?? 0;
-    text += bulge === 0 ? `L${told(u)} ${told(-v)}` : arc(x, y, u, v, bulge);
-  }
+  for (let n = 0; n < last; n++) text += segment(at, n, (n + 1) % count, bulges?.[n] ?? 0);
   return closed ? `${text}Z` : text;
 }
 
 /**
+ * @param {Float64Array} at
+ * @param {number} from the number of a place
+ * @param {number} to
+ * @param {number} bulge
+ */
+function segment(at, from, to, bulge) {
+  const [x, y] = /** @type {[number, number]} */ ([at[2 * from], at[2 * from + 1]]);
+  const [u, v] = /** @type {[number, number]} */ ([at[2 * to], at[2 * to + 1]]);
+  return bulge === 0 ? `L${hundredths(u)} ${hundredths(-v)}` : arc(x, y, u, v, bulge);
+}
+
+/**
+ * An arc in pieces of 90° at most, so that rounding keeps its centre.
  * @param {number} x
  * @param {number} y
  * @param {number} u
@@ -38,28 +47,26 @@ export function pathOf(at, bulges, closed) {
  * @param {number} bulge
  */
 function arc(x, y, u, v, bulge) {
-  const chord = Math.hypot(u - x, v - y);
-  const radius = told((chord * (1 + bulge * bulge)) / (4 * Math.abs(bulge)));
   const side = (1 - bulge * bulge) / (4 * bulge);
-  const centre = [(x + u) / 2 - (v - y) * side, (y + v) / 2 + (u - x) * side];
+  const [p, q] = [(x + u) / 2 - (v - y) * side, (y + v) / 2 + (u - x) * side];
+  const radius = Math.hypot(x - p, y - q);
   const whole = 4 * Math.atan(bulge);
   const pieces = Math.max(1, Math.ceil(Math.abs(whole) / (Math.PI / 2) - 1e-9));
-  const start = Math.atan2(y - (centre[1] ?? 0), x - (centre[0] ?? 0));
-  const long = (chord * (1 + bulge * bulge)) / (4 * Math.abs(bulge));
+  const start = Math.atan2(y - q, x - p);
+  const way = `A${hundredths(radius)} ${hundredths(radius)} 0 0 ${bulge > 0 ? 0 : 1} `;
   let text = "";
   for (let k = 1; k <= pieces; k++) {
     const turn = start + (whole * k) / pieces;
-    const end =
-      k === pieces ? [u, v] : [(centre[0] ?? 0) + long * Math.cos(turn), (centre[1] ?? 0) + long * Math.sin(turn)];
-    text += `A${radius} ${radius} 0 0 ${bulge > 0 ? 0 : 1} ${told(end[0])} ${told(-(end[1] ?? 0))}`;
+    const [c, d] = k === pieces ? [u, v] : [p + radius * Math.cos(turn), q + radius * Math.sin(turn)];
+    text += `${way}${hundredths(c)} ${hundredths(-d)}`;
   }
   return text;
 }
 
 /**
- * A length in hundredths of a millimetre at most.
- * @param {number | undefined} value
+ * A length to a hundredth of a millimetre.
+ * @param {number} value
  */
-export function told(value) {
-  return Math.round((value ?? 0) * 100) / 100;
+export function hundredths(value) {
+  return Math.round(value * 100) / 100;
 }

@@ -13,7 +13,10 @@ export function fillTabs(list, state, words) {
   const tabs = state.tabs.map((name) => {
     const tab = element("button", { type: "button", role: "tab", id: `tab-${name}` }, words[name] ?? name);
     tab.setAttribute("aria-controls", name);
-    tab.addEventListener("click", () => state.go({ tab: name }));
+    tab.addEventListener("click", (event) => {
+      state.go({ tab: name });
+      if (event.detail > 0) tab.blur(); // by a pointer: the next arrow is meant for the room
+    });
     return tab;
   });
   list.append(...tabs);

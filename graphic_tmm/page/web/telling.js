@@ -39,7 +39,7 @@ function tellingOfLine(line, why) {
   if (line.text) {
     made.push(element("p", { class: line.it === undefined ? "remark" : "step" }, ...sentenceOf(line.text)));
   }
-  if (line.tool) made.push(element("p", { class: "tool" }, line.tool[1]));
+  if (line.tool) made.push(element("p", { class: "tool" }, ...typeset(line.tool[1])));
   if (line.calc) made.push(element("p", { class: "calc", ...of }, ...typeset(line.calc)));
   if (line.row) made.push(element("p", { class: "reading", "data-of": line.row[0].join(" ") }, ...readingOf(line.row)));
   if (line.sign) made.push(element("p", { class: "remark" }, line.sign));
@@ -53,11 +53,17 @@ function tellingOfLine(line, why) {
  * @returns {(Node | string)[]}
  */
 export function readingOf([, segment, mm, mu, value, quantity]) {
-  if (mm === "") return [...typeset(segment), ` = ${value}`];
+  if (mm === "") return pieces([[...typeset(segment), ` = ${value}`]]);
   const read = [...typeset(segment), ` = ${mm}`];
-  if (mu === "") return read;
-  const worth = `${mu} = ${value}`;
-  return quantity === ""
-    ? [...read, ` × ${worth}`]
-    : [...read, " → ", ...typeset(quantity), ` = ${mm} × ${worth}`];
+  if (mu === "") return pieces([read]);
+  if (quantity === "") return pieces([read, [`× ${mu}`], [`= ${value}`]]);
+  return pieces([read, ["→ ", ...typeset(quantity), ` = ${mm}`], [`× ${mu}`], [`= ${value}`]]);
+}
+
+/**
+ * Return pieces of a line that is broken between them only.
+ * @param {(Node | string)[][]} parts
+ */
+function pieces(parts) {
+  return parts.flatMap((inner, k) => [...(k > 0 ? [" "] : []), element("span", { class: "piece" }, ...inner)]);
 }

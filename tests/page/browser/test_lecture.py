@@ -22,7 +22,7 @@ def lecture(page_of):
 
 def steps(page) -> tuple[str, int, int]:
     """What the lecture shows: the plan, the picture, how many there are."""
-    told = page.locator("#lecture .told")
+    told = page.locator("#lecture .saying")
     found = OF.search(told.locator(".count").inner_text())
     assert found
     return told.locator("h2").inner_text(), int(found[1]), int(found[2])
@@ -65,7 +65,7 @@ def test_every_sentence_is_read_from_the_last_row(lecture, scene: str) -> None:
     page.keyboard.press("f")
     small = page.evaluate(
         """() => {
-      const told = document.querySelector("#lecture .told"), found = [];
+      const told = document.querySelector("#lecture .saying"), found = [];
       const size = (part) => parseFloat(getComputedStyle(part).fontSize) / innerHeight;
       const press = (key) => document.body.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
       for (let before = ""; before !== location.hash; press("PageDown")) {
@@ -146,7 +146,7 @@ def test_where_the_screen_is_refused_the_window_is_filled(opened, files, how: st
     tab = opened(files("windrower", "en"), "", **WIDE)
     page = tab.page
     page.add_init_script(REFUSED[how])
-    page.goto(tab.file.as_uri() + ADDRESS)
+    page.goto(files("windrower", "en").as_uri() + ADDRESS)
     page.reload()
     page.locator("html.ready").wait_for()
     page.keyboard.press("f")
@@ -228,7 +228,7 @@ def test_a_window_that_is_refused_is_told(opened, files) -> None:
     tab = opened(files("windrower", "en"), "", **WIDE)
     page = tab.page
     page.add_init_script("window.open = () => null")
-    page.goto(tab.file.as_uri() + ADDRESS)
+    page.goto(files("windrower", "en").as_uri() + ADDRESS)
     page.reload()
     page.locator("html.ready").wait_for()
     page.get_by_role("button", name="Speaker's window").click()

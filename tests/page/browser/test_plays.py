@@ -20,12 +20,15 @@ from support.lesson import Played, at_the_end, names, walk
 from support.pixels import alone, at, show_alone
 
 from graphic_tmm.errors import SceneError
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.page.words import WORDS
 from graphic_tmm.paper.write.svg import ids
 from graphic_tmm.readers.protocol import part_protocol, plans, protocol
 
-NUMBERED = re.compile(r"\d+(–\d+)?\. ")
+NUMBERED = re.compile(r"^\s*\d+(–\d+)?\. ")
 MEASURED = re.compile(r"(?P<segment>\S+) = (?P<mm>−?[\d.,]+) (?:мм|mm)")
 AT = re.compile(r", (?:положение|position) (\S+)$")
+VALUES = re.compile(r"(?:Значения, положение|Values, position) (\S+)")
 FAINT = 64
 """Where two pictures differ by no more than this of 255, their lines are smoothed otherwise, no more."""
 
@@ -66,7 +69,7 @@ def test_the_pictures_are_those_that_the_log_tells(name: str, lesson) -> None:
     met = lesson(name).met
     due = Counter((one.title, len(one.pictures)) for one in pages.views(name, pages.language(name)))
     assert Counter((one.title, one.pictures) for one in met) == due
-    assert [(one.title, one.count) for one in met if one.count != str(one.pictures)] == []
+    assert [(one.title, one.count) for one in met if one.count != str(one.stops)] == []
     assert lesson(name).faults == []
 
 
@@ -135,10 +138,19 @@ def spoken_in(name: str) -> set[str]:
         for place in board.names:
             try:
                 told = tell(board, plans(), place, made.scene.language, why=True)
-                found.update(map(bare, told))
+                found.update(bare(NUMBERED.sub("", line)) for line in told)
             except SceneError:
                 continue
     return found
+
+
+def said_by_the_page(name: str) -> set[str]:
+    """What a page itself says of stops: what is given, what is ready, what is the same elsewhere."""
+    speech = speaking(pages.language(name))
+    found = {bare(speech(WORDS[key])) for key in ("given", "ready")}
+    made, _ = pages.on_sheets(name, pages.language(name))
+    again = speech(WORDS["again"])
+    return found | {bare(again.format(name=one)) for b in made.boards for one in b.names}
 
 
 def bare(text: str) -> str:
@@ -153,10 +165,10 @@ def test_what_is_told_is_what_the_protocol_tells(name: str, lesson) -> None:
         for one in lesson(name).met
         for lines in one.lines
         for line in lines
-        if NUMBERED.match(line) or " = " in line
+        if " = " in line or line.endswith(".")
     ]
     assert told or not lesson(name).met
-    due = spoken_in(name)
+    due = spoken_in(name) | said_by_the_page(name)
     assert [one for one in told if bare(one[1]) not in due][:5] == []
 
 
@@ -172,9 +184,58 @@ def test_lengths_are_those_of_the_tables(name: str, lesson) -> None:
     wrong = []
     for one in lesson(name).met:
         place = AT.search(one.title)
-        for line in (line for lines in one.lines for line in lines):
-            found = MEASURED.fullmatch(line)
+        for line in one.readings:
+            found = MEASURED.match(line)
             due = place and found and cells.get((place[1], bare(found["segment"])))
             if due and float(found["mm"].replace(",", ".").lstrip("−")) not in due:
                 wrong.append((one.address, line, due))
     assert wrong == []
+
+
+Cells = dict[tuple[str, str, str], set[str]]
+
+
+def printed(name: str) -> Cells:
+    """What tables of the sheets print, by plan, letter, position: a cell stands below its position's number."""
+    _, sheets = pages.on_sheets(name, pages.language(name))
+    found: dict[tuple[str, str], set[str]] = {}
+    for table in (
+        one for sheet in sheets for one in sheet.drawings if one.name.startswith("table-")
+    ):
+        rows: dict[float, list[tuple[float, str]]] = {}
+        for label in table.labels:
+            rows.setdefault(round(label.at.imag, 2), []).append((label.at.real, label.text))
+        head: list[tuple[float, str]] = []
+        for _, cells in sorted(rows.items(), reverse=True):
+            (_, letter), *others = sorted(cells)
+            if letter in ("Величина", "Quantity"):
+                head = others[1:]
+                continue
+            for x, text in others[1:] if head else ():
+                place = min(head, key=lambda one: abs(one[0] - x))[1]
+                key = table.name.split("-")[1], bare(letter), bare(place)
+                found.setdefault(key, set()).add(text)
+    return found
+
+
+TABLED = ("windrower", "crank-press", "oscillating-cylinder")
+"""Scenes whose sheets print tables of plans, position by position."""
+
+
+@pytest.mark.parametrize("name", TABLED)
+def test_values_are_the_texts_of_the_tables_on_the_sheets(name: str, lesson) -> None:
+    due, met, wrong = printed(name), 0, []
+    for one in lesson(name).met:
+        plan = re.match(r"#(\w+)", one.address)
+        for caption, rows in one.tables if plan else ():
+            place = VALUES.match(caption)
+            for segment, mm, _, told in rows[1:] if place else ():
+                letter, _, value = told.rpartition(" = ")
+                for symbol, text in ((segment, mm), (letter or segment, value)):
+                    cells = due.get((plan[1], bare(symbol), bare(place[1])))
+                    if cells and text:
+                        met += 1
+                        if text.split(" ")[0] not in cells:
+                            wrong.append((one.address, symbol, text, cells))
+    assert wrong == []
+    assert met > 20

@@ -1,0 +1,153 @@
+import { Cursors } from "./cursor.js";
+import { element, iconButton, typeset } from "./dom.js";
+import { Moving } from "./moving.js";
+import { placeOf } from "./strokes.js";
+import { fixedText, fourFigures, Values } from "./crank-values.js";
+
+/**
+ * @typedef {import("./types.js").Data} Data
+ * @typedef {import("./types.js").Dense} Dense
+ * @typedef {import("./types.js").MovingFigure} MovingFigure
+ * @typedef {{show: (k: number, drawn: boolean) => void, svg: SVGElement}} Shown
+ * @typedef {{name: string, title: string, figure: HTMLElement, leads: MovingFigure | null,
+ *   built: () => Shown, show: (k: number, drawn: boolean) => void}} Card
+ */
+
+/** What takes more over the turn has two columns, mm. */
+const BROAD = 240;
+/** Letters are told large enough to be read, px for a capital of 5 mm. */
+const LEGIBLE = 13;
+const CAPITAL = 5;
+const LARGEST = 2.2;
+/** At fewer px a millimetre lines are drawn broader. */
+const SEEN = 2;
+const FIT = "M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5";
+/** White about a drawing that is fitted, mm. */
+const ABOUT = 6;
+
+/**
+ * Return what moves with the crank, each as a card: figures, then the views of the sheets that bear cursors. A card is
+ * built when it is shown first.
+ * @param {Data} data
+ * @param {Dense} dense
+ * @param {Int32Array[]} packed
+ * @returns {Card[]}
+ */
+export function cardsOf(data, dense, packed) {
+  const figures = dense.figures.map((figure) => {
+    const values = new Values(dense, figureValues(dense, figure, packed));
+    const make = () => new Moving(dense, figure, packed);
+    return card(figure.name, figure.title, figure.caption, figure.box, values, make, figure, data.words["fit now"]);
+  });
+  const ids = [...new Set(dense.cursors.map((one) => one.view))];
+  const views = ids.flatMap((id) => {
+    const view = data.views.find((one) => one.id === id);
+    if (view === undefined) return [];
+    const own = dense.cursors.filter((one) => one.view === id);
+    /** @type {Float32Array[]} */
+    const rows = [];
+    for (const [n = 0, by] of own.flatMap((one) => [one.x, one.y])) {
+      if (by !== undefined) rows[n] ??= Float32Array.from(packed[n] ?? [], (value) => value / 1000);
+    }
+    const told = own.filter((one) => one.letter !== "").map((one) => {
+      const height = placeOf(one.y, rows);
+      return { ...one, number: (/** @type {number} */ k) => fourFigures((one.origin - height(k)) * one.mu, dense.decimal) };
+    });
+    const letters = [...new Set(told.map((one) => one.letter))];
+    const title = letters.length > 1 ? letters.join(", ") : view.title;
+    return [card(id, title, "", view.box, new Values(dense, told), () => new Cursors(view, own, rows), null)];
+  });
+  return [...figures, ...views];
+}
+
+/**
+ * @param {Dense} dense
+ * @param {MovingFigure} figure
+ * @param {Int32Array[]} packed
+ */
+function figureValues(dense, figure, packed) {
+  return figure.values.map((value) => {
+    const [n = 0, by] = value.row;
+    const own = (/** @type {number} */ k) => (by === undefined ? n : (packed[n]?.[k] ?? 0)) * value.worth;
+    return { ...value, number: (/** @type {number} */ k) => fixedText(own(k), value.places, dense.decimal) };
+  });
+}
+
+/**
+ * @param {string} name
+ * @param {string} title
+ * @param {string} caption
+ * @param {number[]} box
+ * @param {Values} values
+ * @param {() => Shown} make
+ * @param {MovingFigure | null} own
+ * @param {string} fit what the button is called that fits the drawing to the present angle
+ * @returns {Card}
+ */
+function card(name, title, caption, box, values, make, own, fit = "") {
+  const heading = element("figcaption", {}, element("span", {}, ...typeset(title)), element("small", {}, ...typeset(caption)));
+  const figure = element("figure", { class: "card" }, heading, values.list);
+  const [, , width = 1, height = 1] = box;
+  figure.classList.toggle("wide", width > BROAD);
+  /** @type {Shown | null} */
+  let shown = null;
+  const built = () => {
+    if (shown === null) {
+      shown = make();
+      figure.prepend(shown.svg);
+      shown.svg.style.aspectRatio = `${width} / ${height}`;
+      readable(shown.svg);
+      if (own !== null) heading.append(fitting(shown.svg, box, fit));
+    }
+    return shown;
+  };
+  return {
+    name,
+    title,
+    figure,
+    leads: own?.crank === undefined ? null : own,
+    built,
+    show(k, drawn) {
+      built().show(k, drawn);
+      values.show(k, drawn);
+    },
+  };
+}
+
+/**
+ * Return the button that shows the present drawing as large as there is room, or the room of the whole turn again.
+ * @param {SVGElement} svg
+ * @param {number[]} box of the whole turn
+ * @param {string} name
+ */
+function fitting(svg, box, name) {
+  const made = iconButton(FIT, name, () => {
+    const fits = made.getAttribute("aria-pressed") !== "true";
+    made.setAttribute("aria-pressed", String(fits));
+    const body = /** @type {SVGGraphicsElement | null} */ (svg.querySelector(".body"));
+    const now = body?.getBBox();
+    const close = now === undefined ? box : [now.x - ABOUT, now.y - ABOUT, now.width + 2 * ABOUT, now.height + 2 * ABOUT];
+    svg.setAttribute("viewBox", (fits ? close : box).join(" "));
+    weigh(svg);
+  });
+  made.setAttribute("aria-pressed", "false");
+  return made;
+}
+
+/**
+ * Let the letters of a drawing be read where it is small.
+ * @param {SVGElement} svg
+ */
+function readable(svg) {
+  new ResizeObserver(() => weigh(svg)).observe(svg);
+}
+
+/** @param {SVGElement} svg */
+function weigh(svg) {
+  const { width, height } = svg.getBoundingClientRect();
+  const [, , across = 1, up = 1] = (svg.getAttribute("viewBox") ?? "").split(" ").map(Number);
+  const scale = Math.min(width / across, height / up);
+  if (!(scale > 0)) return;
+  svg.style.setProperty("--larger", Math.min(LARGEST, Math.max(1, LEGIBLE / (CAPITAL * scale))).toFixed(2));
+  svg.style.setProperty("--heavier", Math.max(1, SEEN / scale).toFixed(2));
+}
