@@ -14,6 +14,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.readers.protocol import plans as every_plan
+from graphic_tmm.scene.records import Scene
 from graphic_tmm.scenes import scene_name
 
 FORMATS = ("svg", "pdf", "png")
@@ -44,8 +45,11 @@ def all_series(made: DrawnScene, plans: Sequence[str], position: str | None) -> 
 
 def handout(made: DrawnScene, plans: Sequence[str], position: str | None) -> list[Sheet]:
     """Return the sheets of the series of plans, an overview before them; see `all_series`."""
-    scene = made.scene
-    found = all_series(made, plans, position)
+    return framed_series(made.scene, all_series(made, plans, position))
+
+
+def framed_series(scene: Scene, found: Sequence[Series]) -> list[Sheet]:
+    """Return series on sheets in their frames, an overview before them."""
     papers = [(one.title, drawings) for one in found for drawings in pages(one)]
     title = speaking(scene.language)(OVERVIEW)
     first = [(title, drawings) for drawings in overview(found, title, scene.language)]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 from typing import NamedTuple
@@ -55,9 +55,14 @@ class Bare(NamedTuple):
     told: tuple[str, ...]
 
 
-def bare(view: Drawing) -> Bare:
-    """Return a view without its caption and without what a page would read of its strokes."""
-    caption = _caption(view)
+def bare(view: Drawing, names: Sequence[str] = ()) -> Bare:
+    """Return a view without its caption and without what a page would read of its strokes.
+
+    ``names``: what the plans are called that it shows: their captions stand within it.
+    """
+    below = _caption(view)
+    within = [one for one in view.labels if one not in below and _inner(one, names)]
+    caption = [*below, *within]
     view = view._replace(
         strokes=tuple(_mute(one) for one in view.strokes),
         rubbed=tuple(_mute(one) for one in view.rubbed),
@@ -67,6 +72,14 @@ def bare(view: Drawing) -> Bare:
         foot=0.0,
     )
     return Bare(view, tuple(label.text for label in caption))
+
+
+def _inner(label: Label, names: Sequence[str]) -> bool:
+    """Whether a line of lettering is the caption of a plan within a view: its name, or its scale factor."""
+    text = plain(label.text)
+    if len(text) <= WORD:
+        return False
+    return any(text in name for name in names) or (text.startswith("μ") and " = " in text)
 
 
 def _caption(view: Drawing) -> list[Label]:

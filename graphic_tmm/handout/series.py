@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
+from graphic_tmm.captions import view_name
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.handout.ink import done, new
 from graphic_tmm.handout.sized import Draw, Manner, fitting, whole
@@ -56,10 +57,11 @@ class Series(NamedTuple):
 
 
 def series(drawn: Drawn, draw: Draw, place: int, untold: frozenset[int] = frozenset()) -> Series:
-    """Return the series of a view that begins with a position (index)."""
+    """Return the series of a view that begins with a position (index); ``untold``: see `story`."""
     language = drawn.scene.language
+    names = [view_name(name, language) for name in draw(1.0, False).shows]
     speech = speaking(language)
-    sized = fitting(draw)
+    sized = fitting(draw, names)
     view = sized.bare.view
     made = _begun(story(drawn, view, place, language, untold))
     found: list[Picture] = []

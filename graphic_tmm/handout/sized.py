@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache
 from typing import NamedTuple
 
@@ -70,15 +70,17 @@ class Sized(NamedTuple):
     manner: Manner
 
 
-def fitting(draw: Draw) -> Sized:
+def fitting(draw: Draw, names: Sequence[str]) -> Sized:
     """Return a view in the first manner in which it is not much smaller and its letters have room.
+
+    ``names``: see `bare`.
 
     Where there is none, it is as large as a sheet holds it.
     """
 
     @cache
     def at(factor: float, lettered: bool = True) -> Bare:
-        made = bare(draw(factor, lettered))
+        made = bare(draw(factor, lettered), names)
         return made._replace(view=enlarged(made.view, factor))
 
     x0, y0, x1, y1 = bounds(whole(at(1.0, False).view)._replace(labels=()))

@@ -19,7 +19,9 @@ SENTENCE, REASON = 3.5, 2.5
 SPACE = 0.8
 """What is between the letters of two words, of their height."""
 _SIGN = r"(?:[^\W_⁰-⁹⁻¹²³])"
-_INDEX = re.compile(rf"_(?P<low>{_SIGN}+)|\^(?P<high>{_SIGN}+)|(?<=[^\W\d_⁰-⁹¹²³⁻])(?P<figure>\d+)")
+_INDEX = re.compile(
+    rf"_(?P<low>{_SIGN}+)|\^(?P<high>[−+*]|{_SIGN}+(?:_{_SIGN}+)?)|(?<=[^\W\d_⁰-⁹¹²³⁻])(?P<figure>\d+)"
+)
 
 
 class Row(NamedTuple):
@@ -45,11 +47,14 @@ def indexed(text: str) -> str:
 
     >>> indexed("v_A = ω_1·l_OA, pa3")
     'v_{A} = ω_{1}·l_{OA}, pa_{3}'
+    >>> indexed("(c_к + x_k0)^n_к, E_1^−")
+    '(c_{к} + x_{k0})^{n_{к}}, E_{1}^{−}'
     """
 
     def put(found: re.Match[str]) -> str:
         if found["high"]:
-            return f"^{{{found['high']}}}"
+            head, _, low = found["high"].partition("_")
+            return f"^{{{head}_{{{low}}}}}" if low else f"^{{{head}}}"
         return f"_{{{found['low'] or found['figure']}}}"
 
     parts, at = [], 0

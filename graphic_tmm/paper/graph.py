@@ -24,7 +24,7 @@ from graphic_tmm.paper.lettering.letters import (
 )
 from graphic_tmm.paper.rules import segment
 from graphic_tmm.paper.seen import Rule, finite
-from graphic_tmm.paper.symbols.dimensions import Dimension, dimension
+from graphic_tmm.paper.symbols.dimensions import SIZE, Dimension, dimension
 from graphic_tmm.paper.symbols.kinematic import pole
 
 ASIDE = 14.0
@@ -91,7 +91,12 @@ def draw_graph(
     graph = Graph(construction, reading, view, row)
     traces = figure(graph, manner_of(graph, rules))
     strokes = [*traces.staying, *_outlines(graph), *_poles(graph), *_levels(graph, names)]
-    made = [*_lengths(graph, names), *_distances(graph, names), *_spans(graph, names)]
+    small = heights.number
+    made = [
+        *_lengths(graph, names, small),
+        *_distances(graph, names, small),
+        *_spans(graph, names, small),
+    ]
     for mark, one in made:
         drawn = one.strokes
         strokes += added(drawn, "dimension") if mark is None else body(drawn, "dimension", [mark])
@@ -136,16 +141,16 @@ def _levels(graph: Graph, names: Names) -> Iterator[Ink]:
 Dimensioned = Iterator[tuple[Mark | None, Dimension]]
 
 
-def _lengths(graph: Graph, names: Names) -> Dimensioned:
+def _lengths(graph: Graph, names: Names, size: float) -> Dimensioned:
     """What is measured along the axis of the ordinates, left of it."""
     for step in graph.steps:
         if step.it in names.lengths and step.op is measure_along:
             low, high = (graph.point(mark, 0) for mark in step.uses[:2])
             if finite(low, high):
-                yield step.it, dimension(low, high, ASIDE, names.lengths[step.it])
+                yield step.it, dimension(low, high, ASIDE, names.lengths[step.it], size)
 
 
-def _distances(graph: Graph, names: Names) -> Dimensioned:
+def _distances(graph: Graph, names: Names, size: float) -> Dimensioned:
     """The distances of the poles, above the rays."""
     for step in graph.steps:
         if step.it.role == roles.POLE and step.uses[1] in names.lengths:
@@ -154,19 +159,20 @@ def _distances(graph: Graph, names: Names) -> Dimensioned:
                 high, _ = graph.high_and_low
                 text = names.lengths[step.uses[1]]
                 away = high + ABOVE - spot.imag
-                yield step.it, dimension(complex(0, spot.imag), spot, -away, text)
+                yield step.it, dimension(complex(0, spot.imag), spot, -away, text, size)
 
 
-def _spans(graph: Graph, names: Names) -> Dimensioned:
+def _spans(graph: Graph, names: Names, size: float) -> Dimensioned:
     """Stretches of the base; one whose figure finds no room stands lower."""
     _, low = graph.high_and_low
     low = min([low, *(one.height for one in names.levels)])
+    under = UNDER * max(1.0, size / SIZE)
     for start, end, text in names.spans:
         if end - start > TICK:
-            level = low - UNDER / 3
-            wide = letter(text, size=3.5).width > end - start - 2.0
+            level = low - under / 3
+            wide = letter(text, size=size).width > end - start - 2.0
             ends = complex(start, level), complex(end, level)
-            yield None, dimension(*ends, -(2 if wide else 1) * UNDER, text)
+            yield None, dimension(*ends, -(2 if wide else 1) * under, text, size)
 
 
 def _positions(graph: Graph, names: Names) -> tuple[list[Named], list[Named]]:
@@ -185,7 +191,7 @@ def _letters(graph: Graph, names: Names, heights: Heights) -> Iterator[Wanted]:
     """The names of the axes, of poles, limits and curves, and of points that are one of a kind."""
     point, small = heights.point, heights.number
     high, _ = graph.high_and_low
-    aside = any(True for _ in _distances(graph, names))
+    aside = any(True for _ in _distances(graph, names, heights.number))
     tip = complex(0, high + OVER - point / 2)
     yield Wanted(names.up, tip, point, 1.5, 1 + 0j if aside else -1 + 0j)
     yield Wanted(names.along, complex(graph.length + OVER, 0), point, 1.5, -1j)

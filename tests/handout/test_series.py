@@ -20,7 +20,7 @@ from graphic_tmm.readers.covering import covering
 from graphic_tmm.readers.narration import protocol
 
 SCENES = [name for name in ALL if name != "lettering"]
-CHEAP = [name for name in ("slider-diagrams", "crank-rocker", "planetary") if name in EVERYDAY]
+CHEAP = [name for name in ("slider-diagrams", "crank-rocker") if name in EVERYDAY]
 THIN = {"thin", "dashed", "centre", "phantom", "outline", "pin", "over", "paper"}
 
 
@@ -107,8 +107,8 @@ def assert_all_is_told(some: Sequence[tuple[Chosen, Series]]) -> None:
     found: dict[tuple[str, str, int], set[Told]] = {}
     for one, made in some:
         for view in one.view.shows:
-            for number, line in lines_of(one, view):
-                due.setdefault((one.drawn.board, view, number), set()).add(line)
+            for number, words in lines_of(one, view):
+                due.setdefault((one.drawn.board, view, number), set()).add(words)
         for line in (line for picture in made.pictures for line in picture.lines):
             if line.step is not None:
                 key = one.drawn.board, line.step.it.view, line.number

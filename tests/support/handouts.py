@@ -9,7 +9,7 @@ from functools import cache
 from graphic_tmm.board.record import Construction
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.handout.chosen import Chosen, chosen
-from graphic_tmm.handout.handout import handout
+from graphic_tmm.handout.handout import framed_series
 from graphic_tmm.handout.series import Series, series
 from graphic_tmm.paper.drawing import Drawing, Ink, Sheet, Stroke
 from graphic_tmm.paper.lettering.letters import plain
@@ -17,7 +17,7 @@ from graphic_tmm.readers.protocol import plans
 from graphic_tmm.studio import make
 from support.gallery import made, scene
 
-LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉₊₋⁺", "0123456789+−+")
+LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉₊₋⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", 2 * "0123456789+−")
 
 
 def spoken(name: str, language: str = "") -> DrawnScene:
@@ -42,7 +42,8 @@ def told(name: str, language: str = "") -> tuple[tuple[Chosen, Series], ...]:
 @cache
 def papers(name: str, language: str = "") -> tuple[Sheet, ...]:
     """The sheets of every series of a scene of the package."""
-    return tuple(handout(spoken(name, language), plans(), None))
+    found = [one for _, one in told(name, language)]
+    return tuple(framed_series(spoken(name, language).scene, found))
 
 
 def drawn_last(log: Construction, view: Drawing) -> dict[int, set[int | None]]:

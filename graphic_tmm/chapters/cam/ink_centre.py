@@ -147,7 +147,7 @@ def _bodies(ink: _Region) -> Iterator[Ink]:
 
 def _dimensions(ink: _Region, names: CentreNames) -> Iterator[tuple[tuple[Ink, ...], Label | None]]:
     """The dimensions of both radii on either side, that of an offset; a radius that leans is a line."""
-    made = ink.made
+    made, small = ink.made, ink.on.heights.number
     rows = (
         (made.least_centre, ink.least, names.least, -ink.out, -ink.near),
         (made.centre, ink.centre, names.r0, ink.out, ink.far),
@@ -157,12 +157,12 @@ def _dimensions(ink: _Region, names: CentreNames) -> Iterator[tuple[tuple[Ink, .
             continue
         if abs(spot.real) <= LEAST:
             left = 1.0 if (-1j * spot * np.conj(way)).real > 0 else -1.0
-            size = dimension(spot, 0j, left * (min(room, 40.0) + ASIDE), text)
+            size = dimension(spot, 0j, left * (min(room, 40.0) + ASIDE), text, small)
             strokes, label = list[Ink](size.strokes), size.label
         elif mark == made.centre:
             low = complex(0, spot.imag)
             ends = (low, spot) if spot.real > 0 else (spot, low)
-            size = dimension(*ends, -(ABOVE + ASIDE), names.offset)
+            size = dimension(*ends, -(ABOVE + ASIDE), names.offset, small)
             strokes = [line("thin", spot, 0j), line("thin", 0j, low), *size.strokes]
             label = size.label
         else:

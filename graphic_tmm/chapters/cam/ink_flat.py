@@ -122,7 +122,7 @@ def _dimensions(ink: _Convexity, names: CentreNames) -> Iterator[tuple[tuple[Ink
         (made.least, ink.least, names.least, -ASIDE),
     ):
         if finite(ink.cut, end) and abs(end) > LEAST:
-            size = dimension(end, 0j, offset, text)
+            size = dimension(end, 0j, offset, text, ink.on.heights.number)
             strokes = tuple(body(size.strokes, "dimension", [mark]))
             yield strokes, size.label._replace(of=(mark.slot,))
 

@@ -81,7 +81,7 @@ def draw_all_forces(
     labels = []
     if finite(at.o, at.b) and abs(at.b - at.o) > LEAST:
         down = -1 if (at.b - at.o).real >= 0 else 1
-        told = dimension(at.o, at.b, down * BELOW, "OB")
+        told = dimension(at.o, at.b, down * BELOW, "OB", heights.number)
         strokes += body(told.strokes, "dimension", [made.points[0], made.points[2]], k)
         slots = (made.points[0].slot, made.points[2].slot)
         named = made.points[0].letter + made.points[2].letter

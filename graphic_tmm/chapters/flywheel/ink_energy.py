@@ -58,7 +58,7 @@ def draw_energy_mass_ink(
     ]
     ends = [seen.point(mark, 0) for mark in made.ends]
     if finite(*ends):
-        ab = dimension(ends[1], ends[0], ASIDE, figures[0])
+        ab = dimension(ends[1], ends[0], ASIDE, figures[0], heights.number)
         strokes += body(ab.strokes, "dimension", [made.segment])
         labels.append(ab.label._replace(of=(made.segment.slot,)))
     for mark, angle, end, text in zip(made.ends, made.angles, ends, figures[1:], strict=True):

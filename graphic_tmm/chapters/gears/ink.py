@@ -67,7 +67,8 @@ def draw_gear_ink(
     if ink.shown(0) and ink.shown(1):
         left = bounds(Drawing(VIEW, title, tuple(strokes)))[0]
         told = f"a_{{w}} = {fixed(1000 * ink.real(made.sizes.a_w), 2, language)}"
-        size = dimension(ink.centres[0], ink.centres[1], ink.centres[0].real - left + ASIDE, told)
+        aside = ink.centres[0].real - left + ASIDE
+        size = dimension(ink.centres[0], ink.centres[1], aside, told, heights.number)
         centres = [circles.centre for circles in made.line.circles]
         strokes += body(size.strokes, "dimension", centres)
         taken.append(size.label._replace(of=tuple(mark.slot for mark in centres)))

@@ -31,8 +31,10 @@ class Dimension(NamedTuple):
     label: Label
 
 
-def dimension(start: complex, end: complex, offset: float, text: str) -> Dimension:
-    """Return the dimension of ``start``–``end`` on a line ``offset`` mm to its left.
+def dimension(
+    start: complex, end: complex, offset: float, text: str, size: float = SIZE
+) -> Dimension:
+    """Return the dimension of ``start``–``end`` on a line ``offset`` mm to its left; ``size`` of its figure.
 
     The figure stands above the line, or left of a vertical one; where the arrows have no room between the
     extension lines they stand outside, and the line goes on behind them. What has no length is measured
@@ -42,7 +44,7 @@ def dimension(start: complex, end: complex, offset: float, text: str) -> Dimensi
     out = 1j * way * math.copysign(1.0, offset)
     a, b = start + abs(offset) * out, end + abs(offset) * out
     strokes = [line("thin", z, w + BEYOND * out) for z, w in ((start, a), (end, b))]
-    made = letter(text, size=SIZE)
+    made = letter(text, size=size)
     inside = abs(end - start) >= 2 * ARROW + 1.0
     reach = 0.0 if inside else 2 * ARROW
     strokes.append(line("thin", a - reach * way, b + reach * way))
@@ -56,7 +58,7 @@ def dimension(start: complex, end: complex, offset: float, text: str) -> Dimensi
         middle = b + (reach + 1.0 + made.width / 2) * way
         strokes.append(line("thin", b + reach * way, middle + made.width / 2 * way))
     at = middle + (ABOVE + made.descent) * 1j * read
-    label = Label(text, at, SIZE, "middle", round(math.degrees(cmath.phase(read)), 6))
+    label = Label(text, at, size, "middle", round(math.degrees(cmath.phase(read)), 6))
     return Dimension(tuple(strokes), label)
 
 
