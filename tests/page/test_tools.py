@@ -51,7 +51,9 @@ def assert_named(name: str) -> None:
                 kind, words, *numbers = line.get("tool", ["", line.get("calc"), ()])
                 assert words, line
                 assert all(isinstance(x, float) for x in numbers) or kind == ""
-                assert not re.search(r"(?<![_^])\{", words), "every name of the sentence is filled in"
+                assert not re.search(r"(?<![_^])\{", words), (
+                    "every name of the sentence is filled in"
+                )
 
 
 @pytest.mark.parametrize("name", ["engine", "cam", "windrower"])
