@@ -137,9 +137,10 @@ export class State {
       (one) => one.plan === plan && (one.position || WHOLE) === (position || one.position || WHOLE),
     );
     const known = view >= 0;
+    const alone = !known && this.tabs.includes(plan ?? "") ? plan : undefined;
     this.arrive(
       this.within({
-        tab: found[1] ?? this.tabs[0] ?? "",
+        tab: found[1] ?? alone ?? this.tabs[0] ?? "",
         view: known ? view : this.place.view,
         picture: known ? Number(found[4] ?? 0) : this.place.picture,
         turn: Number(found[5] ?? this.place.turn),
