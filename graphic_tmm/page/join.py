@@ -16,12 +16,15 @@ LOWER = 0.2
 _IMPORT = re.compile(r'^import \{[^}]*\} from "\./([\w-]+)\.js";\n', re.M)
 _EXPORT = re.compile(r"^export (?=(?:async )?(?:function|const|let|class)\b)", re.M)
 _NAME = re.compile(r"^(?:export )?(?:async )?(?:function\*?|const|let|class) (\w+)", re.M)
+_INDENT = re.compile(r"^[ \t]+", re.M)
 _COMMENT = re.compile(r"^[ \t]*/\*\*(?:(?!\*/).|\n)*\*/\n|^[ \t]*//.*\n", re.M)
 
 
 @cache
 def script() -> str:
-    """Return the page's program: all modules behind those that they import, without their comments.
+    """Return the page's program: all modules behind those that they import, without comments and indents.
+
+    No text of a module goes over a line (tests/page/test_join.py), so that indents are nobody's.
 
     Raises SheetError where two modules have one name at their top.
     """
@@ -35,7 +38,8 @@ def script() -> str:
             if found in taken:
                 raise SheetError(f"page/web: {found} stands in {taken[found]}.js and in {name}.js")
             taken[found] = name
-        parts.append(_EXPORT.sub("", _COMMENT.sub("", _IMPORT.sub("", text))).strip("\n"))
+        bare = _EXPORT.sub("", _COMMENT.sub("", _IMPORT.sub("", text)))
+        parts.append(_INDENT.sub("", bare).strip("\n"))
     return "\n" + "\n".join(parts) + "\n"
 
 

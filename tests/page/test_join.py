@@ -16,9 +16,17 @@ def test_every_line_of_code_is_carried():
             for line in module.read_text("utf-8").splitlines()
             if not line.startswith("import {")
         ]
-        code.update(line.removeprefix("export ") for line in lines if line and not _comment(line))
+        code.update(
+            line.lstrip().removeprefix("export ") for line in lines if line and not _comment(line)
+        )
     joined = Counter(line.removeprefix("export ") for line in script().splitlines() if line)
     assert joined == code
+
+
+def test_no_text_goes_over_a_line():
+    for module in MODULES:
+        for line in module.read_text("utf-8").splitlines():
+            assert line.count("`") % 2 == 0, line
 
 
 def test_no_comment_is_carried():
