@@ -26,8 +26,10 @@ export function showPoster(data, state, paper) {
   paper.classList.add("posed");
   const first = state.place;
   state.hear((place) => {
-    if (place === first) return;
+    if (place === first || !card.isConnected) return;
     card.remove();
     paper.classList.remove("posed");
+    const onward = place.tab === first.tab && place.view === first.view && place.picture === first.picture;
+    if (onward && !place.running) state.go({ picture: 0 }); // behind the poster nothing follows: it begins
   });
 }

@@ -228,6 +228,15 @@ def test_first_sight_says_what_this_is_and_what_to_press(page_of) -> None:
     page.get_by_role("button", name="Pause").first.click()
 
 
+def test_the_first_key_begins_where_the_poster_stood_ready(page_of) -> None:
+    page = page_of("crank-rocker", "en").page
+    page.keyboard.press("ArrowRight")
+    assert page.locator(".poster").count() == 0
+    assert page.locator("#play .stage").get_attribute("data-step") == "0"
+    page.keyboard.press("ArrowRight")
+    assert page.locator("#play .stage").get_attribute("data-step") == "1"
+
+
 def test_an_address_survives_and_back_goes_to_the_plan_before(page_of) -> None:
     page = page_of("windrower", "en", STEP).page
     where = "() => location.hash"
