@@ -19,6 +19,7 @@ from graphic_tmm.readers.sentences import Phrase, grounds, phrase
 Run = str | list[Any]
 """Text, or the mark-up of a letter with the slot of its mark."""
 _INDEX = re.compile(r"_((?:(?!\w′*_)[^\W_²³]|[′*–-])+)")
+_RAISED = re.compile(r"\^(\w+)")
 _FIGURE = re.compile(r"[_^]?\{[^{}]*\}|([^\W\d_])(\d+)")
 _SINGLE = re.compile(r"([_^])([^{])")
 
@@ -102,10 +103,12 @@ def indexed(text: str) -> str:
     ('v_{A} = ω_{1}·l_{OA}', '(O_{1}B_{1})')
     >>> indexed("a_A = ω_1²·l_OA")
     'a_{A} = ω_{1}²·l_{OA}'
+    >>> indexed("R_63^τ = 9192 N")
+    'R_{63}^{τ} = 9192 N'
     >>> indexed("ps1/pa3 = OS1/OA = 27,17 mm")
     'ps_{1}/pa_{3} = OS_{1}/OA = 27,17 mm'
     """
-    told = _INDEX.sub(r"_{\1}", text)
+    told = _RAISED.sub(r"^{\1}", _INDEX.sub(r"_{\1}", text))
     return _FIGURE.sub(lambda found: f"{found[1]}_{{{found[2]}}}" if found[1] else found[0], told)
 
 
@@ -119,7 +122,7 @@ def _runs(said: Phrase, step: Step, language: str) -> Iterator[Run]:
     marks = dict(zip(step.op.arguments, step.uses, strict=True)) | {"it": step.it}
     for text, name, _, _ in Formatter().parse(template):
         if text:
-            yield text
+            yield indexed(text)
         if name is None:
             continue
         mark, word = marks.get(name), words[name]

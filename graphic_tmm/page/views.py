@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from graphic_tmm.board.operations.instruments import measure_along
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain as plainly
@@ -19,13 +20,15 @@ from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.seen import Seen
 from graphic_tmm.paper.write.svg import clean, ids
-from graphic_tmm.readers.equations import polygon
+from graphic_tmm.readers.equations import called, polygon
 from graphic_tmm.readers.titles import title_of
 
 EDGE = 6.0
 """White about a view, mm."""
 _POSITION = said("position")
 _MISSING = said("Not there in this position: {listed}.")
+_AGAIN = ("it", "calc", "row", "read", "sign")
+"""What is told of a step that is done again in another position."""
 _AGAINST = said("The sign is minus: it points against its line.")
 
 
@@ -132,7 +135,12 @@ class _View:
         if title:
             name = title_of(self.drawn.project, told.view, self.language)
             yield {"head": True, "text": [indexed(name)]}
-        terms = polygon(self.played.log, told.view)
+        equations = [
+            text
+            for chapter in self.drawn.project.chapters
+            for text in chapter.equations(self.drawn, told.view, self.language)
+        ]
+        terms = called(polygon(self.played.log, told.view), equations)
         if terms and all(term.line is None or term.line.slot in self.made for term in terms):
             yield sum_of(terms, self.made, self.language)
 
@@ -149,13 +157,14 @@ class _View:
             found.pop("calc", None)
             found["row"] = row
             mm = reading.figure(step.it)[0]
-            if mm[told.line.place if mm.size > 1 else 0] < 0 and "−" not in row[2]:
-                found["sign"] = speaking(self.language)(_AGAINST)
+            against = mm[told.line.place if mm.size > 1 else 0] < 0 and "−" not in row[2]
+            if against and step.op is measure_along:
+                found |= {"read": f"−{row[2]}", "sign": speaking(self.language)(_AGAINST)}
         if not step.op.formula:
             kind, words, *numbers = self.desk(told.view).hint(step, told.line.place)
             found["tool"] = [kind, indexed(words), *numbers]
         if again and told.slot in self.made:
-            found = {key: found[key] for key in ("it", "calc", "row", "sign") if key in found}
+            found = {key: found[key] for key in _AGAIN if key in found}
         yield found
 
     def desk(self, view: str) -> Desk:

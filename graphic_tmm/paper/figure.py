@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Point
 from graphic_tmm.paper.drawing import Drawing, Ink, Label
 from graphic_tmm.paper.rules import rule_of, stays
 from graphic_tmm.paper.seen import Rule, Seen
@@ -106,13 +107,15 @@ def pictures(
     """Return the pictures of a view in the order in which it is drawn: the given first, then its steps.
 
     ``begin``: the position (index) that is drawn step by step, of those that have ink; None: the first of them.
-    A body and a letter appear with the last of the marks that they stand on; what a view adds is there from the
-    beginning, or with the marks that it begins with; letters that belong to no ink yet wait for the first. What
-    is the same in all positions is drawn once, with the first position; the others follow, one
-    picture each, and then what comes of all of them: a curve through their points. Where steps of positions
-    need that (the curve of a diagram that another is drawn from), they follow in turn.
+    A body and a letter appear with the last of the marks that they stand on, the names of points in one place
+    with the first of these; what a view adds is there at once, or with the marks that it begins with;
+    letters that belong to no ink yet wait for the first. What is the same in all positions is drawn once, with
+    the first position; the others follow, one picture each, and then what comes of all of them: a curve through
+    their points. Where steps of positions need that (the curve of a diagram that another is drawn from), they
+    follow in turn.
     """
     order = {step.it.slot: n for n, step in enumerate(construction.steps)}
+    points = _points(construction)
     ink: dict[_When, list[Ink]] = {}
     letters: dict[_When, list[Label]] = {}
     for stroke in (*drawing.strokes, *drawing.rubbed):
@@ -120,8 +123,7 @@ def pictures(
             stroke
         )
     for label in drawing.labels:
-        when = _when(order, label.of or drawing.begins, label.position)
-        letters.setdefault(when, []).append(label)
+        letters.setdefault(_lettered(order, points, label, drawing.begins), []).append(label)
     begun = (-1, None)
     if begun not in ink and not any(label.of for label in letters.get(begun, ())):
         first = min((key for key in (*ink, *letters) if key != begun), key=_in_turn, default=begun)
@@ -162,10 +164,13 @@ def until(construction: Construction, drawing: Drawing, mark: Mark, position: in
     What is the same in all positions is there with its step; in positions before it all is there.
     """
     order = {step.it.slot: n for n, step in enumerate(construction.steps)}
-    now = order[mark.slot]
+    now, points = order[mark.slot], _points(construction)
 
     def there(one: Ink | Label) -> bool:
-        when, place = _when(order, one.of, one.position)
+        if isinstance(one, Label):
+            when, place = _lettered(order, points, one)
+        else:
+            when, place = _when(order, one.of, one.position)
         return when <= now if place is None or place == position else place < position
 
     ink = (*drawing.strokes, *drawing.rubbed)
@@ -174,6 +179,22 @@ def until(construction: Construction, drawing: Drawing, mark: Mark, position: in
 
 _When = tuple[int, int | None]
 """The number of the step with which something appears, -1 before the first, and its position (None: all)."""
+
+
+def _points(construction: Construction) -> set[int]:
+    """Return the slots of the points of a log."""
+    steps = (step.it for step in construction.steps)
+    return {mark.slot for mark in (*construction.given, *steps) if mark.kind is Point}
+
+
+def _lettered(
+    order: Mapping[int, int], points: Set[int], label: Label, begins: tuple[int, ...] = ()
+) -> _When:
+    """Return when a letter appears; the names of points in one place (p, b) with the first of them."""
+    of = label.of
+    if len(of) > 1 and points >= set(of) and len(label.text.split(", ")) == len(of):
+        of = (min(of, key=lambda slot: order.get(slot, -1)),)
+    return _when(order, of or begins, label.position)
 
 
 def _when(order: Mapping[int, int], of: tuple[int, ...], position: int | None) -> _When:

@@ -9,7 +9,7 @@ the line itself. A side that begins at the pole has no vector but that of the li
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from graphic_tmm.board import roles
@@ -23,6 +23,7 @@ QUANTITIES = {"p": "v", "π": "a"}
 """What a segment stands for whose name begins with the letter of a pole."""
 VECTORS = {roles.VELOCITY: "v", roles.ACCELERATION: "a"}
 """The vectors of a plan by the role of its pole."""
+_INDEX = re.compile(r"([_^])(\w+)")
 _GROUP, _HEADING = re.compile(r"II\((.+)\)"), said("group {name} of class II")
 """How the log heads the steps of a group, and what people read: II before a vector would be a parallel."""
 
@@ -224,6 +225,20 @@ def polygon(construction: Construction, plan: str) -> tuple[Term, ...]:
             Term(f"{letter[0]}_{{{letter[1:]}}}", False, marks=(end, view.pole, closing.it))
         )
     return tuple(found)
+
+
+def called(terms: tuple[Term, ...], equations: Iterable[str]) -> tuple[Term, ...]:
+    """Return the sides of a polygon by the letters that the equation of its group has for them, if it has one.
+
+    A line is called by the force that lies on it; of a reaction in two parts the equation tells the part.
+    """
+    for text in equations:
+        letters = [_INDEX.sub(r"\1{\2}", one) for one in text.partition(" = ")[0].split(" + ")]
+        if len(letters) == len(terms) > 0:
+            return tuple(
+                one._replace(symbol=letter) for one, letter in zip(terms, letters, strict=True)
+            )
+    return terms
 
 
 def _force(line: Mark) -> str:

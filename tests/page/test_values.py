@@ -119,3 +119,34 @@ def test_terms_of_equations_are_drawn_by_stops(name: str) -> None:
                         assert term["of"] or term["s"] == "0"
                         if term["u"] == 1:
                             assert term["from"] >= n, "an unknown is drawn behind its equation"
+
+
+POLYGONS = {
+    "forces 4-5": ["G_{5}", "P_{и5}", "F_{5}", "R_{65}", "R_{34}"],
+    "forces 2-3": ["G_{3}", "P_{и3}", "R_{43}", "R_{63}^{τ}", "R_{63}^{n}", "R_{12}"],
+    "forces 1": ["G_{1}", "P_{и1}", "R_{21}", "P_{ур}", "R_{61}"],
+}
+"""The sums of forces of the windrower's groups, written down by hand: no inner reaction among them."""
+
+
+def test_the_sum_of_a_polygon_names_the_forces_on_its_group() -> None:
+    found = {
+        view["plan"]: [term["s"] for term in line["equation"]["sides"][0]]
+        for view in data("windrower")["views"]
+        for picture in view["pictures"]
+        for line in picture["lines"]
+        if view["plan"] in POLYGONS and "equation" in line
+    }
+    assert found == POLYGONS
+
+
+def test_what_was_read_against_its_line_bears_its_sign() -> None:
+    signed = [
+        line
+        for view in data("windrower")["views"]
+        for picture in view["pictures"]
+        for line in picture["lines"]
+        if "sign" in line
+    ]
+    assert signed
+    assert all(line["read"] == f"−{line['row'][2]}" for line in signed)

@@ -155,3 +155,14 @@ def test_a_view_knows_where_its_origin_went() -> None:
         assert drawn_
         for z in drawn_[0].controls[3:-1:3]:
             assert min(abs(z - view.origin(one) - end) for end in ends) < 1e-9
+
+
+def test_points_in_one_place_are_named_when_the_first_of_them_is_there() -> None:
+    """C, S3 and n4 of the windrower share a place on its acceleration plan: c is named with its own step."""
+    work = drawn("windrower", exact=True)
+    view = plan(work, "accelerations", 2)
+    shared = next(label for label in view.labels if ", " in label.text)
+    order = {step.it.slot: n for n, step in enumerate(work.construction.steps)}
+    made = pictures(work.construction, view)
+    (there,) = (picture for picture in made if shared in picture.letters)
+    assert min(order[slot] for slot in shared.of) in [order[slot] for slot in there.marks]

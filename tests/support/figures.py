@@ -89,6 +89,9 @@ def assert_pictures_make_the_view(log: Construction, view: Drawing) -> None:
         if picture.position is not None:
             assert when > last.get(picture.position, -1), "pictures go in the order of the steps"
         last[picture.position] = when
-        for stroke in (*picture.ink, *picture.letters):
+        for stroke in picture.ink:
             assert all(order.get(slot, -1) <= when for slot in stroke.of)
+        for label in picture.letters:
+            there = [order.get(slot, -1) <= when for slot in label.of]
+            assert all(there) or (", " in label.text and any(there)), "one name is there at least"
     assert_drawn_after_what_it_uses(log, made)

@@ -45,16 +45,16 @@ VELOCITY_OF_PIN_TURNED = said(
     "The velocity of the pin is square to the crank; on a plan turned by 90° it lies along it."
 )
 ABOUT_FIXED = said(
-    "The pivot stands still and the length {to} does not change, so the velocity has no part along it: it "
-    "is square to {to}."
+    "The pivot stands still and the link is rigid: its point keeps its distance from the pivot, so the "
+    "velocity has no part along {to}, it is square to it."
 )
 ABOUT_MOVING = said(
     "Two points of a rigid link keep their distance, so the velocity of one about the other has no part "
     "along {to}: it is square to {to}, its amount is not known yet."
 )
 ABOUT_FIXED_TURNED = said(
-    "The velocity about the fixed pivot is square to {to}, for that length does not change; on a plan "
-    "turned by 90° it is drawn along {to}."
+    "The velocity about the fixed pivot is square to {to}, for a point of a rigid link keeps its distance "
+    "from it; on a plan turned by 90° it is drawn along {to}."
 )
 ABOUT_MOVING_TURNED = said(
     "The velocity of one point of a rigid link about another is square to {to}, for their distance does "
@@ -73,8 +73,8 @@ ON_MOVING_GUIDE_TURNED = said(
     "square to it."
 )
 BOTH_EQUATIONS = said(
-    "Both vector equations give the same vector: from the ends of what is known the unknown parts are "
-    "drawn in their directions, and only where these meet both equations hold."
+    "The end of the vector sought lies on both lines: from the ends of what is known the unknown parts "
+    "are drawn in their directions, and only where these meet all that is known of it holds."
 )
 RELATIVE_VELOCITY = said(
     "This segment, times the scale factor, is the relative velocity; its sign tells in which sense the "

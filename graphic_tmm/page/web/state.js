@@ -133,9 +133,10 @@ export class State {
     const found = ADDRESS.exec(location.hash);
     if (found === null) return this.arrive(this.within({}));
     const [plan, position] = [found[2], found[3]].map((part) => decoded(part ?? ""));
-    const view = this.views.findIndex(
+    const there = this.views.findIndex(
       (one) => one.plan === plan && (one.position || WHOLE) === (position || one.position || WHOLE),
     );
+    const view = there < 0 ? this.views.findIndex((one) => one.plan === plan) : there;
     const known = view >= 0;
     const alone = !known && this.tabs.includes(plan ?? "") ? plan : undefined;
     this.arrive(

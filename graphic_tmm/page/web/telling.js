@@ -41,7 +41,7 @@ function tellingOfLine(line, why) {
   }
   if (line.tool) made.push(element("p", { class: "tool" }, ...typeset(line.tool[1])));
   if (line.calc) made.push(element("p", { class: "calc", ...of }, ...breakable(typeset(line.calc))));
-  if (line.row) made.push(element("p", { class: "reading", "data-of": line.row[0].join(" ") }, ...readingOf(line.row)));
+  if (line.row) made.push(element("p", { class: "reading", "data-of": line.row[0].join(" ") }, ...readingOf(line.row, line.read)));
   if (line.sign) made.push(element("p", { class: "remark" }, line.sign));
   if (line.why) made.push(element("p", { class: "why" }, `${why}: `, ...sentenceOf(line.why)));
   return made;
@@ -65,11 +65,12 @@ function breakable(nodes) {
 /**
  * Return what was read off the drawing and what it stands for: BA = 115,0 mm × 0,004 m/mm = 0,460 m.
  * @param {Row} row
+ * @param {string} [signed] what was read, where it has a sign
  * @returns {(Node | string)[]}
  */
-export function readingOf([, segment, mm, mu, value, quantity]) {
+export function readingOf([, segment, mm, mu, value, quantity], signed = mm) {
   if (mm === "") return pieces([[...typeset(segment), ` = ${value}`]]);
-  const read = [...typeset(segment), ` = ${mm}`];
+  const read = [...typeset(segment), ` = ${signed}`];
   if (mu === "") return pieces([read]);
   if (quantity === "") return pieces([read, [`× ${mu}`], [`= ${value}`]]);
   return pieces([read, ["→ ", ...typeset(quantity), ` = ${mm}`], [`× ${mu}`], [`= ${value}`]]);

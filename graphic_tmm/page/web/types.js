@@ -7,7 +7,7 @@
  * @typedef {{sides: Term[][], ways: string}} Equation
  * @typedef {[number[], string, string, string, string, string]} Row slots, segment, mm, μ, value, quantity
  * @typedef {[string, string, ...number[]]} Tool its kind, what it is called, where it lies (sheet mm, y downward)
- * @typedef {{head?: boolean, text?: Run[], why?: Run[], calc?: string, row?: Row, sign?: string, it?: number,
+ * @typedef {{head?: boolean, text?: Run[], why?: Run[], calc?: string, row?: Row, read?: string, sign?: string, it?: number,
  *   uses?: number[], op?: string, equation?: Equation, tool?: Tool}} Line a sentence of the protocol; with a head what
  *   stands above the steps that follow; without a mark (it) a remark
  * @typedef {{keys: string[], marks?: number[], at: number, again?: boolean, lines: Line[]}} Picture a stop: a step,

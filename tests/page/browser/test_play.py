@@ -60,7 +60,7 @@ def test_a_polygon_of_forces_has_its_equation(play) -> None:
 def test_a_reading_is_told_with_its_scale_and_fills_the_table(play) -> None:
     room = play(MEASURING)
     told = " ".join(room.locator(".telling .reading").inner_text().split())
-    found = re.fullmatch(r"aa3 = (\S+) mm → vA3A = \1 mm × (\S+) \(m/s\)/mm = (\S+) m/s", told)
+    found = re.fullmatch(r"aa3 = −?(\S+) mm → vA3A = \1 mm × (\S+) \(m/s\)/mm = (\S+) m/s", told)
     assert found, told
     row = room.locator(".values tr.now")
     assert row.locator("td").all_inner_texts()[0] == f"{found[1]} mm"
