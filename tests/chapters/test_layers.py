@@ -19,7 +19,7 @@ LAYERS = (
     (),  # plans: what no other layer names
     ("table", "results", "tables", "scales", "findings", "assumed", "any"),
     ("ink", "outline", "accuracy", "choice", "columns", "verdict"),
-    ("views",),
+    ("views", "turning"),
     ("note", "conclusions"),
     ("__init__",),
 )
