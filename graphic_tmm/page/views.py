@@ -11,6 +11,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain as plainly
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
+from graphic_tmm.page.inset import with_mechanisms
 from graphic_tmm.page.stops import Played, Stop, Told
 from graphic_tmm.page.told import head_of, indexed, line_of, sum_of
 from graphic_tmm.page.tools import Desk
@@ -36,13 +37,15 @@ def played(made: DrawnScene, sheets: Sequence[Sheet]) -> list[dict[str, Any]]:
     """Return the views of the sheets that have steps, in the order of the sheets, as data."""
     values = {drawn.board: Values(drawn, made.scene.language) for drawn in made.boards}
     found, taken = [], set()
-    for number, name, view in plays_of(made, sheets):
+    plays = list(plays_of(made, sheets))
+    for number, name, view in plays:
         place = _placed(view.drawing, name, sheets[number], number)
         told = place | _View(view, values[view.drawn.board], sheets[number].height).data()
         if (told["plan"], told["position"]) in taken:
             told["plan"] = view.drawing.name
         taken.add((told["plan"], told["position"]))
         found.append(told)
+    with_mechanisms([view for *_, view in plays], found, [sheets[n].height for n, *_ in plays])
     return found
 
 

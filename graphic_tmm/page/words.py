@@ -41,6 +41,7 @@ WORDS: dict[str, str] = {
     "pace": said("Pace"),
     "seconds": said("{n} s a step"),
     "instrument": said("Instrument"),
+    "mechanism": said("Mechanism"),
     "segment": said("Segment"),
     "length": said("On the plan"),
     "scale": said("Scale factor"),

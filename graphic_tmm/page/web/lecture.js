@@ -4,6 +4,7 @@ import { element, filled, iconButton } from "./dom.js";
 import { closeIn, enlarge } from "./enlarge.js";
 import { groupOf } from "./equation.js";
 import { enterFull, hearFull, isFull, leaveFull } from "./full.js";
+import { insetOf } from "./inset.js";
 import { listenToKeys } from "./keys.js";
 import { toggle } from "./run.js";
 import { Speaker } from "./speaker.js";
@@ -48,6 +49,8 @@ export function lectureRoom(data, state) {
   let stage = null;
   /** @type {Tools | null} */
   let tools = null;
+  /** @type {ReturnType<typeof insetOf>} */
+  let inset = null;
 
   const full = button("full", "full screen", () => (isFull() ? leaveFull(dressed) : enterFull(dressed)));
   const dressed = (/** @type {boolean} */ on) => {
@@ -106,9 +109,11 @@ export function lectureRoom(data, state) {
       paper.replaceChildren(stage.svg);
       fit();
       tools = new Tools(stage.svg, state.view);
+      inset = insetOf(data, state.view, stage.svg, paper);
     }
     stage.show(place.picture);
     tools?.show(place.picture);
+    inset?.show(place.picture);
     count.textContent = filled(say("step of"), { step: place.picture, count: state.view.pictures.length });
     heads.replaceChildren(...groupOf(state.view, place.picture));
     telling.replaceChildren(...tellingOf(data, state.view, place.picture));

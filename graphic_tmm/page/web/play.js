@@ -3,6 +3,7 @@ import { chooser } from "./chooser.js";
 import { element } from "./dom.js";
 import { keepReadable } from "./enlarge.js";
 import { groupOf } from "./equation.js";
+import { insetOf, insetSwitch } from "./inset.js";
 import { listenToKeys } from "./keys.js";
 import { lightAlike } from "./light.js";
 import { toggle } from "./run.js";
@@ -17,7 +18,7 @@ import { ValuesTable } from "./values.js";
  * @typedef {import("./types.js").Data} Data
  * @typedef {import("./types.js").View} View
  * @typedef {import("./state.js").State} State
- * @typedef {{view: View, stage: Stage, tools: Tools, table: ValuesTable, list: StepList}} Shown
+ * @typedef {{view: View, stage: Stage, tools: Tools, inset: ReturnType<typeof insetOf>, table: ValuesTable, list: StepList}} Shown
  */
 
 /**
@@ -52,8 +53,9 @@ export function playRoom(data, state) {
       const stage = new Stage(view);
       const table = new ValuesTable(data, view, madeIn(view));
       const steps = new StepList(data, view, (n) => state.go({ picture: n }));
-      shown = { view, stage, tools: new Tools(stage.svg, view), table, list: steps };
       paper.replaceChildren(stage.svg);
+      const inset = insetOf(data, view, stage.svg, paper);
+      shown = { view, stage, tools: new Tools(stage.svg, view), inset, table, list: steps };
       keepReadable(stage.svg);
       beside.replaceChildren(table.table);
       list.replaceChildren(steps.whole);
@@ -61,6 +63,7 @@ export function playRoom(data, state) {
     const n = place.picture;
     shown.stage.show(n);
     shown.tools.show(n);
+    shown.inset?.show(n);
     group.replaceChildren(...groupOf(view, n));
     telling.replaceChildren(...tellingOf(data, view, n));
     shown.table.show(n);
@@ -72,7 +75,7 @@ export function playRoom(data, state) {
   const panel = element("div", { class: "panel", tabindex: "0" }, said, options, list);
   const board = element("div", { class: "board" }, paper, panel);
   const bar = stepBar(data, state);
-  options.append(toolSwitch(data, board));
+  options.append(toolSwitch(data, board), insetSwitch(data));
   const room = element("section", { id: "play", "aria-label": data.words["play"] ?? "" }, chooser(data, state), board, bar);
   lightAlike(room, () => state.view);
   return room;

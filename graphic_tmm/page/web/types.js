@@ -14,7 +14,8 @@
  *   with the ink that it leaves (none: no keys), or what is drawn again in another position
  * @typedef {{id: string, plan: string, family: string, title: string, board: string, sheet: number,
  *   box: number[], names: Record<string, string>, position: string, first: number, pictures: Picture[],
- *   values: Record<string, Row[]>}} View
+ *   values: Record<string, Row[]>, mechanism?: number, joints?: Joint[], joined?: Record<string, number[]>}} View
+ * @typedef {[number, string, boolean, ...number[]]} Joint a point of a mechanism; page/inset.py
  * @typedef {{name: string, width: number, height: number, format: string}} SheetSize
  * @typedef {{language: string, title: string, words: Record<string, string>, sheets: SheetSize[],
  *   parts: Record<string, string>, views: View[], crank?: Dense}} Data

@@ -165,3 +165,30 @@ def test_it_runs_at_the_pace_that_is_chosen(play) -> None:
     room.page.clock.run_for(2500)
     assert int(room.locator(".stage").get_attribute("data-step")) == before + 1
     room.get_by_role("button", name="Pause").click()
+
+
+def test_the_mechanism_stands_beside_its_plan(play) -> None:
+    """The position that is played, and the line that the step uses, lit; gone with its switch."""
+    room = play(3, plan="#velocities/2/")
+    inset = room.locator(".inset")
+    assert inset.is_visible()
+    places = inset.locator("path[data-at]").evaluate_all("all => all.map(p => p.dataset.at)")
+    assert set(places) == {"2"}
+    assert inset.locator("text", has_text="A").count() == 1
+    assert inset.locator("text.used").all_text_contents() == ["O", "A"]
+    assert inset.locator("path.used").count() == 1
+    inset_box, paper = inset.bounding_box(), room.locator("div.paper").bounding_box()
+    assert inset_box["width"] <= 0.3 * paper["width"]
+    room.get_by_role("checkbox", name="Mechanism").uncheck()
+    assert not inset.is_visible()
+
+
+def test_a_plan_of_accelerations_has_the_mechanism_in_its_own_position(play) -> None:
+    """Its rows are counted otherwise than those of the plan of positions: it is known by its name."""
+    room = play(3, plan="#accelerations/6/")
+    places = room.locator(".inset path[data-at]").evaluate_all("all => all.map(p => p.dataset.at)")
+    assert set(places) == {"6"}
+
+
+def test_the_plan_of_positions_stands_alone(play) -> None:
+    assert play(9, plan="#positions/all/").locator(".inset").count() == 0
