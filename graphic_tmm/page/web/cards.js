@@ -69,7 +69,9 @@ function figureValues(dense, figure, packed) {
   return figure.values.map((value) => {
     const [n = 0, by] = value.row;
     const own = (/** @type {number} */ k) => (by === undefined ? n : (packed[n]?.[k] ?? 0)) * value.worth;
-    return { ...value, number: (/** @type {number} */ k) => fixedText(own(k), value.places, dense.decimal) };
+    // what never changes is told as at the positions
+    const still = by === undefined ? value.texts.find((text) => text !== null) : undefined;
+    return { ...value, number: (/** @type {number} */ k) => still ?? fixedText(own(k), value.places, dense.decimal) };
   });
 }
 
