@@ -102,7 +102,7 @@ def test_the_drawing_takes_most_of_the_window(page_of) -> None:
     shares = {}
     for size in ("desk", "phone"):
         page = page_of("windrower", "en", STEP, viewport=SIZES[size]).page
-        box = page.locator("#play .paper").bounding_box()
+        box = page.locator("#play div.paper").bounding_box()
         shares[size] = box["width"] * box["height"] / SIZES[size]["width"] / SIZES[size]["height"]
     assert shares["desk"] > 0.5
     assert shares["phone"] > 0.38
