@@ -24,6 +24,7 @@ NAMES = {
     "sheets": "Sheets",
     "crank": "Crank",
     "lecture": "Lecture",
+    "mechanism": "Mechanism",
 }
 """What a page calls what is pressed or chosen, in English."""
 HELPERS = (Path(__file__).parent / "lesson.js").read_text(encoding="utf-8")
@@ -62,8 +63,16 @@ def walk(page: Page, language: str) -> list[Played]:
 
 
 def at_the_end(page: Page, language: str, address: str) -> dict[str, Any]:
-    """Go to a view by its address and press "last"; return where its drawing stands and what it shows."""
-    return dict(_called(page, "atTheEnd", language, address))
+    """Go to a view by its address and press "last"; return where its drawing stands and what it shows.
+
+    The mechanism that is shown beside a plan is switched off: it is no part of the plan.
+    """
+    there = dict(_called(page, "atTheEnd", language, address))
+    beside = page.get_by_role("checkbox", name=names(language)["mechanism"], exact=True)
+    if beside.count() and beside.first.is_visible():
+        beside.first.set_checked(False)
+    page.mouse.move(0, 0)  # what it stands on lights up
+    return there
 
 
 def _called(page: Page, function: str, language: str, *arguments: object) -> Any:
