@@ -31,6 +31,11 @@ ALLOWED = {
     # machines read the scale factor of a base by what it is called
     "readers/table.py: BASES.get(step.it.name)",
     # a column of a table is known by what it is called
+    "page/values.py: s.it.name == column.letter",
+    "page/values.py: column.letter != entry.mark.name",
+    "page/values.py: ' ' not in column.letter",
+    # the side that closes a polygon is called by the force that its length was read for
+    "readers/equations.py: closing.it.name.removeprefix('y_{')",
     "chapters/forces/views.py: column.letter in {one.letter for one in made.loads.couples_on_lever}",
     # the sides of conditions are told once each, by what they are called
     "chapters/planetary/columns.py: found.setdefault(plain(mark.name), mark)",

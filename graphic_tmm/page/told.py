@@ -19,7 +19,7 @@ from graphic_tmm.readers.sentences import Phrase, grounds, phrase
 Run = str | list[Any]
 """Text, or the mark-up of a letter with the slot of its mark."""
 _INDEX = re.compile(r"_((?:(?!\w′*_)[^\W_²³]|[′*–-])+)")
-_RAISED = re.compile(r"\^(\w+)")
+_RAISED = re.compile(r"\^([^\W_]+)(?![\w{])")
 _FIGURE = re.compile(r"[_^]?\{[^{}]*\}|([^\W\d_])(\d+)")
 _SINGLE = re.compile(r"([_^])([^{])")
 

@@ -16,7 +16,7 @@ LINES, SYMBOLS = specimen_symbols("ru", HEIGHTS["A1"])
 
 def test_every_pen_that_draws_lines_is_shown() -> None:
     shown = {s.pen for s in LINES.strokes}
-    hiding = {"body", "rod", "over", "paper", "joint"}
+    hiding = {"body", "rod", "over", "paper", "joint", "outline", "pin"}
     assert shown == set(pens("A1")) - hiding
     assert any(isinstance(s, Bezier) for s in LINES.strokes)
     assert len(LINES.labels) == 1 + len({shape(s).centroid.y for s in LINES.strokes})

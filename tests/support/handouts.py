@@ -7,11 +7,12 @@ from dataclasses import replace
 from functools import cache
 
 from graphic_tmm.board.record import Construction
+from graphic_tmm.board.values import Point
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.handout.chosen import Chosen, chosen
 from graphic_tmm.handout.handout import framed_series
 from graphic_tmm.handout.series import Series, series
-from graphic_tmm.paper.drawing import Drawing, Ink, Sheet, Stroke
+from graphic_tmm.paper.drawing import Drawing, Ink, Label, Sheet, Stroke
 from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.readers.protocol import plans
 from graphic_tmm.studio import make
@@ -49,12 +50,17 @@ def papers(name: str, language: str = "") -> tuple[Sheet, ...]:
 def drawn_last(log: Construction, view: Drawing) -> dict[int, set[int | None]]:
     """The steps that a view has ink or letters of, by slot: where each is drawn (None: in all positions).
 
-    What stands on several marks is there with the last of them.
+    What stands on several marks is there with the last of them; names of points in one place with the first,
+    which may be given.
     """
     order = {step.it.slot: n for n, step in enumerate(log.steps)}
+    points = {one.slot for one in (*log.given, *(s.it for s in log.steps)) if one.kind is Point}
     places: dict[int, set[int | None]] = {}
     for one in (*view.strokes, *view.rubbed, *view.labels):
         there = [slot for slot in one.of if slot in order]
+        named = isinstance(one, Label) and len(one.of) > 1 and points.issuperset(one.of)
+        if named and one.text.count(", ") == len(one.of) - 1:
+            there = [] if len(there) < len(one.of) else [min(there, key=order.__getitem__)]
         if there:
             places.setdefault(max(there, key=lambda slot: order[slot]), set()).add(one.position)
     return places

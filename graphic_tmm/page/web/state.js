@@ -128,20 +128,29 @@ export class State {
     return `#${tab}${parts.map((part) => encodeURIComponent(String(part))).join("/")}${turn}`;
   }
 
+  /**
+   * Return the number of the view of a plan in a position, else of the plan's first; less than 0: none.
+   * @param {string} plan
+   * @param {string} position
+   */
+  seen(plan, position) {
+    const own = this.views.findIndex(
+      (one) => one.plan === plan && (one.position || WHOLE) === (position || one.position || WHOLE),
+    );
+    return own < 0 ? this.views.findIndex((one) => one.plan === plan) : own;
+  }
+
   /** Go where the address says; what it does not say stays. */
   follow() {
     const found = ADDRESS.exec(location.hash);
     if (found === null) return this.arrive(this.within({}));
-    const [plan, position] = [found[2], found[3]].map((part) => decoded(part ?? ""));
-    const there = this.views.findIndex(
-      (one) => one.plan === plan && (one.position || WHOLE) === (position || one.position || WHOLE),
-    );
-    const view = there < 0 ? this.views.findIndex((one) => one.plan === plan) : there;
+    const [plan = "", position = ""] = found.slice(2, 4).map((part) => decoded(part ?? ""));
+    const view = this.seen(plan, position);
     const known = view >= 0;
-    const alone = !known && this.tabs.includes(plan ?? "") ? plan : undefined;
+    const usual = !known && this.tabs.includes(plan) ? plan : this.tabs[0];
     this.arrive(
       this.within({
-        tab: found[1] ?? alone ?? this.tabs[0] ?? "",
+        tab: found[1] ?? usual,
         view: known ? view : this.place.view,
         picture: known ? Number(found[4] ?? 0) : this.place.picture,
         turn: Number(found[5] ?? this.place.turn),
