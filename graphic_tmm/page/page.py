@@ -11,8 +11,7 @@ import gzip
 import hashlib
 import json
 from collections.abc import Mapping, Sequence
-from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
@@ -24,10 +23,7 @@ from graphic_tmm.page.views import played
 from graphic_tmm.page.words import WORDS
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.write.svg import ids, svg
-
-if TYPE_CHECKING:
-    from jinja2 import Environment
-
+from graphic_tmm.templates import environment
 
 FORMAT = "html"
 """What files of pages are called."""
@@ -44,7 +40,7 @@ def page(made: DrawnScene, sheets: Sequence[Sheet]) -> str:
         data["crank"] = turned.data
     program = script()
     return (
-        _environment()
+        environment("graphic_tmm.page")
         .get_template("page.html")
         .render(
             language=language,
@@ -120,18 +116,3 @@ def _rubbed(sheet: Sheet) -> Sheet:
 
 def _hash(text: str) -> str:
     return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
-
-
-@cache
-def _environment() -> Environment:
-    """Return the templates: every text is escaped, and a name that is not given is an error."""
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    return Environment(
-        loader=PackageLoader("graphic_tmm.page"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-    )
