@@ -33,10 +33,12 @@ FORMAT = "html"
 """What files of pages are called."""
 
 
-def page(made: DrawnScene, sheets: Sequence[Sheet], *, practised: bool = False) -> str:
+def page(
+    made: DrawnScene, sheets: Sequence[Sheet], *, practised: bool = False, seed: int | None = None
+) -> str:
     """Return a drawn scene as a page for a browser (HTML), in the scene's language.
 
-    ``practised``: with what lets a person draw the plans himself.
+    ``practised``: with what lets a person draw the plans himself, each posed as ``seed`` says, if it is given.
     """
     from markupsafe import Markup
 
@@ -46,7 +48,7 @@ def page(made: DrawnScene, sheets: Sequence[Sheet], *, practised: bool = False) 
     if turned is not None:
         data["crank"] = turned.data
     program, looks = script(), style()
-    if practised and (asked := practice(made, sheets, data["views"])) is not None:
+    if practised and (asked := practice(made, sheets, data["views"], seed)) is not None:
         data["practice"], written = asked
         data["own"] = own(sheets, language)
         data["words"] |= _said({**PRACTICE, **OWN}, language)
