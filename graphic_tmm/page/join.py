@@ -20,8 +20,8 @@ from graphic_tmm.paper.formats import FORMATS
 LOWER = 0.2
 """How much lower than its page a figure in print is, mm."""
 
-MAIN, ENTER = "main", "enter"
-"""The module that begins a page; that of a folder by which its ways of looking are entered."""
+MAIN, ENTER, WRITTEN = "main", "enter", "written"
+"""The module that begins a page; that of a folder which enters its ways of looking; one of the page alone."""
 
 _IMPORT = re.compile(r'^import (?:\{[^}]*\} from )?"(\.{1,2}/[\w/-]+)\.js";\n', re.M)
 _EXPORT = re.compile(r"^export (?=(?:async )?(?:function|const|let|class)\b)", re.M)
@@ -32,19 +32,23 @@ _COMMENT = re.compile(r"^[ \t]*/\*\*(?:(?!\*/).|\n)*\*/\n|^[ \t]*//.*\n", re.M)
 
 
 @cache
-def script(*further: str) -> str:
+def script(*further: str, written: str = "") -> str:
     """Return the page's program: main.js behind all that it imports, without comments and indents.
 
-    ``further``: folders whose ways of looking the page has too. No text of a module goes over a line
+    ``further``: folders whose ways of looking the page has too; ``written``: a module for the page alone, that
+    runs before main.js as if it stood in the first of these. No text of a module goes over a line
     (tests/page/test_join.py), so that indents are nobody's.
 
     Raises SheetError where two modules have one name at their top.
     """
-    modules = modules_of(*further)
+    modules, begun = modules_of(*further), [f"{folder}/{ENTER}" for folder in further]
+    if written:
+        begun = [f"{further[0]}/{WRITTEN}", *begun]
+        modules[begun[0]] = written
     needs = {name: imported(name, text) for name, text in modules.items()}
     taken: dict[str, str] = {}
     parts = []
-    for name in _order(needs, [f"{folder}/{ENTER}" for folder in further]):
+    for name in _order(needs, begun):
         text = modules[name]
         for found in _NAME.findall(text):
             if found in taken:
@@ -83,6 +87,12 @@ def papers() -> str:
 def modules_of(*folders: str) -> dict[str, str]:
     """Return the modules of the page by their names: those of folders as practice/bench."""
     return {name.removesuffix(".js"): text for name, text in _texts(".js", *folders).items()}
+
+
+def folders() -> tuple[str, ...]:
+    """Return the folders that enter ways of looking, practice before those that build on it."""
+    found = [one.name for one in _WEB.iterdir() if one.is_dir() and (one / f"{ENTER}.js").is_file()]
+    return tuple(sorted(found, reverse=True))
 
 
 def _texts(ending: str, *folders: str) -> dict[str, str]:

@@ -29,7 +29,7 @@ export class Values {
       const text = document.createTextNode(NONE);
       const cell = element("dd", {}, text);
       if (value.unit !== "") cell.append(` ${value.unit}`);
-      const row = element("div", {}, element("dt", {}, ...typeset(value.letter), " = "), cell);
+      const row = element("div", { class: "gone" }, element("dt", {}, ...typeset(value.letter), " = "), cell);
       this.list.append(row);
       return { value, text, row };
     });
