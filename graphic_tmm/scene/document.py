@@ -31,7 +31,11 @@ def document(file: Path, kind: Kind) -> tuple[str, Document]:
     SceneError
         If it cannot be read (as `files.read`), is not in UTF-8, is no TOML, or nested too deep.
     """
-    data = read(file, kind)
+    return parsed(read(file, kind), file)
+
+
+def parsed(data: bytes, file: Path) -> tuple[str, Document]:
+    """Return the text of a file of which the bytes are known, and what it says; raises as `document`."""
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

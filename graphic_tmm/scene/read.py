@@ -11,7 +11,7 @@ from graphic_tmm.files import Kind
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import build, checks, references
 from graphic_tmm.scene.declare import Found
-from graphic_tmm.scene.document import Document, document
+from graphic_tmm.scene.document import Document, document, parsed
 from graphic_tmm.scene.faults import fault, key_of
 from graphic_tmm.scene.lines import line_of, locate
 from graphic_tmm.scene.records import Scene
@@ -48,7 +48,15 @@ def read(path: Path | str, *, missing: Callable[[str], str] = lambda text: "") -
     """
     place = Path(path)
     file = place / FILE if place.is_dir() else place
-    text, doc = document(file, SCENE)
+    return _scene(file, *document(file, SCENE), missing)
+
+
+def judged(data: bytes, file: Path, *, missing: Callable[[str], str] = lambda text: "") -> Scene:
+    """Return the scene that a file would hold with these bytes; parameters and errors as `read`."""
+    return _scene(file, *parsed(data, file), missing)
+
+
+def _scene(file: Path, text: str, doc: Document, missing: Callable[[str], str]) -> Scene:
     parts, found = understand(doc)
     found.extend(references.check(doc, missing))
     found.extend(checks.check(parts))
