@@ -14,7 +14,8 @@ import numpy as np
 
 from graphic_tmm.board.blocks import Call, Calls, Room, Values, in_blocks, part_of, parted, run
 from graphic_tmm.board.hand import Hand, rounded
-from graphic_tmm.board.scalars import NotCompiled, numba, scalar
+from graphic_tmm.board.scalars import numba, scalar
+from graphic_tmm.board.source import NotCompiled, defaults
 from graphic_tmm.board.values import Curve, arrays
 
 STRIP = 256
@@ -82,16 +83,6 @@ def _function(call: Call) -> tuple[Callable[..., Any], tuple[int, ...]]:
     if not isinstance(call.op, partial):
         return call.op, defaults(call.op, {})
     return call.op.func, defaults(call.op.func, call.op.keywords)
-
-
-def defaults(function: Callable[..., Any], choice: dict[str, int]) -> tuple[int, ...]:
-    """Return the values of a function's keyword-only arguments, in order."""
-    given = {**(getattr(function, "__kwdefaults__", None) or {}), **choice}
-    code = getattr(function, "__code__", None)
-    if code is None:
-        return ()
-    first = code.co_argcount
-    return tuple(given[name] for name in code.co_varnames[first : first + code.co_kwonlyargcount])
 
 
 def _type(value: Any) -> Any:

@@ -15,7 +15,7 @@ import numpy as np
 
 from graphic_tmm.board.blocks import Calls, Values, in_blocks, part_of, ready, spread, stored
 from graphic_tmm.board.hand import EXACT, Hand, Slipping, Streams, trials_in_block
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import ByIdentity, Construction, Mark, Step
 from graphic_tmm.board.values import Curve, at, blank
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.board.values import places as positions_of
@@ -224,24 +224,11 @@ class Program(NamedTuple):
 def prepare(construction: Construction, wanted: Iterable[Mark] | None = None) -> Program:
     """Slice the log to what ``wanted`` needs (everything if None) and sort it into strata."""
     slots = range(construction.size) if wanted is None else (mark.slot for mark in wanted)
-    return _prepared(_Log(construction), frozenset(slots))
-
-
-class _Log:
-    """A log that is known by being this one: comparing two would take longer than to prepare them."""
-
-    def __init__(self, construction: Construction) -> None:
-        self.construction = construction
-
-    def __hash__(self) -> int:
-        return id(self.construction)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Log) and self.construction is other.construction
+    return _prepared(ByIdentity(construction), frozenset(slots))
 
 
 @lru_cache(maxsize=64)
-def _prepared(log: _Log, asked: frozenset[int]) -> Program:
+def _prepared(log: ByIdentity, asked: frozenset[int]) -> Program:
     construction = log.construction
     everything = (*construction.given, *(step.it for step in construction.steps))
     steps = needed(construction, (mark for mark in everything if mark.slot in asked))

@@ -7,9 +7,7 @@ No operation is described anew: its own source is compiled, with numpy's functio
 from __future__ import annotations
 
 import ast
-import inspect
 import math
-import textwrap
 import types
 from collections.abc import Callable
 from functools import cache, partial
@@ -18,6 +16,7 @@ from typing import Any, NamedTuple, NewType
 import numpy as np
 
 from graphic_tmm.board import geometry
+from graphic_tmm.board.source import Plain, globals_of, plain_source
 from graphic_tmm.errors import ConstructionError
 
 
@@ -153,25 +152,8 @@ def _absolute() -> Any:
     return absolute
 
 
-class _Plain(ast.NodeTransformer):
-    """An operation's source without what only arrays or people need; a quotient by 0 is no error."""
-
-    def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.FunctionDef:
-        """Drop decorators and annotations; choices stand among the other arguments."""
-        self.generic_visit(node)
-        node.decorator_list, node.returns = [], None
-        signature = node.args
-        signature.args = [*signature.args, *signature.kwonlyargs]
-        signature.kwonlyargs, signature.kw_defaults, signature.defaults = [], [], []
-        for argument in signature.args:
-            argument.annotation = None
-        return node
-
-    def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.AST:
-        """Drop the annotation of a variable."""
-        self.generic_visit(node)
-        assert node.value is not None
-        return ast.copy_location(ast.Assign([node.target], node.value), node)
+class _Dividing(Plain):
+    """An operation's source made plain; a quotient by 0 is no error."""
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
         """Divide as numpy does."""
@@ -192,33 +174,17 @@ class _Plain(ast.NodeTransformer):
         return found
 
 
-class NotCompiled(Exception):
-    """A function cannot be compiled."""
-
-
 @cache
 def scalar(function: Callable[..., Any]) -> Any:
     """Return a function of arrays as a compiled function of single numbers, from its own source."""
     names = _names()
     if function in names.functions:
         return names.functions[function]
-    if not isinstance(function, types.FunctionType) or function.__closure__:
-        raise NotCompiled(repr(function))
-    try:
-        tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
-    except (OSError, TypeError, SyntaxError) as error:
-        raise NotCompiled(repr(function)) from error
-    if not isinstance(tree.body[0], ast.FunctionDef):
-        raise NotCompiled(repr(function))
-    plain = ast.fix_missing_locations(_Plain().visit(tree))
-    space = {name: _one(function.__globals__[name]) for name in _globals_of(function)}
+    plain = ast.Module([plain_source(function, _Dividing())], [])
+    space = {name: _one(function.__globals__[name]) for name in globals_of(function)}
     space["_divide"] = np.divide
     exec(compile(plain, f"<{function.__name__}>", "exec"), space)
     return numba().njit(error_model="numpy", forceinline=True)(space[function.__name__])
-
-
-def _globals_of(function: types.FunctionType) -> list[str]:
-    return [name for name in function.__code__.co_names if name in function.__globals__]
 
 
 def _one(value: Any) -> Any:

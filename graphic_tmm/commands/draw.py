@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from graphic_tmm.commands.shared.budget import budgeted, within
+from graphic_tmm.commands.shared.formats import chosen
 from graphic_tmm.commands.shared.progress import waiting
 from graphic_tmm.commands.shared.scenes import SceneName, drawn_by, hands, read_scene
 from graphic_tmm.commands.shared.spoken import Command
@@ -48,20 +49,12 @@ def draw(
     budget: str | None,
 ) -> None:
     """Draw the sheets of SCENE as files, true to the millimetre."""
-    from graphic_tmm.errors import SheetError
     from graphic_tmm.files import write
     from graphic_tmm.fitting.composition import beside, read_composition
     from graphic_tmm.page.page import FORMAT, page
     from graphic_tmm.studio import FORMATS, sheet_files
 
-    wanted = [form.strip().lower() for form in forms.split(",")]
-    if unknown := [form for form in wanted if form not in (*FORMATS, FORMAT)]:
-        says = said(
-            "--format: no {unknown}; choose from {known}",
-            unknown=", ".join(unknown),
-            known=", ".join((*FORMATS, FORMAT)),
-        )
-        raise SheetError(says)
+    wanted = chosen(forms, (*FORMATS, FORMAT))
     task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget)
     given = read_composition(beside(task.source))
     with waiting(said("choosing scale factors and composing the sheets")):

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from graphic_tmm.commands.shared.formats import chosen
 from graphic_tmm.commands.shared.progress import waiting
 from graphic_tmm.commands.shared.scenes import drawn_by, hands, read_scene
 from graphic_tmm.commands.shared.spoken import Command
@@ -27,7 +28,6 @@ from graphic_tmm.language.said import said
 @hands
 def note(scene: str | None, output: str, forms: str, hand: str | None, seed: int | None) -> None:
     """Write the explanatory note of SCENE: task, structure, plans with their calculations, conclusions."""
-    from graphic_tmm.errors import SheetError
     from graphic_tmm.files import write
     from graphic_tmm.fitting.composition import beside, read_composition
     from graphic_tmm.note.formats import FORMATS, refuse_missing
@@ -36,14 +36,7 @@ def note(scene: str | None, output: str, forms: str, hand: str | None, seed: int
     from graphic_tmm.scenes import scene_name
     from graphic_tmm.studio import make
 
-    wanted = [form.strip().lower() for form in forms.split(",")]
-    if unknown := [form for form in wanted if form not in FORMATS]:
-        says = said(
-            "--format: no {unknown}; choose from {known}",
-            unknown=", ".join(unknown),
-            known=", ".join(FORMATS),
-        )
-        raise SheetError(says)
+    wanted = chosen(forms, FORMATS)
     refuse_missing(wanted)
     task = drawn_by(read_scene(scene, lettered=True), hand, seed)
     given = read_composition(beside(task.source))

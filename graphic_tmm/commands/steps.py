@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from graphic_tmm.commands.shared.formats import chosen
 from graphic_tmm.commands.shared.progress import waiting
 from graphic_tmm.commands.shared.scenes import SceneName, read_scene
 from graphic_tmm.commands.shared.spoken import Command
@@ -98,15 +99,7 @@ def _formats(forms: str | None, output: str | None, *, sheets: bool) -> list[str
 
     if not sheets and (forms is not None or output is not None):
         raise SheetError(said("-o and -f tell where sheets are written and as what: add --sheets"))
-    wanted = [form.strip().lower() for form in (forms or FORMATS[0]).split(",")]
-    if unknown := [form for form in wanted if form not in FORMATS]:
-        says = said(
-            "--format: no {unknown}; choose from {known}",
-            unknown=", ".join(unknown),
-            known=", ".join(FORMATS),
-        )
-        raise SheetError(says)
-    return wanted
+    return chosen(forms or FORMATS[0], FORMATS)
 
 
 def _written(

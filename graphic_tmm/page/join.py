@@ -1,4 +1,9 @@
-"""The modules of the page joined into one: plain ES modules in their order, one scope, no names twice."""
+"""The modules of the page joined into one: plain ES modules in their order, one scope, no names twice.
+
+A page is begun by ``main.js``, with what that imports. A folder of ``web/`` holds what not every page has: its
+``enter.js`` enters its ways of looking into ``rooms.js`` before ``main.js`` runs; its style stands behind the
+page's.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +11,8 @@ import re
 from functools import cache
 from graphlib import TopologicalSorter
 from importlib.resources import files
+from importlib.resources.abc import Traversable
+from posixpath import dirname, join, normpath
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.formats import FORMATS
@@ -13,26 +20,35 @@ from graphic_tmm.paper.formats import FORMATS
 LOWER = 0.2
 """How much lower than its page a figure in print is, mm."""
 
-_IMPORT = re.compile(r'^import \{[^}]*\} from "\./([\w-]+)\.js";\n', re.M)
+MAIN, ENTER, WRITTEN = "main", "enter", "written"
+"""The module that begins a page; that of a folder which enters its ways of looking; one of the page alone."""
+
+_IMPORT = re.compile(r'^import (?:\{[^}]*\} from )?"(\.{1,2}/[\w/-]+)\.js";\n', re.M)
 _EXPORT = re.compile(r"^export (?=(?:async )?(?:function|const|let|class)\b)", re.M)
 _NAME = re.compile(r"^(?:export )?(?:async )?(?:function\*?|const|let|class) (\w+)", re.M)
 _INDENT = re.compile(r"^[ \t]+", re.M)
+_WEB: Traversable = files(__package__) / "web"
 _COMMENT = re.compile(r"^[ \t]*/\*\*(?:(?!\*/).|\n)*\*/\n|^[ \t]*//.*\n", re.M)
 
 
 @cache
-def script() -> str:
-    """Return the page's program: all modules behind those that they import, without comments and indents.
+def script(*further: str, written: str = "") -> str:
+    """Return the page's program: main.js behind all that it imports, without comments and indents.
 
-    No text of a module goes over a line (tests/page/test_join.py), so that indents are nobody's.
+    ``further``: folders whose ways of looking the page has too; ``written``: a module for the page alone, that
+    runs before main.js as if it stood in the first of these. No text of a module goes over a line
+    (tests/page/test_join.py), so that indents are nobody's.
 
     Raises SheetError where two modules have one name at their top.
     """
-    modules = _modules()
-    needs = {name: sorted(set(_IMPORT.findall(text))) for name, text in modules.items()}
+    modules, begun = modules_of(*further), [f"{folder}/{ENTER}" for folder in further]
+    if written:
+        begun = [f"{further[0]}/{WRITTEN}", *begun]
+        modules[begun[0]] = written
+    needs = {name: imported(name, text) for name, text in modules.items()}
     taken: dict[str, str] = {}
     parts = []
-    for name in TopologicalSorter(needs).static_order():
+    for name in _order(needs, begun):
         text = modules[name]
         for found in _NAME.findall(text):
             if found in taken:
@@ -44,11 +60,12 @@ def script() -> str:
 
 
 @cache
-def style() -> str:
-    """Return the page's style sheet: all of its parts in the order of their names, then the papers."""
-    folder = files(__package__) / "web"
-    sheets = sorted(one.name for one in folder.iterdir() if one.name.endswith(".css"))
-    return "\n" + "".join((folder / name).read_text("utf-8") for name in sheets) + papers()
+def style(*further: str) -> str:
+    """Return the page's style sheet: all of its parts in the order of their names, then the papers.
+
+    ``further``: folders whose parts stand behind those.
+    """
+    return "\n" + "".join(_texts(".css", *further).values()) + papers()
 
 
 def papers() -> str:
@@ -67,7 +84,38 @@ def papers() -> str:
     return "".join(f"{rule}\n" for rule in rules)
 
 
-def _modules() -> dict[str, str]:
-    folder = files(__package__) / "web"
-    names = sorted(one.name for one in folder.iterdir() if one.name.endswith(".js"))
-    return {name.removesuffix(".js"): (folder / name).read_text("utf-8") for name in names}
+def modules_of(*folders: str) -> dict[str, str]:
+    """Return the modules of the page by their names: those of folders as practice/bench."""
+    return {name.removesuffix(".js"): text for name, text in _texts(".js", *folders).items()}
+
+
+def folders() -> tuple[str, ...]:
+    """Return the folders that enter ways of looking, practice before those that build on it."""
+    found = [one.name for one in _WEB.iterdir() if one.is_dir() and (one / f"{ENTER}.js").is_file()]
+    return tuple(sorted(found, reverse=True))
+
+
+def _texts(ending: str, *folders: str) -> dict[str, str]:
+    """Return the texts of the files with an ending: those of ``web/`` by their names, then those of folders."""
+    found: dict[str, str] = {}
+    for folder in ("", *folders):
+        names = sorted(one.name for one in (_WEB / folder).iterdir() if one.name.endswith(ending))
+        found |= {join(folder, name): (_WEB / folder / name).read_text("utf-8") for name in names}
+    return found
+
+
+def imported(name: str, text: str) -> list[str]:
+    """Return the names of the modules that a module imports."""
+    return sorted({normpath(join(dirname(name), path)) for path in _IMPORT.findall(text)})
+
+
+def _order(needs: dict[str, list[str]], before: list[str]) -> list[str]:
+    """Return the modules that a page needs in their order: ``before`` run before main.js."""
+    wanted, ahead = set(), [MAIN, *before]
+    while ahead:
+        name = ahead.pop()
+        if name not in wanted:
+            wanted.add(name)
+            ahead += needs[name]
+    graph = {name: needs[name] for name in sorted(wanted)}
+    return list(TopologicalSorter(graph | {MAIN: [*needs[MAIN], *before]}).static_order())

@@ -11,30 +11,31 @@ import gzip
 import hashlib
 import json
 from collections.abc import Mapping, Sequence
-from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.page.crank import crank
-from graphic_tmm.page.join import script, style
+from graphic_tmm.page.join import folders, script, style
 from graphic_tmm.page.layers import PARTS
+from graphic_tmm.page.practice.pack import practice
+from graphic_tmm.page.practice.words import WORDS as PRACTICE
 from graphic_tmm.page.protocol import protocol_of
 from graphic_tmm.page.views import played
 from graphic_tmm.page.words import WORDS
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.write.svg import ids, svg
-
-if TYPE_CHECKING:
-    from jinja2 import Environment
-
+from graphic_tmm.templates import environment
 
 FORMAT = "html"
 """What files of pages are called."""
 
 
-def page(made: DrawnScene, sheets: Sequence[Sheet]) -> str:
-    """Return a drawn scene as a page for a browser (HTML), in the scene's language."""
+def page(made: DrawnScene, sheets: Sequence[Sheet], *, practised: bool = False) -> str:
+    """Return a drawn scene as a page for a browser (HTML), in the scene's language.
+
+    ``practised``: with what lets a person draw the plans himself.
+    """
     from markupsafe import Markup
 
     language = made.scene.language
@@ -42,9 +43,13 @@ def page(made: DrawnScene, sheets: Sequence[Sheet]) -> str:
     turned = crank(made, sheets)
     if turned is not None:
         data["crank"] = turned.data
-    program = script()
+    program, looks = script(), style()
+    if practised and (asked := practice(made, sheets, data["views"])) is not None:
+        data["practice"], written = asked
+        data["words"] |= _said(PRACTICE, language)
+        program, looks = script(*folders(), written=written), style(*folders())
     return (
-        _environment()
+        environment("graphic_tmm.page")
         .get_template("page.html")
         .render(
             language=language,
@@ -55,8 +60,8 @@ def page(made: DrawnScene, sheets: Sequence[Sheet]) -> str:
             protocol=protocol_of(made, language) if made.boards else (),
             data=packed(data),
             rows=carried(turned.rows) if turned is not None else "",
-            style=Markup(style()),
-            style_hash=_hash(style()),
+            style=Markup(looks),
+            style_hash=_hash(looks),
             program=Markup(program),
             program_hash=_hash(program),
         )
@@ -66,11 +71,10 @@ def page(made: DrawnScene, sheets: Sequence[Sheet]) -> str:
 def page_data(made: DrawnScene, sheets: Sequence[Sheet]) -> dict[str, Any]:
     """Return what the page knows of a scene, as JSON takes it."""
     speech = speaking(made.scene.language)
-    words: Mapping[str, str] = {key: speech(text) for key, text in WORDS.items()}
     return {
         "language": made.scene.language,
         "title": made.scene.title,
-        "words": words,
+        "words": _said(WORDS, made.scene.language),
         "parts": {part: speech(PARTS[part]) for part in parts_of(sheets) if part in PARTS},
         "sheets": [
             {"name": one.name, "width": one.width, "height": one.height, "format": one.format}
@@ -78,6 +82,10 @@ def page_data(made: DrawnScene, sheets: Sequence[Sheet]) -> dict[str, Any]:
         ],
         "views": played(made, sheets),
     }
+
+
+def _said(words: Mapping[str, str], language: str) -> dict[str, str]:
+    return {key: speaking(language)(text) for key, text in words.items()}
 
 
 def parts_of(sheets: Sequence[Sheet]) -> list[str]:
@@ -120,18 +128,3 @@ def _rubbed(sheet: Sheet) -> Sheet:
 
 def _hash(text: str) -> str:
     return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
-
-
-@cache
-def _environment() -> Environment:
-    """Return the templates: every text is escaped, and a name that is not given is an error."""
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    return Environment(
-        loader=PackageLoader("graphic_tmm.page"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-    )

@@ -9,7 +9,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import ByIdentity, Construction, Mark, Step
 from graphic_tmm.board.values import Curve
 from graphic_tmm.paper.drawing import Ink
 
@@ -36,12 +36,12 @@ class Seen:
     @cached_property
     def by_mark(self) -> Mapping[Mark, Step]:
         """The steps of the whole log by the mark that each left."""
-        return _by_mark(_Log(self.construction))
+        return _by_mark(ByIdentity(self.construction))
 
     @cached_property
     def steps(self) -> tuple[Step, ...]:
         """The steps of the views, in the order in which they were done."""
-        return _steps(_Log(self.construction), self.views)
+        return _steps(ByIdentity(self.construction), self.views)
 
     @cached_property
     def uses(self) -> Mapping[Mark, tuple[Step, ...]]:
@@ -75,26 +75,13 @@ class Seen:
         return any(part.shape[1] > 1 for part in parts)
 
 
-class _Log:
-    """A log that is known by being this one: a view is seen in hundreds of positions."""
-
-    def __init__(self, construction: Construction) -> None:
-        self.construction = construction
-
-    def __hash__(self) -> int:
-        return id(self.construction)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Log) and self.construction is other.construction
-
-
 @lru_cache(maxsize=8)
-def _by_mark(log: _Log) -> Mapping[Mark, Step]:
+def _by_mark(log: ByIdentity) -> Mapping[Mark, Step]:
     return {step.it: step for step in log.construction.steps}
 
 
 @lru_cache(maxsize=64)
-def _steps(log: _Log, views: tuple[str, ...]) -> tuple[Step, ...]:
+def _steps(log: ByIdentity, views: tuple[str, ...]) -> tuple[Step, ...]:
     return tuple(s for s in log.construction.steps if s.it.view in views)
 
 

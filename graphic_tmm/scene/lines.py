@@ -1,4 +1,4 @@
-"""On which line of a TOML text each key and each item stands; tomllib does not tell.
+"""Where in a TOML text each key and each item stands; tomllib does not tell.
 
 The text is taken to be good TOML (tomllib has read it before); whatever cannot be followed ends the
 walk, and a key that was not reached falls back on the nearest table above it.
@@ -10,6 +10,7 @@ import re
 import tomllib
 from collections.abc import Mapping
 from contextlib import suppress
+from dataclasses import dataclass, field
 
 from graphic_tmm.scene.declare import Path
 
@@ -24,6 +25,35 @@ _STRING = re.compile(
     re.DOTALL,
 )
 _SCALAR = re.compile(r"[^,\]}#\r\n]+")
+
+
+Span = tuple[int, int]
+"""From this character of the text to before that one."""
+
+
+@dataclass
+class Layout:
+    """Where things stand in a TOML text.
+
+    ``values``: of each path, its value as it is written. ``keys``: of each path that is written as key = value,
+    where the key begins (in an inline table too). ``headers``: of each table with a header of its own, where
+    that ends. ``inline``: the paths of tables in braces. ``rows``: of each table with a header (() before the
+    first), the paths of the keys below it, in order.
+    """
+
+    values: dict[Path, Span] = field(default_factory=dict)
+    keys: dict[Path, int] = field(default_factory=dict)
+    headers: dict[Path, int] = field(default_factory=dict)
+    inline: set[Path] = field(default_factory=set)
+    rows: dict[Path, list[Path]] = field(default_factory=lambda: {(): []})
+
+
+def layout(text: str) -> Layout:
+    """Return where everything stands in a TOML text; what cannot be followed is left out."""
+    walk = _Walk(text)
+    with suppress(_Lost, RecursionError):
+        walk.document()
+    return walk.found
 
 
 def locate(text: str) -> dict[Path, int]:
@@ -64,6 +94,7 @@ class _Walk:
         self.text = text
         self.at = 0
         self.lines: dict[Path, int] = {}
+        self.found = Layout()
         self.items: dict[Path, int] = {}
         self._line, self._counted = 1, 0
 
@@ -71,7 +102,7 @@ class _Walk:
         table: Path = ()
         self.skip(_BLANK)
         while self.at < len(self.text):
-            table = self.header() if self.text[self.at] == "[" else self.pair(table)
+            table = self.header() if self.text[self.at] == "[" else self.row(table)
             self.skip(_BLANK)
 
     def header(self) -> Path:
@@ -81,29 +112,38 @@ class _Walk:
         self.at += 2 if several else 1
         *above, last = self.key()
         self.expect("]]" if several else "]")
+        end = self.at
         path: Path = ()
         for part in above:
             path = self.latest(self.note((*path, part), line))
         path = self.note((*path, last), line)
-        if not several:
-            return path
-        number = self.items.get(path, -1) + 1
-        self.items[path] = number
-        return self.note((*path, number), line)
+        if several:
+            number = self.items.get(path, -1) + 1
+            self.items[path] = number
+            path = self.note((*path, number), line)
+        self.found.headers[path] = end
+        self.found.rows[path] = []
+        return path
 
     def latest(self, path: Path) -> Path:
         """Return an array of tables in the way stands for its latest table."""
         return (*path, self.items[path]) if path in self.items else path
 
+    def row(self, table: Path) -> Path:
+        """``key = value`` below the header of a table, which is handed back."""
+        self.found.rows[table].append(self.pair(table))
+        return table
+
     def pair(self, table: Path) -> Path:
-        """``key = value`` in a table, which is handed back."""
-        line = self.line()
+        """``key = value`` in a table: the path of the key."""
+        line, begin = self.line(), self.at
         path = table
         for part in self.key():
             path = self.note((*path, part), line)
         self.expect("=")
         self.value(path)
-        return table
+        self.found.keys[path] = begin
+        return path
 
     def key(self) -> list[str]:
         parts = [self.part()]
@@ -123,6 +163,7 @@ class _Walk:
 
     def value(self, path: Path) -> None:
         self.skip(_SPACE)
+        begin = self.at
         match = _STRING.match(self.text, self.at)
         if match is not None:
             self.at = match.end()
@@ -132,6 +173,8 @@ class _Walk:
             self.table(path)
         else:
             self.skip(_SCALAR)
+        written = self.text[begin : self.at].rstrip(" \t")
+        self.found.values[path] = (begin, begin + len(written))
         self.skip(_SPACE)
 
     def array(self, path: Path) -> None:
@@ -147,6 +190,7 @@ class _Walk:
         self.at += 1
 
     def table(self, path: Path) -> None:
+        self.found.inline.add(path)
         self.at += 1
         self.skip(_BLANK)
         while not self.text.startswith("}", self.at):

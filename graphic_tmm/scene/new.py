@@ -89,11 +89,17 @@ def _example(section: Section, keys: Mapping[str, Key]) -> Iterator[str]:
 
 def shown(one: Key) -> str | None:
     """Return a key's default as a scene writes it, or its example if it has none; None if there is neither."""
+    default = default_text(one)
+    return toml(one.example) if default is None and one.example is not None else default
+
+
+def default_text(one: Key) -> str | None:
+    """Return a key's default as a scene writes it; None where that is nothing."""
     if one.default is not MISSING and one.default is not None and one.default not in ((), {}, ""):
         for text in _spelled(one):
             if _read(one, text) == one.default:
                 return text
-    return None if one.example is None else toml(one.example)
+    return None
 
 
 def _spelled(one: Key) -> Iterator[str]:

@@ -142,6 +142,8 @@ _WORDS: dict[Dimension, tuple[str, str]] = {
     "ratio": (said("a ratio"), "23 %"),
 }
 """Of each dimension a quantity, in words and as an example."""
+PAPER = "length on the sheet in mm"
+"""The unit that sections declare for what is drawn so long."""
 
 
 def _units() -> dict[str, Unit]:
@@ -224,6 +226,13 @@ def wanted(dimension: Dimension, example: str = "") -> Said:
     return said(
         '{noun} is wanted here, for example "{example}"', noun=noun, example=example or usual
     )
+
+
+def noun_of(unit: str) -> Said | str:
+    """Return what a number of a unit that a section declares is, in words; "" of none."""
+    if unit == PAPER:
+        return said("a length on the sheet")
+    return _WORDS[unit][0] if unit in _WORDS else ""
 
 
 def article(noun: str) -> str:

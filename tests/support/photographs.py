@@ -28,7 +28,9 @@ PAPER, INK, TABLE = 235.0, 40.0, 70.0
 class Camera(NamedTuple):
     """``tilt``: about the photograph's x, y and z axes, degrees; ``far``: distance, mm; ``focal``, px.
 
-    ``lens``: radial distortion at the half width of the photograph, as a share.
+    ``lens``: radial distortion at the half width of the photograph, as a share; ``sag``: how far the sheet
+    lies off its table where it is farthest, mm: curled about its upright middle line, or a ``dome``;
+    ``middle``: the point of the sheet that the camera looks at, mm.
     """
 
     tilt: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -37,16 +39,27 @@ class Camera(NamedTuple):
     columns: int = 2000
     rows: int = 1500
     lens: float = 0.0
+    sag: float = 0.0
+    dome: bool = False
+    middle: tuple[float, float] = (WIDTH / 2, HEIGHT / 2)
 
     @property
-    def matrix(self) -> np.ndarray:
-        """From the sheet (mm, y upward) to the ideal photograph (px, y downward)."""
+    def turn(self) -> np.ndarray:
+        """From the sheet's axes to the camera's."""
         a, b, c = np.radians(self.tilt)
         about_x = np.array([[1, 0, 0], [0, np.cos(a), -np.sin(a)], [0, np.sin(a), np.cos(a)]])
         about_y = np.array([[np.cos(b), 0, np.sin(b)], [0, 1, 0], [-np.sin(b), 0, np.cos(b)]])
         about_z = np.array([[np.cos(c), -np.sin(c), 0], [np.sin(c), np.cos(c), 0], [0, 0, 1]])
-        turn = about_z @ about_y @ about_x @ np.diag([1.0, -1.0, -1.0])
-        place = np.array([0, 0, self.far]) - turn @ np.array([WIDTH / 2, HEIGHT / 2, 0])
+        return about_z @ about_y @ about_x @ np.diag([1.0, -1.0, -1.0])
+
+    @property
+    def place(self) -> np.ndarray:
+        """Where the sheet's origin is, by the camera's axes, mm."""
+        return np.array([0, 0, self.far]) - self.turn @ np.array([*self.middle, 0])
+
+    @property
+    def matrix(self) -> np.ndarray:
+        """From the sheet (mm, y upward) to the ideal photograph (px, y downward)."""
         inner = np.array(
             [
                 [self.focal, 0, (self.columns - 1) / 2],
@@ -54,7 +67,22 @@ class Camera(NamedTuple):
                 [0, 0, 1],
             ]
         )
-        return inner @ np.column_stack([turn[:, 0], turn[:, 1], place])
+        return inner @ np.column_stack([self.turn[:, 0], self.turn[:, 1], self.place])
+
+    def _lifted(self, points: np.ndarray) -> np.ndarray:
+        """From points of the sheet to those of the table that they hide, mm."""
+        across, up = 2 * points.real / WIDTH - 1, 2 * points.imag / HEIGHT - 1
+        high = self.sag * (1 - across**2) * ((1 - up**2) if self.dome else 1)
+        x, y, above = -self.turn.T @ self.place
+        return (points - complex(x, y)) * high / (above - high)
+
+    def table(self, seen: np.ndarray) -> np.ndarray:
+        """Which points of the sheet are seen at places of the photograph."""
+        plane = project(np.linalg.inv(self.matrix), self.ideal(seen))
+        found = plane
+        for _ in range(4 if self.sag else 0):
+            found = plane - self._lifted(found)
+        return found
 
     def _middle(self) -> complex:
         return complex((self.columns - 1) / 2, (self.rows - 1) / 2)
@@ -66,7 +94,7 @@ class Camera(NamedTuple):
 
     def seen(self, points: np.ndarray) -> np.ndarray:
         """Where points of the sheet (complex mm) are seen in the photograph (complex px)."""
-        sharp = project(self.matrix, points)
+        sharp = project(self.matrix, points + self._lifted(points))
         found = sharp
         for _ in range(60):
             found = found - (self.ideal(found) - sharp)
@@ -140,7 +168,6 @@ def photograph(
 ) -> np.ndarray:
     """The photograph (rows, columns, 3): a lamp falls off to ``shade`` across it, noise of the sensor."""
     random = np.random.default_rng(seed)
-    back = np.linalg.inv(camera.matrix)
     made = np.empty((camera.rows, camera.columns), dtype=np.float32)
     x = np.arange(camera.columns)
     for first in range(0, camera.rows, 100):
@@ -149,7 +176,7 @@ def photograph(
         for dx, dy in ((-0.25, -0.25), (0.25, -0.25), (-0.25, 0.25), (0.25, 0.25)):
             # anywhere in its quarter: at fixed places the dots of sheet and photograph would beat
             aside = random.random((2, y.size, x.size), dtype=np.float32) / 2 - 0.25
-            at = project(back, camera.ideal(x + dx + aside[0] + 1j * (y + dy + aside[1])))
+            at = camera.table(x + dx + aside[0] + 1j * (y + dy + aside[1]))
             column, row = np.floor(at.real * DOTS), np.floor(at.imag * DOTS)
             on = (column >= 0) & (column < drawn.shape[1]) & (row >= 0) & (row < drawn.shape[0])
             j, i = np.where(on, column, 0).astype(int), np.where(on, row, 0).astype(int)

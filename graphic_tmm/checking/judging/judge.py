@@ -20,6 +20,7 @@ from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.own_errors import apart
 from graphic_tmm.checking.judging.reader import GIVEN
 from graphic_tmm.checking.judging.scatter import Scatter, times_off
+from graphic_tmm.checking.judging.slips import counted
 from graphic_tmm.checking.judging.yardstick import Yardstick
 from graphic_tmm.checking.readings.units import due_figure, half_of, taken_figure
 from graphic_tmm.checking.records import FINE, VERDICTS, Judged, Taken
@@ -44,7 +45,7 @@ class _Off(NamedTuple):
 
     @property
     def counted(self) -> float:
-        return max(abs(self.signed) - self.grain, 0.0)
+        return counted(self.signed, self.grain)
 
 
 class _Own(NamedTuple):
@@ -135,13 +136,13 @@ def _own(drawing: Comparison, taken: Taken) -> _Own | None:
         return None
     if drawing.calculated(taken):
         (by, error, grain), digits = errors[0], drawing.by.reader.rounding(taken.mm or 0.0)
-        counted = max(abs(error) - grain - digits, 0.0)
-        return _Own(Scatter(np.empty(0), 0.0, drawing.by.limits.wrong * digits), counted, by, error)
+        most = drawing.by.limits.wrong * digits
+        return _Own(Scatter(np.empty(0), 0.0, most), counted(error, grain + digits), by, error)
     if taken.pointed:
         lost = drawing.by.reader.lost(taken.last, drawing.share)
         errors = tuple((one, error, lost) for one, error, _ in errors)
-    counted, by, error = steps.worst(errors, drawing.share if taken.pointed else 1.0)
-    return _Own(steps.scatter, counted, by, error)
+    times, by, error = steps.worst(errors, drawing.share if taken.pointed else 1.0)
+    return _Own(steps.scatter, times, by, error)
 
 
 def _agreed(drawing: Comparison, taken: Taken, length: Taken) -> _Own | None:
@@ -155,9 +156,9 @@ def _agreed(drawing: Comparison, taken: Taken, length: Taken) -> _Own | None:
     error = abs(found) / mu - abs(length.mm)
     ruler = drawing.by.reader.half
     digits = drawing.by.reader.rounding(length.mm)
-    counted = max(abs(error) - half_of(taken, cell) / mu - length.last.mm - ruler - digits, 0.0)
-    slip = max(hand.reading, ruler)
-    return _Own(Scatter(np.empty(0), 0.0, drawing.by.limits.wrong * slip), counted, step, error)
+    grain = half_of(taken, cell) / mu + length.last.mm + ruler + digits
+    most = drawing.by.limits.wrong * max(hand.reading, ruler)
+    return _Own(Scatter(np.empty(0), 0.0, most), counted(error, grain), step, error)
 
 
 def _strict(drawing: Comparison, taken: Taken, verdicts: Mapping[Taken, str]) -> bool:

@@ -7,18 +7,18 @@ that was read the point that the log marked: a later step starts from what was f
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.execute import needed
-from graphic_tmm.board.geometry import along, wedge
 from graphic_tmm.board.operations.instruments import cross, cut, lay_off, meet
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Arc, Line, Point, Reals, Side
 from graphic_tmm.board.values import given as as_value
+from graphic_tmm.checking.judging import slips
 from graphic_tmm.drawn import Drawn
 
 MET = (meet, cut, cross)
@@ -50,6 +50,35 @@ class Own(NamedTuple):
     grain: Reals | float = 0.0
 
 
+class Part(NamedTuple):
+    """What a point may be off, each with an error of its own: of which ``kind`` it is, ``by`` which step made.
+
+    A "line" or an "arc", ``use`` its number among what the point's step uses; the length that was "laid" off;
+    the due one of two meetings ("met", the number of the side); its own "place".
+    """
+
+    kind: str
+    by: Step
+    use: int
+
+
+def parts_of(step: Step, lines: Mapping[Mark, Step]) -> tuple[Part, ...]:
+    """Return what the point of a step may be off; ``lines``: the steps of the log by their marks."""
+    if step.op in MET:
+        on = {Line: "line", Arc: "arc"}
+        found = [
+            Part(on[mark.kind], lines.get(mark) or step, k)
+            for k, mark in enumerate(step.uses)
+            if mark.kind in on
+        ]
+        if Side in step.op.takes:
+            found.append(Part("met", step, step.op.takes.index(Side)))
+        return tuple(found)
+    if step.op is lay_off:
+        return Part("line", lines.get(step.uses[0]) or step, 0), Part("laid", step, 1)
+    return (Part("place", step, -1),)
+
+
 class Run(NamedTuple):
     """A log run with what was read: the errors by mark, and what each mark that was read should have been."""
 
@@ -58,20 +87,35 @@ class Run(NamedTuple):
 
 
 def run(work: Drawn, found: Found, grain: Mapping[Mark, Grain]) -> Run:
+    """Run the log of a scene with what was read in the place of what it measured, calculated and marked.
+
+    ``grain``: how far each figure that was read may be from what was meant, by rounding alone.
+    """
+    return run_log(work.construction, work.given, found, grain, partial(exact, work))
+
+
+def run_log(
+    log: Construction,
+    given: Mapping[Mark, object],
+    found: Found,
+    grain: Mapping[Mark, Grain],
+    exact: Callable[[Mark], Any],
+) -> Run:
     """Run a log with what was read in the place of what it measured, calculated and marked.
 
     Parameters
     ----------
-    work
-        The scene as the exact hand draws it.
+    log, given
+        The log, and what is given.
     found
         What was read.
     grain
         How far each figure that was read may be from what was meant, by rounding alone.
+    exact
+        What the exact hand has of a mark.
     """
-    log = work.construction
     values: dict[int, Any] = {
-        mark.slot: as_value(work.given[mark], mark.kind) for mark in log.given if mark in work.given
+        mark.slot: as_value(given[mark], mark.kind) for mark in log.given if mark in given
     }
     errors: dict[Mark, tuple[Own, ...]] = {}
     due: dict[Mark, Any] = {}
@@ -83,13 +127,13 @@ def run(work: Drawn, found: Found, grain: Mapping[Mark, Grain]) -> Run:
             if (read := found.get(step.it)) is not None:
                 due[step.it] = value
                 if step.it.kind is Point:
-                    parts = _parts(work, lines, step, read, value, values, due)
+                    parts = _parts(exact, lines, step, read, value, values, due)
                     whole = grain[step.it].read if step.it in grain else 0.0
                     errors[step.it] = tuple(part._replace(grain=whole) for part in parts)
                 else:
                     error = apart(read, value)
                     errors[step.it] = (Own(step, error, error, _grain(step, value, drawn, grain)),)
-                    read = np.where(read < 0.0, read, np.copysign(read, value))
+                    read = slips.directed(read, value)
                 value = np.where(np.isnan(read), value, read)
             values[step.it.slot] = value
     return Run(errors, due)
@@ -99,7 +143,7 @@ def apart(found: Any, due: Any) -> Any:
     """Return by how much a figure exceeds its due; a segment without a sign is a magnitude."""
     if isinstance(found, float) and isinstance(due, float):
         return found - due if found < 0.0 else found - abs(due)
-    return np.where(np.asarray(found) < 0.0, found - due, found - np.abs(due))
+    return slips.excess(np.asarray(found), due)
 
 
 def read_of(log: Construction, step: Step, found: Found) -> tuple[Mark, ...]:
@@ -154,7 +198,7 @@ def exact(work: Drawn, mark: Mark) -> Any:
 
 
 def _parts(
-    work: Drawn,
+    exact: Callable[[Mark], Any],
     lines: Mapping[Mark, Step],
     step: Step,
     found: Any,
@@ -163,45 +207,47 @@ def _parts(
     measured: Mapping[Mark, Any],
 ) -> Iterator[Own]:
     """Yield how far a point is off each line and arc that it should lie on, or off its own place."""
-    drawn = [(lines.get(mark), values[mark.slot]) for mark in step.uses]
-    if step.op in MET:
-        for by, value in drawn:
-            if isinstance(value, Line | Arc):
-                yield _even(by or step, _off(value, found))
-        if Side in step.op.takes:
-            yield _met(step, found, due, [value for _, value in drawn])
-    elif step.op is lay_off:
-        by, line = drawn[0]
-        yield _even(by or step, _off(line, found))
-        long = along(found - line.at, line.along)
-        # whether the length was laid off right, and read wrongly, or the other way round
-        off = np.abs(long - drawn[1][1])
-        if (mark := step.uses[1]) in measured:
-            for length in (measured[mark], exact(work, mark)):
-                off = np.fmin(off, np.abs(long - length))
-        yield _even(step, off)
-    else:
-        yield _even(step, np.abs(found - due))
+    drawn = [values[mark.slot] for mark in step.uses]
+    for part in parts_of(step, lines):
+        if part.kind == "met":
+            yield _met(step, part.use, found, due, drawn)
+        elif part.kind == "laid":
+            yield _even(part.by, _laid(exact, step, found, drawn, measured))
+        elif part.kind == "place":
+            yield _even(part.by, slips.off_place(found, due))
+        else:
+            off = slips.off_line if part.kind == "line" else slips.off_arc
+            yield _even(part.by, off(drawn[part.use], found))
 
 
 def _even(step: Step, error: Reals) -> Own:
     return Own(step, error, error)
 
 
-def _met(step: Step, found: Any, due: Any, drawn: list[Any]) -> Own:
+def _laid(
+    exact: Callable[[Mark], Any],
+    step: Step,
+    found: Any,
+    drawn: list[Any],
+    measured: Mapping[Mark, Any],
+) -> Any:
+    """Return how far a point is off the end of the length laid off.
+
+    Whether that was laid off right, and read wrongly, or the other way round.
+    """
+    line, length = drawn
+    off = slips.off_length(line, length, found)
+    if (mark := step.uses[1]) in measured:
+        for other in (measured[mark], exact(mark)):
+            off = slips.nearer(off, slips.off_length(line, other, found))
+    return off
+
+
+def _met(step: Step, side: int, found: Any, due: Any, drawn: list[Any]) -> Own:
     """Return how far a point is off the due meeting of two lines or arcs, where it is nearer to the other.
 
     A hand's size of it is told by how far it is off that meeting: where the two are near, a hand takes one for
     the other.
     """
-    off = np.abs(found - due)
-    place = step.op.takes.index(Side)
-    other = _of(step)(*drawn[:place], -drawn[place], *drawn[place + 1 :])
-    return Own(step, np.where(np.abs(found - other) < off, off, 0.0), off)
-
-
-def _off(figure: Line | Arc, found: Any) -> Any:
-    """Return how far a point is off a line or an arc, mm."""
-    if isinstance(figure, Line):
-        return np.abs(wedge(figure.along, found - figure.at))
-    return np.abs(np.abs(found - figure.centre) - figure.radius)
+    other = _of(step)(*drawn[:side], -drawn[side], *drawn[side + 1 :])
+    return Own(step, slips.off_meeting(found, due, other), slips.off_place(found, due))

@@ -7,7 +7,6 @@ until somebody reads it off the paper. A coordinate is read with a slip of its o
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
@@ -15,6 +14,7 @@ import numpy as np
 
 from graphic_tmm.board.hand import Hand, Streams
 from graphic_tmm.board.values import Reals
+from graphic_tmm.checking.judging import slips
 from graphic_tmm.checking.records import Last
 from graphic_tmm.scene.records import Scene
 
@@ -40,9 +40,6 @@ itself tells how much of it there is.
 GIVEN = 0.005
 """What the scene gives is right to three digits: it is looked at for slips, not for rounding. Could be
 at least 0.002 to 0.015."""
-WHOLE = 1e-6
-"""A length so near (in divisions) to a whole number of them may have been read off the ruler: more than any
-rounding of the machine, less than any digit that is written."""
 
 
 class Reader(NamedTuple):
@@ -62,32 +59,23 @@ class Reader(NamedTuple):
         return 0.5 * (self.hand.ruler or 0.0)
 
     def unblurred(self, written: float) -> float:
-        """Return how far rounding alone carries a length read off the paper, mm.
-
-        The ruler's half division, or half a unit of the last digit that was ``written`` (mm), less the slip
-        of the hand: with a slip so large the rounding is lost in it.
-        """
-        return max(self.half, written, self.hand.reading) - self.hand.reading
+        """Return how far rounding alone carries a length read off the paper, mm; see `slips`."""
+        return slips.unblurred(self.half, written, self.hand.reading)
 
     def lost(self, last: Last, share: float = 1.0) -> float:
         """Return how far rounding alone carries a point, mm: the digits written, less the slip of reading it.
 
         ``share``: of that slip, as a drawing has it.
         """
-        slip = share * self.pointing
-        return max(math.hypot(last.x, last.y), slip) - slip
+        return slips.lost(last.x, last.y, share * self.pointing)
 
     def rounding(self, figure: float) -> float:
         """Return half a unit of the last digit that the hand keeps in a calculation."""
-        digits = self.hand.digits
-        return 0.0 if digits is None else 5.0 * 10.0**-digits * abs(figure)
+        return 0.0 if self.hand.digits is None else slips.rounding(self.hand.digits, figure)
 
     def calculated(self, length: float) -> bool:
         """Whether a length is written finer than the rulers divide: calculated, not read off the paper."""
-        if not self.finest:
-            return False
-        divisions = abs(length) / self.finest
-        return abs(divisions - round(divisions)) > WHOLE
+        return bool(self.finest) and slips.between(length, self.finest)
 
     @property
     def pointing(self) -> float:

@@ -10,10 +10,11 @@ import numpy as np
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.checking.cells import Cell, Key, cells, points
+from graphic_tmm.checking.judging import slips
 from graphic_tmm.checking.judging.own_errors import apart
 from graphic_tmm.checking.judging.reader import Reader
 from graphic_tmm.checking.judging.sample import Sample
-from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG
+from graphic_tmm.checking.records import VERDICTS
 from graphic_tmm.drawn import DrawnScene
 
 NEAR, ABSURD = float(np.log(4.0)), float(np.log(10.0))
@@ -67,11 +68,7 @@ class Scatter(NamedTuple):
 
     def verdict(self, deviation: float, times: float = 0.0) -> str:
         """Return what a deviation is, of a figure so many times too large or too small (a logarithm)."""
-        if deviation > self.wrong:
-            return WRONG
-        if deviation <= self.doubtful:
-            return FINE
-        return WRONG if times > self.times * (1.0 - 1e-9) else DOUBTFUL
+        return VERDICTS[slips.severity(deviation, times, self.doubtful, self.wrong, self.times)]
 
 
 def scatter(
@@ -84,7 +81,7 @@ def scatter(
     """Return how what is read of the hand's drawings scatters, by figure and whether it is in mm."""
     due, stand, none = cells(made), points(made), np.empty(0)
     at = {
-        (key, in_mm): _limited(
+        (key, in_mm): limited_figure(
             drawn.figures.get((key, in_mm), none), key, due[key], by, limits, in_mm
         )
         for key, kinds in wanted.items()
@@ -112,13 +109,13 @@ def limited(deviations: np.ndarray, limits: Limits) -> Scatter:
 def times_off(found: Reals | float, due: float) -> Reals:
     """Return by how many times figures differ from what is due, as logarithms of their sizes."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        times = np.abs(np.log(np.abs(np.asarray(found, dtype=np.float64)) / abs(due)))
-    return np.where(np.isnan(times), np.inf, times)
+        return np.asarray(slips.times_off(np.asarray(found, dtype=np.float64), due))
 
 
-def _limited(
+def limited_figure(
     figures: Reals, key: Key, due: Cell, by: Reader, limits: Limits, in_mm: bool
 ) -> Scatter:
+    """Return the limits that follow from what drawings have of a figure, of those that have it."""
     goal = _figure(due, in_mm)
     assert goal is not None
     figures = _read(figures, goal, key, due, by, in_mm)

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Length, Point, Reals
-from graphic_tmm.checking.judging.own_errors import Found, Own, run
+from graphic_tmm.checking.judging import slips
+from graphic_tmm.checking.judging.own_errors import Found, Own, Run, run
 from graphic_tmm.checking.judging.reader import Reader
 from graphic_tmm.checking.judging.scatter import Limits, Scatter, limited
 from graphic_tmm.drawn import Drawn
@@ -50,7 +52,7 @@ class StepScatter(NamedTuple):
     def at(self, share: float) -> tuple[float, ...]:
         """Return the sizes if coordinates were read with this share of the slip that was counted upon."""
         pairs = zip(self.sizes, self.sharp, strict=True)
-        return tuple(math.sqrt(b * b + share * share * max(a * a - b * b, 0.0)) for a, b in pairs)
+        return tuple(slips.sized(a, b, share) for a, b in pairs)
 
     def worst(
         self, errors: Sequence[tuple[Step, float, float]], share: float
@@ -60,7 +62,7 @@ class StepScatter(NamedTuple):
         ``errors``: each a step, its error, and how much of it may be rounding; ``share``: as in `at`.
         """
         times = [
-            max(abs(error) - grain, 0.0) / size
+            slips.counted(error, grain) / size
             for (_, error, grain), size in zip(errors, self.at(share), strict=True)
         ]
         k = times.index(max(times))
@@ -102,12 +104,22 @@ def step_scatters(
 
     ``drawn``: the numbers of the same marks in the hand's drawings.
     """
-    steps = {step.it: step for step in work.construction.steps}
+    return scatters_of(work.construction, partial(run, work, grain={}), found, drawn, by, limits)
+
+
+def scatters_of(
+    log: Construction,
+    run: Callable[[Found], Run],
+    found: Found,
+    drawn: Found,
+    by: Reader,
+    limits: Limits,
+) -> dict[tuple[Mark, int], StepScatter]:
+    """Return the same of any row of positions; ``run``: its log run with what was read."""
+    steps = {step.it: step for step in log.steps}
     blunt, sharp = (
         run(
-            work,
-            {mark: _read(steps[mark], drawn[mark], there, who) for mark, there in found.items()},
-            {},
+            {mark: _read(steps[mark], drawn[mark], there, who) for mark, there in found.items()}
         ).errors
         for who in (by, by.sharp)
     )

@@ -1,8 +1,8 @@
 """A photograph of a hand-made sheet, its perspective removed, at true millimetres.
 
 A drawing frame is a rectangle of known size: its four corners fix the projection of the sheet into the
-photograph. The corners are clicked; they are refined to the frame's lines, and how straight these lines
-are tells whether the photograph is a central projection at all. Needs Pillow (extra ``photo``).
+photograph. The corners are clicked and refined to the frame's lines; how the lens bows these is taken
+out, and how straight they then are tells whether the sheet was flat. Needs Pillow (extra ``photo``).
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.checking.photo.frame_lines import REACH, refine
+from graphic_tmm.checking.photo.lens import Lens, pinhole
 from graphic_tmm.checking.photo.perspective import (
     Corners,
     bilinear,
@@ -34,6 +35,9 @@ from graphic_tmm.paper.ruled import Box
 BENT = 0.5
 """A frame farther than this from straight is bent, mm: two such lines put their corner 0.7 mm off."""
 
+BOWED = 2.0
+"""A lens that bows the frame farther is told of, mm: of such a lens one number tells too little."""
+
 BLOCK = 1 << 18
 """So many pixels are sampled at a time."""
 
@@ -47,14 +51,16 @@ class Photo(NamedTuple):
     ``image`` (rows, columns, 3): colours 0 ... 255, the uppermost row first; ``area``: the rectangle of
     the sheet that it fills, mm; ``corners`` (4,): the frame's corners in the photograph, px, lower left,
     lower right, upper right, upper left; ``homography`` (3, 3): from the sheet, mm, y upward, into the
-    photograph, px, y downward; ``residual``: how far the frame's lines are from straight, mm, NaN if no
-    line was found; ``warnings``: what makes the picture doubtful.
+    photograph of a pinhole, px, y downward; ``lens``: from there into this one; ``residual``: how far the
+    frame's lines are from straight without the lens, mm, NaN if no line was found; ``warnings``: what makes
+    the picture doubtful.
     """
 
     image: NDArray[np.uint8]
     area: Box
     corners: Complexes
     homography: Reals
+    lens: Lens
     residual: float
     warnings: tuple[str, ...]
 
@@ -91,15 +97,17 @@ def flatten(
     _within(clicked, image)
     found = refine(image, box, clicked) if refined else None
     marks = clicked if found is None else found.corners
-    matrix = homography(box, marks)
+    lens = pinhole(image) if found is None else found.lens
+    matrix = homography(box, lens.straight(marks))
     notes = [_turned(box, marks)]
     if found is not None:
-        notes += [_missing(found.missing), _bent(found.residual)]
+        notes += [_missing(found.missing), _bowed(found.bowed), _bent(found.residual)]
     return Photo(
-        _unbent(*_coarser(image, matrix, box, dots_per_mm), whole, rows, columns),
+        _unbent(*_coarser(image, matrix, lens, box, dots_per_mm), whole, rows, columns),
         whole,
         marks,
         matrix,
+        lens,
         math.nan if found is None else found.residual,
         tuple(note for note in notes if note),
     )
@@ -186,35 +194,46 @@ def _missing(edges: tuple[str, ...]) -> str:
     )
 
 
+def _bowed(bowed: float) -> str:
+    if not bowed > BOWED:
+        return ""
+    return said(
+        "the lens bows the frame by {bowed:.1f} mm (more than {most:g} mm): that is taken out, but take the "
+        "photograph from farther away, without wide angle",
+        bowed=bowed,
+        most=BOWED,
+    )
+
+
 def _bent(residual: float) -> str:
     if not residual > BENT:
         return ""
     return said(
-        "the frame is bent by {residual:.1f} mm (more than {most:g} mm): the lens, or a sheet that "
-        "is not flat: take the photograph from farther away, the sheet pressed flat",
+        "the frame is bent by {residual:.1f} mm (more than {most:g} mm) even without the lens: the sheet is "
+        "not flat: take the photograph anew, the sheet pressed flat",
         residual=residual,
         most=BENT,
     )
 
 
 def _coarser(
-    image: NDArray[np.uint8], matrix: Reals, frame: Box, dots: float
-) -> tuple[NDArray[np.uint8], Reals]:
-    """Return a photograph with several dots to one of the picture as their means, and its projection."""
+    image: NDArray[np.uint8], matrix: Reals, lens: Lens, frame: Box, dots: float
+) -> tuple[NDArray[np.uint8], Reals, Lens]:
+    """Return a photograph with several dots to one of the picture as their means, its projection, its lens."""
     corners = through(matrix, vertices(frame))
     seen = abs(cross(corners[2] - corners[0], corners[3] - corners[1])) / 2
     drawn = (frame.right - frame.left) * (frame.top - frame.bottom)
     factor = int(math.sqrt(seen / drawn) / dots)
     if factor < 2:
-        return image, matrix
+        return image, matrix, lens
     reduced = np.asarray(pillow()[0].fromarray(image).reduce(factor), dtype=np.uint8)
     half = 0.5 / factor - 0.5
     moved = np.array([[1 / factor, 0, half], [0, 1 / factor, half], [0, 0, 1.0]])
-    return reduced, moved @ matrix
+    return reduced, moved @ matrix, lens.reduced(factor)
 
 
 def _unbent(
-    image: NDArray[np.uint8], matrix: Reals, area: Box, rows: int, columns: int
+    image: NDArray[np.uint8], matrix: Reals, lens: Lens, area: Box, rows: int, columns: int
 ) -> NDArray[np.uint8]:
     """Return the ``area`` (mm) of the sheet on ``rows`` × ``columns`` dots, sampled in blocks."""
     side = (area.right - area.left) / columns
@@ -224,6 +243,6 @@ def _unbent(
     block = max(BLOCK // columns, 1)
     for first in range(0, rows, block):
         points = across + 1j * down[first : first + block, None]
-        seen = bilinear(image, through(matrix, points))
+        seen = bilinear(image, lens.seen(through(matrix, points)))
         made[first : first + block] = np.where(np.isnan(seen), PAPER, np.rint(seen))
     return made

@@ -1,9 +1,11 @@
-"""Templates of reports (jinja2): what is put into one is data and is escaped, unless a template has made it."""
+"""Reports as their templates render them."""
 
 from __future__ import annotations
 
 from functools import cache, partial
 from typing import TYPE_CHECKING, Any
+
+from graphic_tmm.templates import environment
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -19,16 +21,7 @@ def render(template: str, **values: Any) -> Markup:
 
 @cache
 def _environment() -> Environment:
-    """Return the templates: every text is escaped, and a name that is not given is an error."""
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    made = Environment(
-        loader=PackageLoader("graphic_tmm.checking.report"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-    )
+    """Return the templates of reports, with what they write figures and rows by."""
+    made = environment("graphic_tmm.checking.report")
     made.filters |= {"mm": "{:.2f}".format, "zip": partial(zip, strict=True)}
     return made

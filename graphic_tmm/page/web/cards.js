@@ -51,7 +51,8 @@ export function cardsOf(data, dense, packed) {
     }
     const told = own.filter((one) => one.letter !== "").map((one) => {
       const height = placeOf(one.y, rows);
-      return { ...one, number: (/** @type {number} */ k) => fourFigures((one.origin - height(k)) * one.mu, dense.decimal) };
+      const mm = (/** @type {number} */ k) => Math.round(1000 * (one.origin - height(k))) / 1000;
+      return { ...one, number: (/** @type {number} */ k) => fourFigures(mm(k) * one.mu, dense.decimal) };
     });
     const letters = [...new Set(told.map((one) => one.letter))];
     const title = letters.length > 1 ? letters.join(", ") : view.title;

@@ -12,7 +12,7 @@ import { element, typeset } from "./dom.js";
  */
 
 /** What stands where there is no figure. */
-const NONE = "—";
+const NONE = "";
 
 /**
  * A list of what is told, each with the text that changes.
@@ -29,8 +29,9 @@ export class Values {
       const text = document.createTextNode(NONE);
       const cell = element("dd", {}, text);
       if (value.unit !== "") cell.append(` ${value.unit}`);
-      this.list.append(element("div", {}, element("dt", {}, ...typeset(value.letter), " = "), cell));
-      return { value, text };
+      const row = element("div", { class: "gone" }, element("dt", {}, ...typeset(value.letter), " = "), cell);
+      this.list.append(row);
+      return { value, text, row };
     });
   }
 
@@ -40,10 +41,11 @@ export class Values {
    */
   show(k, drawn) {
     const position = this.positions.get(k);
-    for (const { value, text } of this.cells) {
+    for (const { value, text, row } of this.cells) {
       const own = position === undefined ? null : (value.texts[position] ?? null);
       const now = !drawn || !isThere(value.there, k) ? NONE : (own ?? value.number(k));
       if (text.data !== now) text.data = now;
+      row.classList.toggle("gone", now === NONE);
     }
   }
 }

@@ -9,7 +9,7 @@ const CROSS = "M6 6l12 12M18 6 6 18";
  * own are named by these.
  * @type {Record<string, [string, string][]>}
  */
-const KEYS = {
+export const KEYS = {
   play: [
     ["→ PgDn", "next"],
     ["← PgUp", "previous"],

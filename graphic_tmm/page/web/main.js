@@ -1,34 +1,15 @@
-import { crankRoom } from "./crank.js";
 import { packedData } from "./data.js";
 import { helpButton, helpPanel } from "./help.js";
 import { listenToKeys } from "./keys.js";
-import { lectureRoom } from "./lecture.js";
 import { liveRegion } from "./live.js";
-import { playRoom } from "./play.js";
 import { showPoster } from "./poster.js";
+import { ROOMS } from "./rooms.js";
 import { letRun } from "./run.js";
-import { sheetRoom } from "./sheet.js";
 import { State } from "./state.js";
 import { asPanel, fillTabs } from "./tabs.js";
 import { themeButton, turnTheme } from "./theme.js";
 
-/**
- * @typedef {import("./types.js").Data} Data
- * @typedef {(data: Data, state: State) => HTMLElement} Room
- */
-
-/**
- * The ways of looking, in the order of their tabs; each is entered here and nowhere else. A room makes its element,
- * hears the state, shows what `place` says while `place.tab` is its name (its element is seen by then), lets keys
- * act by `listenToKeys(state, name, {…})`, tells them in `KEYS` of help.js. Its tab is called by `data.words[name]`.
- * @type {Record<string, Room>}
- */
-const ROOMS = {
-  play: playRoom,
-  crank: crankRoom,
-  sheets: sheetRoom,
-  lecture: lectureRoom,
-};
+/** @typedef {import("./types.js").Data} Data */
 
 try {
   begin(await packedData());

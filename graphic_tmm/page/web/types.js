@@ -18,7 +18,7 @@
  * @typedef {[number, string, boolean, ...number[]]} Joint a point of a mechanism; page/inset.py
  * @typedef {{name: string, width: number, height: number, format: string}} SheetSize
  * @typedef {{language: string, title: string, words: Record<string, string>, sheets: SheetSize[],
- *   parts: Record<string, string>, views: View[], crank?: Dense}} Data
+ *   parts: Record<string, string>, views: View[], crank?: Dense, practice?: Practice}} Data
  *
  * The mechanism at every degree; the names are those of page/crank.py. A coordinate is a number of thousandths of
  * a millimetre, or a row and a distance; what is not always there says from which to behind which angle it is.
@@ -36,5 +36,44 @@
  *   positions: [string, number][], why: [number, number, string][], decimal: string,
  *   pens: Record<string, [number, number[], string, string]>, figures: MovingFigure[], cursors: Cursor[],
  *   glyphs: Glyph[]}} Dense
+ *
+ * Practice; the names are those of page/practice/pack.py. Points are mm from the origin of their plan (its pole), y
+ * upward. A mark is named by its slot in the log, a position by its index in `names`.
+ * @typedef {{re: number, im: number}} Complex
+ * @typedef {{at: Complex, along: Complex}} DrawnLine
+ * @typedef {{centre: Complex, radius: number}} DrawnArc
+ * @typedef {number | Complex | DrawnLine | DrawnArc} Drawn what a mark is: a length, an angle, a quantity, a point …
+ * @typedef {"point" | "line" | "arc" | "length" | "angle" | "number" | "side"} Kind
+ * @typedef {{l: string, n: string, k: Kind, v: number, u?: string}} PracticeMark its letter as mark-up, as plain
+ *   text, its kind, its plan (index in `plans`), its unit
+ * @typedef {["line" | "arc" | "met" | "laid" | "place", number, number]} Part what a point may be off: of which
+ *   kind, the mark of the step that is blamed, the number of the mark among what the point's step uses
+ * @typedef {{it: number, op: string, uses: number[], choice?: number[], choices?: string[], measures?: boolean,
+ *   parts?: Part[], read?: Reading, text?: Run[], why?: Run[], formula?: string, tool?: string, hand?: string, sides?: [string, string]}} PracticeStep
+ *   `choice`: by `choices`, their names; `measures`: it reads what is drawn; `read`: what `check` reads of it, by which name; without it nothing does. `text`, `why`: its sentence and reason;
+ *   `formula`: with letters alone; `tool`: the instruments in words, `hand`: their letters in geometrography;
+ *   `sides`: what +1 and −1 of its side, or of its choice, are called. Only steps of practice have these
+ * @typedef {{as: "point" | "length" | "rate", name: string, key: string, unit: string}} Reading a row of a check: what
+ *   it gives, plan, segment, the unit of a rate
+ * @typedef {{plan: number, at: number, view: number, sheet: number, origin: [number, number], steps: number[],
+ *   shown: number[], pole: number, whole: number, pose?: number}} Task a plan in a position: `view` of the page that
+ *   shows it (-1: none), its sheet, where its origin lies on that (mm, y downward), the marks that are to be made, in the order of
+ *   the log, those of other plans that they need, its pole (-1: none), its longest vector in mm
+ * @typedef {{b: number[][], d: number[], w: number[], s?: number[][], m?: number[]}} OwnLimit by position (its index
+ *   in `at`): the sizes of the errors that a hand makes, part by part; from where on in these an error is doubtful,
+ *   wrong; of a point the sizes if it were read without a slip, and below what most errors are; -1, []: nothing
+ * @typedef {{d: number[], w: number[], t: number[]}} TotalLimit by position: from where on a deviation is doubtful,
+ *   wrong, and how many times too large is absurd (a logarithm; -1: nothing)
+ * @typedef {{pointing: number, own: Record<string, OwnLimit>, total: Record<string, TotalLimit>}} Manner how a
+ *   drawing is read, and the limits of the hand then
+ * @typedef {{half: number, reading: number, digits: number, finest: number, wrong: number,
+ *   shares: number[], few: number, most: number, sure: number}} Reader who reads: half a division of the ruler, the
+ *   slip of reading, the digits of a calculation, the finest ruler; and how it is judged (checking/judging)
+ * @typedef {{hand: string, names: string[], plans: string[], titles: string[], marks: Record<string, PracticeMark>,
+ *   given: Record<string, number | number[] | (number | null)[]>, steps: PracticeStep[], tasks: Task[], at: number[][],
+ *   reader: Reader, manners: Record<string, Manner>}} Practice
+ *   `given`: a number, one a position, of a point x, y in turn. `at`: by plan the positions that it is drawn in, to
+ *   which limits belong. `manners`: "plan": all of a plan is read, its points on a screen; "points": only its
+ *   points are, off a photograph
  */
 export {};

@@ -21,7 +21,9 @@ from graphic_tmm.paper.frame.frame import drawing_area
 CAMERAS = {
     "tilted": Camera((18, -12, 6), 1150, 2311.7),
     "steep": Camera((-25, 8, -10), 1200, 2311.7),
-    "lens": Camera((3, -2, 1), 1000, 1391.3, 1400, 1050, lens=0.01),
+    "lens": Camera((3, -2, 1), 1000, 1987.6, 2000, 1500, lens=0.01),
+    "wide": Camera((3, -2, 1), 1000, 1391.3, 1400, 1050, lens=0.03),
+    "curled": Camera((18, -12, 6), 1150, 1618.1, 1400, 1050, sag=3.0),
 }
 EXACT, CLICKED = 0.1, 0.7
 """What a point may be off, mm: corners given exactly; corners clicked ±2 px."""
@@ -52,7 +54,7 @@ def test_exact_corners_bring_every_point_back(file: Path, name: str, refined: bo
     photo = flatten(file, corners(name), FRAME, refined=refined)
     assert photo.image.shape == (594 * 4, 841 * 4, 3)
     assert abs(photographs.found_discs(photo.image, 4.0) - TARGETS).max() < EXACT
-    assert abs(through(photo.homography, CORNERS) - photo.corners).max() < 1e-9
+    assert abs(photo.lens.seen(through(photo.homography, CORNERS)) - photo.corners).max() < 1e-9
     assert photo.warnings == ()
     assert photo.residual < EXACT if refined else math.isnan(photo.residual)
 
@@ -72,8 +74,25 @@ def test_clicked_corners_bring_every_point_back(file: Path, name: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("file", ["lens"], indirect=True)
+def test_the_lens_is_taken_out_of_the_picture(file: Path) -> None:
+    photo = flatten(file, corners("lens"), FRAME)
+    assert abs(photographs.found_discs(photo.image, 4.0) - TARGETS).max() < EXACT
+    assert photo.warnings == ()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("file", ["wide"], indirect=True)
+def test_a_lens_that_bows_much_is_told(file: Path) -> None:
+    photo = flatten(file, corners("wide"), FRAME, dots_per_mm=1.0)
+    assert photo.residual < EXACT
+    assert len(photo.warnings) == 1
+    assert "the lens bows the frame by 3." in photo.warnings[0]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("file", ["curled"], indirect=True)
 def test_a_bent_frame_is_warned_of(file: Path) -> None:
-    photo = flatten(file, corners("lens"), FRAME, dots_per_mm=1.0)
+    photo = flatten(file, corners("curled"), FRAME, dots_per_mm=1.0)
     assert photo.residual > BENT
     assert len(photo.warnings) == 1
     assert f"bent by {photo.residual:.1f} mm" in photo.warnings[0]

@@ -148,6 +148,16 @@ def test_the_lecture_fills_the_screen(lecture) -> None:
     page.wait_for_function("() => !document.documentElement.classList.contains('full')")
 
 
+def begun_with(script: str, opened, files):
+    """Open a lecture in a browser that runs a script before it: the page is begun anew where it is then."""
+    page = opened(files("windrower", "en"), ADDRESS, **WIDE).page
+    page.locator("html.ready").wait_for()
+    page.add_init_script(script)
+    page.reload()
+    page.locator("html.ready").wait_for()
+    return page
+
+
 REFUSED = {
     "refused": "Element.prototype.requestFullscreen = () => Promise.reject(new TypeError('no'))",
     "missing": "delete Element.prototype.requestFullscreen",
@@ -156,12 +166,7 @@ REFUSED = {
 
 @pytest.mark.parametrize("how", REFUSED)
 def test_where_the_screen_is_refused_the_window_is_filled(opened, files, how: str) -> None:
-    tab = opened(files("windrower", "en"), "", **WIDE)
-    page = tab.page
-    page.add_init_script(REFUSED[how])
-    page.goto(files("windrower", "en").as_uri() + ADDRESS)
-    page.reload()
-    page.locator("html.ready").wait_for()
+    page = begun_with(REFUSED[how], opened, files)
     page.keyboard.press("f")
     assert page.evaluate(FULL)
     assert not page.get_by_role("tab").first.is_visible()
@@ -236,11 +241,6 @@ def test_the_speaker_s_window_opens_once_and_closes_with_the_page(lecture) -> No
 
 
 def test_a_window_that_is_refused_is_told(opened, files) -> None:
-    tab = opened(files("windrower", "en"), "", **WIDE)
-    page = tab.page
-    page.add_init_script("window.open = () => null")
-    page.goto(files("windrower", "en").as_uri() + ADDRESS)
-    page.reload()
-    page.locator("html.ready").wait_for()
+    page = begun_with("window.open = () => null", opened, files)
     page.get_by_role("button", name="Speaker's window").click()
     assert "allow windows of this page" in page.get_by_role("alert").inner_text()

@@ -190,8 +190,35 @@ def test_where_it_cannot_be_drawn_it_says_why(opened: Begin, tmp_path: Path) -> 
     assert says.startswith("It cannot be drawn here: ")
     assert "'B'" in says
     assert tab.page.locator("#crank .lead .body").get_attribute("visibility") == "hidden"
+    assert tab.page.evaluate(SHOWN) == []
     tab.page.locator("body").press("Home")
     assert tab.page.locator("#crank .why").text_content() == ""
+    assert len(tab.page.evaluate(SHOWN)) > 0
+
+
+SHOWN = """() => [...document.querySelectorAll("#crank .values div")]
+  .filter((one) => one.checkVisibility({ visibilityProperty: true })).map((one) => one.textContent)"""
+"""What a person sees of what is told at an angle, as "v = 1.2 m/s"."""
+FIGURE = re.compile(r"(?:^|[ (])[−-]?\d+(?:[.,]\d+)?(?:[ ·]|$)")
+SENSELESS = re.compile(r"NaN|undefined|null|Infinity|—|10[⁻−-]|\de-\d")
+
+
+@pytest.mark.parametrize(
+    "name", ["windrower", "engine", "accelerating-crank", "oscillating-cylinder"]
+)
+def test_what_is_told_is_a_figure_or_is_not_there(page_of: Begin, name: str) -> None:
+    shown, met = _crank(page_of, name, viewport={"width": 1600, "height": 5000}), 0
+    for box in shown.get_by_role("checkbox").all():
+        box.check()
+    for _ in range(12):
+        for key in ("PageUp", "ArrowRight"):
+            shown.locator("body").press(key)
+            told_of = shown.evaluate(SHOWN)
+            met += len(told_of)
+            assert [one for one in told_of if not FIGURE.search(one.partition("=")[2])] == []
+            whole = shown.locator("#crank").inner_text()
+            assert not SENSELESS.search(whole), SENSELESS.findall(whole)
+    assert met > 24
 
 
 def test_cursors_run_on_the_curves_of_the_sheet(page_of: Begin) -> None:

@@ -1,0 +1,28 @@
+"""What files are written as, as an option names it: one form, or several with commas."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from graphic_tmm.language.said import said
+
+
+def chosen(forms: str, known: Sequence[str]) -> list[str]:
+    """Return the forms that an option names.
+
+    Raises
+    ------
+    SheetError
+        If one of them is none; those that are known are told.
+    """
+    from graphic_tmm.errors import SheetError
+
+    wanted = [form.strip().lower() for form in forms.split(",")]
+    if unknown := [form for form in wanted if form not in known]:
+        says = said(
+            "--format: no {unknown}; choose from {known}",
+            unknown=", ".join(unknown),
+            known=", ".join(known),
+        )
+        raise SheetError(says)
+    return wanted

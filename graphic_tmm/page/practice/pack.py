@@ -1,0 +1,257 @@
+"""What the page packs for practice, and for a drawing of one's own: a log, its tasks, the limits of the hand.
+
+Of a board the steps that its pointed plans need, as they stand in the log; what is given, by position; what is
+told of a step, once. The page's program runs the log itself: with the functions that `program` writes down.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from graphic_tmm.accuracy.geometrography import DEFAULT, FORMULA, READING, SYMBOLS  # noqa: F401
+from graphic_tmm.board.hand import HANDS
+from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.script import Script
+from graphic_tmm.board.source import defaults
+from graphic_tmm.board.values import KINDS, Number, Side
+from graphic_tmm.checking.cells import cells, longest, points
+from graphic_tmm.checking.check import TRIALS
+from graphic_tmm.checking.judging import slips, step_scatter
+from graphic_tmm.checking.judging.own_errors import parts_of
+from graphic_tmm.checking.judging.reader import reader
+from graphic_tmm.checking.judging.scatter import Limits
+from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.names import spoken
+from graphic_tmm.language.units import unit
+from graphic_tmm.page.practice.limits import (
+    HAND,
+    Named,
+    drawings,
+    own_limits,
+    told,
+    total_limits,
+)
+from graphic_tmm.page.practice.tasks import Row, readable, sheet_row, written
+from graphic_tmm.page.told import indexed, marked_up, runs
+from graphic_tmm.page.tools import named as instruments
+from graphic_tmm.page.tools import symbol_of
+from graphic_tmm.paper.drawing import Sheet
+from graphic_tmm.paper.write.svg import ids
+from graphic_tmm.readers.sentences import grounds, letters_of, phrase
+from graphic_tmm.readers.titles import title_of
+
+HEAD = 'import { ARITHMETIC } from "./arithmetic.js";\nimport { enterBoard } from "./board.js";\n'
+"""What the module that is written down needs of the page."""
+MANNERS = {"plan": "screen", "points": "photo"}
+"""What is read of a plan, and how points are: all of it, on a screen; points alone, off a photograph."""
+
+
+class Packing:
+    """A row of positions while it is written down."""
+
+    def __init__(self, made: DrawnScene, row: Row, sheets: Sequence[Sheet]) -> None:
+        self.made, self.row, self.sheets = made, row, sheets
+        self.language = made.scene.language
+        self.named: Named = {m: told for m, told in readable(made).items() if m.view in row.places}
+        self.lines = {step.it: step for step in row.log.steps}
+        self.script = Script()
+        self.operations = written(self.script, row.steps)
+        self.steps = [step for step in row.steps if step.op.name in self.operations]
+        self.plans = list(dict.fromkeys(mark.view for mark in self.marks()))
+
+    def marks(self) -> list[Mark]:
+        """Return all marks that the steps speak of, in the order of the log."""
+        found = {m.slot: m for step in self.steps for m in (step.it, *step.uses)}
+        return [found[slot] for slot in sorted(found)]
+
+    def program(self) -> str:
+        """Return the module of the page's program that has the operations."""
+        judging = {function.__name__: function for function in slips.FUNCTIONS}
+        tables = {"operations": self.operations, "slips": judging}
+        return HEAD + self.script.program(tables, "enterBoard")
+
+    def data(self, views: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+        """Return the data; ``views``: those of the page."""
+        row, practised = self.row, list(self.row.places)
+        made = {step.it for step in self.steps}
+        return {
+            "hand": HAND,
+            "names": list(row.names),
+            "plans": self.plans,
+            "titles": [title_of(row.work.project, plan, self.language) for plan in self.plans],
+            "at": [list(row.places.get(plan, ())) for plan in self.plans],
+            "marks": {str(mark.slot): self.mark(mark) for mark in self.marks()},
+            "given": {str(m.slot): self.numbers(m) for m in self.marks() if m not in made},
+            "steps": [self.step(step) for step in self.steps],
+            "tasks": [task for plan in practised for task in self.tasks(plan, views)],
+            "reader": self.reader(),
+            "manners": {name: self.manner(name) for name in MANNERS},
+        }
+
+    def mark(self, mark: Mark) -> dict[str, Any]:
+        """Return what is said of a mark."""
+        found: dict[str, Any] = {
+            "l": marked_up(mark, self.language),
+            "n": spoken(mark, self.language),
+            "k": KINDS[mark.kind].lower(),
+            "v": self.plans.index(mark.view),
+        }
+        if mark.kind is Number and mark.unit:
+            found["u"] = unit(mark.unit, self.language)
+        return found
+
+    def numbers(self, mark: Mark) -> Any:
+        """Return the numbers of a mark: one alone where there is but one."""
+        flat = [x if math.isfinite(x) else None for one in self.row.numbers(mark) for x in one]
+        return flat[0] if len(flat) == 1 else flat
+
+    def step(self, step: Step) -> dict[str, Any]:
+        """Return a step."""
+        found: dict[str, Any] = {
+            "it": step.it.slot,
+            "op": step.op.name,
+            "uses": [mark.slot for mark in step.uses],
+        }
+        choice = defaults(step.op.run, dict(step.choice))
+        if step.op.reads:
+            found["measures"] = True
+        if choice:
+            found["choice"] = list(choice)
+            found["choices"] = list(step.op.choices)
+        if step.it.view in self.row.places:
+            found |= self.told(step)
+        if step.it in self.named:
+            kind, plan, name, of = self.named[step.it]
+            found["read"] = {"as": kind, "name": plan, "key": name, "unit": of}
+            if kind == "point":
+                found["parts"] = [[p.kind, p.by.it.slot, p.use] for p in parts_of(step, self.lines)]
+        return found
+
+    def told(self, step: Step) -> dict[str, Any]:
+        """Return what is said of a step: what is done, why, by which formula, with which instruments."""
+        reading, language = self.row.reading, self.language
+        at = next((k for k in self.row.places[step.it.view] if self.row.there(step.it, k)), 0)
+        found: dict[str, Any] = {
+            "text": runs(phrase(step, language, reading, at), step, language),
+            "tool": instruments(step, language),
+            "hand": symbol_of(step),
+        }
+        why = grounds(step, language, reading, at)
+        if why is not None:
+            found["why"] = runs(why, step, language)
+        if step.op.formula:
+            letters = letters_of(step, lambda mark: spoken(mark, language))
+            found["formula"] = indexed(f"{letters['it']} = {step.op.formula.format(**letters)}")
+        if Side in step.op.takes or step.op.choices:
+            found["sides"] = [speaking(language)(one) for one in step.op.sides]
+        return found
+
+    def tasks(self, plan: str, views: Sequence[Mapping[str, Any]]) -> Iterator[dict[str, Any]]:
+        """Yield the tasks of a plan."""
+        due = longest(cells(self.made), points(self.made))
+        steps = [step for step in self.steps if step.it.view == plan]
+        pole = self.row.log.view(plan)
+        for at in self.row.places[plan]:
+            here = [step for step in steps if self.row.there(step.it, at)]
+            if not any(step.it in self.named for step in here):
+                continue
+            made = {step.it for step in here}
+            used = dict.fromkeys(m for step in here for m in step.uses if m not in made)
+            view, sheet, origin = self.seen(plan, self.row.names[at], views)
+            yield {
+                "plan": self.plans.index(plan),
+                "at": at,
+                "view": view,
+                "sheet": sheet,
+                "origin": origin,
+                "steps": [step.it.slot for step in here],
+                "shown": [mark.slot for mark in used],
+                "pole": pole.pole.slot if pole is not None and pole.pole is not None else -1,
+                "whole": told([due.get((plan, self.row.names[at]), 0.0)])[0],
+            }
+
+    def seen(
+        self, plan: str, position: str, views: Sequence[Mapping[str, Any]]
+    ) -> tuple[int, int, list[float]]:
+        """Return which view shows a plan in a position, on which sheet, its origin there; -1: none."""
+        stands = {
+            name: drawing
+            for sheet in self.sheets
+            for name, drawing in zip(ids(sheet), sheet.drawings, strict=True)
+        }
+        for k, view in enumerate(views):
+            drawing = stands[view["id"]]
+            if drawing.shows[-1] == plan and position in view["names"].values():
+                origin = drawing.origin(plan)
+                high = self.sheets[view["sheet"]].height
+                return k, view["sheet"], [round(origin.real, 3), round(high - origin.imag, 3)]
+        return -1, -1, [0.0, 0.0]
+
+    def reader(self) -> dict[str, Any]:
+        """Return who reads a drawing, and how a judgement is made."""
+        by = reader(self.made.scene, HANDS[HAND], "screen")
+        return {
+            "half": by.half,
+            "reading": by.hand.reading,
+            "digits": by.hand.digits,
+            "finest": by.finest,
+            "wrong": Limits().wrong,
+            "shares": list(step_scatter.SHARES),
+            "few": step_scatter.FEW,
+            "most": step_scatter.MOST,
+            "sure": step_scatter.SURE,
+        }
+
+    def manner(self, name: str) -> dict[str, Any]:
+        """Return the limits of the hand, read in one manner."""
+        scene = self.made.scene
+        hand = HANDS[HAND]._replace(trials=TRIALS, seed=scene.seed)
+        by = reader(scene, hand, MANNERS[name])
+        whole = name == "plan"
+        read = [m for m, (kind, *_) in self.named.items() if whole or kind == "point"]
+        drawn = drawings(self.row, read, scene)
+        own: dict[str, Any] = {}
+        total: dict[str, Any] = {}
+        for plan, places in self.row.places.items():
+            marks = [mark for mark in read if mark.view == plan]
+            found = own_limits(self.row, plan, marks, drawn, by)
+            for mark in marks:
+                rows = [found.get((mark, at)) for at in places]
+                own[str(mark.slot)] = {
+                    "b": [told(one.sizes) if one else [] for one in rows],
+                    "d": told([one.scatter.doubtful if one else math.nan for one in rows]),
+                    "w": told([one.scatter.wrong if one else math.nan for one in rows]),
+                }
+                if self.named[mark][0] == "point":
+                    own[str(mark.slot)] |= {
+                        "s": [told(one.sharp) if one else [] for one in rows],
+                        "m": told([one.most if one else math.nan for one in rows]),
+                    }
+            if not whole:
+                continue
+            spread = total_limits(self.row, plan, self.named, drawn, by)
+            for mark in (m for m in marks if self.named[m][0] != "point"):
+                rows_ = [spread.get((mark, at)) for at in places]
+                total[str(mark.slot)] = {
+                    "d": told([one.doubtful if one else math.nan for one in rows_]),
+                    "w": told([one.wrong if one else math.nan for one in rows_]),
+                    "t": told([one.times if one else math.nan for one in rows_]),
+                }
+        return {"pointing": by.pointing, "own": own, "total": total}
+
+
+def practice(
+    made: DrawnScene, sheets: Sequence[Sheet], views: Sequence[Mapping[str, Any]]
+) -> tuple[dict[str, Any], str] | None:
+    """Return what is packed for practice, and the module with its operations; None where nothing is practised.
+
+    ``made``: drawn by the exact hand; ``views``: those of the page.
+    """
+    row = sheet_row(made)
+    if row is None:
+        return None
+    packing = Packing(made, row, sheets)
+    return packing.data(views), packing.program()

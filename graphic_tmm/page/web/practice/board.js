@@ -1,0 +1,42 @@
+/**
+ * @typedef {import("../types.js").Complex} Complex
+ * @typedef {import("../types.js").Drawn} Drawn
+ * @typedef {import("../types.js").DrawnLine} DrawnLine
+ * @typedef {import("../types.js").DrawnArc} DrawnArc
+ * @typedef {(...values: any[]) => Drawn} Operation values of marks, then choices
+ * @typedef {{
+ *   off_line: (line: DrawnLine, found: Complex) => number,
+ *   off_arc: (arc: DrawnArc, found: Complex) => number,
+ *   off_place: (found: Complex, due: Complex) => number,
+ *   off_length: (line: DrawnLine, length: number, found: Complex) => number,
+ *   off_meeting: (found: Complex, due: Complex, other: Complex) => number,
+ *   nearer: (one: number, other: number) => number,
+ *   excess: (found: number, due: number) => number,
+ *   directed: (found: number, due: number) => number,
+ *   counted: (error: number, grain: number) => number,
+ *   sized: (blunt: number, sharp: number, share: number) => number,
+ *   severity: (deviation: number, times: number, doubtful: number, wrong: number, absurd: number) => number,
+ *   times_off: (found: number, due: number) => number,
+ *   unblurred: (half: number, written: number, reading: number) => number,
+ *   lost: (x: number, y: number, slip: number) => number,
+ *   rounding: (digits: number, figure: number) => number,
+ *   between: (length: number, finest: number) => boolean,
+ * }} Slips the functions of checking/judging/slips.py
+ */
+
+/**
+ * The operations of the board and what tells how far something is off. They are written down from their Python
+ * sources where a page is written (board/script.py), and entered here before anything else runs.
+ */
+export const BOARD = {
+  /** @type {Record<string, Operation>} */
+  operations: {},
+  /** @type {Slips} */
+  slips: /** @type {Slips} */ ({}),
+};
+
+/** @param {typeof BOARD} written */
+export function enterBoard(written) {
+  Object.assign(BOARD.operations, written.operations);
+  Object.assign(BOARD.slips, written.slips);
+}

@@ -1,0 +1,213 @@
+"""The values of a scene as fields of a form: what is written in the file, and what might be, by section.
+
+A field is a key that takes one value, or a coordinate of a point; its sentence, bounds, choices and default are
+those that the section declares. What stands in it is what stands in the file: a text without its quotes, all
+else as it is written there.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from itertools import islice
+from pathlib import Path as File
+from typing import Any, NamedTuple
+
+from graphic_tmm.language.catalogue import Speech, speaking
+from graphic_tmm.language.said import Said, said
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import Key, Kind, Path, Sort, keys_of
+from graphic_tmm.scene.document import Document, parsed, table
+from graphic_tmm.scene.drawing import Head
+from graphic_tmm.scene.faults import key_of
+from graphic_tmm.scene.lines import Layout, layout
+from graphic_tmm.scene.sections import LENGTHS, declared
+from graphic_tmm.scene.tables import ByShape, Named, Several, Table
+from graphic_tmm.serve.fields import Field, blank
+
+MOST = 3000
+"""So many fields of a file are shown."""
+AXES = "xy"
+
+
+class Group(NamedTuple):
+    """The fields of a section, or of one of a list of sections; ``there``: the file has it."""
+
+    title: str
+    says: str
+    there: bool
+    fields: list[Field]
+
+
+def form(data: bytes, file: File) -> list[Group]:
+    """Return the fields of a scene's file, by section; a scene may be as wrong as it likes, if it is TOML.
+
+    Raises
+    ------
+    SceneError
+        If the file is no TOML.
+    """
+    text, doc = parsed(data, file)
+    found = _Written(doc, text, layout(text)).groups()
+    return [group for group in found if group.fields]
+
+
+def told(groups: list[Group], language: str) -> list[dict[str, Any]]:
+    """Return a form as JSON takes it, in a language."""
+    speech = speaking(language)
+    return [
+        {
+            "title": speech(group.title) if isinstance(group.title, Said) else group.title,
+            "says": speech(group.says),
+            "there": group.there,
+            "fields": [_told(one, speech) for one in group.fields],
+        }
+        for group in groups
+    ]
+
+
+def _told(one: Field, speech: Speech) -> dict[str, Any]:
+    return {
+        "key": one.key,
+        "label": one.label,
+        "text": one.text,
+        "written": one.written,
+        "kind": one.kind,
+        "unit": speech(one.unit),
+        "choices": list(one.choices),
+        "default": one.default,
+        "says": speech(one.says),
+        "wanted": one.wanted,
+    }
+
+
+class _Written(NamedTuple):
+    """A file: its tables, its text, and where they stand in it."""
+
+    doc: Document
+    text: str
+    places: Layout
+
+    def groups(self) -> list[Group]:
+        head = _first(Head)
+        made = [Group(said("The scene"), head, True, self.of(Head, self.doc, ()))]
+        if LENGTHS in self.doc:
+            made.append(Group(LENGTHS, said("lengths by name"), True, self.lengths()))
+        for name, section in declared().items():
+            raw, says = self.doc.get(name), _first(section.record)
+            if section.several:
+                items = raw if isinstance(raw, list) else []
+                for k, item in enumerate(items):
+                    at = (name, k)
+                    title = " ".join(filter(None, (key_of(self.doc, at), _name(item))))
+                    made.append(Group(title, says, True, self.of(section.record, item, at)))
+            elif section.always or name in self.doc:
+                there = name in self.doc
+                made.append(Group(name, says, there, self.of(section.record, raw, (name,))))
+        left = MOST
+        for k, group in enumerate(made):
+            made[k] = group._replace(fields=group.fields[:left])
+            left -= len(made[k].fields)
+        return made
+
+    def lengths(self) -> list[Field]:
+        fields = self.several(Named(v.PLAIN_LENGTH), self.doc[LENGTHS], (LENGTHS,), (LENGTHS,))
+        return list(islice(fields, MOST))
+
+    def of(self, record: type, raw: object, at: Path) -> list[Field]:
+        """Return the fields of a section."""
+        return list(islice(self.table(record, raw, at, at), MOST))
+
+    def table(self, record: type, raw: object, at: Path, above: Path) -> Iterator[Field]:
+        """Yield the fields of a table; ``above``: the path of its section, which labels leave out."""
+        there = table(raw)
+        known = keys_of(record)
+        for name, one in known.items():
+            if name in there:
+                yield from self.sort(one.kind, there[name], (*at, name), above, one)
+            elif isinstance(one.kind, Kind):
+                yield self.left_out(one, (*at, name), above)
+        others: Sort | None = getattr(record, "OTHERS", None)
+        if others is not None:
+            rest = {name: value for name, value in there.items() if name not in known}
+            yield from self.several(Named(others), rest, at, above)
+
+    def sort(
+        self, sort: Sort, value: object, at: Path, above: Path, declared: Key | None = None
+    ) -> Iterator[Field]:
+        if isinstance(sort, ByShape):
+            sort = sort.such if isinstance(value, sort.shape) else sort.other
+        if isinstance(sort, Table) and isinstance(value, dict):
+            yield from self.table(sort.record, value, at, above)
+        elif isinstance(sort, (Named, Several)):
+            yield from self.several(sort, value, at, above)
+        elif _is_point(sort, value):
+            assert isinstance(value, list)
+            for k, axis in enumerate(AXES):
+                yield self.field(v.LENGTH, value[k], (*at, k), above, declared, axis)
+        else:
+            yield self.field(sort, value, at, above, declared)
+
+    def several(
+        self, sort: Named | Several, value: object, at: Path, above: Path
+    ) -> Iterator[Field]:
+        items: list[tuple[str | int, object]] = []
+        if isinstance(value, dict) and isinstance(sort, Named):
+            items = list(value.items())
+        elif isinstance(value, list) and isinstance(sort, Several):
+            items = list(enumerate(value))
+        for name, item in items:
+            yield from self.sort(sort.each, item, (*at, name), above)
+
+    def field(
+        self, sort: Sort, value: object, at: Path, above: Path, declared: Key | None,
+        axis: str = "",
+    ) -> Field:  # fmt: skip
+        kind = sort if isinstance(sort, Kind) else None
+        label = _label(at[:-1] if axis else at, above)
+        made = blank(kind, declared)
+        return made._replace(
+            path=at,
+            key=key_of(self.doc, at),
+            label=f"{label}, {axis}" if axis else label,
+            text=value if isinstance(value, str) else self.source(at, value),
+            written=True,
+            in_quotes=isinstance(value, str),
+            kind="list" if isinstance(value, list) else made.kind,
+            choices=_with(made.choices, value),
+        )
+
+    def left_out(self, declared: Key, at: Path, above: Path) -> Field:
+        made = blank(declared.kind, declared)
+        return made._replace(path=at, key=key_of(self.doc, at), label=_label(at, above))
+
+    def source(self, at: Path, value: object) -> str:
+        """Return a value as the file writes it."""
+        begin, end = self.places.values.get(at, (0, 0))
+        return self.text[begin:end].replace("\r\n", "\n") or json.dumps(value, default=str)
+
+
+def _first(record: type) -> str:
+    """Return the sentence that says what a section is."""
+    return (record.__doc__ or "").partition("\n")[0]
+
+
+def _name(item: object) -> str:
+    name = table(item).get("name", "")
+    return name[:60] if isinstance(name, str) else ""
+
+
+def _label(at: Path, above: Path) -> str:
+    return key_of({}, ("", *at[len(above) :])).removeprefix(".")
+
+
+def _is_point(sort: Sort, value: object) -> bool:
+    """Whether a value is a list of two coordinates, each of which has a field of its own."""
+    point = sort is v.POINT or not isinstance(sort, (Kind, Table))
+    return point and isinstance(value, list) and len(value) == len(AXES)
+
+
+def _with(choices: tuple[str, ...], value: object) -> tuple[str, ...]:
+    """Return choices with what the file has, if that is none of them."""
+    odd = bool(choices) and isinstance(value, str) and value not in choices
+    return (*choices, str(value)) if odd else choices

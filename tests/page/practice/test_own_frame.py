@@ -1,0 +1,142 @@
+"""The page's program finds frames as the check does: on photographs of known cameras, run by node."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+from support import photographs
+from support.photographs import CORNERS, FRAME, PAPER, Camera
+from support.scripts import run
+
+from graphic_tmm.checking.photo.frame_lines import EDGES, refine
+from graphic_tmm.checking.photo.lens import Lens
+from graphic_tmm.checking.photo.perspective import homography, ordered
+from graphic_tmm.checking.photo.shot import Shot
+from graphic_tmm.errors import SheetError
+from graphic_tmm.page.practice.seeking import seeking
+from graphic_tmm.paper.ruled import Box
+
+BOX = Box(*FRAME)
+SAME = 1e-6
+"""Both find the same line, px: sums in another order, fed back twelve times."""
+CASES: dict[str, tuple[Camera, float, float]] = {
+    "tilted": (Camera((18, -12, 6), 1150, 1618.1, 1400, 1050), 1.0, 0.8),
+    "pencil": (Camera((10, -8, 5), 1100, 1618.1, 1400, 1050), 0.35, 0.5),
+    "lens": (Camera((3, -2, 1), 1000, 1391.3, 1400, 1050, lens=-0.01), 1.0, 0.8),
+    "curled": (Camera((9, 7, -4), 1100, 1480, 1400, 1050, lens=0.002, sag=2.0), 1.0, 0.8),
+}
+FOUND = """
+import { refinedFrame } from "./own/frame.js";
+const told = asked.cases.map(({ width, height, corners }, k) => {
+  const bytes = readFileSync(files[k]);
+  const data = new Uint8ClampedArray(bytes.buffer, bytes.byteOffset, bytes.length);
+  const found = refinedFrame({ width, height, data }, asked.box, corners, asked.seeking);
+  const { shot, residual, bowed, missing } = found;
+  const grid = asked.grid.map(([x, y]) => shot.onSheet(...shot.seen(x, y)));
+  return { corners: shot.corners, share: shot.lens.share, residual, bowed, missing, grid };
+});
+tell(told);
+"""
+
+
+def rgba(image: np.ndarray) -> bytes:
+    return np.dstack([image, np.full(image.shape[:2], 255, np.uint8)]).tobytes()
+
+
+def found_by_page(images: list[np.ndarray], corners: list[np.ndarray], folder: Path) -> list[Any]:
+    files = []
+    for k, image in enumerate(images):
+        files.append(folder / f"{k}.raw")
+        files[-1].write_bytes(rgba(image))
+    cases = [
+        {"width": one.shape[1], "height": one.shape[0], "corners": photographs.pairs(at).tolist()}
+        for one, at in zip(images, corners, strict=True)
+    ]
+    grid = photographs.pairs(CORNERS).tolist()
+    asked = {"cases": cases, "box": FRAME, "seeking": seeking(), "grid": grid}
+    return list(run(FOUND, asked, *files))
+
+
+@pytest.mark.slow
+def test_frames_are_found_as_the_check_finds_them(tmp_path: Path) -> None:
+    random = np.random.default_rng(5)
+    images, clicked = [], []
+    for camera, ink, width in CASES.values():
+        drawn = PAPER - (PAPER - photographs.sheet(width)) * ink
+        taken = photographs.jpeg(photographs.photograph(camera, drawn))
+        images.append(np.asarray(Image.open(io.BytesIO(taken))))
+        by = random.uniform(-3, 3, 4) + 1j * random.uniform(-3, 3, 4)
+        clicked.append(camera.seen(CORNERS) + by)
+    wiped = photographs.sheet().copy()
+    wiped[3 * photographs.DOTS : 7 * photographs.DOTS] = PAPER  # no lower edge
+    images += [photographs.photograph(CASES["pencil"][0], wiped), images[0] * 0 + 200]
+    clicked += [CASES["pencil"][0].seen(CORNERS), clicked[0]]
+    answers = found_by_page(images, clicked, tmp_path)
+    for image, at, told in zip(images, clicked, answers, strict=True):
+        due = refine(image, BOX, at)
+        corners = np.array([complex(*one) for one in told["corners"]])
+        assert abs(corners - due.corners).max() < SAME
+        assert abs(told["share"] - due.lens.share) < SAME / 100
+        assert abs(told["bowed"] - due.bowed) < SAME
+        assert [EDGES[k] for k in told["missing"]] == list(due.missing)
+        none = told["residual"] is None
+        assert none == bool(np.isnan(due.residual))
+        assert none or abs(told["residual"] - due.residual) < SAME
+        assert np.allclose(told["grid"], photographs.pairs(CORNERS), rtol=0, atol=1e-6)
+    assert [one["missing"] for one in answers[-2:]] == [[0], [0, 1, 2, 3]]
+
+
+PLANE = """
+import { orderedCorners, homographyOf, inverseOf, projected } from "./own/projection.js";
+import { straightSpot, seenSpot } from "./own/lens.js";
+import { Shot } from "./own/shot.js";
+tell({
+  ordered: asked.rings.map((ring) => orderedCorners(ring)),
+  matrix: homographyOf(asked.box, asked.corners),
+  straight: asked.points.map(([x, y]) => straightSpot(asked.lens, x, y)),
+  seen: asked.points.map(([x, y]) => new Shot(asked.box, asked.corners, asked.lens).seen(x, y)),
+  back: asked.points.map(([x, y]) => {
+    const shot = new Shot(asked.box, asked.corners, asked.lens);
+    return shot.onSheet(...shot.seen(x, y));
+  }),
+});
+"""
+
+
+def test_the_plane_and_the_lens_are_those_of_the_check() -> None:
+    random = np.random.default_rng(2)
+    square = np.array([200 + 900j, 1200 + 930j, 1100 + 150j, 260 + 120j])
+    rings = [random.permutation(photographs.pairs(square)) for _ in range(6)]
+    rings += [photographs.pairs(square * np.exp(1j * turn)) for turn in (0.6, -0.6, 1.0)]
+    rings += [random.uniform(0, 200, (4, 2)) for _ in range(12)]
+    lens = Lens(699.5 + 524.5j, 700.0, -0.02)
+    points = random.uniform(0, 800, (30, 2))
+    told = run(
+        PLANE,
+        {
+            "rings": [one.tolist() for one in rings],
+            "box": FRAME,
+            "corners": photographs.pairs(square).tolist(),
+            "points": points.tolist(),
+            "lens": {"x": 699.5, "y": 524.5, "radius": 700.0, "share": lens.share},
+        },
+    )
+    for ring, found in zip(rings, told["ordered"], strict=True):
+        try:
+            due = photographs.pairs(ordered(ring)).tolist()
+        except SheetError:
+            due = None
+        assert found == due
+    assert sum(one is None for one in told["ordered"]) > 2
+    matrix = homography(BOX, lens.straight(square))
+    at = points[:, 0] + 1j * points[:, 1]
+    seen = Shot(np.zeros((1, 1, 3), np.uint8), matrix, lens).shown(at)
+    assert np.allclose(told["matrix"], homography(BOX, square).ravel(), rtol=1e-12, atol=1e-12)
+    assert np.allclose(told["straight"], photographs.pairs(lens.straight(at)), atol=1e-9)
+    assert np.allclose(told["seen"], photographs.pairs(seen), atol=1e-7)
+    assert np.allclose(told["back"], points, atol=1e-5)

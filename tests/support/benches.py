@@ -1,0 +1,81 @@
+"""The benches of the page, worked by node, and what Python has of the same tasks."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from collections.abc import Mapping, Sequence
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.page.practice.pack import Packing
+from graphic_tmm.page.practice.tasks import sheet_row
+from graphic_tmm.scenes import packaged
+from support import gallery
+from support.browser import without
+
+WEB = Path(str(files("graphic_tmm.page") / "web"))
+
+
+class Packed(NamedTuple):
+    """A scene of the package as it is packed for practice."""
+
+    name: str
+    made: DrawnScene
+    packing: Packing
+    data: dict[str, Any]
+    program: str
+
+
+@cache
+def packed(name: str) -> Packed | None:
+    """Return a scene as packed for practice; None where nothing of it is practised."""
+    made = gallery.exact(name)
+    row = sheet_row(made)
+    if row is None:
+        return None
+    packing = Packing(made, row, ())
+    return Packed(name, made, packing, packing.data(()), packing.program())
+
+
+def practised() -> list[Packed]:
+    """Return all scenes of the package that have something to practise."""
+    found = (packed(path.name) for path in packaged())
+    return [one for one in found if one is not None]
+
+
+def node() -> str:
+    """Return the path of node, or skip the test."""
+    found = shutil.which("node")
+    if found is None:
+        without("node", "install it from the system's packages")
+    return str(found)
+
+
+def worked(
+    scenes: Sequence[Packed], drawings: Mapping[str, Sequence[Mapping[str, Any]]], folder: Path
+) -> list[dict[str, Any]]:
+    """Return what the page's own benches answer, scene by scene; ``folder``: an empty one."""
+    shutil.copytree(WEB / "practice", folder / "practice")
+    (folder / "package.json").write_text('{"type": "module"}', encoding="utf-8")
+    shutil.copy(Path(__file__).with_name("bench.mjs"), folder / "bench.mjs")
+    (folder / "practice" / "enter.js").unlink()
+    asked = []
+    for k, one in enumerate(scenes):
+        (folder / "practice" / f"written{k}.js").write_text(one.program, encoding="utf-8")
+        told = {
+            "written": f"written{k}.js",
+            "data": one.data,
+            "drawings": drawings.get(one.name, ()),
+        }
+        asked.append(told)
+    (folder / "asked.json").write_text(json.dumps(asked), encoding="utf-8")
+    command = [node(), "bench.mjs", "asked.json", "answered.json"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    found: list[dict[str, Any]] = json.loads((folder / "answered.json").read_text("utf-8"))
+    return found
