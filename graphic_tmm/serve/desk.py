@@ -9,20 +9,23 @@ thrown away.
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any, NamedTuple
 
-from graphic_tmm.errors import SceneError
+from graphic_tmm.errors import SceneError, TmmError
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.reader import reader
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.spoken import spoken
 from graphic_tmm.serve import jobs
+from graphic_tmm.serve.downloads import downloaded
 from graphic_tmm.serve.folder import Folder
-from graphic_tmm.serve.jobs import Refused, Sheets, Task
+from graphic_tmm.serve.jobs import File, Refused, Sheets, Task
 from graphic_tmm.serve.kept import Kept, Told, as_sheets, hashed
-from graphic_tmm.serve.limits import DRAWING
+from graphic_tmm.serve.limits import DOWNLOAD, DRAWING, JUDGING
 from graphic_tmm.serve.worker import Broken, Gone, TooLong, Worker
 
 URGENT, USUAL, IDLE = 0, 1, 2
@@ -47,13 +50,27 @@ class Scene:
     drawing: asyncio.Task[None] | None = None
 
 
+class Form(NamedTuple):
+    """The values of a scene as a form, and the version of the text that they stand in."""
+
+    version: str
+    groups: list[dict[str, Any]]
+
+
+class Written(NamedTuple):
+    """The version that a file has; ``done``: what was to be set is set in it, else it was changed meanwhile."""
+
+    version: str
+    done: bool
+
+
 class Desk:
-    """The scenes of a folder that somebody looks at, and the two processes that draw them."""
+    """The scenes of a folder that somebody looks at, and the processes that draw them: ``aside`` downloads."""
 
     def __init__(self, folder: Folder, language: str = "") -> None:
         self.folder, self.language = folder, language
         self.scenes: dict[str, Scene] = {}
-        self.front, self.behind = Worker(), Worker()
+        self.front, self.behind, self.aside = Worker(), Worker(), Worker()
         self._warming: list[asyncio.Task[None]] = []
 
     def open(self) -> None:
@@ -62,7 +79,7 @@ class Desk:
 
     def close(self) -> None:
         """End all that is being drawn, at once."""
-        for worker in (self.front, self.behind):
+        for worker in (self.front, self.behind, self.aside):
             worker.close()
         drawing = [one.drawing for one in self.scenes.values() if one.drawing is not None]
         for task in (*self._warming, *drawing):
@@ -94,8 +111,7 @@ class Desk:
         except SceneError as error:
             self._stop(scene)
             scene.data = None
-            speech = speaking(self.language) if self.language else reader()
-            _refuse(scene.kept, "", jobs.faults(error, str(scene.file), speech))
+            _refuse(scene.kept, "", self._unread(scene, error).faults)
             return
         if (data, beside) == (scene.data, scene.beside):
             return
@@ -109,6 +125,60 @@ class Desk:
         if scene.drawing is not None:
             scene.drawing.cancel()
             scene.drawing = None
+
+    # ------------------------------------------------------------ answering
+
+    async def form(self, scene: Scene) -> Form | Refused:
+        """Return the values of a scene's file, as it is now."""
+        try:
+            data = self.folder.read(scene.file)
+        except SceneError as error:
+            return self._unread(scene, error)
+        found = await self._judged(jobs.formed, Task(data, str(scene.file), None, self.language))
+        return found if isinstance(found, Refused) else Form(hashed(data), found)
+
+    async def change(
+        self, scene: Scene, version: str, changes: Mapping[str, str]
+    ) -> Written | Refused:
+        """Set values in a scene's file, all of them or none; one after the other of those who write."""
+        async with scene.writing:
+            try:
+                data = self.folder.read(scene.file)
+                if hashed(data) != version:
+                    return Written(hashed(data), False)
+                task = Task(data, str(scene.file), None, self.language)
+                new = await self._judged(jobs.changed, task, changes)
+                if isinstance(new, Refused):
+                    return new
+                now = self.folder.read(scene.file)  # an editor may have saved it meanwhile
+                if now != data:
+                    return Written(hashed(now), False)
+                if new != data:
+                    self.folder.write(scene.file, new)
+            except TmmError as error:
+                return self._unread(scene, error)
+        self.look(scene.kept.name)
+        return Written(hashed(new), True)
+
+    async def download(self, scene: Scene, form: str) -> File | Refused:
+        """Return a scene's file in a format, drawn apart from what is looked at."""
+        if scene.data is None:
+            return Refused(scene.kept.errors)
+        task = Task(scene.data, str(scene.file), scene.beside, self.language)
+        try:
+            return await self.aside.ask(downloaded, task, form, limit=DOWNLOAD)
+        except (TooLong, Gone, Broken) as error:
+            return Refused((Told(0, "", _said(error, self._speech(task))),))
+
+    async def _judged(self, job: Callable[..., Any], task: Task, *given: Any) -> Any:
+        try:
+            return await self.front.ask(job, task, *given, limit=JUDGING, urgency=URGENT)
+        except (TooLong, Gone, Broken) as error:
+            return Refused((Told(0, "", _said(error, self._speech(task))),))
+
+    def _unread(self, scene: Scene, error: TmmError) -> Refused:
+        speech = speaking(self.language) if self.language else reader()
+        return Refused(jobs.faults(error, str(scene.file), speech))
 
     # ------------------------------------------------------------ drawing
 

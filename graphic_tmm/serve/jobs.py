@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
-from typing import NamedTuple, ParamSpec, TypeVar
+from typing import Any, NamedTuple, ParamSpec, TypeVar
 
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SceneError, SheetError, TmmError, printable
 from graphic_tmm.fitting.compose import Composed
 from graphic_tmm.fitting.composition import beside, known_composition, text
 from graphic_tmm.language.catalogue import Speech, speaking
-from graphic_tmm.language.reader import reading
+from graphic_tmm.language.reader import reader, reading
 from graphic_tmm.page.page import page
 from graphic_tmm.paper.lettering.letters import missing
 from graphic_tmm.paper.write.svg import svg
@@ -23,6 +23,9 @@ from graphic_tmm.readers.warnings import all_warnings
 from graphic_tmm.scene.read import judged
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.spoken import spoken
+from graphic_tmm.serve.edit import edited
+from graphic_tmm.serve.form import form
+from graphic_tmm.serve.form import told as fields_told
 from graphic_tmm.serve.kept import Told
 from graphic_tmm.studio import composed_sheets
 
@@ -77,7 +80,7 @@ def told(job: Callable[P, T]) -> Callable[P, T | Refused]:
     def held(*given: P.args, **named: P.kwargs) -> T | Refused:
         task = given[0]
         assert isinstance(task, Task)
-        language = task.language or spoken(task.data.decode("utf-8", "replace"))
+        language = _language(task)
         with reading(language):
             try:
                 return job(*given, **named)
@@ -88,6 +91,10 @@ def told(job: Callable[P, T]) -> Callable[P, T | Refused]:
     held.__name__ = held.__qualname__ = getattr(job, "__name__", "")
     held.__module__ = job.__module__
     return held
+
+
+def _language(task: Task) -> str:
+    return task.language or spoken(task.data.decode("utf-8", "replace")) or reader().language
 
 
 def faults(error: TmmError, file: str, speech: Speech) -> tuple[Told, ...]:
@@ -147,6 +154,18 @@ def paged(task: Task) -> bytes:
     """Return a scene as a page for a browser."""
     made, found = composed(task)
     return page(made, found.sheets).encode()
+
+
+@told
+def formed(task: Task) -> list[dict[str, Any]]:
+    """Return the values of a scene as a form, as JSON takes it."""
+    return fields_told(form(task.data, Path(task.file)), _language(task))
+
+
+@told
+def changed(task: Task, changes: Mapping[str, str]) -> bytes:
+    """Return what a scene's file holds with values set in it."""
+    return edited(task.data, changes, Path(task.file), missing)
 
 
 def warmed() -> None:

@@ -15,17 +15,23 @@ A name finds a scene that was found in the folder before; it is never made a pat
 from __future__ import annotations
 
 import asyncio
+import json
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from typing import NamedTuple
+from urllib.parse import quote
 
 from starlette.applications import Starlette
-from starlette.requests import Request
+from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 from starlette.types import ASGIApp
 
 from graphic_tmm.serve.desk import Desk, Scene
+from graphic_tmm.serve.downloads import forms
 from graphic_tmm.serve.guard import Guard
+from graphic_tmm.serve.jobs import Refused
+from graphic_tmm.serve.limits import BODY, BODY_TIME
 from graphic_tmm.serve.stream import Stream, followed, followed_all
 from graphic_tmm.serve.watch import watch
 
@@ -58,8 +64,18 @@ def application(desk: Desk, token: str, *, open: bool = False) -> ASGIApp:
         Route("/s/{name}/events", asked.events),
         Route("/s/{name}/sheet/{hash}.svg", asked.sheet),
         Route("/s/{name}/page/{hash}.html", asked.page),
+        Route("/s/{name}/form", asked.form),
+        Route("/s/{name}/form", asked.change, methods=["POST"]),
+        Route("/s/{name}/download/{form}", asked.download),
     ]
     return Guard(Starlette(routes=routes, lifespan=life), token, open=open)
+
+
+class Change(NamedTuple):
+    """What a form sends: the version that it was made of, the values to be set, by key."""
+
+    version: str
+    changes: dict[str, str]
 
 
 class Asked:
@@ -93,12 +109,79 @@ class Asked:
         """The page of some state that is kept."""
         return self._kept(request, "text/html", FRAMED)
 
+    async def form(self, request: Request) -> Response:
+        """The values of a scene's file."""
+        scene = self._scene(request)
+        if scene is None:
+            return _nothing()
+        found = await self.desk.form(scene)
+        return _refused(found) if isinstance(found, Refused) else JSONResponse(found._asdict())
+
+    async def change(self, request: Request) -> Response:
+        """Values set in a scene's file, 200; 409 if it has changed meanwhile, 422 if they are refused."""
+        scene = self._scene(request)
+        if scene is None:
+            return _nothing()
+        if self.desk.folder.fixed:
+            return Response(status_code=403)
+        sent = await _sent(request)
+        if sent is None:
+            return Response(status_code=400)
+        found = await self.desk.change(scene, sent.version, sent.changes)
+        if isinstance(found, Refused):
+            return _refused(found)
+        return JSONResponse({"version": found.version}, 200 if found.done else 409)
+
+    async def download(self, request: Request) -> Response:
+        """A scene's file of a format; of several a ZIP."""
+        scene, form = self._scene(request), request.path_params["form"]
+        if scene is None or form not in forms():
+            return _nothing()
+        found = await self.desk.download(scene, form)
+        if isinstance(found, Refused):
+            return _refused(found)
+        name = quote(found.name, safe="")
+        headers = {"content-disposition": f"attachment; filename*=UTF-8''{name}"}
+        return Response(found.data, media_type="application/octet-stream", headers=headers)
+
     def _kept(self, request: Request, kind: str, headers: dict[str, str]) -> Response:
         scene = self._scene(request)
         data = scene.kept.contents.get(request.path_params["hash"]) if scene else None
         if data is None:
             return _nothing()
         return Response(data, media_type=kind, headers=headers)
+
+
+async def _sent(request: Request) -> Change | None:
+    """Return what is to be set, None if that cannot be told: too large, too slow, no such JSON."""
+    body = bytearray()
+    try:
+        async with asyncio.timeout(BODY_TIME):
+            async for part in request.stream():
+                body += part
+                if len(body) > BODY:
+                    return None
+    except (TimeoutError, ClientDisconnect):
+        return None
+    try:
+        told = json.loads(body)
+    except (ValueError, RecursionError):
+        return None
+    return _change(told)
+
+
+def _change(told: object) -> Change | None:
+    if not isinstance(told, dict):
+        return None
+    version, changes = told.get("version"), told.get("changes")
+    if not isinstance(version, str) or not isinstance(changes, dict):
+        return None
+    plain = all(isinstance(value, str) for value in changes.values())
+    return Change(version, changes) if plain else None
+
+
+def _refused(found: Refused) -> Response:
+    return JSONResponse({"errors": [one._asdict() for one in found.faults]}, 422)
 
 
 def _nothing() -> Response:
