@@ -94,6 +94,14 @@ export class FieldView {
   }
 
   /**
+   * Whether the file has another value by now than the one over which something was typed.
+   * @param {Field} field
+   */
+  overtaken(field) {
+    return this.changed && this.field.text !== field.text;
+  }
+
+  /**
    * Take what was typed for what the file has: it was written.
    * @param {string} typed
    */

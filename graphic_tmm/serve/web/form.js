@@ -91,10 +91,22 @@ export class Values {
   show(form) {
     const fields = form.groups.flatMap((group) => group.fields);
     const shape = JSON.stringify(form.groups.map((group) => [group.title, group.fields.map(mould)]));
-    if (shape === this.shape) {
-      for (const field of fields) this.views.get(field.key)?.set(field);
-      return;
+    const told = fields.filter((field) => this.views.get(field.key)?.overtaken(field));
+    if (shape === this.shape) for (const field of fields) this.views.get(field.key)?.set(field);
+    else this.arrange(form, fields, shape);
+    for (const field of told) {
+      const view = this.views.get(field.key);
+      if (view?.changed) this.conflict(view);
     }
+  }
+
+  /**
+   * Put fields where they belong, with what is typed in them, what is open and who has the focus.
+   * @param {Form} form
+   * @param {Field[]} fields
+   * @param {string} shape
+   */
+  arrange(form, fields, shape) {
     this.shape = shape;
     const before = this.views;
     const focused = [...before.values()].find((view) => view.input === document.activeElement);
