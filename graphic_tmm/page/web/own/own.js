@@ -234,7 +234,7 @@ class OwnRoom {
   /** @returns {Sign[]} */
   signs() {
     const { readings } = this.panel;
-    const judged = readings.judged();
+    const judged = this.panel.judged();
     const [left, , , top] = this.flat?.of.area ?? [0, 0, 0, 0];
     return readings.points.flatMap((point) => {
       const spot = readings.spots.get(point.slot);
