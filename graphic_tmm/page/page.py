@@ -19,7 +19,7 @@ from graphic_tmm.page.crank import crank
 from graphic_tmm.page.join import folders, script, style
 from graphic_tmm.page.layers import PARTS
 from graphic_tmm.page.practice.pack import practice
-from graphic_tmm.page.practice.words import WORDS as PRACTICE
+from graphic_tmm.page.practice.words import practice_words
 from graphic_tmm.page.protocol import protocol_of
 from graphic_tmm.page.views import played
 from graphic_tmm.page.words import WORDS
@@ -48,7 +48,7 @@ def page(
     program, looks = script(), style()
     if practised and (asked := practice(made, sheets, data["views"], seed)) is not None:
         data["practice"], written = asked
-        data["words"] |= _said(PRACTICE, language)
+        data["words"] |= practice_words(language)
         program, looks = script(*folders(), written=written), style(*folders())
     return (
         environment("graphic_tmm.page")
