@@ -18,6 +18,8 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.page.crank import crank
 from graphic_tmm.page.join import folders, script, style
 from graphic_tmm.page.layers import PARTS
+from graphic_tmm.page.practice.own import own
+from graphic_tmm.page.practice.own_words import OWN
 from graphic_tmm.page.practice.pack import practice
 from graphic_tmm.page.practice.words import practice_words
 from graphic_tmm.page.protocol import protocol_of
@@ -48,7 +50,8 @@ def page(
     program, looks = script(), style()
     if practised and (asked := practice(made, sheets, data["views"], seed)) is not None:
         data["practice"], written = asked
-        data["words"] |= practice_words(language)
+        data["own"] = own(sheets, language)
+        data["words"] |= practice_words(language) | _said(OWN, language)
         program, looks = script(*folders(), written=written), style(*folders())
     return (
         environment("graphic_tmm.page")

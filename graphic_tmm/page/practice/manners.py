@@ -12,7 +12,15 @@ from graphic_tmm.checking.judging import step_scatter
 from graphic_tmm.checking.judging.reader import reader
 from graphic_tmm.checking.judging.scatter import Limits, Scatter
 from graphic_tmm.checking.judging.step_scatter import StepScatter
-from graphic_tmm.page.practice.limits import HAND, Named, drawings, own_limits, told, total_limits
+from graphic_tmm.page.practice.limits import (
+    HAND,
+    Named,
+    bounds,
+    drawings,
+    own_limits,
+    told,
+    total_limits,
+)
 from graphic_tmm.page.practice.tasks import Row
 from graphic_tmm.scene.records import Scene
 
@@ -64,8 +72,8 @@ def _own(limits: Iterable[StepScatter | None], *, pointed: bool) -> dict[str, li
     rows = list(limits)
     found: dict[str, list[Any]] = {
         "b": [told(one.sizes) if one else [] for one in rows],
-        "d": told([one.scatter.doubtful if one else math.nan for one in rows]),
-        "w": told([one.scatter.wrong if one else math.nan for one in rows]),
+        "d": bounds(one.scatter.doubtful if one else math.nan for one in rows),
+        "w": bounds(one.scatter.wrong if one else math.nan for one in rows),
     }
     if pointed:
         found["s"] = [told(one.sharp) if one else [] for one in rows]
@@ -77,9 +85,9 @@ def _total(limits: Iterable[Scatter | None]) -> dict[str, list[Any]]:
     """Return limits of the deviations of a figure, position by position."""
     rows = list(limits)
     return {
-        "d": told([one.doubtful if one else math.nan for one in rows]),
-        "w": told([one.wrong if one else math.nan for one in rows]),
-        "t": told([one.times if one else math.nan for one in rows]),
+        "d": bounds(one.doubtful if one else math.nan for one in rows),
+        "w": bounds(one.wrong if one else math.nan for one in rows),
+        "t": bounds(one.times if one else math.nan for one in rows),
     }
 
 
