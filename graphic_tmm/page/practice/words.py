@@ -57,6 +57,7 @@ WORDS: dict[str, str] = {
     "fine": said("Right."),
     "doubtful": said("Doubtful: farther off than most hands."),
     "wrong": said("Wrong."),
+    "missed": said("Missed."),
     "own error": said("Own error {error} {unit}, earlier marks as they stand."),
     "off figure": said("{error} mm off {letter}."),
     "other meeting": said("It is the other one of two meetings."),

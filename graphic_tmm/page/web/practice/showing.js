@@ -2,7 +2,7 @@ import { element, sentenceOf } from "../dom.js";
 import { distancesFor, rulerFor } from "./aids.js";
 import { groupsFor } from "./choices.js";
 import { shapesOf } from "./shapes.js";
-import { Verdicts } from "./verdicts.js";
+import { isPoor, Verdicts } from "./verdicts.js";
 
 /**
  * @typedef {import("./practising.js").Practising} Practising
@@ -47,11 +47,11 @@ function showAnswer({ task, panel, easel, say, aim }) {
  */
 function showAfter({ task, panel, easel, say, now }) {
   const { asked } = task;
-  const last = task.tries.at(-1);
-  const verdict = task.results.get(now)?.verdict ?? "fine";
-  setSeen(panel.leave, asked !== null && last?.slot === asked.it && last.verdict === "wrong");
-  setSeen(panel.again, asked === null && verdict !== "fine");
-  if (verdict !== "fine") panel.again.replaceChildren(...new Verdicts(easel, say).named("try again", now));
+  const result = task.results.get(now) ?? null;
+  const poor = result !== null && isPoor(result);
+  setSeen(panel.leave, task.refused !== null);
+  setSeen(panel.again, asked === null && poor);
+  if (poor) panel.again.replaceChildren(...new Verdicts(easel, say).named("try again", now));
   panel.help.replaceChildren(say(`help ${task.stage}`));
   setSeen(panel.help, asked !== null || task.next !== null);
 }
@@ -100,7 +100,7 @@ function boardOf({ task, easel, session, aim, now }) {
   const given = [...new Set([session.told.pole, ...session.told.shown])].filter((slot) => slot >= 0 && easel.isHere(slot));
   const done = task.moves.filter((move) => task.isDone(move.it));
   const slots = [...given, ...done.map((move) => move.it)];
-  const verdictOf = (/** @type {number} */ slot) => task.results.get(slot)?.verdict;
+  const isWrong = (/** @type {number} */ slot) => task.results.get(slot)?.verdict === "wrong" || task.results.get(slot)?.missed === true;
   return {
     frame: session.frame,
     shapes: shapesOf(slots, done, easel.values, session.frame),
@@ -109,7 +109,7 @@ function boardOf({ task, easel, session, aim, now }) {
     picks: task.picks,
     fits: (slot) => task.fits(slot),
     now,
-    wrong: (slot) => verdictOf(slot) === "wrong",
+    wrong: isWrong,
     aim,
     ruler: task.asked === null ? null : rulerFor(task.asked, easel),
   };

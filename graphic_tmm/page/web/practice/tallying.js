@@ -1,4 +1,5 @@
 import { element, filled, sentenceOf } from "../dom.js";
+import { isPoor } from "./verdicts.js";
 
 /**
  * @typedef {import("./task.js").Task} Task
@@ -47,12 +48,12 @@ export function tallying(say, redo) {
  */
 function doneRow(say, task, easel, slot, redo) {
   const mark = task.score.marks.get(slot) ?? "helped";
-  const verdict = task.results.get(slot)?.verdict ?? "fine";
+  const result = task.results.get(slot) ?? null;
   const told = easel.toldOf(slot);
   const name = sentenceOf([[easel.letterOf(slot), slot]]);
   const sign = element("span", { class: "sign", role: "img", "aria-label": say(MEANS[mark]) }, WORTH[mark]);
   const inner = [sign, " ", ...name, ...(told === "" ? [] : [` = ${told}`])];
-  if (verdict !== "fine") inner.push(" – ", element("span", { class: "poor" }, say(verdict)));
+  if (result !== null && isPoor(result)) inner.push(" – ", element("span", { class: "poor" }, say(result.missed ? "missed" : result.verdict)));
   const move = task.own.get(slot);
   if (move === undefined || !task.isTold(move)) return element("li", { "data-of": String(slot) }, ...inner);
   const again = element("button", { type: "button", class: "again" }, ...inner);

@@ -13,12 +13,18 @@ import { Score, STAGES } from "./score.js";
  * @typedef {import("./picking.js").Answer} Answer
  * @typedef {{slot: number, error: number}} Part
  * @typedef {{slot: number, found: number | Complex, texts: string[], last: Last, error: number, parts: Part[],
- *   verdict: Verdict, blamed: number}} Tried what was told of a step, as it was written, and how it was judged
+ *   verdict: Verdict, blamed: number, missed: boolean}} Tried what was told of a step, as it was written, and how it
+ *   was judged; `missed`: a point that is not where it is drawn through
  * @typedef {{slot: number, stage: string}} Help
  * @typedef {{kind: "more"} | {kind: "drawn", slot: number} | {kind: "asked", slot: number}
  *   | {kind: "none", answer: Answer} | {kind: "undrawable", slot: number}} Outcome
  */
 
+/**
+ * A hand's own lines swing, and a check allows a point as much. Here the lines are drawn true: who marks a point farther
+ * from them has missed, mm.
+ */
+const MISSED = 2;
 /** What appears by itself once it is known what it is drawn through. */
 const DRAWN = ["line", "arc", "angle"];
 /** So does an image that falls on another one. */
@@ -48,6 +54,8 @@ export class Task {
     this.picks = [];
     /** The step whose answer is due. @type {Move | null} */
     this.asked = null;
+    /** What was told of it last and is not taken. @type {Tried | null} */
+    this.refused = null;
     /** What each step that is done came to, as it was told. @type {Map<number, Tried | null>} */
     this.results = new Map();
     /** @type {Tried[]} */
@@ -80,6 +88,7 @@ export class Task {
     this.instrument = INSTRUMENTS.find((one) => one.name === name) ?? null;
     this.picks = [];
     this.asked = null;
+    this.refused = null;
   }
 
   /** Put the instrument down. */
@@ -160,10 +169,13 @@ export class Task {
     if (this.asked === null) return null;
     const slot = this.asked.it;
     const { error, parts, verdict, blamed } = this.bench.judge(slot, found, last);
-    const tried = { slot, found, texts, last, error, parts, verdict, blamed };
+    const missed = typeof found !== "number" && parts.some((part) => Math.abs(part.error) > MISSED);
+    const tried = { slot, found, texts, last, error, parts, verdict, blamed, missed };
     this.tries.push(tried);
-    if (verdict === "wrong") this.score.charge(slot);
-    else this.take(slot, tried);
+    if (verdict === "wrong" || missed) {
+      this.score.charge(slot);
+      this.refused = tried;
+    } else this.take(slot, tried);
     return tried;
   }
 
@@ -172,9 +184,8 @@ export class Task {
    * @returns {Tried | null}
    */
   leave() {
-    const tried = this.tries.at(-1) ?? null;
-    if (tried === null || tried.slot !== this.asked?.it) return null;
-    this.take(tried.slot, tried);
+    const tried = this.refused;
+    if (tried !== null) this.take(tried.slot, tried);
     return tried;
   }
 

@@ -21,6 +21,14 @@ function isSeen(error, found) {
   return typeof found === "number" ? error > SLIGHT_SHARE * Math.abs(found) : error > SLIGHT;
 }
 
+/**
+ * Whether something is to be said against a try.
+ * @param {Tried} tried
+ */
+export function isPoor(tried) {
+  return tried.missed || tried.verdict !== "fine";
+}
+
 /** What share of a figure is less than that is its last digit. */
 const SLIGHT_SHARE = 0.001;
 
@@ -58,14 +66,14 @@ export class Verdicts {
    * @param {Tried} tried
    */
   told(tried) {
-    const lines = [element("p", { class: "verdict" }, this.say(tried.verdict))];
+    const lines = [element("p", { class: "verdict" }, this.say(tried.missed ? "missed" : tried.verdict))];
     const error = Math.abs(tried.error);
     const [size, unit] = this.sized(tried.slot, error);
-    if (size !== "" && (tried.verdict !== "fine" || isSeen(error, tried.found))) {
+    if (size !== "" && (isPoor(tried) || isSeen(error, tried.found))) {
       const told = this.say("own error").replace("{error}", size).replace("{unit}", unit);
       lines.push(element("p", { class: "error" }, told));
     }
-    if (tried.verdict !== "fine") lines.push(...this.blame(tried));
+    if (isPoor(tried)) lines.push(...this.blame(tried));
     return lines;
   }
 
