@@ -19,6 +19,8 @@ from typing import NamedTuple
 
 from graphic_tmm.language.said import joined, said
 
+TRACEBACK = "GRAPHIC_TMM_TRACEBACK"
+"""The variable of the environment by which a fault of the program shows where it is."""
 LONGEST = 60
 """Of a key, and of a text of the scene that a message quotes, so many characters are shown."""
 
@@ -41,6 +43,12 @@ class Fault(NamedTuple):
     key: str
     line: int
     message: str
+
+    def shown(self, speech: Callable[[str], str]) -> Fault:
+        """Return the fault as a person sees it: in a language, quotations not longer than they help."""
+        key = self.key if len(self.key) <= LONGEST else f"{self.key[: LONGEST - 3]}..."
+        message = _QUOTED.sub(_shortened, speech(self.message))
+        return Fault(printable(key), self.line, printable(message))
 
 
 def first_of(faults: Sequence[Fault], most: int, count: int = 0) -> tuple[Fault, ...]:
@@ -76,9 +84,9 @@ class SceneError(TmmError):
 
     def _line(self, fault: Fault, speech: Callable[[str], str]) -> str:
         place = f"{self.path}:{fault.line}" if fault.line else self.path
-        message = _QUOTED.sub(_shortened, speech(fault.message))
-        key = fault.key if len(fault.key) <= LONGEST else f"{fault.key[: LONGEST - 3]}..."
-        return printable(f"{place}: {key}: {message}" if key else f"{place}: {message}")
+        shown = fault.shown(speech)
+        told = f"{shown.key}: {shown.message}" if shown.key else shown.message
+        return f"{printable(place)}: {told}"
 
 
 def printable(text: str) -> str:
@@ -123,6 +131,17 @@ class ViewError(SheetError):
     def __init__(self, message: str, view: str, size: tuple[float, float]) -> None:
         super().__init__(message)
         self.view, self.size = view, size
+
+
+def own_fault(error: BaseException) -> str:
+    """Return what is told of an error that nobody has foreseen: it is the program's, not the person's."""
+    what = " ".join(f"{type(error).__name__}: {error}".split()).rstrip(":")
+    return said(
+        "a fault of the program, not of the input ({what}); "
+        "set {variable}=1 to see where, and report it",
+        what=what[:200],
+        variable=TRACEBACK,
+    )
 
 
 class BareError(TmmError):

@@ -27,7 +27,7 @@ from graphic_tmm.errors import Fault, SceneError, first_of
 from graphic_tmm.files import Kind
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.formats import FORMATS
-from graphic_tmm.scene.document import Document, document, table
+from graphic_tmm.scene.document import Document, document, parsed, table
 
 FILE = "composition.toml"
 COMPOSITION = Kind(
@@ -112,7 +112,15 @@ def read_composition(file: Path) -> Composition | None:
     """
     if not file.exists():
         return None
-    _, doc = document(file, COMPOSITION)
+    return _composition(file, document(file, COMPOSITION)[1])
+
+
+def known_composition(data: bytes, file: Path) -> Composition:
+    """Return the composition that a file would hold with these bytes; raises as `read_composition`."""
+    return _composition(file, parsed(data, file)[1])
+
+
+def _composition(file: Path, doc: Document) -> Composition:
     faults: list[Fault] = []
     sizes = table(doc.get("sizes"))
     for name, size in sizes.items():

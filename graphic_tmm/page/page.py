@@ -18,6 +18,8 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.page.crank import crank
 from graphic_tmm.page.join import folders, script, style
 from graphic_tmm.page.layers import PARTS
+from graphic_tmm.page.practice.own import own
+from graphic_tmm.page.practice.own_words import OWN
 from graphic_tmm.page.practice.pack import practice
 from graphic_tmm.page.practice.words import WORDS as PRACTICE
 from graphic_tmm.page.protocol import protocol_of
@@ -48,7 +50,8 @@ def page(
     program, looks = script(), style()
     if practised and (asked := practice(made, sheets, data["views"], seed)) is not None:
         data["practice"], written = asked
-        data["words"] |= _said(PRACTICE, language)
+        data["own"] = own(sheets, language)
+        data["words"] |= _said({**PRACTICE, **OWN}, language)
         program, looks = script(*folders(), written=written), style(*folders())
     return (
         environment("graphic_tmm.page")

@@ -4,13 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.catalogue import SOURCE, speaking
 from graphic_tmm.language.said import joined
 from graphic_tmm.readers.findings import finding, left_out
+from graphic_tmm.scene.remarks import unplaced
 
 SILENT = ("touching", "lost")
 """Kinds of findings that are no warning, or are told together."""
+
+
+def all_warnings(made: DrawnScene, language: str, *, sheets: bool = False) -> tuple[str, ...]:
+    """Return what of a scene comes to nothing or could not be drawn; ``sheets``: and what no sheet shows."""
+    told = (*made.scene.remarks, *(unplaced(made.scene) if sheets else ()))
+    found = [text for drawn in made.boards for text in warnings(drawn, language)]
+    return (*map(speaking(language), told), *found)
 
 
 def warnings(drawn: Drawn, language: str = SOURCE) -> tuple[str, ...]:

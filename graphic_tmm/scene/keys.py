@@ -43,7 +43,7 @@ def _page(heading: str, says: str, record: type) -> Iterator[str]:
     for name, one in keys_of(record).items():
         cells = (f"`{name}`", one.says, _value(one.kind), _default(one), _written(one.example))
         yield "| " + " | ".join(cell.replace("|", "\\|") or NONE for cell in cells) + " |"
-        inner.update((table.__name__, table) for table in _inner(one.kind))
+        inner.update((table.__name__, table) for table in inner_tables(one.kind))
     yield ""
     for name, table in inner.items():
         yield from _page(
@@ -53,14 +53,14 @@ def _page(heading: str, says: str, record: type) -> Iterator[str]:
         )
 
 
-def _inner(sort: Sort) -> Iterator[type]:
+def inner_tables(sort: Sort) -> Iterator[type]:
     """Yield the records of the tables that may stand for a key."""
     if isinstance(sort, tables.Table):
         yield sort.record
     elif isinstance(sort, (tables.Named, tables.Several)):
-        yield from _inner(sort.each)
+        yield from inner_tables(sort.each)
     elif isinstance(sort, tables.ByShape):
-        yield from (*_inner(sort.other), *_inner(sort.such))
+        yield from (*inner_tables(sort.other), *inner_tables(sort.such))
 
 
 def _value(sort: Sort) -> str:

@@ -16,10 +16,11 @@ from typing import Any, NamedTuple
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.said import Said, said
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Key, Kind, Path, Sort, keys_of
+from graphic_tmm.scene.declare import Key, Kind, Path, Section, Sort, keys_of
 from graphic_tmm.scene.document import Document, parsed, table
 from graphic_tmm.scene.drawing import Head
 from graphic_tmm.scene.faults import key_of
+from graphic_tmm.scene.keys import inner_tables
 from graphic_tmm.scene.lines import Layout, layout
 from graphic_tmm.scene.sections import LENGTHS, declared
 from graphic_tmm.scene.tables import ByShape, Named, Several, Table
@@ -89,12 +90,11 @@ class _Written(NamedTuple):
     places: Layout
 
     def groups(self) -> list[Group]:
-        head = _first(Head)
-        made = [Group(said("The scene"), head, True, self.of(Head, self.doc, ()))]
+        made = [Group(said("The scene"), "", True, self.of(Head, self.doc, ()))]
         if LENGTHS in self.doc:
             made.append(Group(LENGTHS, said("lengths by name"), True, self.lengths()))
         for name, section in declared().items():
-            raw, says = self.doc.get(name), _first(section.record)
+            raw, says = self.doc.get(name), _sentence(section)
             if section.several:
                 items = raw if isinstance(raw, list) else []
                 for k, item in enumerate(items):
@@ -187,9 +187,26 @@ class _Written(NamedTuple):
         return self.text[begin:end].replace("\r\n", "\n") or json.dumps(value, default=str)
 
 
-def _first(record: type) -> str:
+def sentences() -> Iterator[str]:
+    """Yield what a form may say of sections and keys, in English."""
+    records: list[type] = [Head]
+    for section in declared().values():
+        yield _sentence(section)
+        records.append(section.record)
+    for record in records:
+        yield from _of_record(record)
+
+
+def _of_record(record: type) -> Iterator[str]:
+    for one in keys_of(record).values():
+        yield one.says
+        for inner in inner_tables(one.kind):
+            yield from _of_record(inner)
+
+
+def _sentence(section: Section) -> str:
     """Return the sentence that says what a section is."""
-    return (record.__doc__ or "").partition("\n")[0]
+    return section.says or (section.record.__doc__ or "").partition("\n")[0]
 
 
 def _name(item: object) -> str:

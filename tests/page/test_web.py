@@ -10,7 +10,7 @@ import pytest
 from support.browser import WEB, tool
 from support.gallery import ROOT
 
-SCRIPTS = ROOT / "graphic_tmm" / "page" / "web"
+SCRIPTS = [ROOT / "graphic_tmm" / room / "web" for room in ("page", "serve")]
 
 
 def typed(settings: Path) -> str:
@@ -39,8 +39,9 @@ def test_the_types_of_the_scripts_hold() -> None:
 
 
 @pytest.mark.slow
-def test_the_scripts_have_no_fault_that_is_seen_by_reading() -> None:
-    assert linted(SCRIPTS) == ""
+@pytest.mark.parametrize("scripts", SCRIPTS, ids=lambda folder: folder.parent.name)
+def test_the_scripts_have_no_fault_that_is_seen_by_reading(scripts: Path) -> None:
+    assert linted(scripts) == ""
 
 
 WRONG_TYPES = {

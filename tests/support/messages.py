@@ -1,7 +1,8 @@
 """Every text of the package that a catalogue should have, found by reading the source.
 
 A text is the first argument of ``said(…)`` or of ``_(…)``, the plural behind it, the keyword ``context``; and
-what the operations of the board say: their sentences, why they fail, gaps and sides; and the helps of commands.
+what the operations of the board say: their sentences, why they fail, gaps and sides; the helps of commands;
+what the sections of a scene say of themselves and of their keys.
 """
 
 from __future__ import annotations
@@ -94,12 +95,19 @@ def _of_operations() -> Iterator[Message]:
             yield Message("", text, "", file)
 
 
+def _of_sections() -> Iterator[Message]:
+    from graphic_tmm.serve.form import sentences
+
+    for text in sentences():
+        yield Message("", text, "", "graphic_tmm/serve/form.py")
+
+
 @cache
 def messages() -> tuple[Message, ...]:
     """Return every text once that has a word in it, in the order of the files."""
     found: dict[tuple[str, str], Message] = {}
     own = [one for file in sources() for one in (*_of_file(file), *_helps(file))]
-    for one in sorted([*own, *_of_operations()], key=lambda one: one.file):
+    for one in sorted([*own, *_of_operations(), *_of_sections()], key=lambda one: one.file):
         known = found.setdefault(one.key, one)
         if one.plural and not known.plural:
             found[one.key] = one

@@ -22,8 +22,6 @@ from graphic_tmm.language.said import said
 FINE, WRONG, BAD, FAULT, BROKEN_OFF, NO_READER = 0, 1, 2, 70, 130, 141
 """Exit statuses: all well; a check has found something; the input is bad; the program is at fault; Ctrl-C;
 nobody reads what is printed (the last two as a shell tells them of SIGINT and SIGPIPE)."""
-TRACEBACK = "GRAPHIC_TMM_TRACEBACK"
-"""The variable of the environment by which a fault of the program shows where it is."""
 
 
 class People(SpokenGroup):
@@ -92,17 +90,11 @@ def _own_fault(error: BaseException) -> int:
     import os
     import traceback
 
+    from graphic_tmm.errors import TRACEBACK, own_fault
+
     if os.environ.get(TRACEBACK):
         traceback.print_exception(error)
-    what = " ".join(f"{type(error).__name__}: {error}".split()).rstrip(":")
-    tell(
-        said(
-            "a fault of the program, not of the input ({what}); "
-            "set {variable}=1 to see where, and report it",
-            what=what[:200],
-            variable=TRACEBACK,
-        )
-    )
+    tell(own_fault(error))
     return FAULT
 
 

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from graphic_tmm.language.catalogue import languages
 from graphic_tmm.language.reader import asked, hear
 from graphic_tmm.language.said import said
 
@@ -24,9 +22,6 @@ else:
     ParamType = click.ParamType  # no generic class before click 8.2
 
 F = TypeVar("F", bound=Callable[..., Any])
-LOOKED = 256_000
-"""So many characters of a scene are looked through for its language."""
-_LANGUAGE = re.compile(r"""^language\s*=\s*["'](\w+)["']""", re.MULTILINE)
 
 
 class SceneName(ParamType):
@@ -70,16 +65,16 @@ def read_scene(name: str | None, *, lettered: bool = False) -> Scene:
 def language_of(path: Path) -> str:
     """Return the language that a scene's file asks for, however wrong the rest of it is; "" if none."""
     from graphic_tmm.scene.read import FILE
+    from graphic_tmm.scene.spoken import LOOKED, spoken
 
     file = path / FILE if path.is_dir() else path
     if not file.is_file():
         return ""
     try:
         with file.open(encoding="utf-8", errors="replace") as stream:
-            found = _LANGUAGE.search(stream.read(LOOKED))
+            return spoken(stream.read(LOOKED))
     except OSError:
         return ""
-    return found[1] if found is not None and found[1] in languages() else ""
 
 
 def hands(command: F) -> F:

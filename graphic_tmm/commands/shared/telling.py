@@ -28,12 +28,9 @@ def tell(text: str) -> None:
 
 def warn(made: DrawnScene, *, sheets: bool = False) -> None:
     """Tell what of a scene comes to nothing or could not be drawn; ``sheets``: and what no sheet shows."""
-    from graphic_tmm.readers.warnings import warnings
-    from graphic_tmm.scene.remarks import unplaced
+    from graphic_tmm.readers.warnings import all_warnings
 
-    told = [*made.scene.remarks, *(unplaced(made.scene) if sheets else ())]
-    told += [text for drawn in made.boards for text in warnings(drawn, reader().language)]
-    for text in told:
+    for text in all_warnings(made, reader().language, sheets=sheets):
         tell(said("{source}: warning: {text}", source=made.scene.source, text=text))
 
 

@@ -1,0 +1,198 @@
+"""When what is drawn: a scene again when its file has changed, its sheets first, its page behind them.
+
+Two processes draw. The one in front puts a scene that was drawn before on the sheets as they were composed
+then, which takes a part of the time; the one behind composes it anew, as ``draw`` does, and makes its page.
+Where both come to the same sheets, nothing is sent twice. What comes of a text that has changed meanwhile is
+thrown away.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from graphic_tmm.errors import SceneError, TmmError
+from graphic_tmm.language.catalogue import Speech, speaking
+from graphic_tmm.language.reader import reader
+from graphic_tmm.language.said import said
+from graphic_tmm.scene.spoken import spoken
+from graphic_tmm.serve import jobs
+from graphic_tmm.serve.folder import Folder
+from graphic_tmm.serve.jobs import Refused, Sheets, Task
+from graphic_tmm.serve.kept import Kept, Told, as_sheets, hashed
+from graphic_tmm.serve.limits import DRAWING
+from graphic_tmm.serve.worker import Broken, Gone, TooLong, Worker
+
+URGENT, USUAL, IDLE = 0, 1, 2
+"""Whose turn comes first: who waits for an answer, what is shown, what nobody looks at."""
+
+
+@dataclass
+class Scene:
+    """A scene on the desk: its file, what is kept of it, what it was drawn from.
+
+    ``data``: its text; ``beside``: the composition that stands beside it. ``composition``: how its sheets were
+    composed last; ``done``: what the text said, and what stood beside it, of which sheets and page are.
+    """
+
+    file: Path
+    kept: Kept
+    data: bytes | None = None
+    beside: bytes | None = None
+    composition: bytes | None = None
+    done: tuple[str, bytes | None] = ("", None)
+    writing: asyncio.Lock = field(default_factory=asyncio.Lock)
+    drawing: asyncio.Task[None] | None = None
+
+
+class Desk:
+    """The scenes of a folder that somebody looks at, and the processes that draw them: ``aside`` downloads."""
+
+    def __init__(self, folder: Folder, language: str = "") -> None:
+        self.folder, self.language = folder, language
+        self.scenes: dict[str, Scene] = {}
+        self.front, self.behind, self.aside = Worker(), Worker(), Worker()
+        self._warming: list[asyncio.Task[None]] = []
+
+    def open(self) -> None:
+        """Begin the processes; nobody waits for them yet."""
+        self._warming = [asyncio.create_task(_warm(one)) for one in (self.front, self.behind)]
+
+    def close(self) -> None:
+        """End all that is being drawn, at once."""
+        for worker in (self.front, self.behind, self.aside):
+            worker.close()
+        drawing = [one.drawing for one in self.scenes.values() if one.drawing is not None]
+        for task in (*self._warming, *drawing):
+            task.cancel()
+
+    # ------------------------------------------------------------ looking
+
+    def wanted(self, name: str) -> Scene | None:
+        """Return a scene that somebody looks at, by its name; None if there is none."""
+        if name not in self.scenes:
+            file = self.folder.scenes().get(name)
+            if file is None:
+                return None
+            self.scenes[name] = Scene(file, Kept(name))
+            self.look(name)
+        return self.scenes[name]
+
+    def look_all(self) -> None:
+        """Read all scenes again that somebody looks at."""
+        for name in self.scenes:
+            self.look(name)
+
+    def look(self, name: str) -> None:
+        """Read a scene again, and draw it if its text, or the composition beside it, has changed."""
+        scene = self.scenes[name]
+        try:
+            data = self.folder.read(scene.file)
+            beside = self.folder.composition(scene.file)
+        except SceneError as error:
+            self._stop(scene)
+            scene.data = None
+            _refuse(scene.kept, "", self.unread(scene, error))
+            return
+        if (data, beside) == (scene.data, scene.beside):
+            return
+        self._stop(scene)
+        scene.data, scene.beside = data, beside
+        task = Task(data, str(scene.file), beside, self.language)
+        scene.drawing = asyncio.create_task(self._drawn(scene, task))
+
+    @staticmethod
+    def _stop(scene: Scene) -> None:
+        if scene.drawing is not None:
+            scene.drawing.cancel()
+            scene.drawing = None
+
+    def unread(self, scene: Scene, error: TmmError) -> tuple[Told, ...]:
+        """Return what is told of a file that cannot be read or written."""
+        return jobs.faults(error, str(scene.file), self.speech(None))
+
+    # ------------------------------------------------------------ drawing
+
+    async def _drawn(self, scene: Scene, task: Task) -> None:
+        """Draw a scene, its sheets first; tell every step of it."""
+        version = hashed(task.data)
+        scene.kept.tell(busy=True, text_version=version)
+        first = scene.composition is None
+        try:
+            found = await self._stages(scene, task, version)
+        except (TooLong, Gone, Broken) as error:
+            found = Refused((Told(0, "", said_of(error, self.speech(task))),))
+        if isinstance(found, Refused):
+            _refuse(scene.kept, version, found.faults)
+            return
+        scene.kept.tell(busy=False)
+        if first and scene.composition is not None:
+            with suppress(TooLong, Gone, Broken):  # so that the next edit finds it warm
+                again = task._replace(given=scene.composition)
+                await self.front.ask(jobs.drawn, again, limit=DRAWING, urgency=IDLE)
+
+    async def _stages(self, scene: Scene, task: Task, version: str) -> Refused | None:
+        """Draw in front what was drawn before, then behind, then the page; return what it is refused for."""
+        given = task.given if task.given is not None else scene.composition
+        meaning = ""
+        if given is not None:
+            meaning, beside = scene.done
+            known = meaning if beside == task.given else ""
+            found = await self.front.ask(
+                jobs.drawn, task._replace(given=given), known, limit=DRAWING, urgency=URGENT
+            )
+            if found is None:
+                scene.kept.tell(ok=True, errors=())
+                return None
+            if isinstance(found, Sheets):
+                _show(scene, found)
+                meaning = found.meaning
+            elif not found.paper or task.given is not None:
+                return found
+        if task.given is None:
+            found = await self.behind.ask(jobs.drawn, task, limit=DRAWING)
+            if not isinstance(found, Sheets):
+                return found
+            _show(scene, found)
+            scene.composition, meaning = found.composition, found.meaning
+        page = await self.behind.ask(jobs.paged, task, limit=DRAWING)
+        if isinstance(page, Refused):
+            return page
+        scene.kept.tell(page=scene.kept.keep(page))
+        scene.done = meaning, task.given
+        return None
+
+    def speech(self, task: Task | None) -> Speech:
+        """Return the language that a scene is told in."""
+        own = spoken(task.data.decode("utf-8", "replace")) if task is not None else ""
+        language = self.language or own
+        return speaking(language) if language else reader()
+
+
+def _show(scene: Scene, found: Sheets) -> None:
+    """Show sheets that were drawn, and what is told of them."""
+    sheets = as_sheets(scene.kept, found.sheets)
+    scene.kept.tell(ok=True, errors=(), sheets=sheets, warnings=found.warnings)
+
+
+def _refuse(kept: Kept, version: str, faults: tuple[Told, ...]) -> None:
+    """Tell what a text is refused for; the sheets of the text before stay."""
+    kept.tell(ok=False, busy=False, text_version=version, errors=faults)
+
+
+def said_of(error: TooLong | Gone | Broken, speech: Speech) -> str:
+    """Return what is told of a process that did not do what it was to."""
+    if isinstance(error, TooLong):
+        return speech(
+            said("this took longer than {seconds:g} s and was broken off", seconds=error.args[0])
+        )
+    if isinstance(error, Broken):
+        return speech(error.args[0])
+    return speech(said("the process that draws has ended; the next change begins it anew"))
+
+
+async def _warm(worker: Worker) -> None:
+    with suppress(TooLong, Gone, Broken):
+        await worker.ask(jobs.warmed, limit=DRAWING, urgency=IDLE)

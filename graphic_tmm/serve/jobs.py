@@ -1,0 +1,178 @@
+"""What the process does that draws: it is given texts and reads no file; a refusal is something it returns."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, NamedTuple, ParamSpec, TypeVar
+
+from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.errors import SceneError, SheetError, TmmError, printable
+from graphic_tmm.fitting.compose import Composed
+from graphic_tmm.fitting.composition import beside, known_composition, text
+from graphic_tmm.language.catalogue import Speech, speaking
+from graphic_tmm.language.reader import reader, reading
+from graphic_tmm.page.page import page
+from graphic_tmm.paper.lettering.letters import missing
+from graphic_tmm.paper.write.svg import svg
+from graphic_tmm.readers.warnings import all_warnings
+from graphic_tmm.scene.read import judged
+from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.spoken import spoken
+from graphic_tmm.serve.edit import edited
+from graphic_tmm.serve.form import form
+from graphic_tmm.serve.form import told as fields_told
+from graphic_tmm.serve.kept import Told
+from graphic_tmm.serve.shell import title_of
+from graphic_tmm.studio import composed_sheets
+
+P = ParamSpec("P")
+T = TypeVar("T")
+REMEMBERED = 2
+"""So many drawings a process remembers: that of before, and that of now."""
+
+
+class Task(NamedTuple):
+    """A scene to be drawn.
+
+    ``data``: what its file holds; ``file``: where that stands, for messages and names. ``given``: a composition
+    to draw it by, as its file holds it; ``language``: that all is told in, "" for the scene's own.
+    """
+
+    data: bytes
+    file: str
+    given: bytes | None = None
+    language: str = ""
+
+
+class Sheets(NamedTuple):
+    """The sheets of a scene: name, width and height in mm, SVG; what is told; how they are composed.
+
+    ``meaning``: what the file says, comments and layout left out; where that stays, all stays.
+    """
+
+    sheets: tuple[tuple[str, float, float, str], ...]
+    warnings: tuple[str, ...]
+    composition: bytes
+    meaning: str
+
+
+class Refused(NamedTuple):
+    """What a scene is refused for; ``paper``: it did not fit, and may if it is composed anew."""
+
+    faults: tuple[Told, ...]
+    paper: bool = False
+
+
+class File(NamedTuple):
+    """A file to be written by a browser: its name, what it holds."""
+
+    name: str
+    data: bytes
+
+
+def told(job: Callable[P, T]) -> Callable[P, T | Refused]:
+    """Make a task (its first argument is a `Task`) return what its scene is refused for."""
+
+    def held(*given: P.args, **named: P.kwargs) -> T | Refused:
+        task = given[0]
+        assert isinstance(task, Task)
+        language = _language(task)
+        with reading(language):
+            try:
+                return job(*given, **named)
+            except TmmError as error:
+                paper = isinstance(error, SheetError)
+                return Refused(faults(error, task.file, speaking(language)), paper)
+
+    held.__name__ = held.__qualname__ = getattr(job, "__name__", "")
+    held.__module__ = job.__module__
+    return held
+
+
+def _language(task: Task) -> str:
+    return task.language or spoken(task.data.decode("utf-8", "replace")) or reader().language
+
+
+def faults(error: TmmError, file: str, speech: Speech) -> tuple[Told, ...]:
+    """Return the faults of a scene; its file is known, and not told."""
+    if isinstance(error, SceneError):
+        shown = [fault.shown(speech) for fault in error.faults]
+        return tuple(Told(one.line, one.key, one.message) for one in shown)
+    says = printable(error.told(speech))
+    place = re.match(rf"{re.escape(printable(file))}(?::(\d+))?: ", says)
+    line = int(place[1] or 0) if place else 0
+    return (Told(line, "", says[place.end() :] if place else says),)
+
+
+def scene_of(task: Task) -> Scene:
+    """Return the scene of a task, in the language that was asked for.
+
+    Raises
+    ------
+    SceneError
+        With every fault of its text.
+    """
+    scene = judged(task.data, Path(task.file), missing=missing)
+    return replace(scene, language=task.language) if task.language else scene
+
+
+@lru_cache(REMEMBERED)
+def composed(task: Task) -> tuple[DrawnScene, Composed]:
+    """Return a scene as drawn, and its sheets: composed as it is given, else anew."""
+    scene = scene_of(task)
+    given = None
+    if task.given is not None:
+        given = known_composition(task.given, beside(task.file))
+    return composed_sheets(scene, given)
+
+
+@told
+def drawn(task: Task, known: str = "") -> Sheets | None:
+    """Return the sheets of a scene; None if its file says what is ``known``."""
+    scene = scene_of(task)
+    meaning = _meaning(scene)
+    if meaning == known:
+        return None
+    made, found = composed(task)
+    sheets = tuple((one.name, one.width, one.height, svg(one)) for one in found.sheets)
+    warnings = tuple(map(printable, all_warnings(made, scene.language, sheets=True)))
+    composition = text(found.composition, found.scales).encode()
+    return Sheets(sheets, warnings, composition, meaning)
+
+
+def _meaning(scene: Scene) -> str:
+    """Return a name for what a scene says: the lines on which it says it are nothing to it."""
+    return hashlib.sha256(repr(replace(scene, told={})).encode()).hexdigest()
+
+
+@told
+def paged(task: Task) -> bytes:
+    """Return a scene as a page for a browser."""
+    made, found = composed(task)
+    return page(made, found.sheets).encode()
+
+
+@told
+def formed(task: Task) -> list[dict[str, Any]]:
+    """Return the values of a scene as a form, as JSON takes it."""
+    return fields_told(form(task.data, Path(task.file)), _language(task))
+
+
+def titled(tasks: Sequence[Task]) -> list[str]:
+    """Return what scenes call themselves, however wrong they are; "" where that cannot be told."""
+    return [title_of(task.data, Path(task.file)) for task in tasks]
+
+
+@told
+def changed(task: Task, changes: Mapping[str, str]) -> bytes:
+    """Return what a scene's file holds with values set in it."""
+    return edited(task.data, changes, Path(task.file), missing)
+
+
+def warmed() -> None:
+    """Do nothing: what a drawing needs is loaded when this is."""

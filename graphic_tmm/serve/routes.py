@@ -1,0 +1,221 @@
+"""What a browser may ask of the studio, below its token.
+
+    /                       the scenes of the folder; the only scene's studio where there is one
+    /events                 how they stand, as they change: event "state" of each, with its name
+    /s/NAME/                the studio of a scene
+    /s/NAME/events          how it stands, as it changes: event "state"
+    /s/NAME/sheet/HASH.svg  a sheet, /s/NAME/page/HASH.html its page, while they are the ones of some state kept
+    /s/NAME/form            its values as a form; to be set by sending it back
+    /s/NAME/download/FORM   its files of a format
+    /web/NAME               scripts and styles of the studio
+
+A name finds a scene that was found in the folder before; it is never made a path.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from typing import NamedTuple
+from urllib.parse import quote
+
+from starlette.applications import Starlette
+from starlette.requests import ClientDisconnect, Request
+from starlette.responses import HTMLResponse, JSONResponse, RedirectResponse, Response
+from starlette.routing import Route
+from starlette.types import ASGIApp
+
+from graphic_tmm.serve.answers import Answers
+from graphic_tmm.serve.desk import Desk, Scene
+from graphic_tmm.serve.downloads import forms
+from graphic_tmm.serve.guard import Guard
+from graphic_tmm.serve.jobs import Refused, Task
+from graphic_tmm.serve.limits import BODY, BODY_TIME
+from graphic_tmm.serve.shell import asset, gallery, studio
+from graphic_tmm.serve.stream import Stream, followed, followed_all
+from graphic_tmm.serve.watch import watch
+
+FRAMED = {"content-security-policy": "frame-ancestors 'self'", "x-frame-options": "SAMEORIGIN"}
+"""Of what the studio shows within its own page; the page of a scene says itself what it may do."""
+DRAWN = {
+    "content-security-policy": "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'self'",
+    "x-frame-options": "SAMEORIGIN",
+}
+"""Of a sheet: a picture that does nothing."""
+
+
+def application(desk: Desk, token: str, *, open: bool = False) -> ASGIApp:
+    """Return the application that serves a desk to who knows a token; ``open``: to other computers, too."""
+    asked = Asked(desk)
+
+    @asynccontextmanager
+    async def life(_: Starlette) -> AsyncIterator[None]:
+        desk.open()
+        watching = asyncio.create_task(watch(desk))
+        try:
+            yield
+        finally:
+            watching.cancel()
+            desk.close()
+
+    routes = [
+        Route("/", asked.gallery),
+        Route("/events", asked.all_events),
+        Route("/web/{name}", asked.asset),
+        Route("/s/{name}/", asked.studio),
+        Route("/s/{name}/events", asked.events),
+        Route("/s/{name}/sheet/{hash}.svg", asked.sheet),
+        Route("/s/{name}/page/{hash}.html", asked.page),
+        Route("/s/{name}/form", asked.form),
+        Route("/s/{name}/form", asked.change, methods=["POST"]),
+        Route("/s/{name}/download/{form}", asked.download),
+    ]
+    app = Starlette(routes=routes, lifespan=life)
+    app.router.redirect_slashes = False  # the way would be one without the token
+    return Guard(app, token, open=open)
+
+
+class Change(NamedTuple):
+    """What a form sends: the version that it was made of, the values to be set, by key."""
+
+    version: str
+    changes: dict[str, str]
+
+
+class Asked:
+    """The answers, one a route."""
+
+    def __init__(self, desk: Desk) -> None:
+        self.desk, self.answers = desk, Answers(desk)
+
+    def _scene(self, request: Request) -> Scene | None:
+        return self.desk.wanted(request.path_params["name"])
+
+    async def gallery(self, request: Request) -> Response:
+        """The scenes of the folder; the way to the only one where it is served alone."""
+        if self.desk.folder.only is not None:
+            (name,) = self.desk.folder.scenes()
+            return RedirectResponse(f"s/{quote(name, safe='')}/")
+        titles = await self.answers.titles()
+        language = self.desk.speech(None).language
+        return HTMLResponse(gallery(titles, self.desk.folder.root.name, language))
+
+    async def studio(self, request: Request) -> Response:
+        """The studio of a scene."""
+        scene = self._scene(request)
+        if scene is None:
+            return _nothing()
+        task = Task(scene.data or b"", str(scene.file))
+        (title,) = await self.answers.titles_of([task])
+        shown = studio(
+            scene.kept.name,
+            title,
+            self.desk.speech(task).language,
+            formats=forms(),
+            several=self.desk.folder.only is None,
+            fixed=self.desk.folder.fixed,
+        )
+        return HTMLResponse(shown)
+
+    async def asset(self, request: Request) -> Response:
+        """A script or a style of the studio."""
+        found = asset(request.path_params["name"])
+        return _nothing() if found is None else Response(found[0], media_type=found[1])
+
+    async def events(self, request: Request) -> Response:
+        """How a scene stands, now and whenever that changes."""
+        scene = self._scene(request)
+        return _nothing() if scene is None else Stream(followed(scene.kept))
+
+    async def all_events(self, request: Request) -> Response:
+        """How all scenes stand; what was not drawn yet is drawn for it, one after the other."""
+        there = [self.desk.wanted(name) for name in self.desk.folder.scenes()]
+        return Stream(followed_all([one.kept for one in there if one is not None]))
+
+    async def sheet(self, request: Request) -> Response:
+        """A sheet of some state that is kept."""
+        return self._kept(request, "image/svg+xml", DRAWN)
+
+    async def page(self, request: Request) -> Response:
+        """The page of some state that is kept."""
+        return self._kept(request, "text/html", FRAMED)
+
+    async def form(self, request: Request) -> Response:
+        """The values of a scene's file."""
+        scene = self._scene(request)
+        if scene is None:
+            return _nothing()
+        found = await self.answers.form(scene)
+        return _refused(found) if isinstance(found, Refused) else JSONResponse(found._asdict())
+
+    async def change(self, request: Request) -> Response:
+        """Values set in a scene's file, 200; 409 if it has changed meanwhile, 422 if they are refused."""
+        scene = self._scene(request)
+        if scene is None:
+            return _nothing()
+        if self.desk.folder.fixed:
+            return Response(status_code=403)
+        sent = await _sent(request)
+        if sent is None:
+            return Response(status_code=400)
+        found = await self.answers.change(scene, sent.version, sent.changes)
+        if isinstance(found, Refused):
+            return _refused(found)
+        return JSONResponse({"version": found.version}, 200 if found.done else 409)
+
+    async def download(self, request: Request) -> Response:
+        """A scene's file of a format; of several a ZIP."""
+        scene, form = self._scene(request), request.path_params["form"]
+        if scene is None or form not in forms():
+            return _nothing()
+        found = await self.answers.download(scene, form)
+        if isinstance(found, Refused):
+            return _refused(found)
+        name = quote(found.name, safe="")
+        headers = {"content-disposition": f"attachment; filename*=UTF-8''{name}"}
+        return Response(found.data, media_type="application/octet-stream", headers=headers)
+
+    def _kept(self, request: Request, kind: str, headers: dict[str, str]) -> Response:
+        scene = self._scene(request)
+        data = scene.kept.contents.get(request.path_params["hash"]) if scene else None
+        if data is None:
+            return _nothing()
+        return Response(data, media_type=kind, headers=headers)
+
+
+async def _sent(request: Request) -> Change | None:
+    """Return what is to be set, None if that cannot be told: too large, too slow, no such JSON."""
+    body = bytearray()
+    try:
+        async with asyncio.timeout(BODY_TIME):
+            async for part in request.stream():
+                body += part
+                if len(body) > BODY:
+                    return None
+    except (TimeoutError, ClientDisconnect):
+        return None
+    try:
+        told = json.loads(body)
+    except (ValueError, RecursionError):
+        return None
+    return _change(told)
+
+
+def _change(told: object) -> Change | None:
+    if not isinstance(told, dict):
+        return None
+    version, changes = told.get("version"), told.get("changes")
+    if not isinstance(version, str) or not isinstance(changes, dict):
+        return None
+    plain = all(isinstance(value, str) for value in changes.values())
+    return Change(version, changes) if plain else None
+
+
+def _refused(found: Refused) -> Response:
+    return JSONResponse({"errors": [one._asdict() for one in found.faults]}, 422)
+
+
+def _nothing() -> Response:
+    return Response(status_code=404)

@@ -1,0 +1,85 @@
+import { element } from "../../page/web/dom.js";
+
+/** @typedef {import("./types.js").Words} Words */
+
+/** The page of the scene in a frame: made when it is looked at first, made anew behind the one before it. */
+export class PageFrame {
+  /**
+   * @param {Words} words
+   * @param {string} place where it is to begin: the part of its address behind #
+   */
+  constructor(words, place) {
+    this.words = words;
+    this.begin = place;
+    /** The page that there is, and whether somebody looks at it. */
+    this.hash = "";
+    this.seen = false;
+    /** @type {HTMLIFrameElement | null} */
+    this.frame = null;
+    /** @type {HTMLIFrameElement | null} */
+    this.next = null;
+    this.nothing = element("p", { class: "hint" }, words["no page"] ?? "");
+    this.element = element("div", { class: "frame" }, this.nothing);
+  }
+
+  /** The place in the page that is looked at. */
+  get place() {
+    return this.frame?.contentWindow?.location.hash || this.begin;
+  }
+
+  /**
+   * Take notice of a page.
+   * @param {string | null} hash
+   */
+  show(hash) {
+    this.hash = hash ?? this.hash;
+    this.load();
+  }
+
+  /**
+   * Take notice of somebody who looks, or looks away.
+   * @param {boolean} seen
+   */
+  look(seen) {
+    this.seen = seen;
+    this.load();
+  }
+
+  load() {
+    const address = `page/${this.hash}.html`;
+    if (!this.seen || this.hash === "" || (this.next ?? this.frame)?.dataset["hash"] === this.hash) return;
+    this.next?.remove();
+    const made = document.createElement("iframe");
+    made.title = this.words["page of"] ?? "";
+    made.dataset["hash"] = this.hash;
+    made.className = "coming";
+    made.src = address + this.place;
+    made.addEventListener("load", () => this.swap(made));
+    this.next = made;
+    this.element.append(made);
+  }
+
+  /** Make the page as dark as the studio, if a person said how dark that is. */
+  dress() {
+    const theme = document.documentElement.dataset["theme"];
+    const inner = this.frame?.contentDocument?.documentElement;
+    if (theme !== undefined && inner) inner.dataset["theme"] = theme;
+  }
+
+  /** @param {HTMLIFrameElement} made */
+  swap(made) {
+    if (made !== this.next) return;
+    const focused = document.activeElement === this.frame && this.frame !== null;
+    const place = this.place;
+    if (made.contentWindow !== null && made.contentWindow.location.hash !== place && place !== "") {
+      made.contentWindow.location.replace(place);
+    }
+    this.frame?.remove();
+    this.frame = made;
+    this.next = null;
+    made.className = "";
+    this.nothing.hidden = true;
+    this.dress();
+    if (focused) made.contentWindow?.focus();
+  }
+}

@@ -1,0 +1,111 @@
+import { element, filled } from "../../page/web/dom.js";
+import { themeButton } from "../../page/web/theme.js";
+import { Faults } from "./faults.js";
+import { Values } from "./form.js";
+import { PageFrame } from "./frame.js";
+import { Sheets } from "./sheets.js";
+import { tabList } from "./tabs.js";
+import { about, follow } from "./wire.js";
+
+/** @typedef {import("./types.js").State} State */
+/** @typedef {import("./types.js").Studio} Studio */
+
+/** @type {Studio} */
+const scene = about();
+const { words } = scene;
+const main = /** @type {HTMLElement} */ (document.getElementById("main"));
+const head = /** @type {HTMLElement} */ (document.getElementById("head"));
+const told = /** @type {HTMLElement} */ (document.getElementById("told"));
+/** #page#crank:velocities/5: the way of looking, and the place in the page. */
+const [, way = "", place = ""] = location.hash.split("#");
+
+/** @type {State | null} */
+let state = null;
+let linked = true;
+let lost = false;
+
+const sheets = new Sheets(words);
+const frame = new PageFrame(words, place === "" ? "" : `#${place}`);
+const values = new Values(
+  words,
+  scene.fixed,
+  tell,
+  (form) => {
+    const title = form.groups.flatMap((group) => group.fields).find((field) => field.key === "title")?.text;
+    document.title = title || scene.name;
+    const heading = head.querySelector("h1");
+    if (heading !== null) heading.textContent = document.title;
+    if (state !== null) faults.show(state.errors, state.warnings);
+  },
+);
+const faults = new Faults(words, (key) => values.has(key), (key) => values.go(key));
+
+/** Say something that is read aloud as well. @param {string} text */
+function tell(text) {
+  if (told.textContent !== text) told.textContent = text;
+}
+
+/** How the scene stands: the name of the words that say it. */
+function standing() {
+  if (!linked) return "lost";
+  if (state === null) return "";
+  if (state.busy) return "drawing";
+  return state.ok ? "drawn" : "faults";
+}
+
+/** Say how the scene stands. */
+function tellState() {
+  const stands = standing();
+  tell(filled(words[stands] ?? "", { n: state?.errors.length ?? 0 }));
+  document.body.classList.toggle("lost", stands === "lost");
+  document.body.classList.toggle("busy", stands === "drawing");
+  document.body.classList.toggle("wrong", state?.ok === false);
+}
+
+/** @param {State} now */
+function hear(now) {
+  state = now;
+  sheets.show(now.sheets);
+  frame.show(now.page);
+  faults.show(now.errors, now.warnings);
+  values.follow(now.text_version);
+  tellState();
+}
+
+/** @param {boolean} there */
+function link(there) {
+  if (there && lost) tell(words["mended"] ?? "");
+  const changed = linked !== there;
+  linked = there;
+  lost = !there;
+  if (changed) tellState();
+}
+
+function files() {
+  const links = scene.downloads.map(({ form, name }) =>
+    element("li", {}, element("a", { href: `download/${form}`, download: "" }, name)),
+  );
+  return element("section", { class: "files" }, element("h2", {}, words["files"] ?? ""), element("ul", {}, ...links));
+}
+
+function remember() {
+  const now = frame.seen ? `#page${frame.place}` : location.pathname;
+  if (location.hash !== now) history.replaceState(null, "", now);
+}
+
+const ways = [
+  { name: "sheets", title: words["sheets"] ?? "", panel: sheets.element },
+  { name: "page", title: words["page"] ?? "", panel: frame.element },
+];
+const side = element("aside", { "aria-label": words["values"] ?? "" }, faults.element, values.element, files());
+if (scene.several) head.prepend(element("a", { href: "../../" }, words["scenes"] ?? ""));
+main.replaceChildren(sheets.element, frame.element, side);
+const theme = themeButton(words);
+theme.addEventListener("click", () => frame.dress());
+head.append(
+  tabList(words["ways"] ?? "", ways, way, (name) => frame.look(name === "page")),
+  theme,
+);
+document.documentElement.classList.add("js");
+window.addEventListener("pagehide", remember);
+follow("events", hear, link);

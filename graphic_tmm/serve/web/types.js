@@ -1,0 +1,19 @@
+/**
+ * What the server tells; the names are those of serve/kept.py, serve/form.py and serve/shell.py.
+ *
+ * @typedef {Record<string, string>} Words
+ * @typedef {{line: number, key: string, text: string, source?: string}} Fault a fault of the file, with its line
+ * @typedef {{name: string, hash: string, width: number, height: number}} Sheet its size in mm
+ * @typedef {{version: number, text_version: string, ok: boolean, busy: boolean, errors: Fault[], warnings: string[],
+ *   sheets: Sheet[], page: string | null, name?: string}} State
+ * @typedef {{key: string, label: string, text: string, written: boolean, kind: string, unit: string,
+ *   choices: string[], default: string, says: string, wanted: boolean}} Field
+ * @typedef {{title: string, says: string, there: boolean, fields: Field[]}} Group
+ * @typedef {{version: string, groups: Group[]}} Form
+ * @typedef {{form: string, name: string}} Download
+ * @typedef {{language: string, words: Words, name: string, several: boolean, fixed: boolean,
+ *   downloads: Download[]}} Studio
+ * @typedef {{language: string, words: Words, scenes: {name: string, title: string}[]}} Gallery
+ * @typedef {{status: number, version: string, errors: Fault[]}} Answer status 0: nothing came back
+ */
+export {};

@@ -1,0 +1,83 @@
+/** @typedef {import("./types.js").Answer} Answer */
+/** @typedef {import("./types.js").Form} Form */
+/** @typedef {import("./types.js").State} State */
+
+/** After so long a connection that was closed is tried again, ms. */
+const AGAIN = 2000;
+
+/**
+ * Return what the server put into the page.
+ * @template T
+ * @returns {T}
+ */
+export function about() {
+  return JSON.parse(document.getElementById("data")?.textContent ?? "{}");
+}
+
+/**
+ * Follow a stream of states for as long as somebody looks: a browser has few connections to one server.
+ * @param {string} address
+ * @param {(state: State) => void} hear
+ * @param {(there: boolean) => void} linked told when the connection is there, and when it is not
+ */
+export function follow(address, hear, linked) {
+  /** @type {EventSource | null} */
+  let source = null;
+  let timer = 0;
+  const end = () => {
+    clearTimeout(timer);
+    source?.close();
+    source = null;
+  };
+  const begin = () => {
+    end();
+    if (document.hidden) return;
+    const made = new EventSource(address);
+    source = made;
+    made.addEventListener("open", () => linked(true));
+    made.addEventListener("state", (event) => hear(JSON.parse(event.data)));
+    made.addEventListener("error", () => {
+      linked(false);
+      if (made.readyState === EventSource.CLOSED) timer = setTimeout(begin, AGAIN);
+    });
+  };
+  document.addEventListener("visibilitychange", () => (document.hidden ? end() : begin()));
+  window.addEventListener("pagehide", end);
+  window.addEventListener("pageshow", (event) => {
+    if (event.persisted) begin();
+  });
+  begin();
+}
+
+/**
+ * Return the values of the scene; null where there are none to set, or nothing came back.
+ * @returns {Promise<Form | null>}
+ */
+export async function formOf() {
+  try {
+    const answer = await fetch("form", { cache: "no-store" });
+    return answer.ok ? await answer.json() : null;
+  } catch {
+    return null;
+  }
+}
+
+/**
+ * Set values in the file that has a version.
+ * @param {string} version
+ * @param {Record<string, string>} changes
+ * @returns {Promise<Answer>}
+ */
+export async function setValues(version, changes) {
+  try {
+    const answer = await fetch("form", {
+      method: "POST",
+      headers: { "Content-Type": "application/json" },
+      body: JSON.stringify({ version, changes }),
+    });
+    const told = await answer.json().catch(() => ({}));
+    return { status: answer.status, version: told.version ?? "", errors: told.errors ?? [] };
+  } catch {
+    return { status: 0, version: "", errors: [] };
+  }
+}

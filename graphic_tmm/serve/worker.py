@@ -1,0 +1,205 @@
+"""A process that draws: one task at a time, the urgent first; ended, and begun anew, when one takes too long.
+
+It is told a function of `jobs` and what it is called with, and answers with what that returns. Ctrl-C of the
+terminal does not reach it: who began it ends it.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import itertools
+import multiprocessing
+import os
+import signal
+import traceback
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from multiprocessing.connection import Connection
+from typing import Any, NamedTuple, TypeVar
+
+from graphic_tmm.errors import TRACEBACK, own_fault
+from graphic_tmm.language.said import said
+from graphic_tmm.serve.limits import MEMORY, WAITING
+
+T = TypeVar("T")
+
+
+class TooLong(Exception):
+    """A task took longer than it may: the seconds."""
+
+
+class Gone(Exception):
+    """The process ended in a task, or there is no room for one more."""
+
+
+class Broken(Exception):
+    """A task met an error that nobody has foreseen: what is told of it."""
+
+
+class _Asked(NamedTuple):
+    urgency: int
+    number: int
+    job: Callable[..., Any]
+    given: tuple[Any, ...]
+    limit: float
+    answer: asyncio.Future[Any]
+
+
+class Worker:
+    """A process that draws, as those see it who give it tasks."""
+
+    def __init__(self) -> None:
+        self._waiting: asyncio.PriorityQueue[_Asked] = asyncio.PriorityQueue(WAITING)
+        self._numbers = itertools.count()
+        self._thread = ThreadPoolExecutor(1)
+        self._process: Any = None
+        self._line: Connection | None = None
+        self._closed = False
+        self._turns: asyncio.Task[None] | None = None
+
+    async def ask(self, job: Callable[..., T], *given: Any, limit: float, urgency: int = 1) -> T:
+        """Return what a function returns that is called there; the least urgency comes first.
+
+        Raises
+        ------
+        TooLong
+            If it takes longer than ``limit``, s.
+        Gone
+            If the process ends in it (memory), or too many tasks wait.
+        Broken
+            If it raises.
+        """
+        if self._closed:
+            raise Gone
+        if self._turns is None:
+            self._turns = asyncio.create_task(self._take_turns())
+        answer: asyncio.Future[T] = asyncio.get_running_loop().create_future()
+        asked = _Asked(urgency, next(self._numbers), job, given, limit, answer)
+        try:
+            self._waiting.put_nowait(asked)
+        except asyncio.QueueFull:
+            raise Gone from None
+        return await answer
+
+    async def _take_turns(self) -> None:
+        loop = asyncio.get_running_loop()
+        while True:
+            asked = await self._waiting.get()
+            if asked.answer.done():
+                continue
+            try:
+                found = await loop.run_in_executor(
+                    self._thread, self._exchanged, asked.job, asked.given, asked.limit
+                )
+            except (TooLong, Gone, Broken) as error:
+                _give(asked.answer, error)
+            else:
+                _give(asked.answer, found)
+
+    def close(self) -> None:
+        """End the process at once, whatever it does."""
+        self._closed = True
+        if self._turns is not None:
+            self._turns.cancel()
+        self._kill()
+        self._thread.shutdown(wait=False, cancel_futures=True)
+
+    # ------------------------------------------------------------ in the thread
+
+    def _exchanged(self, job: Callable[..., Any], given: tuple[Any, ...], limit: float) -> Any:
+        try:
+            line = self._begun()
+            line.send((job, given))
+            if not line.poll(limit):
+                raise TooLong(limit)
+            fine, found = line.recv()
+        except (EOFError, OSError):
+            self._end()
+            raise Gone from None
+        except TooLong:
+            self._end()
+            raise
+        if not fine:
+            raise Broken(found)
+        return found
+
+    def _begun(self) -> Connection:
+        """Return the line to the process, which is begun if there is none."""
+        if self._line is None or not self._process.is_alive():
+            self._end()
+            context = multiprocessing.get_context("spawn")
+            self._line, far = context.Pipe()
+            self._process = context.Process(target=_works, args=(far,), daemon=True)
+            self._process.start()
+            far.close()
+            if self._closed:
+                raise EOFError
+        return self._line
+
+    def _end(self) -> None:
+        self._kill()
+        self._process = None
+        line, self._line = self._line, None
+        if line is not None:
+            with suppress(OSError):
+                line.close()
+
+    def _kill(self) -> None:
+        process = self._process
+        if process is None or process.pid is None:
+            return
+        if process.is_alive() and hasattr(os, "killpg"):
+            with suppress(OSError):
+                os.killpg(process.pid, signal.SIGKILL)  # what it has begun itself, too
+        process.kill()
+        process.join(1.0)
+
+
+def _give(answer: asyncio.Future[Any], found: object) -> None:
+    if answer.done():  # nobody waits for it any more
+        return
+    if isinstance(found, BaseException):
+        answer.set_exception(found)
+    else:
+        answer.set_result(found)
+
+
+# ---------------------------------------------------------------- in the process
+
+
+def _works(line: Connection) -> None:
+    """Answer tasks until nobody is there who gives them."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if hasattr(os, "setsid"):
+        os.setsid()
+    _hold_to(MEMORY)
+    while True:
+        try:
+            job, given = line.recv()
+        except (EOFError, OSError):
+            return
+        line.send(_answer(job, given))
+
+
+def _answer(job: Callable[..., Any], given: tuple[Any, ...]) -> tuple[bool, Any]:
+    """Return whether a task ended well, and what it gives; else what is told of its error."""
+    try:
+        return True, job(*given)
+    except MemoryError:
+        return False, said("this takes more memory than it may: ask for less of it")
+    except Exception as error:
+        if os.environ.get(TRACEBACK):
+            traceback.print_exception(error)
+        return False, own_fault(error)
+
+
+def _hold_to(memory: int) -> None:
+    """Let this process have so much memory, where the system can do that."""
+    try:
+        import resource
+    except ImportError:
+        return
+    with suppress(OSError, ValueError):
+        _, most = resource.getrlimit(resource.RLIMIT_AS)
+        resource.setrlimit(resource.RLIMIT_AS, (memory, most))
