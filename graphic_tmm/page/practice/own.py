@@ -20,7 +20,7 @@ _WAYS = {"portrait": said("upright"), "landscape": said("lying")}
 
 
 def own(sheets: Sequence[Sheet], language: str) -> dict[str, Any]:
-    """Return the data of a drawing of one's own (OwnPack of web/own/own-types.js)."""
+    """Return the data of a drawing of one's own (OwnPack of web/own/corners.js)."""
     decimal = decimal_sign(language)
     separator, begins = SIGNS[decimal]
     return {

@@ -1,4 +1,4 @@
-/** @typedef {import("./own-types.js").OwnPack} OwnPack */
+/** @typedef {import("./corners.js").OwnPack} OwnPack */
 
 /** The columns that readings of points fill: plan, position, segment; x, y are the last two. */
 const NAMED = 3;

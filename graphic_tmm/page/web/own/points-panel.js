@@ -6,7 +6,7 @@ import { ORIGIN, PlanReadings } from "./readings.js";
  * @typedef {import("../types.js").Data} Data
  * @typedef {import("../types.js").Practice} Practice
  * @typedef {import("../practice/judging.js").Judged} Judged
- * @typedef {import("./own-types.js").OwnPack} OwnPack
+ * @typedef {import("./corners.js").OwnPack} OwnPack
  * @typedef {import("./projection.js").Spot} Spot
  * @typedef {import("./readings.js").SoughtPoint} SoughtPoint
  */
