@@ -9,11 +9,9 @@ thrown away.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, NamedTuple
 
 from graphic_tmm.errors import SceneError, TmmError
 from graphic_tmm.language.catalogue import Speech, speaking
@@ -21,11 +19,10 @@ from graphic_tmm.language.reader import reader
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.spoken import spoken
 from graphic_tmm.serve import jobs
-from graphic_tmm.serve.downloads import downloaded
 from graphic_tmm.serve.folder import Folder
-from graphic_tmm.serve.jobs import File, Refused, Sheets, Task
+from graphic_tmm.serve.jobs import Refused, Sheets, Task
 from graphic_tmm.serve.kept import Kept, Told, as_sheets, hashed
-from graphic_tmm.serve.limits import DOWNLOAD, DRAWING, JUDGING
+from graphic_tmm.serve.limits import DRAWING
 from graphic_tmm.serve.worker import Broken, Gone, TooLong, Worker
 
 URGENT, USUAL, IDLE = 0, 1, 2
@@ -48,20 +45,6 @@ class Scene:
     done: tuple[str, bytes | None] = ("", None)
     writing: asyncio.Lock = field(default_factory=asyncio.Lock)
     drawing: asyncio.Task[None] | None = None
-
-
-class Form(NamedTuple):
-    """The values of a scene as a form, and the version of the text that they stand in."""
-
-    version: str
-    groups: list[dict[str, Any]]
-
-
-class Written(NamedTuple):
-    """The version that a file has; ``done``: what was to be set is set in it, else it was changed meanwhile."""
-
-    version: str
-    done: bool
 
 
 class Desk:
@@ -111,7 +94,7 @@ class Desk:
         except SceneError as error:
             self._stop(scene)
             scene.data = None
-            _refuse(scene.kept, "", self._unread(scene, error).faults)
+            _refuse(scene.kept, "", self.unread(scene, error))
             return
         if (data, beside) == (scene.data, scene.beside):
             return
@@ -126,59 +109,9 @@ class Desk:
             scene.drawing.cancel()
             scene.drawing = None
 
-    # ------------------------------------------------------------ answering
-
-    async def form(self, scene: Scene) -> Form | Refused:
-        """Return the values of a scene's file, as it is now."""
-        try:
-            data = self.folder.read(scene.file)
-        except SceneError as error:
-            return self._unread(scene, error)
-        found = await self._judged(jobs.formed, Task(data, str(scene.file), None, self.language))
-        return found if isinstance(found, Refused) else Form(hashed(data), found)
-
-    async def change(
-        self, scene: Scene, version: str, changes: Mapping[str, str]
-    ) -> Written | Refused:
-        """Set values in a scene's file, all of them or none; one after the other of those who write."""
-        async with scene.writing:
-            try:
-                data = self.folder.read(scene.file)
-                if hashed(data) != version:
-                    return Written(hashed(data), False)
-                task = Task(data, str(scene.file), None, self.language)
-                new = await self._judged(jobs.changed, task, changes)
-                if isinstance(new, Refused):
-                    return new
-                now = self.folder.read(scene.file)  # an editor may have saved it meanwhile
-                if now != data:
-                    return Written(hashed(now), False)
-                if new != data:
-                    self.folder.write(scene.file, new)
-            except TmmError as error:
-                return self._unread(scene, error)
-        self.look(scene.kept.name)
-        return Written(hashed(new), True)
-
-    async def download(self, scene: Scene, form: str) -> File | Refused:
-        """Return a scene's file in a format, drawn apart from what is looked at."""
-        if scene.data is None:
-            return Refused(scene.kept.errors)
-        task = Task(scene.data, str(scene.file), scene.beside, self.language)
-        try:
-            return await self.aside.ask(downloaded, task, form, limit=DOWNLOAD)
-        except (TooLong, Gone, Broken) as error:
-            return Refused((Told(0, "", _said(error, self._speech(task))),))
-
-    async def _judged(self, job: Callable[..., Any], task: Task, *given: Any) -> Any:
-        try:
-            return await self.front.ask(job, task, *given, limit=JUDGING, urgency=URGENT)
-        except (TooLong, Gone, Broken) as error:
-            return Refused((Told(0, "", _said(error, self._speech(task))),))
-
-    def _unread(self, scene: Scene, error: TmmError) -> Refused:
-        speech = speaking(self.language) if self.language else reader()
-        return Refused(jobs.faults(error, str(scene.file), speech))
+    def unread(self, scene: Scene, error: TmmError) -> tuple[Told, ...]:
+        """Return what is told of a file that cannot be read or written."""
+        return jobs.faults(error, str(scene.file), self.speech(None))
 
     # ------------------------------------------------------------ drawing
 
@@ -190,7 +123,7 @@ class Desk:
         try:
             found = await self._stages(scene, task, version)
         except (TooLong, Gone, Broken) as error:
-            found = Refused((Told(0, "", _said(error, self._speech(task))),))
+            found = Refused((Told(0, "", said_of(error, self.speech(task))),))
         if isinstance(found, Refused):
             _refuse(scene.kept, version, found.faults)
             return
@@ -231,8 +164,11 @@ class Desk:
         scene.done = meaning, task.given
         return None
 
-    def _speech(self, task: Task) -> Speech:
-        return speaking(self.language or spoken(task.data.decode("utf-8", "replace")))
+    def speech(self, task: Task | None) -> Speech:
+        """Return the language that a scene is told in."""
+        own = spoken(task.data.decode("utf-8", "replace")) if task is not None else ""
+        language = self.language or own
+        return speaking(language) if language else reader()
 
 
 def _show(scene: Scene, found: Sheets) -> None:
@@ -246,7 +182,7 @@ def _refuse(kept: Kept, version: str, faults: tuple[Told, ...]) -> None:
     kept.tell(ok=False, busy=False, text_version=version, errors=faults)
 
 
-def _said(error: TooLong | Gone | Broken, speech: Speech) -> str:
+def said_of(error: TooLong | Gone | Broken, speech: Speech) -> str:
     """Return what is told of a process that did not do what it was to."""
     if isinstance(error, TooLong):
         return speech(

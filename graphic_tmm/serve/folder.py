@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from os.path import isfile
 from pathlib import Path
 from typing import NoReturn
 
@@ -42,21 +44,24 @@ class Folder:
     def _there(self) -> Iterator[tuple[str, Path]]:
         """Yield what looks like a scene: folders with a scene, then files of their own; and its name."""
         alone = self.root / FILE
-        if alone.is_file():
+        if isfile(alone):
             yield scene_name(str(alone)), alone
-        with os.scandir(self.root) as entries:
-            for entry in entries:
-                if entry.name.startswith("."):
-                    continue
-                path = self.root / entry.name
-                if entry.is_dir() and (path / FILE).is_file():
-                    yield entry.name, path / FILE
-                elif _alone(path) and entry.is_file():
-                    yield path.stem, path
+        for name in os.listdir(self.root):
+            path = self.root / name
+            if name.startswith("."):
+                continue
+            if isfile(path / FILE):
+                yield name, path / FILE
+            elif _alone(path) and isfile(path):
+                yield path.stem, path
 
     def watched(self) -> frozenset[Path]:
-        """Return the folders in which something may change."""
-        return frozenset({self.root, *(self._real(file).parent for file in self.scenes().values())})
+        """Return the folders in which something may change; none beyond this one."""
+        found = {self.root}
+        for file in self.scenes().values():
+            with suppress(SceneError):
+                found.add(self._inside(file).parent)
+        return frozenset(found)
 
     def read(self, file: Path) -> bytes:
         """Return what a scene's file holds.
@@ -94,16 +99,13 @@ class Folder:
 
     def _inside(self, file: Path) -> Path:
         """Return where a file really is, links followed; refuse what is outside."""
-        real = self._real(file)
+        try:
+            real = file.resolve()
+        except (OSError, RuntimeError):  # links that lead to each other
+            _refuse(file, _OUTSIDE)
         if not real.is_relative_to(self.root):
             _refuse(file, _OUTSIDE)
         return real
-
-    def _real(self, file: Path) -> Path:
-        try:
-            return file.resolve()
-        except (OSError, RuntimeError):  # links that lead to each other
-            _refuse(file, _OUTSIDE)
 
 
 def folder_of(name: str | None) -> Folder:

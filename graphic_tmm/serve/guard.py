@@ -6,6 +6,7 @@ All else is answered as if nothing were here. Every answer says that it is kept 
 from __future__ import annotations
 
 import ipaddress
+import re
 import secrets
 from collections.abc import MutableMapping
 from typing import Any
@@ -35,6 +36,7 @@ HEADERS = {
 }
 """Of every answer, where it does not say otherwise itself."""
 
+_HOST = re.compile(r"(?:\[([0-9a-f:.]+)\]|([a-z0-9.-]+))(?::[0-9]{1,5})?")
 SAFE = ("GET", "HEAD")
 
 
@@ -85,10 +87,8 @@ class Guard:
         """Whether this host is asked by a name of its own."""
         if len(headers.getlist("host")) != 1:
             return False
-        try:
-            host = urlsplit(f"//{headers['host']}").hostname or ""
-        except ValueError:
-            return False
+        found = _HOST.fullmatch(headers["host"].lower())
+        host = (found[1] or found[2]) if found is not None else ""
         return host in LOOPBACK or (self.open and _in_figures(host))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
@@ -27,6 +27,7 @@ from graphic_tmm.serve.edit import edited
 from graphic_tmm.serve.form import form
 from graphic_tmm.serve.form import told as fields_told
 from graphic_tmm.serve.kept import Told
+from graphic_tmm.serve.shell import title_of
 from graphic_tmm.studio import composed_sheets
 
 P = ParamSpec("P")
@@ -160,6 +161,11 @@ def paged(task: Task) -> bytes:
 def formed(task: Task) -> list[dict[str, Any]]:
     """Return the values of a scene as a form, as JSON takes it."""
     return fields_told(form(task.data, Path(task.file)), _language(task))
+
+
+def titled(tasks: Sequence[Task]) -> list[str]:
+    """Return what scenes call themselves, however wrong they are; "" where that cannot be told."""
+    return [title_of(task.data, Path(task.file)) for task in tasks]
 
 
 @told

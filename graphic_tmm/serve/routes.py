@@ -23,15 +23,17 @@ from urllib.parse import quote
 
 from starlette.applications import Starlette
 from starlette.requests import ClientDisconnect, Request
-from starlette.responses import JSONResponse, Response
+from starlette.responses import HTMLResponse, JSONResponse, RedirectResponse, Response
 from starlette.routing import Route
 from starlette.types import ASGIApp
 
+from graphic_tmm.serve.answers import Answers
 from graphic_tmm.serve.desk import Desk, Scene
 from graphic_tmm.serve.downloads import forms
 from graphic_tmm.serve.guard import Guard
-from graphic_tmm.serve.jobs import Refused
+from graphic_tmm.serve.jobs import Refused, Task
 from graphic_tmm.serve.limits import BODY, BODY_TIME
+from graphic_tmm.serve.shell import asset, gallery, studio
 from graphic_tmm.serve.stream import Stream, followed, followed_all
 from graphic_tmm.serve.watch import watch
 
@@ -61,6 +63,8 @@ def application(desk: Desk, token: str, *, open: bool = False) -> ASGIApp:
     routes = [
         Route("/", asked.gallery),
         Route("/events", asked.all_events),
+        Route("/web/{name}", asked.asset),
+        Route("/s/{name}/", asked.studio),
         Route("/s/{name}/events", asked.events),
         Route("/s/{name}/sheet/{hash}.svg", asked.sheet),
         Route("/s/{name}/page/{hash}.html", asked.page),
@@ -68,7 +72,9 @@ def application(desk: Desk, token: str, *, open: bool = False) -> ASGIApp:
         Route("/s/{name}/form", asked.change, methods=["POST"]),
         Route("/s/{name}/download/{form}", asked.download),
     ]
-    return Guard(Starlette(routes=routes, lifespan=life), token, open=open)
+    app = Starlette(routes=routes, lifespan=life)
+    app.router.redirect_slashes = False  # the way would be one without the token
+    return Guard(app, token, open=open)
 
 
 class Change(NamedTuple):
@@ -82,14 +88,41 @@ class Asked:
     """The answers, one a route."""
 
     def __init__(self, desk: Desk) -> None:
-        self.desk = desk
+        self.desk, self.answers = desk, Answers(desk)
 
     def _scene(self, request: Request) -> Scene | None:
         return self.desk.wanted(request.path_params["name"])
 
     async def gallery(self, request: Request) -> Response:
-        """The scenes by name."""
-        return JSONResponse({"scenes": list(self.desk.folder.scenes())})
+        """The scenes of the folder; the way to the only one where it is served alone."""
+        if self.desk.folder.only is not None:
+            (name,) = self.desk.folder.scenes()
+            return RedirectResponse(f"s/{quote(name, safe='')}/")
+        titles = await self.answers.titles()
+        language = self.desk.speech(None).language
+        return HTMLResponse(gallery(titles, self.desk.folder.root.name, language))
+
+    async def studio(self, request: Request) -> Response:
+        """The studio of a scene."""
+        scene = self._scene(request)
+        if scene is None:
+            return _nothing()
+        task = Task(scene.data or b"", str(scene.file))
+        (title,) = await self.answers.titles_of([task])
+        shown = studio(
+            scene.kept.name,
+            title,
+            self.desk.speech(task).language,
+            formats=forms(),
+            several=self.desk.folder.only is None,
+            fixed=self.desk.folder.fixed,
+        )
+        return HTMLResponse(shown)
+
+    async def asset(self, request: Request) -> Response:
+        """A script or a style of the studio."""
+        found = asset(request.path_params["name"])
+        return _nothing() if found is None else Response(found[0], media_type=found[1])
 
     async def events(self, request: Request) -> Response:
         """How a scene stands, now and whenever that changes."""
@@ -114,7 +147,7 @@ class Asked:
         scene = self._scene(request)
         if scene is None:
             return _nothing()
-        found = await self.desk.form(scene)
+        found = await self.answers.form(scene)
         return _refused(found) if isinstance(found, Refused) else JSONResponse(found._asdict())
 
     async def change(self, request: Request) -> Response:
@@ -127,7 +160,7 @@ class Asked:
         sent = await _sent(request)
         if sent is None:
             return Response(status_code=400)
-        found = await self.desk.change(scene, sent.version, sent.changes)
+        found = await self.answers.change(scene, sent.version, sent.changes)
         if isinstance(found, Refused):
             return _refused(found)
         return JSONResponse({"version": found.version}, 200 if found.done else 409)
@@ -137,7 +170,7 @@ class Asked:
         scene, form = self._scene(request), request.path_params["form"]
         if scene is None or form not in forms():
             return _nothing()
-        found = await self.desk.download(scene, form)
+        found = await self.answers.download(scene, form)
         if isinstance(found, Refused):
             return _refused(found)
         name = quote(found.name, safe="")

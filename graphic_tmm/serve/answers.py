@@ -1,0 +1,107 @@
+"""What a desk answers when a browser asks for more than it follows: forms, changes, files, titles."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from graphic_tmm.errors import SceneError, TmmError
+from graphic_tmm.serve import jobs
+from graphic_tmm.serve.desk import URGENT, Desk, Scene, said_of
+from graphic_tmm.serve.downloads import downloaded
+from graphic_tmm.serve.jobs import File, Refused, Task
+from graphic_tmm.serve.kept import Told, hashed
+from graphic_tmm.serve.limits import DOWNLOAD, JUDGING
+from graphic_tmm.serve.worker import Broken, Gone, TooLong
+
+
+class Form(NamedTuple):
+    """The values of a scene as a form, and the version of the text that they stand in."""
+
+    version: str
+    groups: list[dict[str, Any]]
+
+
+class Written(NamedTuple):
+    """The version that a file has; ``done``: what was to be set is set in it, else it was changed meanwhile."""
+
+    version: str
+    done: bool
+
+
+class Answers:
+    """A desk, as it is asked."""
+
+    def __init__(self, desk: Desk) -> None:
+        self.desk = desk
+
+    async def titles(self) -> dict[str, str]:
+        """Return what the scenes of the folder call themselves, by name; "" where that cannot be told."""
+        there = dict[str, Task]()
+        for name, file in self.desk.folder.scenes().items():
+            try:
+                data = self.desk.folder.read(file)
+            except SceneError:
+                data = b""
+            there[name] = Task(data, str(file))
+        return dict(zip(there, await self.titles_of(list(there.values())), strict=True))
+
+    async def titles_of(self, tasks: Sequence[Task]) -> list[str]:
+        """Return what scenes call themselves, in order."""
+        found = await self._judged(jobs.titled, tasks)
+        return [""] * len(tasks) if isinstance(found, Refused) else list(found)
+
+    async def form(self, scene: Scene) -> Form | Refused:
+        """Return the values of a scene's file, as it is now."""
+        try:
+            data = self.desk.folder.read(scene.file)
+        except SceneError as error:
+            return Refused(self.desk.unread(scene, error))
+        found = await self._judged(
+            jobs.formed, Task(data, str(scene.file), None, self.desk.language)
+        )
+        return found if isinstance(found, Refused) else Form(hashed(data), found)
+
+    async def change(
+        self, scene: Scene, version: str, changes: Mapping[str, str]
+    ) -> Written | Refused:
+        """Set values in a scene's file, all of them or none; one after the other of those who write."""
+        async with scene.writing:
+            try:
+                data = self.desk.folder.read(scene.file)
+                if hashed(data) != version:
+                    return Written(hashed(data), False)
+                task = Task(data, str(scene.file), None, self.desk.language)
+                new = await self._judged(jobs.changed, task, changes)
+                if isinstance(new, Refused):
+                    return new
+                now = self.desk.folder.read(scene.file)  # an editor may have saved it meanwhile
+                if now != data:
+                    return Written(hashed(now), False)
+                if new != data:
+                    self.desk.folder.write(scene.file, new)
+            except TmmError as error:
+                return Refused(self.desk.unread(scene, error))
+        self.desk.look(scene.kept.name)
+        return Written(hashed(new), True)
+
+    async def download(self, scene: Scene, form: str) -> File | Refused:
+        """Return a scene's file in a format, drawn apart from what is looked at."""
+        if scene.data is None:
+            return Refused(scene.kept.errors)
+        task = Task(scene.data, str(scene.file), scene.beside, self.desk.language)
+        try:
+            return await self.desk.aside.ask(downloaded, task, form, limit=DOWNLOAD)
+        except (TooLong, Gone, Broken) as error:
+            return Refused((Told(0, "", said_of(error, self.desk.speech(task))),))
+
+    async def _judged(self, job: Callable[..., Any], *given: Any) -> Any:
+        try:
+            return await self.desk.front.ask(job, *given, limit=JUDGING, urgency=URGENT)
+        except (TooLong, Gone, Broken) as error:
+            speech = self.desk.speech(next(filter(_is_task, given), None))
+            return Refused((Told(0, "", said_of(error, speech)),))
+
+
+def _is_task(given: object) -> bool:
+    return isinstance(given, Task)
