@@ -15,12 +15,12 @@ from support.gallery import SHEETS
 from support.scripts import run
 
 from graphic_tmm.board.values import Point
-from graphic_tmm.page.practice.own import own
+from graphic_tmm.page.practice.words import practice_words
 
 SCENES = ("crank-rocker", "toggle-press")
 READ = """
 import "./practice/written.js";
-import { csvOf } from "./own/csv.js";
+import { csvOf } from "./practice/record.js";
 import { PlanReadings, ORIGIN } from "./own/readings.js";
 const rows = [];
 const all = [];
@@ -31,14 +31,14 @@ const told = asked.drawings.map(({ task, spots }) => {
     const spot = spots[String(one.slot)];
     if (spot !== undefined) readings.take(one.slot, spot);
   }
-  rows.push(...readings.written());
+  rows.push(...readings.written(asked.words["decimal sign"]));
   all.push(readings);
   return { order, letters: readings.points.map((one) => one.name), next: readings.next ?? null };
 });
 all.forEach((readings, k) => {
   told[k].judged = [...readings.judged(all)].map(([slot, one]) => [slot, one.verdict, one.error]);
 });
-tell({ told, csv: csvOf(rows, asked.pack) });
+tell({ told, csv: csvOf(rows, asked.words["csv head"], asked.words["csv separator"]) });
 """
 
 
@@ -82,7 +82,7 @@ def verdicts(scene: Packed, drawings: list[dict[str, Any]], file: Path) -> list[
     asked = {
         "practice": scene.data,
         "drawings": drawings,
-        "pack": own((), scene.made.scene.language),
+        "words": practice_words(scene.made.scene.language),
     }
     answer = run(READ, asked, written=scene.program)
     file.write_text(answer["csv"], encoding="utf-8", newline="")
