@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from graphic_tmm.drawn import DrawnScene
@@ -60,12 +61,16 @@ def worked(
     scenes: Sequence[Packed],
     drawings: Mapping[str, Sequence[Mapping[str, Any]]],
     folder: Path,
+    *,
+    work: bool = False,
     more: str = "",
+    together: Mapping[str, Sequence[Any]] = MappingProxyType({}),
 ) -> list[Any]:
     """Return what the page's own benches answer, scene by scene; ``folder``: an empty one.
 
-    ``more``: what else is asked, of ``Bench`` and of the ``data`` of a scene, as JavaScript that pushes to
-    ``answers``; without it the tasks are worked.
+    ``work``: whether each task is worked, rightly and wrongly. ``more``: what else is asked, of ``Bench`` and
+    of the ``data`` of a scene, as JavaScript that pushes to ``answers``. ``together``: drawings of several
+    plans, their points read.
     """
     shutil.copytree(WEB / "practice", folder / "practice")
     (folder / "package.json").write_text('{"type": "module"}', encoding="utf-8")
@@ -79,7 +84,8 @@ def worked(
             "written": f"written{k}.js",
             "data": one.data,
             "drawings": drawings.get(one.name, ()),
-            "work": not more,
+            "together": together.get(one.name, ()),
+            "work": list(range(len(one.data["tasks"]))) if work else [],
         }
         asked.append(told)
     (folder / "asked.json").write_text(json.dumps(asked), encoding="utf-8")
