@@ -1,4 +1,4 @@
-"""Every task of every scene as a student works it: right in two orders, wrong in every way, saved for a check."""
+"""Every task of every scene as a student works it: right in two orders, wrong in every way, saved."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from support import gallery
 from support.benches import Packed, by_node, practised
 
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.page.practice.words import practice_words
-from support import gallery
 
 PROGRAM = Path(__file__).parents[2] / "support" / "practising.mjs"
 CHECKED = {"crank-rocker": "en", "windrower": "ru", "engine": "en"}
