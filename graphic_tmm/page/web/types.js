@@ -19,7 +19,7 @@
  * @typedef {{name: string, width: number, height: number, format: string}} SheetSize
  * @typedef {{language: string, title: string, words: Record<string, string>, sheets: SheetSize[],
  *   parts: Record<string, string>, views: View[], crank?: Dense, practice?: Practice,
- *   own?: import("./own/own-types.js").OwnPack}} Data
+ *   own?: import("./own/corners.js").OwnPack}} Data
  *
  * The mechanism at every degree; the names are those of page/crank.py. A coordinate is a number of thousandths of
  * a millimetre, or a row and a distance; what is not always there says from which to behind which angle it is.
