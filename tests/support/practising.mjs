@@ -5,7 +5,7 @@ const [, , asked, answered] = process.argv;
 const { Session } = await import("./practice/session.js");
 const { instrumentOf } = await import("./practice/palette.js");
 const { done } = await import("./practice/log.js");
-const { readingsText } = await import("./practice/record.js");
+const { csvOf } = await import("./practice/record.js");
 const answers = [];
 for (const { written, data, words, drawn } of JSON.parse(readFileSync(asked, "utf8"))) {
   await import(`./practice/${written}`);
@@ -149,7 +149,7 @@ function clumsy(page, n, seed) {
   const verdicts = [...named].map(([row, verdict]) => [row.plan, row.position, row.segment, verdict]);
   const { "csv head": head, "csv separator": separator } = page.words;
   const rows = session.readings().map((row) => spoken(row, easel.decimal));
-  return { csv: readingsText(rows, head, separator), verdicts };
+  return { csv: csvOf(rows, head, separator), verdicts };
 }
 
 /** A row of readings with the decimal sign of the page, as it is typed there. */

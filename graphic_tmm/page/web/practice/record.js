@@ -14,7 +14,7 @@ const CELLS = ["plan", "position", "segment", "mm", "value", "unit", "x", "y"];
  * @param {string} head the titles of the columns, as Python writes them
  * @param {string} separator
  */
-export function readingsText(rows, head, separator) {
+export function csvOf(rows, head, separator) {
   const lines = rows.map((row) => CELLS.map((cell) => quotedCell(row[cell] ?? "", separator)).join(separator));
   return head + lines.map((line) => `${line}\n`).join("");
 }

@@ -1,7 +1,7 @@
 import { Bench } from "./bench.js";
 import { Easel } from "./easel.js";
 import { keep, kept } from "./kept.js";
-import { readingsText, save } from "./record.js";
+import { csvOf, save } from "./record.js";
 import { Task } from "./task.js";
 
 /**
@@ -134,6 +134,6 @@ export class Session {
 
   saveReadings() {
     const { words } = this.data;
-    save(`${this.file}.csv`, readingsText(this.readings(), words["csv head"] ?? "", words["csv separator"] ?? ","), "text/csv");
+    save(`${this.file}.csv`, csvOf(this.readings(), words["csv head"] ?? "", words["csv separator"] ?? ","), "text/csv");
   }
 }
