@@ -21,7 +21,7 @@ from graphic_tmm.scene.spoken import spoken
 from graphic_tmm.serve import jobs
 from graphic_tmm.serve.folder import Folder
 from graphic_tmm.serve.jobs import Refused, Sheets, Task
-from graphic_tmm.serve.kept import Kept, Told, as_sheets, hashed
+from graphic_tmm.serve.kept import Kept, Told, as_sheets, hashed, with_lines
 from graphic_tmm.serve.limits import DRAWING
 from graphic_tmm.serve.worker import Broken, Gone, TooLong, Worker
 
@@ -125,7 +125,7 @@ class Desk:
         except (TooLong, Gone, Broken) as error:
             found = Refused((Told(0, "", said_of(error, self.speech(task))),))
         if isinstance(found, Refused):
-            _refuse(scene.kept, version, found.faults)
+            _refuse(scene.kept, version, with_lines(found.faults, task.data))
             return
         scene.kept.tell(busy=False)
         if first and scene.composition is not None:
