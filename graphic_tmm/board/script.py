@@ -13,6 +13,7 @@ import json
 import math
 import types
 from collections.abc import Callable, Mapping
+from textwrap import indent
 from typing import Any, NewType
 
 import numpy as np
@@ -130,7 +131,7 @@ class Script:
             for name, functions in tables.items()
         }
         told = ", ".join(f"{name}: {{ {row} }}" for name, row in rows.items())
-        body = "\n".join(self.texts.values())
+        body = indent("\n".join(self.texts.values()), " ")
         return f"{taken}((({OWN}) => {{\n{body}\nreturn {{ {told} }};\n}})(ARITHMETIC));\n"
 
 

@@ -16,19 +16,31 @@ from graphic_tmm.language.said import said
 @click.command(cls=Command)
 @click.argument("scene", required=False, type=SceneName())
 @click.option("-o", "--output", default="out", show_default=True, help=said("Folder for the page."))
+@click.option(
+    "--practice",
+    is_flag=True,
+    help=said(
+        "With what lets a person draw the plans himself; --seed then poses each at another angle of the crank."
+    ),
+)
 @hands
-def page(scene: str | None, output: str, hand: str | None, seed: int | None) -> None:
+def page(
+    scene: str | None, output: str, practice: bool, hand: str | None, seed: int | None
+) -> None:
     """Write SCENE as one page for a browser: its plans play step by step, its sheets lie beside."""
+    from functools import partial
+
     from graphic_tmm.files import write
     from graphic_tmm.fitting.composition import beside, read_composition
     from graphic_tmm.page.page import FORMAT
     from graphic_tmm.page.page import page as written
     from graphic_tmm.studio import sheet_files
 
-    task = drawn_by(read_scene(scene, lettered=True), hand, seed)
+    task = drawn_by(read_scene(scene, lettered=True), hand, None if practice else seed)
     given = read_composition(beside(task.source))
+    whole = partial(written, practised=practice, seed=seed)
     with waiting(said("choosing scale factors and composing the sheets")):
-        made, texts = sheet_files(task, (FORMAT,), given=given, whole={FORMAT: written})
+        made, texts = sheet_files(task, (FORMAT,), given=given, whole={FORMAT: whole})
     for path in write(Path(output), texts, remedy=said("name another folder with -o")):
         click.echo(str(path))
     warn(made, sheets=True)

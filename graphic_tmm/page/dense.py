@@ -38,7 +38,7 @@ class Dense:
     positions of the sheet. ``turned``: how far the crank has turned at each angle, degrees, all whole degrees
     of the row's turns in order, behind them what positions are not among them; ``angles``: its direction.
     ``whole``: how many these are; ``at``: the index of each position of the sheet. ``why``: by index the reason
-    why an angle is not drawn.
+    why an angle is not drawn. ``log``: what is executed there, ``given``: from what.
     """
 
     drawn: Drawn
@@ -48,6 +48,8 @@ class Dense:
     whole: int
     at: tuple[int, ...]
     why: Mapping[int, str]
+    log: Construction
+    given: Mapping[Mark, Any]
 
 
 def dense(drawn: Drawn) -> Dense | None:
@@ -80,7 +82,7 @@ def dense(drawn: Drawn) -> Dense | None:
     numbers_there = Numbers(reading, dict.fromkeys(rows, reading), reading)
     there = replace(sheet, project=project, numbers=numbers_there, hand=EXACT, undrawn=bad)
     there.cache.update(sheet.cache)
-    return Dense(there, sheet, turned, angles, whole, at, why)
+    return Dense(there, sheet, turned, angles, whole, at, why, again, known)
 
 
 def _exact(drawn: Drawn) -> bool:

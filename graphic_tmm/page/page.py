@@ -18,6 +18,8 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.page.crank import crank
 from graphic_tmm.page.join import folders, script, style
 from graphic_tmm.page.layers import PARTS
+from graphic_tmm.page.practice.own import own
+from graphic_tmm.page.practice.own_words import OWN
 from graphic_tmm.page.practice.pack import practice
 from graphic_tmm.page.practice.words import WORDS as PRACTICE
 from graphic_tmm.page.protocol import protocol_of
@@ -31,10 +33,12 @@ FORMAT = "html"
 """What files of pages are called."""
 
 
-def page(made: DrawnScene, sheets: Sequence[Sheet], *, practised: bool = False) -> str:
+def page(
+    made: DrawnScene, sheets: Sequence[Sheet], *, practised: bool = False, seed: int | None = None
+) -> str:
     """Return a drawn scene as a page for a browser (HTML), in the scene's language.
 
-    ``practised``: with what lets a person draw the plans himself.
+    ``practised``: with what lets a person draw the plans himself, each posed as ``seed`` says, if it is given.
     """
     from markupsafe import Markup
 
@@ -44,9 +48,10 @@ def page(made: DrawnScene, sheets: Sequence[Sheet], *, practised: bool = False) 
     if turned is not None:
         data["crank"] = turned.data
     program, looks = script(), style()
-    if practised and (asked := practice(made, sheets, data["views"])) is not None:
+    if practised and (asked := practice(made, sheets, data["views"], seed)) is not None:
         data["practice"], written = asked
-        data["words"] |= _said(PRACTICE, language)
+        data["own"] = own(sheets, language)
+        data["words"] |= _said({**PRACTICE, **OWN}, language)
         program, looks = script(*folders(), written=written), style(*folders())
     return (
         environment("graphic_tmm.page")

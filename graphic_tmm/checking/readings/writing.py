@@ -11,7 +11,7 @@ from graphic_tmm.drawn import Results
 from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.readers.columns import Column, empty, row_of
 
-_SIGNS = {".": (",", ""), ",": (";", "\ufeff")}
+SIGNS = {".": (",", ""), ",": (";", "\ufeff")}
 """By the decimal sign: separator and what a file begins with, so that spreadsheets take it as it is."""
 _QUOTED = frozenset('"\r\n#')
 
@@ -93,7 +93,7 @@ def _row(one: Taken, language: str) -> Iterator[str]:
 
 
 def _text(rows: Iterable[Iterable[str]], language: str) -> str:
-    separator, start = _SIGNS[decimal_sign(language)]
+    separator, start = SIGNS[decimal_sign(language)]
     table = (heads(language), *rows)
     lines = (separator.join(_quoted(cell, separator) for cell in row) for row in table)
     return start + "".join(f"{line}\n" for line in lines)

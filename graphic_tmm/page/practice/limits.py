@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping
 from functools import partial
 from typing import Any
 
@@ -25,6 +25,8 @@ HAND = "student"
 """By whose drawings a student is judged, here as in a check."""
 DIGITS = 5
 """Significant digits of a limit: more than 400 drawings tell of it."""
+MARGIN = 1.5 * 10.0 ** (1 - DIGITS)
+"""By so much a limit is raised, as a share: more than it, and the size that it is a multiple of, is rounded."""
 Named = Mapping[Mark, tuple[str, str, str, str]]
 """What a check reads of marks, see `tasks.readable`."""
 
@@ -72,9 +74,14 @@ def total_limits(
     return found
 
 
-def told(found: Sequence[float]) -> list[float]:
-    """Return limits as the page has them; what has none is -1."""
+def told(found: Iterable[float]) -> list[float]:
+    """Return sizes as the page has them; what has none is -1."""
     return [float(f"{x:.{DIGITS}g}") if np.isfinite(x) else -1 for x in found]
+
+
+def bounds(found: Iterable[float]) -> list[float]:
+    """Return limits as the page has them, none lower than it is: a reading may stand on one of them."""
+    return told(x * (1.0 + MARGIN) for x in found)
 
 
 def _there(row: Row, plan: str, mark: Mark) -> Any:

@@ -11,17 +11,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from graphic_tmm.accuracy.geometrography import DEFAULT, FORMULA, READING, SYMBOLS  # noqa: F401
-from graphic_tmm.board.hand import HANDS
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.script import Script
 from graphic_tmm.board.source import defaults
 from graphic_tmm.board.values import KINDS, Number, Side
 from graphic_tmm.checking.cells import cells, longest, points
-from graphic_tmm.checking.check import TRIALS
-from graphic_tmm.checking.judging import slips, step_scatter
+from graphic_tmm.checking.judging import slips
 from graphic_tmm.checking.judging.own_errors import parts_of
-from graphic_tmm.checking.judging.reader import reader
-from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import spoken
@@ -29,12 +25,11 @@ from graphic_tmm.language.units import unit
 from graphic_tmm.page.practice.limits import (
     HAND,
     Named,
-    drawings,
-    own_limits,
     told,
-    total_limits,
 )
-from graphic_tmm.page.practice.tasks import Row, readable, sheet_row, written
+from graphic_tmm.page.practice.manners import MANNERS, manner, reader_of
+from graphic_tmm.page.practice.poses import posed
+from graphic_tmm.page.practice.tasks import Row, readable, sheet_row, with_others, written
 from graphic_tmm.page.told import indexed, marked_up, runs
 from graphic_tmm.page.tools import named as instruments
 from graphic_tmm.page.tools import symbol_of
@@ -45,8 +40,6 @@ from graphic_tmm.readers.titles import title_of
 
 HEAD = 'import { ARITHMETIC } from "./arithmetic.js";\nimport { enterBoard } from "./board.js";\n'
 """What the module that is written down needs of the page."""
-MANNERS = {"plan": "screen", "points": "photo"}
-"""What is read of a plan, and how points are: all of it, on a screen; points alone, off a photograph."""
 
 
 class Packing:
@@ -60,6 +53,7 @@ class Packing:
         self.script = Script()
         self.operations = written(self.script, row.steps)
         self.steps = [step for step in row.steps if step.op.name in self.operations]
+        self.count = len(row.own[0].names if row.own else row.names)
         self.plans = list(dict.fromkeys(mark.view for mark in self.marks()))
 
     def marks(self) -> list[Mark]:
@@ -87,8 +81,8 @@ class Packing:
             "given": {str(m.slot): self.numbers(m) for m in self.marks() if m not in made},
             "steps": [self.step(step) for step in self.steps],
             "tasks": [task for plan in practised for task in self.tasks(plan, views)],
-            "reader": self.reader(),
-            "manners": {name: self.manner(name) for name in MANNERS},
+            "reader": reader_of(self.made.scene),
+            "manners": {name: manner(self.made.scene, row, self.named, name) for name in MANNERS},
         }
 
     def mark(self, mark: Mark) -> dict[str, Any]:
@@ -160,7 +154,7 @@ class Packing:
                 continue
             made = {step.it for step in here}
             used = dict.fromkeys(m for step in here for m in step.uses if m not in made)
-            view, sheet, origin = self.seen(plan, self.row.names[at], views)
+            view, sheet, origin = self.seen(plan, at, views)
             yield {
                 "plan": self.plans.index(plan),
                 "at": at,
@@ -170,11 +164,18 @@ class Packing:
                 "steps": [step.it.slot for step in here],
                 "shown": [mark.slot for mark in used],
                 "pole": pole.pole.slot if pole is not None and pole.pole is not None else -1,
-                "whole": told([due.get((plan, self.row.names[at]), 0.0)])[0],
-            }
+                "whole": told([due.get((plan, self.row.names[at]), self.reach(here, at))])[0],
+            } | ({"pose": True} if at >= self.count else {})
+
+    def reach(self, steps: Sequence[Step], at: int) -> float:
+        """Return the longest vector among steps in a position, mm."""
+        found = [
+            self.row.numbers(s.it) for s in steps if s.it in self.named and s.it.kind is not Number
+        ]
+        return max((math.hypot(*row[at if len(row) > 1 else 0]) for row in found), default=0.0)
 
     def seen(
-        self, plan: str, position: str, views: Sequence[Mapping[str, Any]]
+        self, plan: str, at: int, views: Sequence[Mapping[str, Any]]
     ) -> tuple[int, int, list[float]]:
         """Return which view shows a plan in a position, on which sheet, its origin there; -1: none."""
         stands = {
@@ -184,74 +185,28 @@ class Packing:
         }
         for k, view in enumerate(views):
             drawing = stands[view["id"]]
-            if drawing.shows[-1] == plan and position in view["names"].values():
+            here = at < self.count and self.row.names[at] in view["names"].values()
+            if here and drawing.shows[-1] == plan:
                 origin = drawing.origin(plan)
                 high = self.sheets[view["sheet"]].height
                 return k, view["sheet"], [round(origin.real, 3), round(high - origin.imag, 3)]
         return -1, -1, [0.0, 0.0]
 
-    def reader(self) -> dict[str, Any]:
-        """Return who reads a drawing, and how a judgement is made."""
-        by = reader(self.made.scene, HANDS[HAND], "screen")
-        return {
-            "half": by.half,
-            "reading": by.hand.reading,
-            "digits": by.hand.digits,
-            "finest": by.finest,
-            "wrong": Limits().wrong,
-            "shares": list(step_scatter.SHARES),
-            "few": step_scatter.FEW,
-            "most": step_scatter.MOST,
-            "sure": step_scatter.SURE,
-        }
-
-    def manner(self, name: str) -> dict[str, Any]:
-        """Return the limits of the hand, read in one manner."""
-        scene = self.made.scene
-        hand = HANDS[HAND]._replace(trials=TRIALS, seed=scene.seed)
-        by = reader(scene, hand, MANNERS[name])
-        whole = name == "plan"
-        read = [m for m, (kind, *_) in self.named.items() if whole or kind == "point"]
-        drawn = drawings(self.row, read, scene)
-        own: dict[str, Any] = {}
-        total: dict[str, Any] = {}
-        for plan, places in self.row.places.items():
-            marks = [mark for mark in read if mark.view == plan]
-            found = own_limits(self.row, plan, marks, drawn, by)
-            for mark in marks:
-                rows = [found.get((mark, at)) for at in places]
-                own[str(mark.slot)] = {
-                    "b": [told(one.sizes) if one else [] for one in rows],
-                    "d": told([one.scatter.doubtful if one else math.nan for one in rows]),
-                    "w": told([one.scatter.wrong if one else math.nan for one in rows]),
-                }
-                if self.named[mark][0] == "point":
-                    own[str(mark.slot)] |= {
-                        "s": [told(one.sharp) if one else [] for one in rows],
-                        "m": told([one.most if one else math.nan for one in rows]),
-                    }
-            if not whole:
-                continue
-            spread = total_limits(self.row, plan, self.named, drawn, by)
-            for mark in (m for m in marks if self.named[m][0] != "point"):
-                rows_ = [spread.get((mark, at)) for at in places]
-                total[str(mark.slot)] = {
-                    "d": told([one.doubtful if one else math.nan for one in rows_]),
-                    "w": told([one.wrong if one else math.nan for one in rows_]),
-                    "t": told([one.times if one else math.nan for one in rows_]),
-                }
-        return {"pointing": by.pointing, "own": own, "total": total}
-
 
 def practice(
-    made: DrawnScene, sheets: Sequence[Sheet], views: Sequence[Mapping[str, Any]]
+    made: DrawnScene,
+    sheets: Sequence[Sheet],
+    views: Sequence[Mapping[str, Any]],
+    seed: int | None = None,
 ) -> tuple[dict[str, Any], str] | None:
     """Return what is packed for practice, and the module with its operations; None where nothing is practised.
 
-    ``made``: drawn by the exact hand; ``views``: those of the page.
+    ``made``: drawn by the exact hand; ``views``: those of the page; ``seed``: of further poses, None for none.
     """
     row = sheet_row(made)
     if row is None:
         return None
+    others = None if seed is None else posed(row, seed)
+    row = row if others is None else with_others(row, others)
     packing = Packing(made, row, sheets)
     return packing.data(views), packing.program()

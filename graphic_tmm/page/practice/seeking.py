@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphic_tmm.checking.photo import flatten, frame_lines, lens, picture
+from graphic_tmm.checking.photo import flatten, frame_lines, lens
 
 
 def seeking() -> dict[str, float]:
@@ -29,5 +29,5 @@ def seeking() -> dict[str, float]:
 
 
 def too_much() -> dict[str, float]:
-    """Return from where on a photograph is told of: a bent sheet, a bowing lens, mm; its dots."""
-    return {"bent": flatten.BENT, "bowed": flatten.BOWED, "dots": picture.MOST}
+    """Return from where on a photograph is told of: a bent sheet, a bowing lens, mm."""
+    return {"bent": flatten.BENT, "bowed": flatten.BOWED}

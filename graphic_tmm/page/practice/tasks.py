@@ -14,6 +14,7 @@ from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.script import Script
 from graphic_tmm.board.source import NotCompiled
 from graphic_tmm.board.values import Length, Number, Point, arrays, undefined
+from graphic_tmm.board.values import given as as_value
 from graphic_tmm.checking.cells import cells, pointed, points
 from graphic_tmm.checking.judging.own_errors import alone
 from graphic_tmm.checking.judging.taken_marks import steps_of
@@ -24,7 +25,8 @@ from graphic_tmm.drawn import Drawn, DrawnScene
 class Row:
     """A mechanism at a row of positions, drawn by the exact hand: those of the sheet, or others.
 
-    ``given``: what is given there; ``places``: the positions (indices) in which each plan is practised.
+    ``given``: what is given there; ``places``: the positions (indices) in which each plan is practised;
+    ``own``: the rows of which it is made, each drawn by itself by a hand; () of one that is made of no others.
     """
 
     work: Drawn
@@ -32,6 +34,7 @@ class Row:
     given: Mapping[Mark, object]
     names: Sequence[str]
     places: Mapping[str, Sequence[int]]
+    own: tuple[Row, ...] = ()
 
     @cached_property
     def steps(self) -> tuple[Step, ...]:
@@ -69,6 +72,29 @@ def sheet_row(made: DrawnScene) -> Row | None:
     if not places:
         return None
     return Row(work, work.construction, work.given, work.names, places)
+
+
+def with_others(row: Row, other: Row) -> Row:
+    """Return a row with the positions of another one behind its own."""
+    count, more = len(row.names), len(other.names)
+    given = {}
+    for mark, value in row.given.items():
+        first, second = (
+            as_value(value, mark.kind),
+            as_value(other.given.get(mark, value), mark.kind),
+        )
+        if isinstance(first, np.ndarray) and isinstance(second, np.ndarray):
+            wide = [np.broadcast_to(first, (1, count)), np.broadcast_to(second, (1, more))]
+            joined = np.concatenate(wide, axis=1)
+            given[mark] = first if np.ptp(joined) == 0.0 else joined
+        else:
+            given[mark] = first
+    places = {
+        plan: (*at, *(count + k for k in other.places.get(plan, ())))
+        for plan, at in row.places.items()
+    }
+    names = (*row.names, *other.names)
+    return Row(row.work, row.log, given, names, places, (row, other))
 
 
 def written(script: Script, steps: Iterable[Step]) -> dict[str, Any]:

@@ -18,7 +18,8 @@
  * @typedef {[number, string, boolean, ...number[]]} Joint a point of a mechanism; page/inset.py
  * @typedef {{name: string, width: number, height: number, format: string}} SheetSize
  * @typedef {{language: string, title: string, words: Record<string, string>, sheets: SheetSize[],
- *   parts: Record<string, string>, views: View[], crank?: Dense, practice?: Practice}} Data
+ *   parts: Record<string, string>, views: View[], crank?: Dense, practice?: Practice,
+ *   own?: import("./own/own-types.js").OwnPack}} Data
  *
  * The mechanism at every degree; the names are those of page/crank.py. A coordinate is a number of thousandths of
  * a millimetre, or a row and a distance; what is not always there says from which to behind which angle it is.
@@ -56,9 +57,10 @@
  * @typedef {{as: "point" | "length" | "rate", name: string, key: string, unit: string}} Reading a row of a check: what
  *   it gives, plan, segment, the unit of a rate
  * @typedef {{plan: number, at: number, view: number, sheet: number, origin: [number, number], steps: number[],
- *   shown: number[], pole: number, whole: number, pose?: number}} Task a plan in a position: `view` of the page that
+ *   shown: number[], pole: number, whole: number, pose?: boolean}} Task a plan in a position: `view` of the page that
  *   shows it (-1: none), its sheet, where its origin lies on that (mm, y downward), the marks that are to be made, in the order of
- *   the log, those of other plans that they need, its pole (-1: none), its longest vector in mm
+ *   the log, those of other plans that they need, its pole (-1: none), its longest vector in mm; a `pose` is at an angle
+ *   of the crank that no sheet has
  * @typedef {{b: number[][], d: number[], w: number[], s?: number[][], m?: number[]}} OwnLimit by position (its index
  *   in `at`): the sizes of the errors that a hand makes, part by part; from where on in these an error is doubtful,
  *   wrong; of a point the sizes if it were read without a slip, and below what most errors are; -1, []: nothing

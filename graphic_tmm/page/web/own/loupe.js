@@ -80,7 +80,7 @@ export class Loupe {
   draw() {
     if (this.picture === null) return;
     const ratio = Math.min(devicePixelRatio, 3);
-    const side = Math.round(SIDE * ratio);
+    const side = Math.round((this.canvas.clientWidth || SIDE) * ratio);
     if (this.canvas.width !== side) this.canvas.width = this.canvas.height = side;
     const context = contextOn(this.canvas);
     const style = getComputedStyle(this.root);

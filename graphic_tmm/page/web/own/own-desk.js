@@ -16,8 +16,8 @@ import { contextOn } from "./photo.js";
 /** No canvas has more points than this. */
 const MOST_POINTS_OF_CANVAS = 9e6;
 /** How large a sign is, and its lettering, px. */
-const SIGN = 7;
-const LETTERING = "600 14px system-ui, sans-serif";
+const SIGN_SIZE = 7;
+const SIGN_LETTERING = "600 14px system-ui, sans-serif";
 /** A drawing over a photograph is so wide at least, px. */
 const LEAST_LINE = 1.2;
 
@@ -108,25 +108,25 @@ export class OwnDesk {
   put({ at, name, sign }) {
     const { context } = this;
     const [x, y] = this.camera.onScreen(...at);
-    const lines = SIGNS[sign];
-    context.font = LETTERING;
+    const lines = SIGN_LINES[sign];
+    context.font = SIGN_LETTERING;
     for (const [colour, width] of /** @type {[string, number][]} */ ([
       ["#fff", 5],
-      [COLOURS[sign], 2],
+      [SIGN_COLOURS[sign], 2],
     ])) {
       context.strokeStyle = colour;
       context.lineWidth = width;
       context.beginPath();
-      if (lines.length === 0) context.arc(x, y, SIGN, 0, 2 * Math.PI);
+      if (lines.length === 0) context.arc(x, y, SIGN_SIZE, 0, 2 * Math.PI);
       for (const [k, [dx, dy]] of lines.entries()) {
         const go = k === 0 || (sign !== "doubtful" && k % 2 === 0) ? "moveTo" : "lineTo";
-        context[go](x + SIGN * dx, y + SIGN * dy);
+        context[go](x + SIGN_SIZE * dx, y + SIGN_SIZE * dy);
       }
       context.stroke();
-      if (width > 4) context.strokeText(name, x + SIGN + 3, y - SIGN);
+      if (width > 4) context.strokeText(name, x + SIGN_SIZE + 3, y - SIGN_SIZE);
     }
-    context.fillStyle = COLOURS[sign];
-    context.fillText(name, x + SIGN + 3, y - SIGN);
+    context.fillStyle = SIGN_COLOURS[sign];
+    context.fillText(name, x + SIGN_SIZE + 3, y - SIGN_SIZE);
   }
 }
 
@@ -145,7 +145,7 @@ const PLUS_LINES = [
   [0, 1.4],
 ];
 /** Signs are told apart by their shape too: a ring if there are no lines. @type {Record<Sign["sign"], [number, number][]>} */
-const SIGNS = {
+const SIGN_LINES = {
   fine: [],
   doubtful: [
     [0, -1.2],
@@ -159,7 +159,7 @@ const SIGNS = {
   aim: PLUS_LINES,
 };
 /** On a photograph, light or dark, each with a white rim. @type {Record<Sign["sign"], string>} */
-const COLOURS = {
+const SIGN_COLOURS = {
   fine: "#00664f",
   doubtful: "#8a5300",
   wrong: "#b8003a",

@@ -16,7 +16,7 @@ const BEGINNINGS = [
   [4, "ftyp", "heic"],
 ];
 /** What no browser reads; the page tells by name what is to be done. */
-const UNREADABLE = ["pdf", "tiff", "heic"];
+const NOT_READ = ["pdf", "tiff", "heic"];
 /** Bytes that are looked at; the most that a file may have. */
 const LOOKED_AT = 32;
 const MOST_BYTES = 200e6;
@@ -69,7 +69,7 @@ export function formatOf(bytes) {
  */
 export async function openedPhoto(file) {
   const format = formatOf(new Uint8Array(await file.slice(0, LOOKED_AT).arrayBuffer()));
-  if (UNREADABLE.includes(format)) return `own ${format}`;
+  if (NOT_READ.includes(format)) return `own ${format}`;
   if (format === "") return "own unknown";
   if (file.size > MOST_BYTES) return "own large";
   try {

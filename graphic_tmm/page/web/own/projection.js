@@ -5,7 +5,7 @@
 
 /** No side of a frame in a photograph is shorter, nor any corner nearer to the diagonal, px. */
 const SHORTEST_SIDE = 20;
-const UPRIGHT = [
+const DIAGONALS = [
   [-1, -1],
   [1, -1],
   [1, 1],
@@ -37,14 +37,14 @@ export function orderedCorners(given) {
   /** @type {Spot[]} */
   const rays = given.map(([x, y]) => [x - (mx ?? 0), (my ?? 0) - y]);
   const turn = [...given.keys()].sort((a, b) => angleOf(rays[a]) - angleOf(rays[b]));
-  const upright = UPRIGHT.map((_, k) =>
-    UPRIGHT.reduce((sum, [dx = 0, dy = 0], j) => {
+  const upright = DIAGONALS.map((_, k) =>
+    DIAGONALS.reduce((sum, [dx = 0, dy = 0], j) => {
       const [x, y] = rays[turn[(j + k) % 4] ?? 0] ?? [0, 0];
       return sum + x * dx + y * dy;
     }, 0),
   );
   const first = upright.indexOf(Math.max(...upright));
-  const ring = UPRIGHT.map((_, j) => given[turn[(j + first) % 4] ?? 0] ?? /** @type {Spot} */ ([NaN, NaN]));
+  const ring = DIAGONALS.map((_, j) => given[turn[(j + first) % 4] ?? 0] ?? /** @type {Spot} */ ([NaN, NaN]));
   return given.length === 4 && ring.every((_, k) => convexAt(ring, k)) ? ring : null;
 }
 

@@ -1,0 +1,134 @@
+"""Wrong drawings at random: the page tells the same own errors and verdicts as a check of the readings."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections import Counter
+from typing import Any
+
+import pytest
+from support.benches import Packed, practised, worked
+
+from graphic_tmm.board.hand import HANDS
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length, Point
+from graphic_tmm.checking.check import TRIALS
+from graphic_tmm.checking.judging.comparison import Comparison
+from graphic_tmm.checking.judging.judge import judge
+from graphic_tmm.checking.judging.scatter import Limits
+from graphic_tmm.checking.judging.yardstick import Yardstick, yardstick
+from graphic_tmm.checking.known import known
+from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Last, Taken
+from graphic_tmm.page.practice.manners import MANNERS
+
+DRAWINGS = 200
+TASKS = 2
+"""Of each scene so many tasks are drawn wrong, again and again: a yardstick costs more than a drawing."""
+NEAR = 1e-9
+
+
+class Case:
+    """A drawing of one plan in one position: its readings as a check has them, as the page has them."""
+
+    def __init__(self, scene: Packed, chance: random.Random) -> None:
+        self.scene = scene
+        tasks = random.Random(scene.name).sample(range(len(scene.data["tasks"])), TASKS)
+        self.manner = chance.choice(list(MANNERS))
+        self.task = chance.choice(tasks)
+        task = scene.data["tasks"][self.task]
+        self.at = task["at"]
+        self.position = scene.data["names"][self.at]
+        packing = scene.packing
+        steps = [step for step in packing.steps if step.it.slot in task["steps"]]
+        marks = [step.it for step in steps if step.it in packing.named]
+        if self.manner == "points":
+            marks = [mark for mark in marks if mark.kind is Point]
+        clumsy = chance.choice([0.0, 0.3, 1.0, 5.0])
+        self.taken = {mark: self.reading(mark, chance, clumsy) for mark in marks}
+
+    def reading(self, mark: Mark, chance: random.Random, clumsy: float) -> Taken:
+        _, plan, name, unit = self.scene.packing.named[mark]
+        bare = Taken(plan, self.position, name, line=mark.slot)
+        row = self.scene.packing.row.numbers(mark)
+        due = row[self.at if len(row) > 1 else 0]
+        slip = chance.choice([0.0, 0.1, 0.5, clumsy])
+        if mark.kind is Point:
+            x, y = (z + chance.gauss(0.0, slip) for z in due)
+            return bare._replace(x=round(x, 2), y=round(y, 2), last=Last(x=0.005, y=0.005))
+        wrong = chance.choice([1.0] * 12 + [10.0, 0.1, -1.0])
+        if mark.kind is Length:
+            digits = chance.choice([0, 1, 3])
+            figure = round(wrong * (abs(due[0]) + chance.gauss(0.0, slip)), digits)
+            return bare._replace(mm=figure, last=Last(mm=0.5 * 10.0**-digits))
+        figure = wrong * due[0] * (1.0 + chance.gauss(0.0, slip / 50.0))
+        figure = float(f"{figure:.4g}")
+        half = 0.5 * 10.0 ** (math.floor(math.log10(abs(figure) or 1.0)) - 3)
+        return bare._replace(value=figure, unit=unit, last=Last(value=half))
+
+    def told(self) -> dict[str, Any]:
+        rows = []
+        for mark, taken in self.taken.items():
+            figure = taken.mm if taken.mm is not None else taken.value
+            found = [taken.x, taken.y] if taken.pointed else figure
+            rows.append([mark.slot, found, taken.last._asdict()])
+        return {"task": self.task, "manner": self.manner, "rows": rows}
+
+    def compare(self) -> tuple[tuple[Judged, ...], Comparison]:
+        made = self.scene.made
+        rows, _ = known(made, list(self.taken.values()), "readings")
+        assert len(rows) == len(self.taken)
+        by = _yardstick(self.scene, self.manner, rows)
+        return judge(made, rows, by), Comparison(made, rows, by)
+
+
+_KEPT: dict[Any, Yardstick] = {}
+
+
+def _yardstick(scene: Packed, manner: str, rows: Any) -> Yardstick:
+    key = (scene.name, manner, frozenset(row.at for row in rows))
+    if key not in _KEPT:
+        hand = HANDS["student"]._replace(trials=TRIALS, seed=scene.made.scene.seed)
+        _KEPT[key] = yardstick(scene.made, rows, hand, Limits(), MANNERS[manner])
+    return _KEPT[key]
+
+
+@pytest.fixture(scope="module")
+def judgements(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[Case, list[dict[str, Any]]]]:
+    chance = random.Random(17)
+    scenes = practised()
+    cases = [Case(scenes[k % len(scenes)], chance) for k in range(DRAWINGS)]
+    told = {one.name: [case.told() for case in cases if case.scene is one] for one in scenes}
+    answers = worked(scenes, told, tmp_path_factory.mktemp("judged"))
+    found = {one.name: iter(answer["judged"]) for one, answer in zip(scenes, answers, strict=True)}
+    return [(case, next(found[case.scene.name])) for case in cases]
+
+
+@pytest.mark.slow
+def test_own_errors_and_verdicts_are_those_of_a_check(
+    judgements: list[tuple[Case, list[dict[str, Any]]]],
+) -> None:
+    verdicts: Counter[str] = Counter()
+    for case, told in judgements:
+        due, comparison = case.compare()
+        page = {one["slot"]: one for one in told}
+        for one in due:
+            mine = page[one.taken.line]
+            here = (case.scene.name, case.manner, one, mine)
+            _same_errors(comparison, one, mine, here)
+            assert mine["verdict"] == one.verdict, here
+            if one.own is not None:
+                assert abs(mine["error"] - one.own) <= NEAR * max(1.0, abs(one.own)), here
+            if one.step:
+                name = next(m for m in case.scene.packing.marks() if m.slot == mine["blamed"]).name
+                assert one.step.split(" ", 1)[1] == name, here
+            verdicts[one.verdict] += 1
+    assert min(verdicts[one] for one in (FINE, DOUBTFUL, WRONG)) > 50
+
+
+def _same_errors(comparison: Comparison, one: Judged, mine: dict[str, Any], here: Any) -> None:
+    errors = comparison.errors(one.taken)
+    assert not errors or len(errors) == len(mine["parts"]), here
+    for (step, error, _), (slot, found) in zip(errors, mine["parts"], strict=False):
+        assert step.it.slot == slot, here
+        assert abs(error - found) <= NEAR * max(1.0, abs(error)), here
