@@ -21,7 +21,7 @@ from graphic_tmm.page.layers import PARTS
 from graphic_tmm.page.practice.own import own
 from graphic_tmm.page.practice.own_words import OWN
 from graphic_tmm.page.practice.pack import practice
-from graphic_tmm.page.practice.words import WORDS as PRACTICE
+from graphic_tmm.page.practice.words import practice_words
 from graphic_tmm.page.protocol import protocol_of
 from graphic_tmm.page.views import played
 from graphic_tmm.page.words import WORDS
@@ -51,7 +51,7 @@ def page(
     if practised and (asked := practice(made, sheets, data["views"], seed)) is not None:
         data["practice"], written = asked
         data["own"] = own(sheets, language)
-        data["words"] |= _said({**PRACTICE, **OWN}, language)
+        data["words"] |= practice_words(language) | _said(OWN, language)
         program, looks = script(*folders(), written=written), style(*folders())
     return (
         environment("graphic_tmm.page")

@@ -3,12 +3,16 @@ import { readFileSync, writeFileSync } from "node:fs";
 
 const [, , asked, answered] = process.argv;
 const { Bench } = await import("./practice/bench.js");
+const { done } = await import("./practice/log.js");
 const answers = [];
-for (const { written, data, drawings } of JSON.parse(readFileSync(asked, "utf8"))) {
+for (const { written, data, drawings, work } of JSON.parse(readFileSync(asked, "utf8"))) {
   await import(`./practice/${written}`);
+  // MORE
+  if (!work) continue;
   answers.push({
     exact: data.tasks.map((task) => exactly(new Bench(data, task))),
     solved: data.tasks.map((task) => [solved(data, task, false), solved(data, task, true)]),
+    failed: data.tasks.map((task) => failed(new Bench(data, task))),
     judged: drawings.map(({ task, manner, rows }) => judged(new Bench(data, data.tasks[task], manner), rows)),
   });
 }
@@ -38,6 +42,32 @@ function solved(data, task, last) {
   if (order.length !== task.steps.length) faults.push(["left", task.steps.filter((slot) => !order.includes(slot))]);
   for (const one of bench.judged().values()) if (one.verdict !== "fine") faults.push([one.slot, one.verdict, "at the end"]);
   return { faults, order };
+}
+
+/** Work a task rightly, but at every step first wrongly; return the verdicts: [mark, kind of mistake, verdict, mm]. */
+function failed(bench) {
+  const told = [];
+  for (const slot of bench.task.steps) {
+    const step = bench.log.steps.get(slot);
+    const due = bench.due(slot);
+    for (const [kind, found] of wrongly(bench, step, due)) {
+      const apart = typeof due === "number" ? Math.abs(found - due) : Math.hypot(found.re - due.re, found.im - due.im);
+      told.push([slot, kind, bench.judge(slot, found).verdict, apart]);
+    }
+    bench.take(slot, due);
+  }
+  return told;
+}
+
+/** What may be found wrongly: ten times too much, 5 mm off, at the other meeting. */
+function* wrongly(bench, step, due) {
+  if (typeof due === "number") yield ["ten times", 10 * due];
+  else if ("re" in due) {
+    for (const turn of [0.3, 1.9, 3.4, 5.1]) yield ["5 mm", { re: due.re + 5 * Math.cos(turn), im: due.im + 5 * Math.sin(turn) }];
+    const side = step.uses.findIndex((slot) => bench.data.marks[slot].k === "side");
+    const values = step.uses.map((slot) => bench.run.values.get(slot));
+    if (side >= 0) yield ["other meeting", done(step, values.map((value, k) => (k === side ? -value : value)))];
+  }
 }
 
 /** Judge a drawing: rows of a slot, what was found, half units of the last digits. */

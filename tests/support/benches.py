@@ -57,12 +57,20 @@ def node() -> str:
 
 
 def worked(
-    scenes: Sequence[Packed], drawings: Mapping[str, Sequence[Mapping[str, Any]]], folder: Path
-) -> list[dict[str, Any]]:
-    """Return what the page's own benches answer, scene by scene; ``folder``: an empty one."""
+    scenes: Sequence[Packed],
+    drawings: Mapping[str, Sequence[Mapping[str, Any]]],
+    folder: Path,
+    more: str = "",
+) -> list[Any]:
+    """Return what the page's own benches answer, scene by scene; ``folder``: an empty one.
+
+    ``more``: what else is asked, of ``Bench`` and of the ``data`` of a scene, as JavaScript that pushes to
+    ``answers``; without it the tasks are worked.
+    """
     shutil.copytree(WEB / "practice", folder / "practice")
     (folder / "package.json").write_text('{"type": "module"}', encoding="utf-8")
-    shutil.copy(Path(__file__).with_name("bench.mjs"), folder / "bench.mjs")
+    program = Path(__file__).with_name("bench.mjs").read_text("utf-8")
+    (folder / "bench.mjs").write_text(program.replace("// MORE", more), encoding="utf-8")
     (folder / "practice" / "enter.js").unlink()
     asked = []
     for k, one in enumerate(scenes):
@@ -71,11 +79,12 @@ def worked(
             "written": f"written{k}.js",
             "data": one.data,
             "drawings": drawings.get(one.name, ()),
+            "work": not more,
         }
         asked.append(told)
     (folder / "asked.json").write_text(json.dumps(asked), encoding="utf-8")
     command = [node(), "bench.mjs", "asked.json", "answered.json"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    found: list[dict[str, Any]] = json.loads((folder / "answered.json").read_text("utf-8"))
+    found: list[Any] = json.loads((folder / "answered.json").read_text("utf-8"))
     return found

@@ -1,14 +1,11 @@
-"""What the page packs for a drawing of one's own: frames of sheets, papers, how readings are written."""
+"""What the page packs for a drawing of one's own: frames of sheets, papers, how their lines are sought."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Any
 
-from graphic_tmm.checking.readings.csv_cells import heads
-from graphic_tmm.checking.readings.writing import SIGNS
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.language.said import said
 from graphic_tmm.page.practice.seeking import seeking, too_much
 from graphic_tmm.paper.drawing import Sheet
@@ -20,18 +17,12 @@ _WAYS = {"portrait": said("upright"), "landscape": said("lying")}
 
 
 def own(sheets: Sequence[Sheet], language: str) -> dict[str, Any]:
-    """Return the data of a drawing of one's own (OwnPack of web/own/own-types.js)."""
-    decimal = decimal_sign(language)
-    separator, begins = SIGNS[decimal]
+    """Return the data of a drawing of one's own (OwnPack of web/own/corners.js)."""
     return {
         "frames": [_frame(sheet, language, number == 0) for number, sheet in enumerate(sheets)],
         "papers": [
             [_called(name, language), paper.width, paper.height] for name, paper in FORMATS.items()
         ],
-        "heads": list(heads(language)),
-        "separator": separator,
-        "decimal": decimal,
-        "begins": begins,
         "seeking": seeking(),
     } | too_much()
 

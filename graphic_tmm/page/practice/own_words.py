@@ -43,7 +43,7 @@ OWN: dict[str, str] = {
     "own loupe": said("Loupe, four times"),
     "own nudge": said("Move the cross by a quarter of a dot; held, faster"),
     "own enter": said("Take the point"),
-    "own fine": said("right"),
+    "own fine": said("fine"),
     "own doubtful": said("doubtful"),
     "own wrong": said("wrong"),
     "own verdict": said("{letter} ({x}; {y}) mm: {verdict}, off by {error} mm."),

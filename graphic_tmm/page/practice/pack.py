@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
 from graphic_tmm.accuracy.geometrography import DEFAULT, FORMULA, READING, SYMBOLS  # noqa: F401
@@ -56,6 +57,11 @@ class Packing:
         self.count = len(row.own[0].names if row.own else row.names)
         self.plans = list(dict.fromkeys(mark.view for mark in self.marks()))
 
+    @cached_property
+    def scales(self) -> frozenset[Mark]:
+        """The scale factors of the views."""
+        return frozenset(one.scale for one in self.row.log.views if one.scale is not None)
+
     def marks(self) -> list[Mark]:
         """Return all marks that the steps speak of, in the order of the log."""
         found = {m.slot: m for step in self.steps for m in (step.it, *step.uses)}
@@ -95,6 +101,8 @@ class Packing:
         }
         if mark.kind is Number and mark.unit:
             found["u"] = unit(mark.unit, self.language)
+        if mark in self.scales:
+            found["s"] = 1
         return found
 
     def numbers(self, mark: Mark) -> Any:

@@ -19,7 +19,7 @@
  * @typedef {{name: string, width: number, height: number, format: string}} SheetSize
  * @typedef {{language: string, title: string, words: Record<string, string>, sheets: SheetSize[],
  *   parts: Record<string, string>, views: View[], crank?: Dense, practice?: Practice,
- *   own?: import("./own/own-types.js").OwnPack}} Data
+ *   own?: import("./own/corners.js").OwnPack}} Data
  *
  * The mechanism at every degree; the names are those of page/crank.py. A coordinate is a number of thousandths of
  * a millimetre, or a row and a distance; what is not always there says from which to behind which angle it is.
@@ -45,8 +45,8 @@
  * @typedef {{centre: Complex, radius: number}} DrawnArc
  * @typedef {number | Complex | DrawnLine | DrawnArc} Drawn what a mark is: a length, an angle, a quantity, a point …
  * @typedef {"point" | "line" | "arc" | "length" | "angle" | "number" | "side"} Kind
- * @typedef {{l: string, n: string, k: Kind, v: number, u?: string}} PracticeMark its letter as mark-up, as plain
- *   text, its kind, its plan (index in `plans`), its unit
+ * @typedef {{l: string, n: string, k: Kind, v: number, u?: string, s?: 1}} PracticeMark its letter as mark-up, as
+ *   plain text, its kind, its plan (index in `plans`), its unit, whether it is the scale factor of a plan
  * @typedef {["line" | "arc" | "met" | "laid" | "place", number, number]} Part what a point may be off: of which
  *   kind, the mark of the step that is blamed, the number of the mark among what the point's step uses
  * @typedef {{it: number, op: string, uses: number[], choice?: number[], choices?: string[], measures?: boolean,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -9,9 +11,12 @@ import pytest
 from support.benches import Packed, packed, practised, worked
 
 from graphic_tmm.board.values import arrays
+from graphic_tmm.checking.records import VERDICTS, WRONG
 
 NEAR = 1e-9
 """So near are two ways to calculate, as a share of what is calculated; mm where it is less than that."""
+LARGE = 3.0
+"""What is less wrong, mm or the unit of a rate, may be the hand's: lengths of some tenths, ten times over."""
 
 
 @pytest.fixture(scope="module", params=["windrower", pytest.param("", marks=pytest.mark.slow)])
@@ -51,6 +56,71 @@ def test_every_task_is_worked_in_two_orders(answers: list[tuple[Packed, dict[str
     assert faults == []
     orders = [both for _, answer in answers for both in answer["solved"]]
     assert sum(first["order"] != last["order"] for first, last in orders) > len(orders) / 2
+
+
+def test_no_wrong_answer_is_fine(answers: list[tuple[Packed, dict[str, Any]]]) -> None:
+    told: Counter[tuple[str, str]] = Counter()
+    for scene, answer in answers:
+        for failed in answer["failed"]:
+            for slot, kind, verdict, apart in failed:
+                # what is nothing stays nothing, ten times over; two meetings may be one
+                if apart > LARGE:
+                    told[kind, verdict] += 1
+                    assert kind == "5 mm" or verdict == WRONG, (scene.name, slot, kind, apart)
+    shifted = [told["5 mm", verdict] for verdict in VERDICTS]
+    # a ray that swings by 0.6° may be off so far at half a metre, as two lines that are almost one may meet
+    assert shifted[0] < 0.01 * sum(shifted)
+    assert shifted[2] > 0.85 * sum(shifted)
+    assert min(told["ten times", WRONG], told["other meeting", WRONG]) > 5
+
+
+MATCHES = """
+const found = [];
+const task = data.tasks.find(({ plan, at }) => data.plans[plan] === "velocities" && at === 1);
+const bench = new Bench(data, task);
+const named = (name) => bench.task.steps.find((slot) => data.marks[slot].n === name);
+const steps = bench.log.steps;
+const [square, product, board] = [steps.get(named("(pa)")), steps.get(named("v_A")), steps.get(named("pa"))];
+const told = (match) => (match.slot === undefined ? match.why : data.marks[match.slot].n);
+found.push(told(bench.match("square", square.uses)), told(bench.match("square", [...square.uses].reverse())));
+found.push(told(bench.match("parallel", square.uses)));
+found.push(told(bench.match("square", [named("a"), square.uses[1]])));
+found.push(told(bench.match(board.op, [named("v_A")])));
+bench.take(product.it, bench.due(product.it));
+found.push(told(bench.match(board.op, [named("v_A")])), told(bench.match(product.op, product.uses)));
+bench.take(square.it);
+found.push(told(bench.match("square", square.uses)));
+found.push(bench.drop(product.it).map((slot) => data.marks[slot].n).join());
+answers.push(found);
+"""
+
+
+def test_an_instrument_applied_to_marks_is_known_as_a_step(tmp_path: Path) -> None:
+    found = worked([packed("windrower")], {}, tmp_path, MATCHES)  # type: ignore[list-item]
+    assert found[-1] == [
+        *("(pa)", "(pa)", "no such step", "no such step", "not yet"),
+        *("pa", "done", "done", "v_A"),
+    ]
+
+
+SAME_BY_ANOTHER_WAY = """
+const task = data.tasks.find(({ plan, at }) => data.plans[plan] === "positions" && at === 1);
+const bench = new Bench(data, task);
+const named = (name) => bench.task.steps.find((one) => data.marks[one].n === name);
+for (const one of bench.task.steps) if (one < named("(CD)")) bench.take(one, bench.due(one));
+const { uses } = bench.log.steps.get(named("(CD)"));
+answers.push([bench.match("join", [...uses].reverse()), bench.match("rocker_line", uses), named("(CD)")]);
+"""
+
+
+def test_what_comes_to_the_same_is_the_same_step(tmp_path: Path) -> None:
+    *_, (turned, another, slot) = worked(
+        [packed("windrower")],  # type: ignore[list-item]
+        {},
+        tmp_path,
+        SAME_BY_ANOTHER_WAY,
+    )
+    assert turned == another == {"slot": slot}
 
 
 def _numbers(value: Any, at: int) -> list[float]:

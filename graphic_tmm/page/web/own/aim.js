@@ -111,8 +111,18 @@ export class Aim {
     const { picture, shot } = this.sight;
     this.spot = [keptWithin(spot[0], picture.width), keptWithin(spot[1], picture.height)];
     const turn = shot === null ? AS_IT_IS : uprightTurn(shot.stepsAt(...shot.onSheet(...this.spot)));
+    if (this.loupe.root.hidden) this.loupe.root.classList.toggle("aside", this.besideLoupe(this.spot));
     this.loupe.show(picture, this.spot, turn);
     this.onAim();
+  }
+
+  /**
+   * Whether a place is in the right half of the desk, where the loupe usually is.
+   * @param {Spot} spot
+   */
+  besideLoupe(spot) {
+    const { camera } = this.desk;
+    return camera.onScreen(...this.onDesk(spot))[0] > camera.window.width / 2;
   }
 
   /**

@@ -2,9 +2,16 @@ import { element } from "../dom.js";
 
 /**
  * @typedef {import("../types.js").Data} Data
- * @typedef {import("./own-types.js").Cornered} Cornered
- * @typedef {import("./own-types.js").OwnPack} OwnPack
  * @typedef {import("./projection.js").Spot} Spot
+ *
+ * What Python packs for a drawing of one's own; the names are those of page/practice/own.py.
+ * @typedef {import("./projection.js").Rectangle} Rectangle
+ * @typedef {{frames: Rectangle[], papers: [string, number, number][],
+ *   seeking: import("./strip.js").Seeking, bent: number, bowed: number}} OwnPack
+ *   `frames`: of each sheet, mm from its lower left corner; `papers`: formats, mm; how a frame is sought; from where on a bent sheet, a bowing lens is told of, mm
+ * What four corners are clicked of: a rectangle of the sheet, what of it is looked at, the number of the sheet whose
+ * frame it is (-1: of none); whether its lines are sought
+ * @typedef {{box: Rectangle, area: Rectangle, sheet: number, lines: boolean}} Cornered
  */
 
 /** What is shown about a rectangle of one's own, as a share of its longer side. */

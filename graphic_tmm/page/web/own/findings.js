@@ -2,7 +2,7 @@ import { looksTurned } from "./corners.js";
 
 /**
  * @typedef {import("./laying.js").LaidFlat} LaidFlat
- * @typedef {import("./own-types.js").OwnPack} OwnPack
+ * @typedef {import("./corners.js").OwnPack} OwnPack
  * @typedef {import("./projection.js").Spot} Spot
  * @typedef {(key: string, values?: Record<string, string | number>) => string} Say
  */

@@ -5,8 +5,8 @@ import { Picture } from "./photo.js";
 import { Shot } from "./shot.js";
 
 /**
- * @typedef {import("./own-types.js").Cornered} Cornered
- * @typedef {import("./own-types.js").OwnPack} OwnPack
+ * @typedef {import("./corners.js").Cornered} Cornered
+ * @typedef {import("./corners.js").OwnPack} OwnPack
  * @typedef {import("./projection.js").Spot} Spot
  * @typedef {import("./shot.js").Photograph} Photograph
  * A photograph seen straight from above, of which what was clicked: its size in mm, how far its frame is off

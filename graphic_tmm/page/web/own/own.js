@@ -16,14 +16,14 @@ import { ORIGIN } from "./readings.js";
  * @typedef {import("../types.js").Practice} Practice
  * @typedef {import("../state.js").State} State
  * @typedef {import("./own-desk.js").Sign} Sign
- * @typedef {import("./own-types.js").OwnPack} OwnPack
+ * @typedef {import("./corners.js").OwnPack} OwnPack
  * @typedef {import("./projection.js").Spot} Spot
  * @typedef {import("./laying.js").LaidFlat} LaidFlat
  */
 
 const OWN_TAB = "own";
 /** How strongly the exact plan is seen at first, of 100. */
-const STRONG = 70;
+const STRONG = 50;
 
 /**
  * Build the way of looking in which a person's own sheet lies under the exact plan, and its points are read.
@@ -210,6 +210,7 @@ class OwnRoom {
     if (this.over !== undefined) this.over.hidden = !laid;
     this.panel.root.hidden = !laid;
     this.root?.classList.toggle("laid", laid);
+    this.root?.classList.toggle("opened", this.photo !== null);
     this.desk.upon = this.upon();
     this.desk.signs = laid ? this.signs() : this.corners.map((one) => ({ at: this.aim.onDesk(one), name: "", sign: "corner" }));
     if (this.aim.spot !== null) this.desk.signs.push({ at: this.aim.onDesk(this.aim.spot), name: "", sign: "aim" });

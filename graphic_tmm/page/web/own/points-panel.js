@@ -1,12 +1,12 @@
 import { element, filled, typeset } from "../dom.js";
-import { csvOf } from "./csv.js";
+import { csvOf, save } from "../practice/record.js";
 import { ORIGIN, PlanReadings } from "./readings.js";
 
 /**
  * @typedef {import("../types.js").Data} Data
  * @typedef {import("../types.js").Practice} Practice
  * @typedef {import("../practice/judging.js").Judged} Judged
- * @typedef {import("./own-types.js").OwnPack} OwnPack
+ * @typedef {import("./corners.js").OwnPack} OwnPack
  * @typedef {import("./projection.js").Spot} Spot
  * @typedef {import("./readings.js").SoughtPoint} SoughtPoint
  */
@@ -142,7 +142,7 @@ export class PointsPanel {
   show() {
     const judged = this.readings.judged();
     this.list.replaceChildren(...this.readings.points.map((one) => element("li", {}, this.entry(one, judged.get(one.slot)))));
-    this.save.disabled = ![...this.all.values()].some((one) => one.written().length > 0);
+    this.save.disabled = ![...this.all.values()].some((one) => one.written("").length > 0);
   }
 
   /**
@@ -171,16 +171,11 @@ export class PointsPanel {
   /** The readings of all plans, as a file. */
   get file() {
     const tasks = [...this.all].sort(([a], [b]) => a - b);
-    return csvOf(
-      tasks.flatMap(([, one]) => one.written()),
-      this.pack,
-    );
+    const rows = tasks.flatMap(([, one]) => one.written(this.say("decimal sign")));
+    return csvOf(rows, this.say("csv head"), this.say("csv separator"));
   }
 
   saved() {
-    const link = /** @type {HTMLAnchorElement} */ (element("a", { download: `${this.say("own file")}.csv` }));
-    link.href = URL.createObjectURL(new Blob([this.file], { type: "text/csv" }));
-    link.click();
-    URL.revokeObjectURL(link.href);
+    save(`${this.say("own file")}.csv`, this.file, "text/csv");
   }
 }

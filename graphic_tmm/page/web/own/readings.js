@@ -92,12 +92,17 @@ export class PlanReadings {
     return this.bench.judged();
   }
 
-  /** The rows of a file of readings: plan, position, point, x, y. */
-  written() {
+  /**
+   * Return the rows of a file of readings.
+   * @param {string} decimal sign
+   * @returns {import("../practice/record.js").Reading[]}
+   */
+  written(decimal) {
     return [...this.rows].flatMap(([slot, read]) => {
       const found = this.figure(slot);
       if (found === null || read === undefined) return [];
-      return [[read.name, this.position, read.key, ...found.map((one) => one.toFixed(DECIMALS))]];
+      const [x, y] = found.map((one) => one.toFixed(DECIMALS).replace(".", decimal));
+      return [{ plan: read.name, position: this.position, segment: read.key, x, y }];
     });
   }
 }

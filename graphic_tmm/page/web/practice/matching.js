@@ -29,7 +29,9 @@ export function matched(bench, op, uses, choice) {
   if (open !== undefined) return { slot: open.it };
   const [first] = own;
   if (first !== undefined) return { why: bench.made.has(first.it) ? "done" : "not yet", near: first.it };
-  const alike = steps.find((step) => !bench.made.has(step.it) && bench.ready(step.it) && comesTo(bench, step, op, uses, choice));
+  const there = uses.every((slot) => bench.value(slot) !== undefined);
+  const left = steps.filter((step) => !bench.made.has(step.it) && bench.ready(step.it));
+  const alike = there ? left.find((step) => comesTo(bench, step, op, uses, choice)) : undefined;
   if (alike !== undefined) return { slot: alike.it };
   return nearest(bench, steps, op, uses);
 }

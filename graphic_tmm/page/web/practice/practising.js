@@ -1,0 +1,250 @@
+import { element } from "../dom.js";
+import { beginningOf, rulerFor } from "./aids.js";
+import { GRAIN } from "./aim.js";
+import { Beside } from "./beside.js";
+import { menuOf } from "./choices.js";
+import { Panel } from "./panel.js";
+import { Paper } from "./paper.js";
+import { readAloud } from "./aloud.js";
+import { Session } from "./session.js";
+import { showWork } from "./showing.js";
+import { cellOf, halfUnit } from "./typed.js";
+import { Verdicts } from "./verdicts.js";
+
+/**
+ * @typedef {import("../types.js").Data} Data
+ * @typedef {import("./figures.js").Spot} Spot
+ * @typedef {import("./task.js").Outcome} Outcome
+ */
+
+/** A student at the board: what is done by pointer or key goes to the task, what comes of it is shown. */
+export class Practising {
+  /**
+   * @param {Data} data
+   * @param {(key: string) => string} say
+   * @param {(n: number) => void} went
+   */
+  constructor(data, say, went) {
+    this.data = data;
+    this.say = say;
+    this.went = went;
+    this.n = -1;
+    /** @type {Map<number, Session>} */
+    this.sessions = new Map();
+    /** @type {Spot | null} */
+    this.aim = null;
+    this.now = -1;
+    this.panel = new Panel(say, data.words["decimal sign"] ?? ".", {
+      choose: (name) => this.choose(name),
+      pick: (slot) => this.pick(slot),
+      submit: () => this.settle(this.task.submit()),
+      tell: (value, text) => this.tell(value, [text]),
+      aim: (spot) => this.aimAt(spot),
+      prick: () => this.prick(),
+      leave: () => this.leave(),
+      help: () => this.help(),
+      redo: (slot) => this.redo(slot),
+      again: () => this.redo(this.now),
+      clear: () => this.clear(),
+      record: () => this.session.saveRecord(),
+      readings: () => this.session.saveReadings(),
+      refuse: (trouble) => this.report([element("p", { class: "verdict" }, trouble)]),
+    });
+    this.paper = new Paper(say("board"), say("loupe"), (slots, at) => this.meant(slots, at), (spot) => this.aimAt(spot));
+    this.beside = new Beside(say("mechanism"), (slots, at) => this.meant(slots, at));
+    this.menu = element("div", { class: "meant", role: "group", "aria-label": say("meant"), hidden: "" });
+    this.paper.whole.append(this.beside.svg, this.menu);
+  }
+
+  get session() {
+    return /** @type {Session} */ (this.sessions.get(this.n));
+  }
+
+  get task() {
+    return this.session.task;
+  }
+
+  get easel() {
+    return this.session.easel;
+  }
+
+  /**
+   * Go to a task.
+   * @param {number} n
+   */
+  go(n) {
+    this.n = n;
+    if (!this.sessions.has(n)) this.sessions.set(n, new Session(this.data, n));
+    this.beside.begin(this.easel, this.session.mechanism);
+    this.aim = null;
+    this.now = -1;
+    this.report([]);
+    this.hinted([]);
+    this.show();
+    this.went(n);
+  }
+
+  /**
+   * Take an instrument.
+   * @param {string} name
+   * @param {boolean} byKey then the keyboard goes on to what it is laid to
+   */
+  choose(name, byKey = false) {
+    this.task.choose(name);
+    this.report([]);
+    this.show();
+    if (byKey) this.panel.listing.go(0);
+  }
+
+  /** @param {number} slot */
+  pick(slot) {
+    this.menu.hidden = true;
+    this.settle(this.task.pick(slot));
+  }
+
+  /**
+   * Pick what was pointed at; of several in one place, what is chosen of them.
+   * @param {number[]} slots
+   * @param {[number, number]} at
+   */
+  meant(slots, at) {
+    const [first] = slots;
+    this.menu.hidden = slots.length < 2;
+    if (slots.length > 1) menuOf(this.menu, at, slots, this.easel, (slot) => this.pick(slot));
+    else if (first !== undefined) this.pick(first);
+  }
+
+  /** @param {Outcome} outcome */
+  settle(outcome) {
+    if (outcome.kind === "more") return this.show();
+    if (outcome.kind === "drawn") this.finish(outcome.slot);
+    if (outcome.kind === "asked") this.begin();
+    this.report(new Verdicts(this.easel, this.say).outcome(outcome));
+    this.show();
+    if (outcome.kind === "asked") this.focus();
+    else if (outcome.kind === "drawn" && this.panel.listing.whole.contains(document.activeElement)) this.panel.palette.rest();
+  }
+
+  /** An answer is due: the cross, the forms. */
+  begin() {
+    const move = /** @type {import("./picking.js").Move} */ (this.task.asked);
+    const begun = this.easel.values.spot(move.it) ?? beginningOf(rulerFor(move, this.easel), this.session.frame);
+    this.aim = this.easel.kindOf(move.it) === "point" ? begun : null;
+    if (this.aim !== null) this.panel.spot.begin(this.easel.letterOf(this.session.told.pole));
+    else this.panel.figure.begin(this.easel.letterOf(move.it), this.easel.unitOf(move.it));
+  }
+
+  focus() {
+    if (this.aim !== null) this.paper.whole.focus({ preventScroll: true });
+    else this.panel.figure.field.focus({ preventScroll: true });
+  }
+
+  /** @param {Spot} spot */
+  aimAt(spot) {
+    if (this.aim !== null) this.aim = spot;
+    this.show();
+  }
+
+  prick() {
+    if (this.aim === null) return;
+    const [x, y] = this.aim;
+    const texts = this.aim.map((one) => cellOf(one.toFixed(2), this.easel.decimal));
+    this.judge({ re: x, im: y }, texts, { x: GRAIN / 2, y: GRAIN / 2 });
+  }
+
+  /**
+   * @param {number} value
+   * @param {string[]} texts
+   */
+  tell(value, texts) {
+    const half = halfUnit(texts[0] ?? "");
+    const length = this.easel.kindOf(this.task.asked?.it ?? -1) === "length";
+    this.judge(value, texts, length ? { mm: half } : { value: half });
+  }
+
+  /**
+   * @param {number | import("../types.js").Complex} found
+   * @param {string[]} texts
+   * @param {import("./judging.js").Last} last
+   */
+  judge(found, texts, last) {
+    const tried = this.task.tell(found, texts, last);
+    if (tried === null) return;
+    if (this.task.asked === null) this.finish(tried.slot);
+    this.report(new Verdicts(this.easel, this.say).told(tried));
+    this.show();
+    if (this.task.asked === null) this.panel.palette.rest();
+  }
+
+  leave() {
+    this.finish(this.task.leave()?.slot);
+    this.report([]);
+    this.show();
+    this.panel.palette.rest();
+  }
+
+  /** @param {number} slot */
+  redo(slot) {
+    this.task.redo(slot);
+    this.begin();
+    this.report([]);
+    this.show();
+    this.focus();
+  }
+
+  help() {
+    const help = this.task.help();
+    if (help === null) return;
+    if (help.stage === "show") this.finish(help.slot);
+    this.hinted(new Verdicts(this.easel, this.say).help(help));
+    this.show();
+  }
+
+  /** A step is done: what was told of it is told no more, what is done is kept. */
+  finish(slot = this.now) {
+    this.now = slot;
+    this.aim = null;
+    this.hinted([]);
+    this.session.keep();
+  }
+
+  clear() {
+    this.session.clear();
+    this.go(this.n);
+  }
+
+  /** Enter: that is all that is picked; mark it. */
+  enter() {
+    if (this.aim !== null) this.prick();
+    else if (this.task.asked === null) this.settle(this.task.submit());
+  }
+
+  /** Let go of what was picked last, then of the instrument. */
+  letGo() {
+    const { task } = this;
+    if (!this.menu.hidden) this.menu.hidden = true;
+    else if (task.asked === null && task.picks.length > 0) task.picks = task.picks.slice(0, -1);
+    else task.rest();
+    this.aim = null;
+    this.show();
+  }
+
+  show() {
+    showWork(this);
+  }
+
+  /**
+   * Tell how something was judged; it is read aloud too.
+   * @param {HTMLElement[]} lines
+   */
+  report(lines) {
+    this.panel.verdict.replaceChildren(...lines);
+    readAloud(lines);
+  }
+
+  /** @param {HTMLElement[]} lines */
+  hinted(lines) {
+    this.panel.hint.replaceChildren(...lines);
+    readAloud(lines);
+  }
+}

@@ -1,0 +1,104 @@
+"""Poses: the same plans at other angles of the crank, by a seed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from support import gallery
+from support.each import each
+
+from graphic_tmm.board.values import Length
+from graphic_tmm.page.dense import dense
+from graphic_tmm.page.practice.pack import Packing, practice
+from graphic_tmm.page.practice.poses import APART, SHORT, posed
+from graphic_tmm.page.practice.tasks import Row, sheet_row, with_others
+
+NAMES = ("windrower", "scotch-yoke", "crank-rocker", "toggle-press")
+
+
+def row(name: str) -> Row:
+    found = sheet_row(gallery.exact(name))
+    assert found is not None
+    return found
+
+
+def poses(name: str, seed: int) -> Row:
+    found = posed(row(name), seed)
+    assert found is not None
+    return found
+
+
+def test_a_seed_poses_alike_and_another_one_otherwise() -> None:
+    assert poses("windrower", 3).names == poses("windrower", 3).names
+    assert len({poses("windrower", seed).names for seed in range(6)}) == 6
+
+
+@each("name", NAMES)
+def test_every_plan_is_posed_where_it_can_be_drawn(name: str) -> None:
+    there = row(name)
+    turn = dense(there.work)
+    assert turn is not None
+    bad = np.array([turn.turned[k] for k in turn.drawn.undrawn])
+    for seed in range(5):
+        found = poses(name, seed)
+        assert set(found.places) == set(there.places)
+        for plan, (at,) in found.places.items():
+            angle = float(found.names[at].rstrip("°").replace(",", "."))
+            off = np.abs((turn.angles[0] + bad - angle + 180.0) % 360.0 - 180.0)
+            assert bad.size == 0 or off.min() > APART - 0.1
+            for step in found.steps:
+                if step.it.view == plan:
+                    assert found.there(step.it, at), (name, seed, step)
+                if step.it.view == plan and step.it.kind is Length:
+                    (length,) = found.numbers(step.it)[at if len(found.numbers(step.it)) > 1 else 0]
+                    everywhere = np.abs(turn.drawn.reading[step.it])
+                    assert abs(length) >= SHORT or (everywhere < SHORT).all(), (name, seed, step)
+
+
+def test_poses_stand_behind_the_positions_and_change_nothing_of_them() -> None:
+    made, there = gallery.exact("windrower"), row("windrower")
+    plain = Packing(made, there, ()).data(())
+    more = Packing(made, with_others(there, poses("windrower", 3)), ()).data(())
+    count = len(plain["names"])
+    assert more["names"][:count] == plain["names"]
+    assert [task for task in more["tasks"] if not task.get("pose")] == plain["tasks"]
+    assert {task["at"] for task in more["tasks"] if task.get("pose")} == set(
+        range(count, len(more["names"]))
+    )
+    for manner, limits in plain["manners"].items():
+        for slot, own in limits["own"].items():
+            for key, column in own.items():
+                told = more["manners"][manner]["own"][slot][key]
+                assert told[: len(column)] == column
+                assert len(told) == len(column) + 1
+
+
+def test_a_pose_is_the_same_mechanism_at_that_angle() -> None:
+    found = poses("windrower", 3)
+    turn = dense(row("windrower").work)
+    assert turn is not None
+    for step in found.steps:
+        own = turn.drawn.reading
+        if step.it not in own:
+            continue
+        for name in found.names:
+            at = found.names.index(name)
+            near = np.abs(
+                (turn.angles - float(name[:-1].replace(",", ".")) + 180.0) % 360.0 - 180.0
+            )
+            k = int(np.argmin(near))
+            due: Any = own[step.it]
+            parts = due if isinstance(due, tuple) else (due,)
+            mine = found.reading[step.it]
+            mine = mine if isinstance(mine, tuple) else (mine,)
+            for one, other in zip(mine, parts, strict=True):
+                a = one[0, at if one.shape[1] > 1 else 0]
+                b = other[0, k if other.shape[1] > 1 else 0]
+                assert abs(a - b) < 1e-9 * max(1.0, abs(b)), step
+
+
+@pytest.mark.parametrize("name", ["planetary", "lettering"])
+def test_what_has_no_mechanism_has_nothing_to_practise(name: str) -> None:
+    assert practice(gallery.exact(name), (), ()) is None

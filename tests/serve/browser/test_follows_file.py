@@ -1,0 +1,129 @@
+"""What is seen follows the file: sheets are swapped, place and size stay; the page keeps where one is in it."""
+
+from __future__ import annotations
+
+import os
+import re
+import socket
+from collections.abc import Callable
+from pathlib import Path
+
+from playwright.sync_api import expect
+from support.served import SMALL, small
+from support.studios import Tab, serving
+
+TWO = SMALL + '[[sheet]]\nformat = "A4"\nplace = ["velocities"]\n'
+
+
+def saved(file: Path, text: str) -> None:
+    """Write a file as editors do: beside it, then in its place."""
+    other = file.with_name("other~")
+    other.write_text(text, encoding="utf-8")
+    os.replace(other, file)
+
+
+def test_an_edit_swaps_the_sheet_and_keeps_size_and_place(studio: Tab, scene: Path) -> None:
+    page, first = studio.page, studio.shown()
+    desk = page.locator(".desk")
+    desk.focus()
+    for key in "1++":
+        page.keyboard.press(key)
+    desk.evaluate("(desk) => { desk.scrollLeft = 150; desk.scrollTop = 90; }")
+    place = "(desk) => [desk.scrollLeft, desk.scrollTop, desk.scrollWidth, desk.scrollHeight]"
+    before = desk.evaluate(place)
+    assert before[:2] == [150, 90]
+    saved(scene, SMALL.replace("0.1 m", "0.12 m"))
+    assert studio.another(first) != first
+    assert desk.evaluate(place) == before
+    studio.told("Drawn as the file says.")
+
+
+def test_what_did_not_change_is_not_touched(studio: Tab, scene: Path) -> None:
+    saved(scene, TWO)
+    first, second = studio.shown(0), studio.shown(1)
+    studio.page.evaluate("document.querySelectorAll('figure img').forEach((one) => (one.own = 1))")
+    saved(scene, TWO.replace('["velocities"]', '["velocities"]\nname = "Other"'))
+    studio.another(second, 1)
+    expect(studio.page.locator(f"figure[data-shown='{first}']")).to_have_count(1)
+    kept = "[...document.querySelectorAll('figure img')].map((one) => one.own === 1)"
+    studio.page.wait_for_function(f"() => ({kept}).join() === 'true,false'")
+
+
+def test_a_sheet_has_its_true_shape_and_size(studio: Tab) -> None:
+    figure = studio.page.locator("figure.sheet").first
+    box = figure.bounding_box()
+    assert box is not None
+    assert abs(box["height"] / box["width"] - 297 / 210) < 0.005
+    desk = studio.page.locator(".desk").bounding_box()
+    assert desk is not None
+    assert box["height"] <= desk["height"]
+    studio.page.get_by_role("button", name="True size").click()
+    box = figure.bounding_box()
+    assert box is not None
+    assert abs(box["width"] - 210 / 25.4 * 96) < 1
+
+
+def test_faults_stand_beside_the_sheet_by_line_and_lead_to_their_field(
+    studio: Tab, scene: Path
+) -> None:
+    first = studio.shown()
+    saved(scene, SMALL.replace('"0.3 m"', '"0.3 kg"').replace('"10 1/s"', '"10 mm"'))
+    studio.told("Faults: 2. The sheets are those of before.")
+    faults = studio.page.locator(".faults .fault")
+    expect(faults).to_have_count(2)
+    expect(faults.nth(0)).to_contain_text("line 11 · link 2, points.B")
+    expect(faults.nth(0).locator("code")).to_have_text('points = { A = [0, 0], B = ["0.3 kg", 0] }')
+    expect(faults.nth(1)).to_contain_text("line 17 · drive.speed")
+    expect(faults.nth(1)).to_contain_text("an angular speed is wanted here")
+    assert studio.shown() == first
+    faults.nth(1).get_by_role("button").click()
+    expect(studio.page.locator(":focus")).to_have_value("10 mm")
+    saved(scene, SMALL)
+    expect(studio.page.locator(".faults")).to_be_hidden()
+
+
+def test_a_file_that_is_no_toml_keeps_sheets_and_typed_values(studio: Tab, scene: Path) -> None:
+    studio.allow("status of 422")
+    studio.field("drive.speed").fill("12 1/s")
+    saved(scene, SMALL.replace("[drive]", "[drive"))
+    studio.page.get_by_text("The file is no TOML").wait_for()
+    expect(studio.page.locator(".faults .fault")).to_contain_text("line 16")
+    expect(studio.field("drive.speed")).to_have_value("12 1/s")
+    assert studio.shown()
+    saved(scene, SMALL)
+    studio.page.get_by_text("The file is no TOML").wait_for(state="hidden")
+
+
+def test_the_page_keeps_where_one_is(studio: Tab, scene: Path) -> None:
+    page = studio.page
+    page.get_by_role("tab", name="Plans step by step").click()
+    inner = page.frame_locator("iframe:not(.coming)")
+    inner.get_by_role("tab").first.wait_for()
+    frame = page.locator("iframe:not(.coming)")
+    place = "(frame) => frame.contentWindow.location.hash"
+    frame.evaluate("(frame) => { frame.contentWindow.location.hash = '#positions/1/4'; }")
+    shown = frame.get_attribute("data-hash")
+    saved(scene, SMALL.replace("0.1 m", "0.12 m"))
+    page.locator(f"iframe:not(.coming):not([data-hash='{shown}'])").wait_for()
+    expect(page.locator("iframe")).to_have_count(1)
+    assert frame.evaluate(place) == "#positions/1/4"
+    inner.get_by_text(re.compile("^4 of")).first.wait_for()
+    page.reload()
+    inner.get_by_text(re.compile("^4 of")).first.wait_for()
+    assert frame.evaluate(place) == "#positions/1/4"
+
+
+def test_a_lost_connection_is_told_and_mended(tmp_path: Path, tab_of: Callable[..., Tab]) -> None:
+    file = small(tmp_path, "held")
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    with serving(tmp_path, port) as address:
+        tab = tab_of("s/held/", gallery=address)
+        tab.allow("ERR_CONNECTION_REFUSED|ERR_INCOMPLETE_CHUNKED|ERR_CONNECTION_RESET|ERR_EMPTY")
+        first = tab.shown()
+    tab.told("The connection is lost")
+    saved(file, SMALL.replace("0.1 m", "0.12 m"))
+    with serving(tmp_path, port):
+        assert tab.another(first) != first
+        tab.told("Drawn as the file says.")
