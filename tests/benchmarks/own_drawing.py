@@ -151,7 +151,7 @@ def precision(count: int) -> Iterator[Row]:
 SPENT = """async () => {
   const desk = document.querySelector("#own .desk");
   const { left, top, width, height } = desk.getBoundingClientRect();
-  const take = document.querySelector("#own .take");
+  const take = document.querySelector("#own .own-take");
   const spent = [];
   for (let k = 0; k < 24; k += 1) {
     const at = { clientX: left + width * (0.4 + 0.008 * k), clientY: top + height * (0.4 + 0.006 * k) };
