@@ -27,6 +27,10 @@ export class PlanReadings {
     this.practice = practice;
     this.task = task;
     this.bench = new Bench(practice, task, "points");
+    /** How often something was taken; what was judged when. */
+    this.version = 0;
+    /** @type {{key: string, judging: Judging} | null} */
+    this.kept = null;
     /** Where points are on the drawing, mm, y upward. @type {Map<number, Spot>} */
     this.spots = new Map();
     const steps = new Map(practice.steps.map((step) => [step.it, step]));
@@ -68,6 +72,7 @@ export class PlanReadings {
    */
   take(slot, spot) {
     this.spots.set(slot, spot);
+    this.version += 1;
     const moved = slot === ORIGIN ? [...this.spots.keys()] : [slot];
     for (const one of moved) {
       const found = this.figure(one);
@@ -111,7 +116,12 @@ export class PlanReadings {
   judging(all) {
     const { log, manner } = this.bench;
     const beside = all.filter((one) => one !== this && one.task.at === this.task.at);
-    return new Judging(log, this.task, manner, [this, ...beside].flatMap((one) => one.bench.taken()));
+    const here = [this, ...beside];
+    const key = here.map((one) => `${one.task.plan}:${one.version}`).join(" ");
+    if (this.kept?.key === key) return this.kept.judging;
+    const rows = here.flatMap((one) => one.bench.taken());
+    this.kept = { key, judging: new Judging(log, this.task, manner, rows) };
+    return this.kept.judging;
   }
 
   /**
