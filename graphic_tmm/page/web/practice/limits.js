@@ -70,7 +70,7 @@ export function shareOfSlip(seen, { shares, few, most, sure }) {
 
 /**
  * Return how far each point is off what it may be off, with the limits of that.
- * @param {import("./judging.js").Judging} judging
+ * @param {Pick<import("./judging.js").Judging, "log" | "rows" | "run" | "manner" | "place">} judging
  * @returns {Seen[]}
  */
 export function seenOf({ log, rows, run, manner, place }) {
