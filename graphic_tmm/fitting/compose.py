@@ -46,10 +46,17 @@ def compose(scene: Scene, boards: Sequence[Drawn]) -> tuple[Sheet, ...]:
     return composed(scene, boards).sheets
 
 
-def composed(scene: Scene, boards: Sequence[Drawn], given: Composition | None = None) -> Composed:
+def composed(
+    scene: Scene,
+    boards: Sequence[Drawn],
+    given: Composition | None = None,
+    *,
+    near: bool = False,
+) -> Composed:
     """Return the sheets of a scene, each order followed by the sheets it spills onto; as ``given`` if it is.
 
-    What is given and of no use comes to no sheets, and remarks that tell why.
+    What is given and of no use comes to no sheets, and remarks that tell why; ``near``: all is composed anew
+    then, no larger or smaller than it is drawn.
 
     Raises
     ------
@@ -65,7 +72,7 @@ def composed(scene: Scene, boards: Sequence[Drawn], given: Composition | None = 
     boxes = [outline for order in wanted for outline in order.outlines]
     names = named(view.name for view in there)
     laid, remarks = restored_sheets(wanted, names, given) if given is not None else (None, ())
-    if laid is None and given is not None:
+    if laid is None and given is not None and not near:
         return Composed((), given, remarks)
     if laid is None:
         laid = sheets.composed(wanted)

@@ -1,9 +1,9 @@
 """When what is drawn: a scene again when its file has changed, its sheets first, its page behind them.
 
-Two processes draw. The one in front puts a scene that was drawn before on the sheets as they were composed
-then, which takes a part of the time; the one behind composes it anew, as ``draw`` does, and makes its page.
-Where both come to the same sheets, nothing is sent twice. What comes of a text that has changed meanwhile is
-thrown away.
+Two processes draw. The one in front puts a scene that was drawn before on sheets in the sizes, and where it can
+at the places, of then, which takes a part of the time; the one behind composes it anew, as ``draw`` does, and
+makes its page. Where both come to the same sheets, nothing is sent twice. What comes of a text that has changed
+meanwhile is thrown away.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ import asyncio
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from graphic_tmm.errors import SceneError, TmmError
 from graphic_tmm.language.catalogue import Speech, speaking
@@ -20,9 +21,9 @@ from graphic_tmm.language.said import said
 from graphic_tmm.scene.spoken import spoken
 from graphic_tmm.serve import jobs
 from graphic_tmm.serve.folder import Folder
-from graphic_tmm.serve.jobs import Refused, Sheets, Task
-from graphic_tmm.serve.kept import Kept, Told, as_sheets, hashed
-from graphic_tmm.serve.limits import DRAWING
+from graphic_tmm.serve.jobs import Drafted, Refused, Task
+from graphic_tmm.serve.kept import Kept, Told, as_sheets, hashed, with_lines
+from graphic_tmm.serve.limits import DRAWING, JUDGING
 from graphic_tmm.serve.worker import Broken, Gone, TooLong, Worker
 
 URGENT, USUAL, IDLE = 0, 1, 2
@@ -53,7 +54,8 @@ class Desk:
     def __init__(self, folder: Folder, language: str = "") -> None:
         self.folder, self.language = folder, language
         self.scenes: dict[str, Scene] = {}
-        self.front, self.behind, self.aside = Worker(), Worker(), Worker()
+        self.front = Worker()
+        self.behind, self.aside = Worker(patient=True), Worker(patient=True)
         self._warming: list[asyncio.Task[None]] = []
 
     def open(self) -> None:
@@ -121,48 +123,50 @@ class Desk:
         scene.kept.tell(busy=True, text_version=version)
         first = scene.composition is None
         try:
-            found = await self._stages(scene, task, version)
+            refused = await self._stages(scene, task)
         except (TooLong, Gone, Broken) as error:
-            found = Refused((Told(0, "", said_of(error, self.speech(task))),))
-        if isinstance(found, Refused):
-            _refuse(scene.kept, version, found.faults)
+            refused = Refused((Told(0, "", said_of(error, self.speech(task))),))
+        if refused is not None:
+            _refuse(scene.kept, version, with_lines(refused.faults, task.data))
             return
         scene.kept.tell(busy=False)
-        if first and scene.composition is not None:
-            with suppress(TooLong, Gone, Broken):  # so that the next edit finds it warm
-                again = task._replace(given=scene.composition)
-                await self.front.ask(jobs.drawn, again, limit=DRAWING, urgency=IDLE)
+        if first:  # so that the next edit finds it warm
+            await self._drafted(scene, task, IDLE)
 
-    async def _stages(self, scene: Scene, task: Task, version: str) -> Refused | None:
-        """Draw in front what was drawn before, then behind, then the page; return what it is refused for."""
-        given = task.given if task.given is not None else scene.composition
-        meaning = ""
-        if given is not None:
-            meaning, beside = scene.done
-            known = meaning if beside == task.given else ""
-            found = await self.front.ask(
-                jobs.drawn, task._replace(given=given), known, limit=DRAWING, urgency=URGENT
-            )
-            if found is None:
-                scene.kept.tell(ok=True, errors=())
-                return None
-            if isinstance(found, Sheets):
-                _show(scene, found)
-                meaning = found.meaning
-            elif not found.paper or task.given is not None:
-                return found
-        if task.given is None:
+    async def _stages(self, scene: Scene, task: Task) -> Refused | None:
+        """Draw in front in the sizes of before, behind anew, then the page; return what it is refused for."""
+        meaning = await self.front.ask(jobs.meant, task, limit=JUDGING, urgency=URGENT)
+        if isinstance(meaning, Refused):
+            return meaning
+        if scene.done == (meaning, task.given):
+            scene.kept.tell(ok=True, errors=())
+            return None
+        draft = asyncio.create_task(self._drafted(scene, task, URGENT, show=True))
+        try:
             found = await self.behind.ask(jobs.drawn, task, limit=DRAWING)
-            if not isinstance(found, Sheets):
-                return found
-            _show(scene, found)
-            scene.composition, meaning = found.composition, found.meaning
+        finally:
+            draft.cancel()
+        if isinstance(found, Refused):
+            return found
+        _show(scene, found.sheets, warnings=found.warnings)
+        scene.composition = found.composition
         page = await self.behind.ask(jobs.paged, task, limit=DRAWING)
         if isinstance(page, Refused):
             return page
         scene.kept.tell(page=scene.kept.keep(page))
         scene.done = meaning, task.given
         return None
+
+    async def _drafted(self, scene: Scene, task: Task, urgency: int, *, show: bool = False) -> None:
+        """Draw a scene as it was composed before, if it was; what goes wrong so may go well anew."""
+        given = scene.composition if task.given is None else task.given
+        if given is None:
+            return
+        task = task._replace(given=given)
+        with suppress(TooLong, Gone, Broken):
+            found = await self.front.ask(jobs.drafted, task, limit=DRAWING, urgency=urgency)
+            if show and not isinstance(found, Refused):
+                _show(scene, found)
 
     def speech(self, task: Task | None) -> Speech:
         """Return the language that a scene is told in."""
@@ -171,10 +175,10 @@ class Desk:
         return speaking(language) if language else reader()
 
 
-def _show(scene: Scene, found: Sheets) -> None:
-    """Show sheets that were drawn, and what is told of them."""
-    sheets = as_sheets(scene.kept, found.sheets)
-    scene.kept.tell(ok=True, errors=(), sheets=sheets, warnings=found.warnings)
+def _show(scene: Scene, drawn: Drafted, **told: Any) -> None:
+    """Show sheets that were drawn, and what is told of them; the page that is there is of others now."""
+    scene.done = ("", None)
+    scene.kept.tell(ok=True, errors=(), sheets=as_sheets(scene.kept, drawn), **told)
 
 
 def _refuse(kept: Kept, version: str, faults: tuple[Told, ...]) -> None:

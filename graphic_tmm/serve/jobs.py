@@ -11,9 +11,10 @@ from pathlib import Path
 from typing import Any, NamedTuple, ParamSpec, TypeVar
 
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.errors import SceneError, SheetError, TmmError, printable
+from graphic_tmm.errors import SceneError, TmmError, printable
+from graphic_tmm.fitting import compose
 from graphic_tmm.fitting.compose import Composed
-from graphic_tmm.fitting.composition import beside, known_composition, text
+from graphic_tmm.fitting.composition import Composition, beside, known_composition, text
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.reader import reader, reading
 from graphic_tmm.page.page import page
@@ -28,7 +29,7 @@ from graphic_tmm.serve.form import form
 from graphic_tmm.serve.form import told as fields_told
 from graphic_tmm.serve.kept import Told
 from graphic_tmm.serve.shell import title_of
-from graphic_tmm.studio import composed_sheets
+from graphic_tmm.studio import composed_sheets, make
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -49,23 +50,22 @@ class Task(NamedTuple):
     language: str = ""
 
 
+Drafted = tuple[tuple[str, float, float, str], ...]
+"""Sheets: name, width and height in mm, SVG."""
+
+
 class Sheets(NamedTuple):
-    """The sheets of a scene: name, width and height in mm, SVG; what is told; how they are composed.
+    """The sheets of a scene, what is told of it, and how they are composed."""
 
-    ``meaning``: what the file says, comments and layout left out; where that stays, all stays.
-    """
-
-    sheets: tuple[tuple[str, float, float, str], ...]
+    sheets: Drafted
     warnings: tuple[str, ...]
     composition: bytes
-    meaning: str
 
 
 class Refused(NamedTuple):
-    """What a scene is refused for; ``paper``: it did not fit, and may if it is composed anew."""
+    """What a scene is refused for."""
 
     faults: tuple[Told, ...]
-    paper: bool = False
 
 
 class File(NamedTuple):
@@ -86,8 +86,7 @@ def told(job: Callable[P, T]) -> Callable[P, T | Refused]:
             try:
                 return job(*given, **named)
             except TmmError as error:
-                paper = isinstance(error, SheetError)
-                return Refused(faults(error, task.file, speaking(language)), paper)
+                return Refused(faults(error, task.file, speaking(language)))
 
     held.__name__ = held.__qualname__ = getattr(job, "__name__", "")
     held.__module__ = job.__module__
@@ -124,30 +123,38 @@ def scene_of(task: Task) -> Scene:
 @lru_cache(REMEMBERED)
 def composed(task: Task) -> tuple[DrawnScene, Composed]:
     """Return a scene as drawn, and its sheets: composed as it is given, else anew."""
-    scene = scene_of(task)
-    given = None
-    if task.given is not None:
-        given = known_composition(task.given, beside(task.file))
-    return composed_sheets(scene, given)
+    return composed_sheets(scene_of(task), _given(task))
+
+
+def _given(task: Task) -> Composition | None:
+    return None if task.given is None else known_composition(task.given, beside(task.file))
 
 
 @told
-def drawn(task: Task, known: str = "") -> Sheets | None:
-    """Return the sheets of a scene; None if its file says what is ``known``."""
-    scene = scene_of(task)
-    meaning = _meaning(scene)
-    if meaning == known:
-        return None
+def drawn(task: Task) -> Sheets:
+    """Return the sheets of a scene."""
     made, found = composed(task)
-    sheets = tuple((one.name, one.width, one.height, svg(one)) for one in found.sheets)
-    warnings = tuple(map(printable, all_warnings(made, scene.language, sheets=True)))
-    composition = text(found.composition, found.scales).encode()
-    return Sheets(sheets, warnings, composition, meaning)
+    warnings = tuple(map(printable, all_warnings(made, made.scene.language, sheets=True)))
+    return Sheets(_svg(found), warnings, text(found.composition, found.scales).encode())
 
 
-def _meaning(scene: Scene) -> str:
-    """Return a name for what a scene says: the lines on which it says it are nothing to it."""
-    return hashlib.sha256(repr(replace(scene, told={})).encode()).hexdigest()
+@told
+def drafted(task: Task) -> Drafted:
+    """Return the sheets of a scene in the sizes, and where it can be at the places, that another had."""
+    given = _given(task)
+    scene = scene_of(task)
+    made = make(scene, wanted=scene.shown, given=given)
+    return _svg(compose.composed(made.scene, made.boards, given, near=True))
+
+
+def _svg(found: Composed) -> Drafted:
+    return tuple((one.name, one.width, one.height, svg(one)) for one in found.sheets)
+
+
+@told
+def meant(task: Task) -> str:
+    """Return a name for what a scene says: comments, layout and the lines it stands on are nothing to it."""
+    return hashlib.sha256(repr(replace(scene_of(task), told={})).encode()).hexdigest()
 
 
 @told

@@ -7,6 +7,7 @@ terminal does not reach it: who began it ends it.
 from __future__ import annotations
 
 import asyncio
+import gc
 import itertools
 import multiprocessing
 import os
@@ -23,6 +24,10 @@ from graphic_tmm.language.said import said
 from graphic_tmm.serve.limits import MEMORY, WAITING
 
 T = TypeVar("T")
+NICE = 5
+"""By so much what is patient stands back."""
+QUIET, BUSY = 0.5, 10
+"""After so many s without a task, or after so many tasks, what is left of them is taken away."""
 
 
 class TooLong(Exception):
@@ -47,12 +52,16 @@ class _Asked(NamedTuple):
 
 
 class Worker:
-    """A process that draws, as those see it who give it tasks."""
+    """A process that draws, as those see it who give it tasks.
 
-    def __init__(self) -> None:
+    ``patient``: it leaves the processor to what is more urgent.
+    """
+
+    def __init__(self, *, patient: bool = False) -> None:
+        self._patient = patient
         self._waiting: asyncio.PriorityQueue[_Asked] = asyncio.PriorityQueue(WAITING)
         self._numbers = itertools.count()
-        self._thread = ThreadPoolExecutor(1)
+        self._thread = ThreadPoolExecutor(1, initializer=_deaf)
         self._process: Any = None
         self._line: Connection | None = None
         self._closed = False
@@ -130,7 +139,7 @@ class Worker:
             self._end()
             context = multiprocessing.get_context("spawn")
             self._line, far = context.Pipe()
-            self._process = context.Process(target=_works, args=(far,), daemon=True)
+            self._process = context.Process(target=_works, args=(far, self._patient), daemon=True)
             self._process.start()
             far.close()
             if self._closed:
@@ -156,6 +165,12 @@ class Worker:
         process.join(1.0)
 
 
+def _deaf() -> None:
+    """Let Ctrl-C pass this thread by, and so, from its first moment, the process that it begins."""
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+
+
 def _give(answer: asyncio.Future[Any], found: object) -> None:
     if answer.done():  # nobody waits for it any more
         return
@@ -168,18 +183,23 @@ def _give(answer: asyncio.Future[Any], found: object) -> None:
 # ---------------------------------------------------------------- in the process
 
 
-def _works(line: Connection) -> None:
+def _works(line: Connection, patient: bool) -> None:
     """Answer tasks until nobody is there who gives them."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     if hasattr(os, "setsid"):
         os.setsid()
+    if patient and hasattr(os, "nice"):
+        os.nice(NICE)
     _hold_to(MEMORY)
-    while True:
+    gc.disable()  # what is in circles is taken away when nobody waits
+    for number in itertools.count(1):
         try:
+            if number % BUSY == 0 or not line.poll(QUIET):
+                gc.collect()
             job, given = line.recv()
+            line.send(_answer(job, given))
         except (EOFError, OSError):
             return
-        line.send(_answer(job, given))
 
 
 def _answer(job: Callable[..., Any], given: tuple[Any, ...]) -> tuple[bool, Any]:
