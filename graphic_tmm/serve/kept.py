@@ -8,15 +8,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from graphic_tmm.serve.limits import KEPT, KEPT_BYTES
+from graphic_tmm.errors import printable
+from graphic_tmm.serve.limits import KEPT, KEPT_BYTES, LINE
 
 
 class Told(NamedTuple):
-    """A fault of a scene: its line (0: unknown), its key, and what is said of it."""
+    """A fault of a scene: its line (0: unknown), its key, what is said of it, what stands on that line."""
 
     line: int
     key: str
     text: str
+    source: str = ""
 
 
 class Shown(NamedTuple):
@@ -87,6 +89,17 @@ class Kept:
         while old and (len(self.contents) > KEPT or size > KEPT_BYTES):
             size -= len(self.contents.pop(old.pop(0)))
         return name
+
+
+def with_lines(faults: Sequence[Told], data: bytes) -> tuple[Told, ...]:
+    """Return the faults of a text with what stands on their lines; of a long line its beginning."""
+    lines = data.decode("utf-8", "replace").split("\n")
+    return tuple(
+        one._replace(source=printable(lines[one.line - 1].strip()[:LINE]))
+        if 0 < one.line <= len(lines)
+        else one
+        for one in faults
+    )
 
 
 def hashed(data: bytes) -> str:

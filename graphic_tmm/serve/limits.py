@@ -22,7 +22,9 @@ BEAT = 15.0
 """A browser that follows hears something at least so often, s."""
 SCENES = 200
 """So many scenes of a folder are shown."""
+LINE = 200
+"""So many characters of a line are shown beside what is wrong in it."""
 CONNECTIONS = 200
 """So many connections are answered at once."""
-WAITING = 100
+WAITING = 1000
 """So many tasks may wait for a worker."""

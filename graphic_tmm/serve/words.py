@@ -12,7 +12,7 @@ WORDS: dict[str, str] = {
     "scenes": said("Scenes"),
     "dark": said("Dark or light"),
     "ways": said("Ways to look at the scene"),
-    "sheet": said("Sheet {name}"),
+    "sheet": said("Sheet {n}"),
     "page of": said("The plans of the scene, step by step"),
     "no page": said("The page is being made."),
     "no sheets": said("There is no sheet yet."),

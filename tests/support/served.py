@@ -6,6 +6,7 @@ import asyncio
 import json
 import shutil
 from collections.abc import AsyncIterator, Awaitable, Callable
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -183,8 +184,9 @@ async def opened(
 
 
 def run(serving: Callable[[], Awaitable[None]]) -> None:
-    """Run what asks and answers."""
-    asyncio.run(serving())  # type: ignore[arg-type]
+    """Run what asks and answers, in a thread of its own: a browser may have a loop in this one."""
+    with ThreadPoolExecutor(1) as one:
+        one.submit(lambda: asyncio.run(serving())).result()  # type: ignore[arg-type]
 
 
 def small(folder: Path, name: str = "small") -> Path:

@@ -22,6 +22,13 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
 
+def expect(it: Any) -> Any:
+    """Return what waits until something holds of a part of a page."""
+    from playwright.sync_api import expect as waiting
+
+    return waiting(it)
+
+
 @contextmanager
 def serving(folder: Path, port: int = 0) -> Iterator[str]:
     """Serve a folder, or a scene, in a thread; yield the address of its gallery."""
@@ -88,12 +95,10 @@ class Tab:
         self.page.locator("#told", has_text=text).wait_for()
 
     def field(self, key: str) -> Any:
-        """Return the field of a value, its section open."""
+        """Return the input of a value, its section open."""
         self.page.locator(".values input[type=search]").fill(key)
-        name = (
-            key.rpartition(", ")[2].partition(".")[2] if ", " not in key else key.partition(", ")[2]
-        )
-        return self.page.get_by_label(name or key, exact=True).locator("visible=true").first
+        field = self.page.locator(".field").filter(has=self.page.locator("label"))
+        return field.locator(f"xpath=self::*[@data-key='{key}']").locator("input, select, textarea")
 
     def shown(self, number: int = 0) -> str:
         """Return the hash of the sheet whose picture is seen, as soon as there is one."""
@@ -103,6 +108,6 @@ class Tab:
 
     def another(self, before: str, number: int = 0) -> str:
         """Return the hash of a sheet's picture as soon as it is another one."""
-        figure = f"figure.sheet[data-shown]:not([data-shown='{before}'])"
-        self.page.locator(figure).nth(0).wait_for()
+        figure = self.page.locator("figure.sheet").nth(number)
+        expect(figure).not_to_have_attribute("data-shown", before, timeout=PATIENCE * 1000)
         return self.shown(number)

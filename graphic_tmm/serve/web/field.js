@@ -13,9 +13,17 @@ const LONG = 36;
  * Return what a value is typed into.
  * @param {Field} field
  */
-export function shapeOf(field) {
+function shapeOf(field) {
   if (field.kind === "choice" || field.kind === "switch") return "select";
   return field.text.length > LONG || field.text.includes("\n") ? "textarea" : "input";
+}
+
+/**
+ * What decides how a field looks, but for what stands in it.
+ * @param {Field} field
+ */
+export function mould(field) {
+  return [field.key, field.label, shapeOf(field), field.written, field.choices, field.default, field.wanted];
 }
 
 /** A value of the scene: written when it is left or by Enter, taken back by Escape. */
@@ -30,6 +38,8 @@ export class FieldView {
     this.words = words;
     this.field = field;
     this.save = save;
+    /** Whether it is being moved: the focus that it loses then is no leaving. */
+    this.held = false;
     const id = `field-${(count += 1)}`;
     this.input = this.inputOf(field);
     this.input.id = id;
@@ -38,7 +48,7 @@ export class FieldView {
     this.says = element("p", { class: "says", id: `${id}-says` });
     this.wrong = element("p", { class: "wrong", id: `${id}-fault` });
     const label = element("label", { for: id }, field.label);
-    this.element = element("div", { class: "field" }, label, this.input, this.says, this.wrong);
+    this.element = element("div", { class: "field", "data-key": field.key }, label, this.input, this.says, this.wrong);
     this.input.addEventListener("change", () => this.left());
     this.input.addEventListener("keydown", (event) => this.key(/** @type {KeyboardEvent} */ (event)));
     this.input.value = field.text;
@@ -111,7 +121,22 @@ export class FieldView {
   }
 
   left() {
-    if (this.changed) this.save(this);
+    if (this.changed && !this.held) this.save(this);
+  }
+
+  /**
+   * Be moved without being left; return what gives the focus back, to a field that has come in this one's place.
+   * @returns {(view?: FieldView) => void}
+   */
+  hold() {
+    this.held = true;
+    const { input } = this;
+    const [begin, end] = input instanceof HTMLSelectElement ? [null, null] : [input.selectionStart, input.selectionEnd];
+    return (view) => {
+      this.held = false;
+      view?.input.focus({ preventScroll: true });
+      if (view && !(view.input instanceof HTMLSelectElement)) view.input.setSelectionRange(begin, end);
+    };
   }
 
   /** @param {KeyboardEvent} event */

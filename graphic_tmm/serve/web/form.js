@@ -1,5 +1,6 @@
 import { element, filled } from "../../page/web/dom.js";
-import { FieldView, shapeOf } from "./field.js";
+import { FieldView, mould } from "./field.js";
+import { show } from "./seek.js";
 import { formOf, setValues } from "./wire.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
@@ -44,7 +45,15 @@ export class Values {
 
   /** @param {string} key */
   has(key) {
-    return this.views.has(key);
+    return this.near(key) !== undefined;
+  }
+
+  /** The field of a key; of a point its first coordinate, of a table its first value. @param {string} key */
+  near(key) {
+    if (key === "") return undefined;
+    const within = [`${key}[`, `${key}.`, `${key}, `];
+    const inner = [...this.views.keys()].find((one) => within.some((begin) => one.startsWith(begin)));
+    return this.views.get(key) ?? this.views.get(inner ?? "");
   }
 
   /**
@@ -52,7 +61,7 @@ export class Values {
    * @param {string} key
    */
   go(key) {
-    const input = this.views.get(key)?.input;
+    const input = this.near(key)?.input;
     for (let up = input?.closest("details"); up; up = up.parentElement?.closest("details")) up.open = true;
     input?.focus();
   }
@@ -63,7 +72,7 @@ export class Values {
    */
   follow(version) {
     this.behind(async () => {
-      if (version !== this.version) await this.load();
+      if (version !== this.version || !this.nothing.hidden) await this.load();
     });
   }
 
@@ -75,13 +84,15 @@ export class Values {
     this.waiting = this.waiting.then(act);
   }
 
+  /** Take the values that the file has; whether it has any. */
   async load() {
     const form = await formOf();
     this.nothing.hidden = form !== null;
-    if (form === null) return;
+    if (form === null) return false;
     this.version = form.version;
     this.show(form);
     this.heard(form);
+    return true;
   }
 
   /**
@@ -110,10 +121,11 @@ export class Values {
     this.shape = shape;
     const before = this.views;
     const focused = [...before.values()].find((view) => view.input === document.activeElement);
+    const back = focused?.hold();
     this.views = new Map(fields.map((field) => [field.key, this.view(field, before.get(field.key))]));
     this.groups.replaceChildren(...form.groups.map((group, k) => this.group(group, k === 0)));
-    if (focused !== undefined) this.views.get(focused.field.key)?.input.focus({ preventScroll: true });
     this.seek();
+    if (focused !== undefined) back?.(this.views.get(focused.field.key));
   }
 
   /**
@@ -171,20 +183,8 @@ export class Values {
     return made;
   }
 
-  /** Show the fields that have what is sought in their key or their sentence; all, if nothing is. */
   seek() {
-    const text = /** @type {HTMLInputElement} */ (this.sought).value.trim().toLowerCase();
-    for (const view of this.views.values()) {
-      const { key, says } = view.field;
-      view.element.hidden = !`${key} ${says}`.toLowerCase().includes(text);
-    }
-    for (const one of this.groups.querySelectorAll("details")) {
-      const found = one.querySelector(".field:not([hidden])") !== null;
-      one.hidden = !found;
-      const name = one.dataset["name"] ?? "";
-      if (text !== "") one.open = found;
-      else one.open = this.opened.get(name) ?? one.dataset["open"] === "true";
-    }
+    show(/** @type {HTMLInputElement} */ (this.sought).value, [...this.views.values()], this.groups, this.opened);
   }
 
   /**
@@ -202,14 +202,25 @@ export class Values {
       this.views.get(key)?.accept(typed);
       this.tell(filled(this.words["written"] ?? "", { key }));
     } else if (answer.status === OUTDATED) {
-      await this.load();
-      const now = this.views.get(key);
-      if (now === undefined) return;
-      if (now.field.text === text && !again) await this.save(now, true);
-      else this.conflict(now);
+      await this.overtaken(view, again);
     } else {
       this.refuse(this.views.get(key) ?? view, answer);
     }
+  }
+
+  /**
+   * Look at the file that was changed meanwhile: whether it has another value there, or a value at all.
+   * @param {FieldView} view
+   * @param {boolean} again
+   */
+  async overtaken(view, again) {
+    const { key, text } = view.field;
+    const there = await this.load();
+    const now = this.views.get(key);
+    if (now === undefined) return;
+    if (!there) now.tell([this.words["no form"] ?? ""]);
+    else if (now.field.text === text && !again) await this.save(now, true);
+    else this.conflict(now);
   }
 
   /** @param {FieldView} view */
@@ -231,12 +242,4 @@ export class Values {
     view.tell(refused ? lines : [this.words["not sent"] ?? ""]);
     this.tell(filled(this.words["refused"] ?? "", { key }));
   }
-}
-
-/**
- * What decides how a field looks, but for what stands in it.
- * @param {Field} field
- */
-function mould(field) {
-  return [field.key, field.label, shapeOf(field), field.written, field.choices, field.default, field.wanted];
 }

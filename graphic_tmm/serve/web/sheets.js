@@ -67,7 +67,7 @@ export class Sheets {
     while (this.figures.length > sheets.length) this.figures.pop()?.remove();
     sheets.forEach((sheet, k) => {
       const figure = this.figures[k] ?? this.figure();
-      if (had[k]?.hash !== sheet.hash || had[k]?.name !== sheet.name) this.picture(figure, sheet);
+      if (had[k]?.hash !== sheet.hash) this.picture(figure, sheet, k + 1);
     });
     if (sized !== before) this.size();
   }
@@ -83,10 +83,11 @@ export class Sheets {
    * Put the picture of a sheet into its figure as soon as it is there; until then the one before stays.
    * @param {HTMLElement} figure
    * @param {Sheet} sheet
+   * @param {number} n which it is
    */
-  picture(figure, sheet) {
+  picture(figure, sheet, n) {
     const made = new Image();
-    made.alt = filled(this.words["sheet"] ?? "", { name: sheet.name });
+    made.alt = filled(this.words["sheet"] ?? "", { n });
     made.draggable = false;
     figure.dataset["wanted"] = sheet.hash;
     made.addEventListener("load", () => {

@@ -16,16 +16,19 @@ const { words } = scene;
 const main = /** @type {HTMLElement} */ (document.getElementById("main"));
 const head = /** @type {HTMLElement} */ (document.getElementById("head"));
 const told = /** @type {HTMLElement} */ (document.getElementById("told"));
-/** #page#crank:velocities/5: the way of looking, and the place in the page. */
-const [, way = "", place = ""] = location.hash.split("#");
+/** Where the way of looking, and the place in the page, are remembered while the page is loaded anew. */
+const MEMORY = `studio ${location.pathname}`;
+const { way = "", place = "" } = remembered();
 
 /** @type {State | null} */
 let state = null;
 let linked = true;
 let lost = false;
+/** What was said last of how the scene stands. */
+let stood = "";
 
 const sheets = new Sheets(words);
-const frame = new PageFrame(words, place === "" ? "" : `#${place}`);
+const frame = new PageFrame(words, place);
 const values = new Values(
   words,
   scene.fixed,
@@ -53,10 +56,12 @@ function standing() {
   return state.ok ? "drawn" : "faults";
 }
 
-/** Say how the scene stands. */
+/** Say how the scene stands, if it is another way than before. */
 function tellState() {
   const stands = standing();
-  tell(filled(words[stands] ?? "", { n: state?.errors.length ?? 0 }));
+  const text = filled(words[stands] ?? "", { n: state?.errors.length ?? 0 });
+  if (text !== stood) tell(text);
+  stood = text;
   document.body.classList.toggle("lost", stands === "lost");
   document.body.classList.toggle("busy", stands === "drawing");
   document.body.classList.toggle("wrong", state?.ok === false);
@@ -89,8 +94,21 @@ function files() {
 }
 
 function remember() {
-  const now = frame.seen ? `#page${frame.place}` : location.pathname;
-  if (location.hash !== now) history.replaceState(null, "", now);
+  try {
+    const now = { way: frame.seen ? "page" : "sheets", place: frame.place };
+    sessionStorage.setItem(MEMORY, JSON.stringify(now));
+  } catch {
+    // a browser may keep nothing
+  }
+}
+
+/** @returns {{way?: string, place?: string}} */
+function remembered() {
+  try {
+    return JSON.parse(sessionStorage.getItem(MEMORY) ?? "{}");
+  } catch {
+    return {};
+  }
 }
 
 const ways = [

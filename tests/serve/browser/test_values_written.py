@@ -4,17 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
-from playwright.sync_api import Route, expect
 from support.served import SMALL
-from support.studios import Tab
+from support.studios import Tab, expect
 
 from graphic_tmm.serve.edit import edited
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Route
 
 
 def put(scene: Path, text: str) -> None:
     scene.write_text(text, encoding="utf-8")
+
+
+def written(studio: Tab, scene: Path, text: str) -> None:
+    """Wait until the file says something."""
+    for _ in range(200):
+        if scene.read_text("utf-8") == text:
+            return
+        studio.page.wait_for_timeout(50)
+    assert scene.read_text("utf-8") == text
 
 
 def test_enter_writes_a_value_and_nothing_else(studio: Tab, scene: Path) -> None:
@@ -48,18 +60,11 @@ def test_a_choice_that_was_not_there_is_written_and_taken_out_again(
 ) -> None:
     field = studio.field("hand.name")
     field.select_option("student")
-    studio.told("hand.name: written into the file.")
-    assert scene.read_text("utf-8") == SMALL + '\n[hand]\nname = "student"\n'
+    written(studio, scene, SMALL + '\n[hand]\nname = "student"\n')
     field = studio.field("hand.name")
     field.select_option("")
     expect(studio.field("hand.name")).to_have_value("")
-    studio.page.wait_for_function("() => document.querySelector('#told').textContent !== ''")
-    wanted = SMALL + "\n[hand]\n"
-    for _ in range(100):
-        if scene.read_text("utf-8") == wanted:
-            break
-        studio.page.wait_for_timeout(50)
-    assert scene.read_text("utf-8") == wanted
+    written(studio, scene, SMALL + "\n[hand]\n")
 
 
 def test_a_refused_value_says_why_beside_it(studio: Tab, scene: Path) -> None:
@@ -104,8 +109,7 @@ def test_a_value_that_was_changed_meanwhile_is_told_and_neither_is_lost(
     expect(field).to_have_value("30 1/s")
     assert scene.read_text("utf-8") == other
     field.press("Enter")
-    studio.told("drive.speed: written into the file.")
-    assert scene.read_text("utf-8") == SMALL.replace("10 1/s", "30 1/s")
+    written(studio, scene, SMALL.replace("10 1/s", "30 1/s"))
 
 
 def test_another_value_that_was_changed_meanwhile_stays(studio: Tab, scene: Path) -> None:
@@ -115,8 +119,7 @@ def test_another_value_that_was_changed_meanwhile_stays(studio: Tab, scene: Path
     field = studio.field("drive.speed")
     field.fill("30 1/s")
     field.press("Enter")
-    studio.told("drive.speed: written into the file.")
-    assert scene.read_text("utf-8") == other.replace("10 1/s", "30 1/s")
+    written(studio, scene, other.replace("10 1/s", "30 1/s"))
 
 
 def test_who_is_typing_is_told_of_a_change(studio: Tab, scene: Path) -> None:
@@ -136,10 +139,8 @@ def test_what_is_typed_elsewhere_stays_while_the_form_is_made_anew(
     field.fill("30 1")
     field.evaluate("(input) => input.setSelectionRange(2, 2)")
     put(scene, SMALL + '\n[hand]\nname = "student"\n')
-    studio.page.wait_for_function(
-        "() => [...document.querySelectorAll('.groups > details')].some("
-        "(one) => !one.classList.contains('absent') && one.textContent.startsWith('hand'))"
-    )
+    section = studio.page.locator(".groups > details:not(.absent)")
+    expect(section.filter(has_text="who draws")).to_have_count(1)
     expect(field).to_have_value("30 1")
     expect(field).to_be_focused()
     assert field.evaluate("(input) => input.selectionStart") == 2
