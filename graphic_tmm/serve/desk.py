@@ -56,8 +56,9 @@ class Desk:
     def __init__(self, folder: Folder, language: str = "") -> None:
         self.folder, self.language = folder, language
         self.scenes: dict[str, Scene] = {}
-        self.front = Worker()
-        self.behind, self.aside = Worker(patient=True), Worker(patient=True)
+        self.front, self.behind, self.aside = (
+            Worker(jobs.warmed, patient=patient) for patient in (False, True, True)
+        )
         self._warming: list[asyncio.Task[None]] = []
 
     def open(self) -> None:

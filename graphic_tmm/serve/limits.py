@@ -6,6 +6,8 @@ BODY = 256_000
 """So many bytes a body that is sent may have, as a scene's file."""
 BODY_TIME = 5.0
 """A body has come by then, s."""
+BEGINNING = 120.0
+"""A process that draws has loaded what it needs by then, s."""
 DRAWING = 60.0
 """A drawing, or the page of one, may take so long, s."""
 JUDGING = 10.0
