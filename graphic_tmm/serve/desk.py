@@ -176,7 +176,8 @@ class Desk:
 
 
 def _show(scene: Scene, drawn: Drafted, **told: Any) -> None:
-    """Show sheets that were drawn, and what is told of them."""
+    """Show sheets that were drawn, and what is told of them; the page that is there is of others now."""
+    scene.done = ("", None)
     scene.kept.tell(ok=True, errors=(), sheets=as_sheets(scene.kept, drawn), **told)
 
 

@@ -61,7 +61,7 @@ class Worker:
         self._patient = patient
         self._waiting: asyncio.PriorityQueue[_Asked] = asyncio.PriorityQueue(WAITING)
         self._numbers = itertools.count()
-        self._thread = ThreadPoolExecutor(1)
+        self._thread = ThreadPoolExecutor(1, initializer=_deaf)
         self._process: Any = None
         self._line: Connection | None = None
         self._closed = False
@@ -163,6 +163,12 @@ class Worker:
                 os.killpg(process.pid, signal.SIGKILL)  # what it has begun itself, too
         process.kill()
         process.join(1.0)
+
+
+def _deaf() -> None:
+    """Let Ctrl-C pass this thread by, and so, from its first moment, the process that it begins."""
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
 
 
 def _give(answer: asyncio.Future[Any], found: object) -> None:

@@ -31,7 +31,7 @@ EDITS = {
 
 
 async def timed(browser: Browser, name: str, file: Path, text: str) -> list[float]:
-    """Return the s from saving to the first event, to the first sheets and the last ones fetched, to the page."""
+    """Return the s from saving to the first event, to the first and to the last sheets fetched, to the page."""
     follow = browser.states(f"/s/{name}/events")
     before = await anext(follow)
     heard = first = last = page = float("nan")

@@ -171,3 +171,26 @@ def test_two_browsers_are_told_the_same(tmp_path: Path) -> None:
             assert await Browser(browser.app).settled("small") == first
 
     run(serving)
+
+
+def test_an_edit_that_is_taken_back_amid_its_drawing_leaves_the_sheets_of_before(
+    tmp_path: Path,
+) -> None:
+    file = small(tmp_path)
+
+    async def serving() -> None:
+        async with opened(file) as (browser, _):
+            first = await browser.settled("small")
+            file.write_text(SMALL.replace("0.1 m", "0.12 m"), encoding="utf-8")
+            follow = browser.states("/s/small/events")
+            async for state in follow:
+                if state["sheets"] != first["sheets"]:
+                    break  # these are there, their page is not
+            file.write_text(SMALL, encoding="utf-8")
+            async for state in follow:
+                if state["text_version"] == first["text_version"] and not state["busy"]:
+                    break
+            await follow.aclose()  # type: ignore[attr-defined]
+            assert (state["sheets"], state["page"]) == (first["sheets"], first["page"])
+
+    run(serving)

@@ -3,20 +3,26 @@ import { readFileSync, writeFileSync } from "node:fs";
 
 const [, , asked, answered] = process.argv;
 const { Bench } = await import("./practice/bench.js");
-const { done } = await import("./practice/log.js");
+const { Log, done } = await import("./practice/log.js");
+const { Judging } = await import("./practice/judging.js");
+const { seenOf, shareOfSlip } = await import("./practice/limits.js");
 const answers = [];
-for (const { written, data, drawings, work } of JSON.parse(readFileSync(asked, "utf8"))) {
+for (const { written, data, drawings, together, work } of JSON.parse(readFileSync(asked, "utf8"))) {
   await import(`./practice/${written}`);
   // MORE
-  if (!work) continue;
   answers.push({
-    exact: data.tasks.map((task) => exactly(new Bench(data, task))),
-    solved: data.tasks.map((task) => [solved(data, task, false), solved(data, task, true)]),
-    failed: data.tasks.map((task) => failed(new Bench(data, task))),
+    worked: work.map((task) => all(data, data.tasks[task])),
     judged: drawings.map(({ task, manner, rows }) => judged(new Bench(data, data.tasks[task], manner), rows)),
+    together: together.map((plans) => judgedTogether(data, plans)),
   });
 }
 writeFileSync(answered, JSON.stringify(answers));
+
+/** A task: what the exact hand has of it; worked in two orders; worked wrongly. */
+function all(data, task) {
+  const exact = exactly(new Bench(data, task));
+  return { task, exact, solved: [solved(data, task, false), solved(data, task, true)], failed: failed(new Bench(data, task)) };
+}
 
 /** What the exact hand has of every mark. */
 function exactly(bench) {
@@ -70,11 +76,35 @@ function* wrongly(bench, step, due) {
   }
 }
 
+/** Judge plans of one drawing whose points were read: each of a task, rows as those of a drawing. */
+function judgedTogether(data, plans) {
+  const read = plans.map(({ task, rows }) => ({ plan: data.tasks[task].plan, rows: rows.map(row) }));
+  const judgings = plans.map(({ task }, k) => {
+    const others = read.filter((_, n) => n !== k);
+    const log = new Log(data, data.tasks[task].at);
+    return new Judging(log, data.tasks[task], data.manners.points, read[k].rows, others);
+  });
+  const share = shareOfSlip(judgings.flatMap(seenOf), data.reader);
+  return judgings.flatMap((one) => {
+    one.share = share;
+    return [...one.all().values()].map(plainly);
+  });
+}
+
 /** Judge a drawing: rows of a slot, what was found, half units of the last digits. */
 function judged(bench, rows) {
-  for (const [slot, found, last] of rows) bench.take(slot, Array.isArray(found) ? { re: found[0], im: found[1] } : found, last);
-  return [...bench.judged().values()].map(({ slot, error, parts, verdict, blamed, deviation }) =>
-    ({ slot, error, parts: parts.map((part) => [part.slot, part.error]), verdict, blamed, deviation }));
+  for (const { slot, found, last } of rows.map(row)) bench.take(slot, found, last);
+  return [...bench.judged().values()].map(plainly);
+}
+
+/** A row as benches take it. */
+function row([slot, found, last]) {
+  return { slot, found: Array.isArray(found) ? { re: found[0], im: found[1] } : found, last };
+}
+
+/** A judgement as data. */
+function plainly({ slot, error, parts, verdict, blamed, deviation }) {
+  return { slot, error, parts: parts.map((part) => [part.slot, part.error]), verdict, blamed, deviation };
 }
 
 /** The numbers that a mark is made of. */

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from graphic_tmm.drawn import DrawnScene
@@ -60,30 +61,46 @@ def worked(
     scenes: Sequence[Packed],
     drawings: Mapping[str, Sequence[Mapping[str, Any]]],
     folder: Path,
+    *,
+    work: bool = False,
     more: str = "",
+    together: Mapping[str, Sequence[Any]] = MappingProxyType({}),
 ) -> list[Any]:
     """Return what the page's own benches answer, scene by scene; ``folder``: an empty one.
 
-    ``more``: what else is asked, of ``Bench`` and of the ``data`` of a scene, as JavaScript that pushes to
-    ``answers``; without it the tasks are worked.
+    ``work``: whether each task is worked, rightly and wrongly. ``more``: what else is asked, of ``Bench`` and
+    of the ``data`` of a scene, as JavaScript that pushes to ``answers``. ``together``: drawings of several
+    plans, their points read.
+    """
+    program = Path(__file__).with_name("bench.mjs").read_text("utf-8").replace("// MORE", more)
+    asked = [
+        {
+            "drawings": drawings.get(one.name, ()),
+            "together": together.get(one.name, ()),
+            "work": list(range(len(one.data["tasks"]))) if work else [],
+        }
+        for one in scenes
+    ]
+    return by_node(program, scenes, asked, folder)
+
+
+def by_node(
+    program: str, scenes: Sequence[Packed], asked: Sequence[Mapping[str, Any]], folder: Path
+) -> list[Any]:
+    """Return what a program for node answers that stands beside the page's modules for practice.
+
+    ``asked``: of each scene what it is asked besides the data and the module that is written down.
     """
     shutil.copytree(WEB / "practice", folder / "practice")
     (folder / "package.json").write_text('{"type": "module"}', encoding="utf-8")
-    program = Path(__file__).with_name("bench.mjs").read_text("utf-8")
-    (folder / "bench.mjs").write_text(program.replace("// MORE", more), encoding="utf-8")
+    (folder / "program.mjs").write_text(program, encoding="utf-8")
     (folder / "practice" / "enter.js").unlink()
-    asked = []
-    for k, one in enumerate(scenes):
+    told = []
+    for k, (one, more) in enumerate(zip(scenes, asked, strict=True)):
         (folder / "practice" / f"written{k}.js").write_text(one.program, encoding="utf-8")
-        told = {
-            "written": f"written{k}.js",
-            "data": one.data,
-            "drawings": drawings.get(one.name, ()),
-            "work": not more,
-        }
-        asked.append(told)
-    (folder / "asked.json").write_text(json.dumps(asked), encoding="utf-8")
-    command = [node(), "bench.mjs", "asked.json", "answered.json"]
+        told.append({"written": f"written{k}.js", "data": one.data, **more})
+    (folder / "asked.json").write_text(json.dumps(told), encoding="utf-8")
+    command = [node(), "program.mjs", "asked.json", "answered.json"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     found: list[Any] = json.loads((folder / "answered.json").read_text("utf-8"))

@@ -5,11 +5,14 @@ const [, , asked, answered] = process.argv;
 const { Session } = await import("./practice/session.js");
 const { instrumentOf } = await import("./practice/palette.js");
 const { done } = await import("./practice/log.js");
+const { csvOf } = await import("./practice/record.js");
 const answers = [];
-for (const { written, data, words } of JSON.parse(readFileSync(asked, "utf8"))) {
+for (const { written, data, words, drawn } of JSON.parse(readFileSync(asked, "utf8"))) {
   await import(`./practice/${written}`);
   const page = { title: written, practice: data, words, views: [] };
-  answers.push(data.tasks.map((_, n) => ({ first: worked(page, n, 0), last: worked(page, n, -1), wrong: wronged(page, n) })));
+  const tasks = drawn ? [] : data.tasks;
+  const worked_ = tasks.map((_, n) => ({ first: worked(page, n, 0), last: worked(page, n, -1), wrong: wronged(page, n) }));
+  answers.push(drawn ? drawn.map(([n, seed]) => clumsy(page, n, seed)) : worked_);
 }
 writeFileSync(answered, JSON.stringify(answers));
 
@@ -51,7 +54,7 @@ function told({ task, easel }, slot, value) {
     return task.tell({ re: Number(x), im: Number(y) }, [x, y], { x: 0.005, y: 0.005 });
   }
   const length = easel.kindOf(slot) === "length";
-  const text = length ? value.toFixed(2) : String(Number(value.toPrecision(6)));
+  const text = length ? value.toFixed(2) : value.toPrecision(6);
   const half = 0.5 * 10 ** -(text.split(".")[1]?.length ?? 0);
   return task.tell(Number(text), [text], length ? { mm: half } : { value: half });
 }
@@ -124,4 +127,43 @@ function refusal(session, slot, value) {
   bench.again();
   task.asked = task.own.get(slot);
   return "";
+}
+
+/** Draw a task badly, by chance; what is refused is left as it stands. Return the file of readings and how they are judged. */
+function clumsy(page, n, seed) {
+  const session = new Session(page, n);
+  session.clear();
+  const { task, bench, easel } = session;
+  const chance = chances(seed);
+  for (let step = open(session, 0); step !== undefined; step = open(session, 0)) {
+    const { kind, slot } = laid(session, step);
+    if (kind !== "asked" && kind !== "drawn") break;
+    if (kind === "drawn") continue;
+    const due = bench.due(slot);
+    const slip = [0, 0.2, 1, 8][Math.floor(4 * chance())];
+    if (typeof due !== "number") told(session, slot, { re: due.re + slip * (chance() - 0.5), im: due.im + slip * (chance() - 0.5) });
+    else told(session, slot, due * (1 + (slip * (chance() - 0.5)) / 50) * (chance() < 0.08 ? 10 : 1));
+    task.leave();
+  }
+  const named = new Map([...bench.judged()].map(([slot, { verdict }]) => [session.row(slot, task.results.get(slot)), verdict]));
+  const verdicts = [...named].map(([row, verdict]) => [row.plan, row.position, row.segment, verdict]);
+  const { "csv head": head, "csv separator": separator } = page.words;
+  const rows = session.readings().map((row) => spoken(row, easel.decimal));
+  return { csv: csvOf(rows, head, separator), verdicts };
+}
+
+/** A row of readings with the decimal sign of the page, as it is typed there. */
+function spoken(row, decimal) {
+  return Object.fromEntries(
+    Object.entries(row).map(([key, cell]) => [key, ["mm", "value", "x", "y"].includes(key) ? cell.replace(".", decimal) : cell]),
+  );
+}
+
+/** Numbers of chance, from 0 to 1, the same for a seed. */
+function chances(seed) {
+  let state = seed;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
 }

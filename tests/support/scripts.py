@@ -14,6 +14,7 @@ from support.browser import without
 from support.gallery import ROOT
 
 WEB = ROOT / "graphic_tmm" / "page" / "web"
+SECONDS = 300.0
 
 
 @cache
@@ -25,10 +26,11 @@ def modules() -> Path:
     return folder
 
 
-def run(program: str, asked: object = None, *further: Path | str, seconds: float = 300.0) -> Any:
-    """Run a program as a module beside those of the page; ``asked`` is its ``asked``, ``tell(x)`` answers.
+def run(program: str, asked: object = None, *further: Path | str, written: str = "") -> Any:
+    """Run a program as a module beside those of the page; it has ``asked``, and answers by ``tell(x)``.
 
-    It names modules as "./own/frame.js", and ``files`` are the further arguments.
+    It names modules as "./own/frame.js"; ``files`` are the further arguments; ``written``: the module that
+    a page of a scene has beside them (`practice`), which is "./practice/written.js" then.
     """
     node = shutil.which("node")
     if node is None:
@@ -40,6 +42,7 @@ def run(program: str, asked: object = None, *further: Path | str, seconds: float
         "const files = process.argv.slice(2);\n"
         "const tell = (answer) => process.stdout.write(JSON.stringify(answer));\n"
     )
+    (folder / "practice" / "written.js").write_text(written, encoding="utf-8")
     main = folder / "asked.js"
     main.write_text(begun + program, encoding="utf-8")
     done = subprocess.run(
@@ -48,7 +51,7 @@ def run(program: str, asked: object = None, *further: Path | str, seconds: float
         capture_output=True,
         text=True,
         encoding="utf-8",
-        timeout=seconds,
+        timeout=SECONDS,
         check=False,
     )
     assert done.returncode == 0, done.stderr[-3000:]

@@ -1,7 +1,7 @@
 """What a process and those that it begins open, change or begin: written down by an audit hook.
 
-``begin`` writes a `sitecustomize` into a folder; a Python that is begun with that folder on PYTHONPATH writes each
-path that it touches into a file, one a line, before anything of it is done.
+``begin`` writes a `sitecustomize` into a folder; a Python that is begun with that folder on PYTHONPATH writes
+each path that it touches into a file, one a line, before anything of it is done.
 """
 
 from __future__ import annotations
@@ -25,7 +25,8 @@ def _hook(event, told):
     writes = event != "open" and event not in ("os.listdir", "os.scandir", "ctypes.dlopen")
     if event == "open":
         mode, flags = told[1], told[2] or 0
-        writes = bool(flags & (os.O_WRONLY | os.O_RDWR | os.O_CREAT)) if mode is None else set(mode) & set("wax+")
+        writes = flags & (os.O_WRONLY | os.O_RDWR | os.O_CREAT)
+        writes = writes if mode is None else set(mode) & set("wax+")
     paths = [one for one in told[:2] if isinstance(one, (str, bytes))]
     if event == "open":
         paths = paths[:1]

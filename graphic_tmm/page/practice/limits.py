@@ -40,10 +40,10 @@ def drawings(row: Row, marks: Collection[Mark], scene: Scene) -> dict[Mark, Any]
 
 
 def own_limits(
-    row: Row, plan: str, read: Collection[Mark], drawn: Mapping[Mark, Any], by: Reader
+    row: Row, read: Collection[Mark], drawn: Mapping[Mark, Any], by: Reader
 ) -> dict[tuple[Mark, int], StepScatter]:
-    """Return how large the hand's own errors are where these marks of a plan are read, by mark and position."""
-    found = {mark: _there(row, plan, mark) for mark in read}
+    """Return how large the hand's own errors are where these marks are read, by mark and position."""
+    found = {mark: _there(row, mark) for mark in read}
 
     def run(taken: Mapping[Mark, Any]) -> Run:
         return run_log(row.log, row.given, taken, {}, partial(_exact, row))
@@ -84,11 +84,11 @@ def bounds(found: Iterable[float]) -> list[float]:
     return told(x * (1.0 + MARGIN) for x in found)
 
 
-def _there(row: Row, plan: str, mark: Mark) -> Any:
-    """Return where a mark is read: the numbers of it in the positions of a plan, NaN in the others."""
+def _there(row: Row, mark: Mark) -> Any:
+    """Return where a mark is read: the numbers of it in the positions of its plan, NaN in the others."""
     due = _exact(row, mark)
     found = np.full((1, len(row.names)), np.nan, due.dtype)
-    at = list(row.places[plan])
+    at = list(row.places[mark.view])
     found[:, at] = np.broadcast_to(due, found.shape)[:, at]
     return found
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import combinations
 from typing import Any
 
 from graphic_tmm.board.hand import HANDS
@@ -44,27 +45,40 @@ def reader_of(scene: Scene) -> dict[str, Any]:
     }
 
 
-def manner(scene: Scene, row: Row, named: Named, name: str) -> dict[str, Any]:
-    """Return the limits of the hand, read in one manner."""
+def manner(scene: Scene, row: Row, named: Named, name: str, plans: Sequence[str]) -> dict[str, Any]:
+    """Return the limits of the hand, read in one manner; ``plans``: as the page counts them.
+
+    ``own``: of a plan read alone; ``with``: by the numbers of those before it whose points are read too.
+    """
     hand = HANDS[HAND]._replace(trials=TRIALS, seed=scene.seed)
     by = reader(scene, hand, MANNERS[name])
     whole = name == "plan"
     read = [m for m, (kind, *_) in named.items() if whole or kind == "point"]
     own: dict[str, Any] = {}
+    beside: dict[str, Any] = {}
     total: dict[str, Any] = {}
     for one in row.own or (row,):
         drawn = drawings(one, read, scene)
-        for plan in one.places:
-            marks = [mark for mark in read if mark.view == plan]
-            found = own_limits(one, plan, marks, drawn, by)
-            spread = total_limits(one, plan, named, drawn, by) if whole else {}
-            for mark in marks:
-                pointed = named[mark][0] == "point"
-                slot, places = str(mark.slot), [(mark, at) for at in one.places[plan]]
-                _append(own, slot, _own(map(found.get, places), pointed=pointed))
-                if whole and not pointed:
-                    _append(total, slot, _total(map(spread.get, places)))
-    return {"pointing": by.pointing, "own": own, "total": total}
+        for plan, others in _together(list(one.places), whole=whole):
+            found = own_limits(one, [m for m in read if m.view in (plan, *others)], drawn, by)
+            key = " ".join(str(plans.index(other)) for other in others)
+            to = beside.setdefault(key, {}) if others else own
+            for mark in (m for m in read if m.view == plan):
+                rows = [found.get((mark, at)) for at in one.places[plan]]
+                _append(to, str(mark.slot), _own(rows, pointed=named[mark][0] == "point"))
+        for plan in one.places if whole else ():
+            spread = total_limits(one, plan, named, drawn, by)
+            for mark in (m for m in read if m.view == plan and named[m][0] != "point"):
+                figures = [spread.get((mark, at)) for at in one.places[plan]]
+                _append(total, str(mark.slot), _total(figures))
+    return {"pointing": by.pointing, "own": own, "with": beside, "total": total}
+
+
+def _together(plans: Sequence[str], *, whole: bool) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Yield each plan with those before it that are read too; alone where all of it is read."""
+    for k, plan in enumerate(plans):
+        for count in range(1 if whole else k + 1):
+            yield from ((plan, others) for others in combinations(plans[:k], count))
 
 
 def _own(limits: Iterable[StepScatter | None], *, pointed: bool) -> dict[str, list[Any]]:

@@ -88,7 +88,9 @@ class Packing:
             "steps": [self.step(step) for step in self.steps],
             "tasks": [task for plan in practised for task in self.tasks(plan, views)],
             "reader": reader_of(self.made.scene),
-            "manners": {name: manner(self.made.scene, row, self.named, name) for name in MANNERS},
+            "manners": {
+                name: manner(self.made.scene, row, self.named, name, self.plans) for name in MANNERS
+            },
         }
 
     def mark(self, mark: Mark) -> dict[str, Any]:

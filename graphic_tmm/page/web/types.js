@@ -66,8 +66,9 @@
  *   wrong; of a point the sizes if it were read without a slip, and below what most errors are; -1, []: nothing
  * @typedef {{d: number[], w: number[], t: number[]}} TotalLimit by position: from where on a deviation is doubtful,
  *   wrong, and how many times too large is absurd (a logarithm; -1: nothing)
- * @typedef {{pointing: number, own: Record<string, OwnLimit>, total: Record<string, TotalLimit>}} Manner how a
- *   drawing is read, and the limits of the hand then
+ * @typedef {{pointing: number, own: Record<string, OwnLimit>, with: Record<string, Record<string, OwnLimit>>,
+ *   total: Record<string, TotalLimit>}} Manner how a drawing is read, and the limits of the hand then; `with`: where
+ *   points of other plans before that one are read too, by the numbers of these
  * @typedef {{half: number, reading: number, digits: number, finest: number, wrong: number,
  *   shares: number[], few: number, most: number, sure: number}} Reader who reads: half a division of the ruler, the
  *   slip of reading, the digits of a calculation, the finest ruler; and how it is judged (checking/judging)

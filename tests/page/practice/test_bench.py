@@ -25,14 +25,17 @@ def answers(
 ) -> list[tuple[Packed, dict[str, Any]]]:
     """Scenes of the package, and what the page's benches have of them: one every day, all of them in CI."""
     scenes = [packed(request.param)] if request.param else practised()
-    return list(zip(scenes, worked(scenes, {}, tmp_path_factory.mktemp("benches")), strict=True))
+    return list(
+        zip(scenes, worked(scenes, {}, tmp_path_factory.mktemp("benches"), work=True), strict=True)
+    )
 
 
 def test_every_step_comes_to_what_python_has(answers: list[tuple[Packed, dict[str, Any]]]) -> None:
     compared = 0
     for scene, answer in answers:
         row = scene.packing.row
-        for task, exact in zip(scene.data["tasks"], answer["exact"], strict=True):
+        for one in answer["worked"]:
+            task, exact = one["task"], one["exact"]
             for step in scene.packing.steps:
                 due = _numbers(row.reading[step.it], task["at"])
                 found = exact[str(step.it.slot)]
@@ -47,22 +50,22 @@ def test_every_step_comes_to_what_python_has(answers: list[tuple[Packed, dict[st
 
 def test_every_task_is_worked_in_two_orders(answers: list[tuple[Packed, dict[str, Any]]]) -> None:
     faults = [
-        (scene.name, task["plan"], task["at"], one["faults"])
+        (scene.name, one["task"]["plan"], one["task"]["at"], order["faults"])
         for scene, answer in answers
-        for task, both in zip(scene.data["tasks"], answer["solved"], strict=True)
-        for one in both
-        if one["faults"]
+        for one in answer["worked"]
+        for order in one["solved"]
+        if order["faults"]
     ]
     assert faults == []
-    orders = [both for _, answer in answers for both in answer["solved"]]
+    orders = [one["solved"] for _, answer in answers for one in answer["worked"]]
     assert sum(first["order"] != last["order"] for first, last in orders) > len(orders) / 2
 
 
 def test_no_wrong_answer_is_fine(answers: list[tuple[Packed, dict[str, Any]]]) -> None:
     told: Counter[tuple[str, str]] = Counter()
     for scene, answer in answers:
-        for failed in answer["failed"]:
-            for slot, kind, verdict, apart in failed:
+        for one in answer["worked"]:
+            for slot, kind, verdict, apart in one["failed"]:
                 # what is nothing stays nothing, ten times over; two meetings may be one
                 if apart > LARGE:
                     told[kind, verdict] += 1
@@ -96,8 +99,8 @@ answers.push(found);
 
 
 def test_an_instrument_applied_to_marks_is_known_as_a_step(tmp_path: Path) -> None:
-    found = worked([packed("windrower")], {}, tmp_path, MATCHES)  # type: ignore[list-item]
-    assert found[-1] == [
+    found = worked([packed("windrower")], {}, tmp_path, more=MATCHES)  # type: ignore[list-item]
+    assert found[0] == [
         *("(pa)", "(pa)", "no such step", "no such step", "not yet"),
         *("pa", "done", "done", "v_A"),
     ]
@@ -114,11 +117,11 @@ answers.push([bench.match("join", [...uses].reverse()), bench.match("rocker_line
 
 
 def test_what_comes_to_the_same_is_the_same_step(tmp_path: Path) -> None:
-    *_, (turned, another, slot) = worked(
+    (turned, another, slot), _ = worked(
         [packed("windrower")],  # type: ignore[list-item]
         {},
         tmp_path,
-        SAME_BY_ANOTHER_WAY,
+        more=SAME_BY_ANOTHER_WAY,
     )
     assert turned == another == {"slot": slot}
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import random
 from collections import Counter
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -23,24 +24,25 @@ from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Last, Ta
 from graphic_tmm.page.practice.manners import MANNERS
 
 DRAWINGS = 200
-TASKS = 2
-"""Of each scene so many tasks are drawn wrong, again and again: a yardstick costs more than a drawing."""
 NEAR = 1e-9
 
 
 class Case:
     """A drawing of one plan in one position: its readings as a check has them, as the page has them."""
 
-    def __init__(self, scene: Packed, chance: random.Random) -> None:
+    def __init__(
+        self, scene: Packed, chance: random.Random, task: int | None = None, manner: str = ""
+    ) -> None:
         self.scene = scene
-        tasks = random.Random(scene.name).sample(range(len(scene.data["tasks"])), TASKS)
-        self.manner = chance.choice(list(MANNERS))
-        self.task = chance.choice(tasks)
-        task = scene.data["tasks"][self.task]
-        self.at = task["at"]
+        # of each scene one task a manner, again and again: a yardstick costs more than a drawing
+        tasks = random.Random(scene.name).sample(range(len(scene.data["tasks"])), len(MANNERS))
+        self.manner = manner or chance.choice(list(MANNERS))
+        self.task = tasks[list(MANNERS).index(self.manner)] if task is None else task
+        asked = scene.data["tasks"][self.task]
+        self.at = asked["at"]
         self.position = scene.data["names"][self.at]
         packing = scene.packing
-        steps = [step for step in packing.steps if step.it.slot in task["steps"]]
+        steps = [step for step in packing.steps if step.it.slot in asked["steps"]]
         marks = [step.it for step in steps if step.it in packing.named]
         if self.manner == "points":
             marks = [mark for mark in marks if mark.kind is Point]
@@ -74,10 +76,11 @@ class Case:
             rows.append([mark.slot, found, taken.last._asdict()])
         return {"task": self.task, "manner": self.manner, "rows": rows}
 
-    def compare(self) -> tuple[tuple[Judged, ...], Comparison]:
+    def compare(self, *others: Case) -> tuple[tuple[Judged, ...], Comparison]:
         made = self.scene.made
-        rows, _ = known(made, list(self.taken.values()), "readings")
-        assert len(rows) == len(self.taken)
+        taken = [one for case in (self, *others) for one in case.taken.values()]
+        rows, _ = known(made, taken, "readings")
+        assert len(rows) == len(taken)
         by = _yardstick(self.scene, self.manner, rows)
         return judge(made, rows, by), Comparison(made, rows, by)
 
@@ -132,3 +135,40 @@ def _same_errors(comparison: Comparison, one: Judged, mine: dict[str, Any], here
     for (step, error, _), (slot, found) in zip(errors, mine["parts"], strict=False):
         assert step.it.slot == slot, here
         assert abs(error - found) <= NEAR * max(1.0, abs(error)), here
+
+
+TOGETHER = 3
+"""So many drawings of each scene have several plans."""
+
+
+@pytest.mark.slow
+def test_plans_of_one_drawing_are_judged_together(tmp_path: Path) -> None:
+    chance = random.Random(23)
+    drawings = {one.name: [_plans(one, chance) for _ in range(TOGETHER)] for one in practised()}
+    scenes = [one for one in practised() if min(map(len, drawings[one.name])) > 1]
+    told = {
+        one.name: [[case.told() for case in cases] for cases in drawings[one.name]]
+        for one in scenes
+    }
+    answers = worked(scenes, {}, tmp_path, together=told)
+    verdicts: Counter[str] = Counter()
+    for one, answer in zip(scenes, answers, strict=True):
+        for cases, judged in zip(drawings[one.name], answer["together"], strict=True):
+            page = {row["slot"]: row for row in judged}
+            due, comparison = cases[0].compare(*cases[1:])
+            for row in due:
+                mine = page[row.taken.line]
+                here = (one.name, [case.task for case in cases], row, mine)
+                _same_errors(comparison, row, mine, here)
+                assert mine["verdict"] == row.verdict, here
+                verdicts[row.verdict] += 1
+    assert len(scenes) > 12
+    assert min(verdicts[verdict] for verdict in (FINE, DOUBTFUL, WRONG)) > 20
+
+
+def _plans(scene: Packed, chance: random.Random) -> list[Case]:
+    """Return plans of a scene in one position, two of them or all."""
+    at = random.Random(scene.name).choice(scene.data["tasks"])["at"]
+    tasks = [k for k, task in enumerate(scene.data["tasks"]) if task["at"] == at]
+    tasks = chance.sample(tasks, chance.choice([2, len(tasks)])) if len(tasks) > 1 else tasks
+    return [Case(scene, chance, task, "points") for task in sorted(tasks)]

@@ -63,6 +63,7 @@ export class Loupe {
     this.spot = spot;
     this.turn = turn;
     this.root.hidden = false;
+    this.root.dataset["at"] = [...spot, ...turn].join(" ");
     this.draw();
   }
 

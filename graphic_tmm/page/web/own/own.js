@@ -103,8 +103,7 @@ class OwnRoom {
     this.over.hidden = true;
     this.panel.root.hidden = true;
     const bar = element("div", { class: "bar" }, choose, file, this.choice.root, this.anew, this.over);
-    const section = element("section", { class: "own" }, bar, surface, this.message, this.panel.root);
-    surface.append(this.aim.loupe.root);
+    const section = element("section", { class: "own" }, bar, surface, this.aim.loupe.root, this.message, this.panel.root);
     section.addEventListener("dragover", (event) => event.preventDefault());
     section.addEventListener("drop", (event) => {
       event.preventDefault();
@@ -234,7 +233,7 @@ class OwnRoom {
   /** @returns {Sign[]} */
   signs() {
     const { readings } = this.panel;
-    const judged = readings.judged();
+    const judged = this.panel.judged();
     const [left, , , top] = this.flat?.of.area ?? [0, 0, 0, 0];
     return readings.points.flatMap((point) => {
       const spot = readings.spots.get(point.slot);

@@ -93,6 +93,11 @@ export class PointsPanel {
     this.changed();
   }
 
+  /** What was read of the plan that is chosen, judged with all of the drawing. */
+  judged() {
+    return this.readings.judged(this.all.values());
+  }
+
   /** What is asked for now, in words. */
   get asks() {
     if (this.sought === undefined) return this.say("own all");
@@ -113,7 +118,7 @@ export class PointsPanel {
     const point = this.sought;
     if (point === undefined) return "";
     this.readings.take(point.slot, spot);
-    const judged = this.readings.judged().get(point.slot);
+    const judged = this.judged().get(point.slot);
     this.seek(this.readings.next);
     return judged === undefined ? "" : this.told(point, judged);
   }
@@ -140,7 +145,7 @@ export class PointsPanel {
 
   /** Show what was read, and how it is judged as all stands now. */
   show() {
-    const judged = this.readings.judged();
+    const judged = this.judged();
     this.list.replaceChildren(...this.readings.points.map((one) => element("li", {}, this.entry(one, judged.get(one.slot)))));
     this.save.disabled = ![...this.all.values()].some((one) => one.written("").length > 0);
   }

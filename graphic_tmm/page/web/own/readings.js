@@ -1,4 +1,6 @@
 import { Bench } from "../practice/bench.js";
+import { Judging } from "../practice/judging.js";
+import { seenOf, shareOfSlip } from "../practice/limits.js";
 
 /**
  * @typedef {import("../types.js").Practice} Practice
@@ -85,11 +87,31 @@ export class PlanReadings {
   }
 
   /**
-   * Return all judgements, by the marks.
+   * Return all judgements, by the marks, as a check of all that was read of a drawing has them.
+   * @param {Iterable<PlanReadings>} drawing
    * @returns {Map<number, Judged>}
    */
-  judged() {
-    return this.bench.judged();
+  judged(drawing) {
+    const all = [...drawing];
+    const judging = this.judging(all);
+    // how finely points were read all of the drawing tells
+    const seen = all.flatMap((one) => {
+      const { log, run, manner, place } = one.judging(all);
+      return seenOf({ log, run, manner, place, rows: one.bench.taken() });
+    });
+    judging.share = shareOfSlip(seen, this.practice.reader);
+    const found = judging.all();
+    return new Map([...found].filter(([slot]) => this.rows.has(slot)));
+  }
+
+  /**
+   * Return the judging of these readings, with what was read of other plans in the same position.
+   * @param {PlanReadings[]} all
+   */
+  judging(all) {
+    const { log, manner } = this.bench;
+    const beside = all.filter((one) => one !== this && one.task.at === this.task.at);
+    return new Judging(log, this.task, manner, [this, ...beside].flatMap((one) => one.bench.taken()));
   }
 
   /**

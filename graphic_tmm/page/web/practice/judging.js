@@ -1,9 +1,8 @@
 import { BOARD } from "./board.js";
-import { limitAt, seenOf, shareOfSlip, sizeAt } from "./limits.js";
+import { limitAt, seenOf, shareOfSlip, sizeAt, withOthers } from "./limits.js";
 
 /**
  * @typedef {import("../types.js").Complex} Complex
- * @typedef {import("../types.js").Practice} Practice
  * @typedef {import("../types.js").Manner} Manner
  * @typedef {import("../types.js").Task} Task
  * @typedef {import("./log.js").Log} Log
@@ -17,6 +16,7 @@ import { limitAt, seenOf, shareOfSlip, sizeAt } from "./limits.js";
  *   deviation: number, follows: boolean}} Judged `error`: that of the step itself, mm or in the unit of a rate;
  *   `blamed`: the mark whose step made it; `deviation`: from what the exact hand has; `follows`: it is far off
  *   though it is right, for an earlier mark is off
+ * @typedef {{plan: number, rows: Taken[]}} Beside
  * @typedef {{counted: number, doubtful: number, wrong: number, error: number, by: number}} Own
  */
 
@@ -42,15 +42,17 @@ export class Judging {
    * @param {Task} task
    * @param {Manner} manner
    * @param {Taken[]} rows
+   * @param {Beside[]} beside what was read of other plans in this position
    */
-  constructor(log, task, manner, rows) {
+  constructor(log, task, manner, rows, beside = []) {
     this.log = log;
     this.reader = log.data.reader;
-    this.manner = manner;
+    this.manner = withOthers(log.data, task, manner, beside);
     this.task = task;
     this.place = (log.data.at[task.plan] ?? []).indexOf(task.at);
     this.rows = [...rows].sort((a, b) => a.slot - b.slot);
-    this.found = new Map(this.rows.map((row) => [row.slot, this.read(row)]));
+    const all = [...this.rows, ...beside.flatMap((one) => one.rows)];
+    this.found = new Map(all.map((row) => [row.slot, this.read(row)]));
     /** @type {Run} */
     this.run = log.run(this.found);
     this.share = shareOfSlip(seenOf(this), log.data.reader);

@@ -9,6 +9,21 @@ import { BOARD } from "./board.js";
  */
 
 /**
+ * Return the limits of a plan where plans before it are read too.
+ * @param {import("../types.js").Practice} data
+ * @param {import("../types.js").Task} task
+ * @param {import("../types.js").Manner} manner
+ * @param {import("./judging.js").Beside[]} beside
+ * @returns {import("../types.js").Manner}
+ */
+export function withOthers(data, task, manner, beside) {
+  const plans = [...new Set(data.tasks.map((one) => one.plan))];
+  const before = plans.slice(0, plans.indexOf(task.plan));
+  const read = before.filter((plan) => beside.some((one) => one.plan === plan && one.rows.length > 0));
+  return { ...manner, own: manner.with[read.join(" ")] ?? manner.own };
+}
+
+/**
  * Return the limits of a mark's own errors in a position (its number among those of its plan); undefined where a
  * check knows none.
  * @param {import("../types.js").Manner} manner
@@ -55,7 +70,7 @@ export function shareOfSlip(seen, { shares, few, most, sure }) {
 
 /**
  * Return how far each point is off what it may be off, with the limits of that.
- * @param {import("./judging.js").Judging} judging
+ * @param {Pick<import("./judging.js").Judging, "log" | "rows" | "run" | "manner" | "place">} judging
  * @returns {Seen[]}
  */
 export function seenOf({ log, rows, run, manner, place }) {

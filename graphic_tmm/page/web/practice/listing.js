@@ -57,7 +57,8 @@ export class Listing {
    */
   group({ title, items }, picks) {
     const made = items.map(({ slot, letter, told }) => {
-      const inner = [...typeset(letter), ...(told === "" ? [] : [` = ${told}`])];
+      const worth = letter === "" || told === "" ? told : ` = ${told}`;
+      const inner = [...typeset(letter), worth];
       const button = element("button", { type: "button", "data-of": String(slot), "aria-pressed": String(picks.includes(slot)) });
       button.append(...inner);
       button.addEventListener("click", () => this.pick(slot));

@@ -33,6 +33,7 @@ export class Panel {
     this.leave = this.button(say("leave"), acts.leave, "leave");
     this.again = this.button("", acts.again, "leave");
     this.help = this.button("", acts.help, "ask");
+    this.readings = this.button(say("save readings"), acts.readings);
     this.tally = tallying(say, acts.redo);
     const step = element("div", { class: "step" }, this.prompt, this.listing.whole, this.whole, this.figure.form, this.spot.form, this.distances);
     const told = element("div", { class: "told" }, this.verdict, this.leave, this.again, this.hint, this.help);
@@ -40,7 +41,7 @@ export class Panel {
       "div",
       { class: "files" },
       this.button(say("save record"), acts.record),
-      this.button(say("save readings"), acts.readings, "readings"),
+      this.readings,
       this.button(say("begin anew"), acts.clear),
     );
     this.body = element("div", { class: "panel", tabindex: "0" }, step, told, this.tally.whole, files);

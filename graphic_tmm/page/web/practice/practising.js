@@ -78,8 +78,7 @@ export class Practising {
     this.beside.begin(this.easel, this.session.mechanism);
     this.aim = null;
     this.now = -1;
-    this.report([]);
-    this.hinted([]);
+    for (const tell of [this.report, this.hinted]) tell.call(this, []);
     this.show();
     this.went(n);
   }
@@ -195,6 +194,7 @@ export class Practising {
   help() {
     const help = this.task.help();
     if (help === null) return;
+    this.report([]);
     if (help.stage === "show") this.finish(help.slot);
     this.hinted(new Verdicts(this.easel, this.say).help(help));
     this.show();
@@ -202,8 +202,7 @@ export class Practising {
 
   /** A step is done: what was told of it is told no more, what is done is kept. */
   finish(slot = this.now) {
-    this.now = slot;
-    this.aim = null;
+    [this.now, this.aim] = [slot, null];
     this.hinted([]);
     this.session.keep();
   }

@@ -15,7 +15,7 @@ const CELLS = ["plan", "position", "segment", "mm", "value", "unit", "x", "y"];
  * @param {string} separator
  */
 export function csvOf(rows, head, separator) {
-  const lines = rows.map((row) => CELLS.map((cell) => quoted(row[cell] ?? "", separator)).join(separator));
+  const lines = rows.map((row) => CELLS.map((cell) => quotedCell(row[cell] ?? "", separator)).join(separator));
   return head + lines.map((line) => `${line}\n`).join("");
 }
 
@@ -24,7 +24,7 @@ export function csvOf(rows, head, separator) {
  * @param {string} cell
  * @param {string} separator
  */
-function quoted(cell, separator) {
+function quotedCell(cell, separator) {
   const plain = !cell.includes(separator) && !/["\r\n#]/.test(cell);
   return plain ? cell : `"${cell.replaceAll('"', '""')}"`;
 }

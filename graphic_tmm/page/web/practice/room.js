@@ -21,11 +21,17 @@ export function practiceRoom(data, state) {
   const room = element("section", { id: "practice" });
   /** @type {Practising | null} */
   let work = null;
+  /** Where the address was when it was looked at last. */
+  let seen = "";
   state.hear((place) => {
     if (place.tab !== "practice" || data.practice === undefined || data.practice.tasks.length === 0) return;
     work ??= fillPractice(room, data, data.practice, state);
-    const near = taskNear(data.practice, state.view, place.picture);
-    if (near >= 0 && work.n < 0) work.go(near);
+    const now = `${place.view} ${place.picture}`;
+    if (now === seen) return;
+    const begun = seen === "";
+    seen = now;
+    const near = Math.max(taskNear(data.practice, state.view, place.picture, begun), 0);
+    if (near !== work.n) work.go(near);
   });
   const act = (/** @type {(own: Practising) => void} */ what) => () => {
     if (work !== null) what(work);
@@ -50,12 +56,27 @@ function fillPractice(room, data, practice, state) {
   const say = (/** @type {string} */ key) => data.words[key] ?? key;
   const work = new Practising(data, say, (n) => {
     chooser.show(n);
-    const task = practice.tasks[n];
-    const view = task?.view ?? -1;
-    if (view >= 0 && view !== state.place.view) state.go({ view });
+    const found = placeOfTask(data, practice, n);
+    if (found !== null && (found.view !== state.place.view || (found.picture ?? state.place.picture) !== state.place.picture)) state.go(found);
   });
   const chooser = taskChooser(practice, say, (n) => work.go(n));
   room.append(chooser.whole, work.paper.whole, work.panel.palette.whole, work.panel.body);
   lightAlike(room, () => state.view);
   return work;
+}
+
+/**
+ * Return where the address says that a task is: the view that shows it, its number there if that shows all positions.
+ * @param {Data} data
+ * @param {Practice} practice
+ * @param {number} n
+ * @returns {{view: number, picture?: number} | null}
+ */
+function placeOfTask(data, practice, n) {
+  const task = practice.tasks[n];
+  const shown = data.views[task?.view ?? -1];
+  if (task === undefined || shown === undefined) return null;
+  if (shown.position !== "") return { view: task.view };
+  const key = Object.keys(shown.names).find((one) => shown.names[one] === practice.names[task.at]);
+  return { view: task.view, picture: Number(key ?? 0) };
 }

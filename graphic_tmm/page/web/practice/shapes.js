@@ -75,7 +75,8 @@ function lineShape(slot, line, on, frame) {
  */
 function spotsOn(slot, moves, values) {
   const found = moves.filter((move) => move.uses.includes(slot)).map((move) => values.spot(move.it));
-  return found.filter((spot) => spot !== null);
+  const own = moves.find((move) => move.it === slot && move.op in SEGMENTS);
+  return [...found, ...(own === undefined ? [] : endsOf(own, values))].filter((spot) => spot !== null);
 }
 
 /**

@@ -53,6 +53,7 @@ function showAfter({ task, panel, easel, say, now }) {
   setSeen(panel.again, asked === null && poor);
   if (poor) panel.again.replaceChildren(...new Verdicts(easel, say).named("try again", now));
   panel.help.replaceChildren(say(`help ${task.stage}`));
+  setSeen(panel.readings, !easel.task.pose); // no check knows a pose
   setSeen(panel.help, asked !== null || task.next !== null);
 }
 

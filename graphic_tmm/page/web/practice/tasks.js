@@ -46,10 +46,12 @@ export function taskChooser(practice, say, go) {
  * @param {Practice} practice
  * @param {{plan: string, position: string, names: Record<string, string>}} view
  * @param {number} place number of the position, where the view has all of them
+ * @param {boolean} posed whether a pose of its own is taken before the positions of the sheet
  */
-export function taskNear(practice, view, place) {
+export function taskNear(practice, view, place, posed) {
   const own = practice.tasks.flatMap((task, n) => (practice.plans[task.plan] === view.plan ? [n] : []));
   const name = view.position || (view.names[String(place)] ?? "");
-  const there = own.find((n) => practice.names[practice.tasks[n]?.at ?? -1] === name);
+  const pose = posed ? own.find((n) => practice.tasks[n]?.pose) : undefined;
+  const there = pose ?? own.find((n) => practice.names[practice.tasks[n]?.at ?? -1] === name);
   return there ?? own[0] ?? -1;
 }
