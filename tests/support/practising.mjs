@@ -25,6 +25,7 @@ function worked(page, n, which) {
   const faults = [];
   for (let step = open(session, which); step !== undefined; step = open(session, which)) {
     const { kind, slot } = laid(session, step);
+    if (step.formula === undefined && instrumentOf(step.op).name === "formula") faults.push([step.it, "without an instrument"]);
     if (kind === "asked") answer(session, slot);
     if (kind !== "asked" && kind !== "drawn") faults.push([step.it, kind, slot]);
     if (faults.length > 3) break;

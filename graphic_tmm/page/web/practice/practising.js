@@ -199,9 +199,10 @@ export class Practising {
   help() {
     const help = this.task.help();
     if (help === null) return;
-    this.report([]);
-    if (help.stage === "show") this.finish(help.slot);
-    this.hinted(new Verdicts(this.easel, this.say).help(help));
+    const [shown, lines] = [help.stage === "show", new Verdicts(this.easel, this.say).help(help)];
+    if (shown) this.finish(help.slot);
+    else this.hinted(lines);
+    this.report(shown ? lines : []);
     this.show();
   }
 
