@@ -116,6 +116,7 @@ export class Verdicts {
    */
   outcome(outcome) {
     if (outcome.kind === "drawn") return [element("p", { class: "verdict" }, ...this.named("drawn", outcome.slot))];
+    if (outcome.kind === "wrong side") return [element("p", { class: "verdict" }, this.say("wrong"))];
     if (outcome.kind === "undrawable") return [element("p", {}, ...this.named("undrawable", outcome.slot))];
     if (outcome.kind !== "none" || !("why" in outcome.answer)) return [];
     const { why, near } = outcome.answer;
