@@ -1,4 +1,4 @@
-"""A thousand edits and posts, wrong in every way: the server answers on, files are whole, none else is touched."""
+"""A thousand edits and posts, wrong in every way: the server answers on, its files stay whole."""
 
 from __future__ import annotations
 
