@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from PIL import Image
 from support import gallery, pages, photographs
-from support.browser import Opened
+from support.browser import Opened, tool
 from support.photographs import PAPER, Camera
 
 from graphic_tmm.checking.cells import points
@@ -23,6 +23,9 @@ from graphic_tmm.paper.frame.frame import drawing_area
 NAME, PLAN, POSITION = "crank-rocker", "positions", "0"
 SIZE = 210.0, 297.0
 CAMERA = Camera((6, -5, 3), 560, 2950, 1500, 2000, lens=0.002, middle=(105.0, 148.5))
+AXE = """() => axe.run({ exclude: [["svg > *"]] }, { resultTypes: ["violations"] }).then((found) =>
+  found.violations.filter((one) => ["serious", "critical"].includes(one.impact))
+    .map((one) => `${one.id}: ${one.nodes.map((node) => node.html.slice(0, 120)).join(" ")}`))"""
 SAME = 0.2
 """What a point may be off, mm: a dot of the loupe is 0.03 mm here, a click goes to a whole one."""
 
@@ -68,7 +71,7 @@ class Hands:
     def __init__(self, page: Any) -> None:
         self.page = page
         self.desk = page.locator("#own .desk")
-        self.told = page.locator("#own .pointed")
+        self.told = page.locator("#own .own-told")
 
     def put(self, content: bytes, name: str = "photo.jpg") -> None:
         file = {"name": name, "mimeType": "", "buffer": content}
@@ -94,7 +97,7 @@ class Hands:
         """Click a point of the sheet, mm, y upward; move the cross onto it by clicks in the loupe; take it."""
         due = complex(CAMERA.seen(np.array([spot]))[0])
         self.click(complex(spot.real, SIZE[1] - spot.imag))
-        loupe = self.page.locator("#own .loupe canvas")
+        loupe = self.page.locator("#own .own-loupe canvas")
         loupe.wait_for()
         for _ in range(2):
             across, down = self.aside(due)
@@ -102,12 +105,12 @@ class Hands:
             self.page.mouse.click(
                 box["x"] + box["width"] / 2 + across, box["y"] + box["height"] / 2 + down
             )
-        self.page.locator("#own .take").click()
+        self.page.locator("#own .own-take").click()
         loupe.wait_for(state="hidden")
 
     def aside(self, due: complex) -> tuple[float, float]:
         """How far a place of the photograph is from the middle of the loupe, dots of it."""
-        told = self.page.locator("#own .loupe").get_attribute("data-at") or ""
+        told = self.page.locator("#own .own-loupe").get_attribute("data-at") or ""
         x, y, ax, ay, bx, by = map(float, told.split())
         off = due - complex(x, y)
         whole = ax * by - ay * bx
@@ -165,11 +168,11 @@ def test_keys_alone_read_a_point(hands: Callable[..., Hands]) -> None:
     found.corners()
     page = found.page
     page.keyboard.press("ArrowRight")
-    before = page.locator("#own .loupe").get_attribute("data-at")
+    before = page.locator("#own .own-loupe").get_attribute("data-at")
     for _ in range(4):
         page.keyboard.press("ArrowRight")
         page.wait_for_timeout(200)
-    after = page.locator("#own .loupe").get_attribute("data-at")
+    after = page.locator("#own .own-loupe").get_attribute("data-at")
     moved = [float(a) - float(b) for a, b in zip(after.split(), before.split(), strict=True)]
     assert 0.8 < np.hypot(*moved[:2]) < 1.2  # four dots of the loupe are one of the photograph
     page.keyboard.press("Enter")
@@ -232,3 +235,13 @@ def test_a_phone_has_room_for_it(hands: Callable[..., Hands], size: dict[str, in
         assert box["x"] >= 0
         assert box["x"] + box["width"] <= size["width"]
         assert box["height"] >= 24
+    told, panel = found.told.bounding_box(), found.page.locator("#own .panel").bounding_box()
+    assert told["height"] >= found.told.evaluate("(one) => one.scrollHeight")
+    assert panel["y"] >= told["y"] + told["height"] or panel["x"] >= told["x"] + told["width"]
+    assert serious(found.page) == []
+
+
+def serious(page: Any) -> list[str]:
+    """What axe finds on a page that is serious."""
+    page.evaluate(tool("axe-core/axe.min.js").read_text(encoding="utf-8"))
+    return list(page.evaluate(AXE))

@@ -39,7 +39,7 @@ export function cornerChoice(data, pack, told, changed) {
   const height = sideInput(USUAL_SIDES.height);
   const sides = element(
     "span",
-    { class: "sides" },
+    { class: "own-sides" },
     element("label", {}, told("own width", {}), " ", width),
     element("label", {}, told("own height", {}), " ", height),
   );

@@ -1,3 +1,4 @@
+import "../practice/enter.js";
 import { KEYS } from "../help.js";
 import { ROOMS } from "../rooms.js";
 import { ownRoom } from "./own.js";

@@ -41,7 +41,7 @@ export class Loupe {
     this.canvas = canvasOf(SIDE, SIDE);
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", name);
-    this.root = element("div", { class: "loupe" }, this.canvas);
+    this.root = element("div", { class: "own-loupe" }, this.canvas);
     this.root.hidden = true;
     this.moved = moved;
     /** @type {Picture | null} */

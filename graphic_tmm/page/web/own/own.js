@@ -64,7 +64,7 @@ class OwnRoom {
     this.aim.onTake = () => this.take();
     this.panel = new PointsPanel(data, practice, pack, () => this.follow());
     this.choice = cornerChoice(data, pack, (key, values) => this.say(key, values), () => this.again());
-    this.message = element("p", { class: "pointed" }, this.say("own drop"));
+    this.message = element("p", { class: "own-told" }, this.say("own drop"));
     this.strength = /** @type {HTMLInputElement} */ (
       element("input", { type: "range", min: "0", max: "100", value: String(STRONG) })
     );
@@ -96,7 +96,7 @@ class OwnRoom {
     this.anew = element("button", { type: "button" }, this.say("own again"));
     this.anew.addEventListener("click", () => this.again());
     this.anew.hidden = true;
-    const take = element("button", { type: "button", class: "take" }, this.say("own take"));
+    const take = element("button", { type: "button", class: "own-take" }, this.say("own take"));
     take.addEventListener("click", () => this.aim.take());
     this.aim.loupe.root.append(take);
     this.over = element("label", {}, this.say("own exact"), " ", this.strength);

@@ -95,13 +95,9 @@ export class PlanReadings {
     const all = [...drawing];
     const judging = this.judging(all);
     // how finely points were read all of the drawing tells
-    const seen = all.flatMap((one) => {
-      const { log, run, manner, place } = one.judging(all);
-      return seenOf({ log, run, manner, place, rows: one.bench.taken() });
-    });
+    const seen = all.flatMap((one) => seenOf(one.judging(all)));
     judging.share = shareOfSlip(seen, this.practice.reader);
-    const found = judging.all();
-    return new Map([...found].filter(([slot]) => this.rows.has(slot)));
+    return judging.all();
   }
 
   /**
@@ -111,7 +107,8 @@ export class PlanReadings {
   judging(all) {
     const { log, manner } = this.bench;
     const beside = all.filter((one) => one !== this && one.task.at === this.task.at);
-    return new Judging(log, this.task, manner, [this, ...beside].flatMap((one) => one.bench.taken()));
+    const others = beside.map((one) => ({ plan: one.task.plan, rows: one.bench.taken() }));
+    return new Judging(log, this.task, manner, this.bench.taken(), others);
   }
 
   /**

@@ -66,7 +66,7 @@ export class Verdicts {
    * @param {Tried} tried
    */
   told(tried) {
-    const lines = [element("p", { class: "verdict" }, this.say(tried.missed ? "missed" : tried.verdict))];
+    const lines = [element("p", { class: "verdict" }, this.say(tried.missed && tried.verdict !== "wrong" ? "missed" : tried.verdict))];
     const error = Math.abs(tried.error);
     const [size, unit] = this.sized(tried.slot, error);
     if (size !== "" && (isPoor(tried) || isSeen(error, tried.found))) {
