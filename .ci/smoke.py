@@ -1,9 +1,11 @@
 """Draw, tell and check with the program that is installed, each extra once; every file must be what it says."""
 
 import json
+import signal
 import subprocess
 import sys
 from pathlib import Path
+from urllib.request import urlopen
 
 BEGINS = {".svg": b"<svg", ".pdf": b"%PDF", ".png": b"\x89PNG", ".dxf": b"  0"}
 ENDS = "118,3478 4937,3478 4937,30 118,30"
@@ -45,6 +47,27 @@ def main(program: str, home: Path) -> None:
     photo = ("--photo", home / "engine.png", "--corners", ENDS, "--overlay", home / "under.svg")
     assert "under-flat.png" in run(program, "check", "engine", *photo)
     run(program, "accuracy", "cam", "--trials", 10, "--no-time", "-o", home)
+    serve(program, home / "mine")
+
+
+def serve(program: str, scene: Path) -> None:
+    """Serve a scene until it is drawn and its page made; then end it as Ctrl-C does."""
+    print("+ serve", scene, flush=True)
+    with subprocess.Popen(
+        [program, "serve", str(scene)], stdout=subprocess.PIPE, text=True
+    ) as server:
+        try:
+            with urlopen(server.stdout.readline().strip(), timeout=60) as shown:
+                assert b"<title>" in shown.read()
+                address = shown.url
+            with urlopen(address + "events", timeout=60) as events:
+                states = (json.loads(line[6:]) for line in events if line.startswith(b"data: "))
+                drawn = next(state for state in states if state["page"] or state["errors"])
+            assert drawn["ok"], drawn
+            assert drawn["sheets"], drawn
+        finally:
+            server.send_signal(signal.SIGINT)
+    assert server.returncode == 130, server.returncode
 
 
 main(sys.argv[1], Path(sys.argv[2]))

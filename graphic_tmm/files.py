@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
 import stat
 import sys
 import unicodedata
@@ -153,6 +154,8 @@ def write(
             passing = folder / f".graphic-tmm-{HOST}-{os.getpid()}-{len(waiting)}.part"
             waiting.append((passing, place))
             passing.write_bytes(text.encode("utf-8") if isinstance(text, str) else text)
+            with suppress(OSError):  # nothing stands there yet
+                shutil.copymode(place, passing)
         _sweep(folder)
         _place(waiting)
     except OSError as error:

@@ -35,7 +35,8 @@ class Scene:
     """A scene on the desk: its file, what is kept of it, what it was drawn from.
 
     ``data``: its text; ``beside``: the composition that stands beside it. ``composition``: how its sheets were
-    composed last; ``done``: what the text said, and what stood beside it, of which sheets and page are.
+    composed last; ``done``: what the text said, and what stood beside it, of which sheets and page are;
+    ``urgency``: `IDLE` while nobody looks at more than its sheets among those of others.
     """
 
     file: Path
@@ -44,6 +45,7 @@ class Scene:
     beside: bytes | None = None
     composition: bytes | None = None
     done: tuple[str, bytes | None] = ("", None)
+    urgency: int = IDLE
     writing: asyncio.Lock = field(default_factory=asyncio.Lock)
     drawing: asyncio.Task[None] | None = None
 
@@ -54,8 +56,9 @@ class Desk:
     def __init__(self, folder: Folder, language: str = "") -> None:
         self.folder, self.language = folder, language
         self.scenes: dict[str, Scene] = {}
-        self.front = Worker()
-        self.behind, self.aside = Worker(patient=True), Worker(patient=True)
+        self.front, self.behind, self.aside = (
+            Worker(jobs.warmed, patient=patient) for patient in (False, True, True)
+        )
         self._warming: list[asyncio.Task[None]] = []
 
     def open(self) -> None:
@@ -72,15 +75,23 @@ class Desk:
 
     # ------------------------------------------------------------ looking
 
-    def wanted(self, name: str) -> Scene | None:
-        """Return a scene that somebody looks at, by its name; None if there is none."""
+    def wanted(self, name: str, urgency: int = USUAL) -> Scene | None:
+        """Return a scene that somebody looks at, by its name; None if there is none.
+
+        ``urgency``: `IDLE` if its sheets alone are looked at, among those of others.
+        """
         if name not in self.scenes:
             file = self.folder.scenes().get(name)
             if file is None:
                 return None
-            self.scenes[name] = Scene(file, Kept(name))
+            self.scenes[name] = Scene(file, Kept(name), urgency=urgency)
             self.look(name)
-        return self.scenes[name]
+        scene = self.scenes[name]
+        if urgency < scene.urgency:
+            scene.urgency = urgency
+            if scene.data is not None:
+                self._begin(scene, scene.data)
+        return scene
 
     def look_all(self) -> None:
         """Read all scenes again that somebody looks at."""
@@ -100,9 +111,14 @@ class Desk:
             return
         if (data, beside) == (scene.data, scene.beside):
             return
+        scene.beside = beside
+        self._begin(scene, data)
+
+    def _begin(self, scene: Scene, data: bytes) -> None:
+        """Begin to draw a scene; what is being drawn of it is of no use any more."""
         self._stop(scene)
-        scene.data, scene.beside = data, beside
-        task = Task(data, str(scene.file), beside, self.language)
+        scene.data = data
+        task = Task(data, str(scene.file), scene.beside, self.language)
         scene.drawing = asyncio.create_task(self._drawn(scene, task))
 
     @staticmethod
@@ -130,26 +146,29 @@ class Desk:
             _refuse(scene.kept, version, with_lines(refused.faults, task.data))
             return
         scene.kept.tell(busy=False)
-        if first:  # so that the next edit finds it warm
+        if first and scene.urgency != IDLE:  # so that the next edit finds it warm
             await self._drafted(scene, task, IDLE)
 
     async def _stages(self, scene: Scene, task: Task) -> Refused | None:
         """Draw in front in the sizes of before, behind anew, then the page; return what it is refused for."""
-        meaning = await self.front.ask(jobs.meant, task, limit=JUDGING, urgency=URGENT)
+        soon = IDLE if scene.urgency == IDLE else URGENT
+        meaning = await self.front.ask(jobs.meant, task, limit=JUDGING, urgency=soon)
         if isinstance(meaning, Refused):
             return meaning
         if scene.done == (meaning, task.given):
             scene.kept.tell(ok=True, errors=())
             return None
-        draft = asyncio.create_task(self._drafted(scene, task, URGENT, show=True))
+        draft = asyncio.create_task(self._drafted(scene, task, soon, show=True))
         try:
-            found = await self.behind.ask(jobs.drawn, task, limit=DRAWING)
+            found = await self.behind.ask(jobs.drawn, task, limit=DRAWING, urgency=scene.urgency)
         finally:
             draft.cancel()
         if isinstance(found, Refused):
             return found
         _show(scene, found.sheets, warnings=found.warnings)
         scene.composition = found.composition
+        if scene.urgency == IDLE:
+            return None
         page = await self.behind.ask(jobs.paged, task, limit=DRAWING)
         if isinstance(page, Refused):
             return page

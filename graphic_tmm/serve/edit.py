@@ -7,14 +7,12 @@ A fault that was not there before refuses the whole change, in the scene's own w
 from __future__ import annotations
 
 import codecs
-import hashlib
 import re
 from collections.abc import Callable, Mapping
 from pathlib import Path as File
 from typing import NoReturn
 
 from graphic_tmm.errors import Fault, SceneError
-from graphic_tmm.files import read, write
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.document import parsed
 from graphic_tmm.scene.read import SCENE, judged
@@ -31,59 +29,35 @@ _LONE = re.compile(r"[\ud800-\udfff]")
 Missing = Callable[[str], str]
 
 
-class Outdated(Exception):
-    """The file is no longer the one that the form was made of."""
-
-
-def version_of(data: bytes) -> str:
-    """Return what a file's bytes are told apart by."""
-    return hashlib.sha256(data).hexdigest()[:16]
-
-
-def set_in(
-    file: File, version: str, changes: Mapping[str, str], missing: Missing = lambda text: ""
-) -> str:
-    """Set values in a scene's file, all of them or none; return its new version.
+def edited(
+    data: bytes, changes: Mapping[str, str], file: File, missing: Missing = lambda text: ""
+) -> bytes:
+    """Return what a scene's file holds with values set in it, all of them or none.
 
     Parameters
     ----------
-    file : Path
-        The scene.
-    version : str
-        That of the bytes which the form was made of.
+    data : bytes
+        What it holds.
     changes : mapping of str to str
         What was typed, by the field's key; "" takes a key out.
+    file : Path
+        Where it stands, for messages.
     missing : callable
         As for `scene.read.read`.
 
     Raises
     ------
-    Outdated
-        If the file has other bytes by now.
     SceneError
-        If the file cannot be read, or a change is refused; it is as it was then.
-    SheetError
-        If it cannot be written.
+        If the file is no TOML, or a change is refused.
     """
-    data = read(file, SCENE)
-    if version_of(data) != version:
-        raise Outdated
-    new = edited(data, changes, file, missing)
-    if new != data:
-        write(file.parent, {file.name: new})
-    return version_of(new)
-
-
-def edited(
-    data: bytes, changes: Mapping[str, str], file: File, missing: Missing = lambda text: ""
-) -> bytes:
-    """Return a scene's file with values set; parameters and errors as `set_in`."""
     mark = codecs.BOM_UTF8 if data.startswith(codecs.BOM_UTF8) else b""
     text, _ = parsed(data, file)
     if len(changes) > MOST:
         _refuse(file, "", said("too many values at once; {most} at most", most=MOST))
+    fields = _fields(text, file)
     for key, typed in changes.items():
-        text = _with(text, key, typed, file)
+        before, text = text, _with(text, fields.get(key), key, typed, file)
+        fields = fields if text == before else _fields(text, file)
     new = mark + text.encode("utf-8")
     if len(new) > SCENE.largest:
         _refuse(file, "", said("the file would become too large for a scene"))
@@ -92,12 +66,15 @@ def edited(
     return new
 
 
-def _with(text: str, key: str, typed: str, file: File) -> str:
-    """Return the text with one value set as it was typed."""
+def _fields(text: str, file: File) -> dict[str, Field]:
+    data = text.encode("utf-8")
+    return {one.key: one for group in form(data, file) for one in group.fields}
+
+
+def _with(text: str, field: Field | None, key: str, typed: str, file: File) -> str:
+    """Return the text with one value set as it was typed; ``field``: that of its key, if it has one."""
     if _LONE.search(typed) or _LONE.search(key):
         _refuse(file, "", said("this text holds half of a character; type it again"))
-    fields = {one.key: one for group in form(text.encode(), file) for one in group.fields}
-    field = fields.get(key)
     if field is not None and field.text == typed and (field.written or not typed):
         return text
     _, doc = parsed(text.encode(), file)

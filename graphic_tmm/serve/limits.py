@@ -6,6 +6,8 @@ BODY = 256_000
 """So many bytes a body that is sent may have, as a scene's file."""
 BODY_TIME = 5.0
 """A body has come by then, s."""
+BEGINNING = 120.0
+"""A process that draws has loaded what it needs by then, s."""
 DRAWING = 60.0
 """A drawing, or the page of one, may take so long, s."""
 JUDGING = 10.0
@@ -26,5 +28,5 @@ LINE = 200
 """So many characters of a line are shown beside what is wrong in it."""
 CONNECTIONS = 200
 """So many connections are answered at once."""
-WAITING = 100
+WAITING = 1000
 """So many tasks may wait for a worker."""

@@ -28,7 +28,7 @@ from starlette.routing import Route
 from starlette.types import ASGIApp
 
 from graphic_tmm.serve.answers import Answers
-from graphic_tmm.serve.desk import Desk, Scene
+from graphic_tmm.serve.desk import IDLE, Desk, Scene
 from graphic_tmm.serve.downloads import forms
 from graphic_tmm.serve.guard import Guard
 from graphic_tmm.serve.jobs import Refused, Task
@@ -131,7 +131,7 @@ class Asked:
 
     async def all_events(self, request: Request) -> Response:
         """How all scenes stand; what was not drawn yet is drawn for it, one after the other."""
-        there = [self.desk.wanted(name) for name in self.desk.folder.scenes()]
+        there = [self.desk.wanted(name, IDLE) for name in self.desk.folder.scenes()]
         return Stream(followed_all([one.kept for one in there if one is not None]))
 
     async def sheet(self, request: Request) -> Response:
@@ -178,7 +178,7 @@ class Asked:
         return Response(found.data, media_type="application/octet-stream", headers=headers)
 
     def _kept(self, request: Request, kind: str, headers: dict[str, str]) -> Response:
-        scene = self._scene(request)
+        scene = self.desk.wanted(request.path_params["name"], IDLE)
         data = scene.kept.contents.get(request.path_params["hash"]) if scene else None
         if data is None:
             return _nothing()

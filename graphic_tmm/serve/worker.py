@@ -21,7 +21,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from graphic_tmm.errors import TRACEBACK, own_fault
 from graphic_tmm.language.said import said
-from graphic_tmm.serve.limits import MEMORY, WAITING
+from graphic_tmm.serve.limits import BEGINNING, MEMORY, WAITING
 
 T = TypeVar("T")
 NICE = 5
@@ -54,11 +54,12 @@ class _Asked(NamedTuple):
 class Worker:
     """A process that draws, as those see it who give it tasks.
 
-    ``patient``: it leaves the processor to what is more urgent.
+    ``first``: what it does when it is begun, which counts for no task. ``patient``: it leaves the processor to
+    what is more urgent.
     """
 
-    def __init__(self, *, patient: bool = False) -> None:
-        self._patient = patient
+    def __init__(self, first: Callable[[], object] = int, *, patient: bool = False) -> None:
+        self._first, self._patient = first, patient
         self._waiting: asyncio.PriorityQueue[_Asked] = asyncio.PriorityQueue(WAITING)
         self._numbers = itertools.count()
         self._thread = ThreadPoolExecutor(1, initializer=_deaf)
@@ -144,6 +145,10 @@ class Worker:
             far.close()
             if self._closed:
                 raise EOFError
+            self._line.send((self._first, ()))
+            if not self._line.poll(BEGINNING):
+                raise EOFError
+            self._line.recv()
         return self._line
 
     def _end(self) -> None:

@@ -5,6 +5,7 @@ const [, , asked, answered] = process.argv;
 const { Session } = await import("./practice/session.js");
 const { instrumentOf } = await import("./practice/palette.js");
 const { done } = await import("./practice/log.js");
+const { hasSides, tellSide } = await import("./practice/sides.js");
 const { csvOf } = await import("./practice/record.js");
 const answers = [];
 for (const { written, data, words, drawn } of JSON.parse(readFileSync(asked, "utf8"))) {
@@ -24,7 +25,8 @@ function worked(page, n, which) {
   const faults = [];
   for (let step = open(session, which); step !== undefined; step = open(session, which)) {
     const { kind, slot } = laid(session, step);
-    if (kind === "asked") told(session, slot, session.bench.due(slot));
+    if (step.formula === undefined && instrumentOf(step.op).name === "formula") faults.push([step.it, "without an instrument"]);
+    if (kind === "asked") answer(session, slot);
     if (kind !== "asked" && kind !== "drawn") faults.push([step.it, kind, slot]);
     if (faults.length > 3) break;
     order.push(slot);
@@ -45,6 +47,14 @@ function laid({ task }, move) {
   let outcome = { kind: "more" };
   for (const slot of [...task.picking.asked(move)].reverse()) outcome = task.pick(slot);
   return outcome.kind === "more" ? task.submit() : outcome;
+}
+
+/** Answer a step that is asked: the side on which a line is drawn, or what it came to. */
+function answer(session, slot) {
+  const { task, bench } = session;
+  const move = task.own.get(slot);
+  if (!hasSides(task, move)) return told(session, slot, bench.due(slot));
+  return tellSide(task, bench.value(move.uses.find((one) => task.kindOf(one) === "side")));
 }
 
 /** Tell what came of a step, as the page does: places to a hundredth, figures to five digits. */
@@ -70,7 +80,7 @@ function wronged(page, n) {
     if (kind === "none" || kind === "more" || kind === "undrawable") break;
     if (kind === "asked") {
       found.push(...otherAnswers(session, slot));
-      told(session, slot, session.bench.due(slot));
+      answer(session, slot);
     }
   }
   return found;
@@ -102,9 +112,13 @@ function otherInstruments({ task, bench }, move) {
 
 /** Tell wrong answers of a step: ten times a figure, a point 5 mm off, the other meeting; none of them stands after. */
 function otherAnswers(session, slot) {
-  const { bench, easel } = session;
+  const { bench, easel, task } = session;
   const due = bench.due(slot);
   const step = bench.log.steps.get(slot);
+  if (hasSides(task, step)) {
+    const side = bench.value(step.uses.find((one) => easel.kindOf(one) === "side"));
+    return [["other side", slot, tellSide(task, -side) ? "" : "wrong", side]];
+  }
   if (typeof due === "number") return Math.abs(due) < 1 ? [] : [["times ten", slot, refusal(session, slot, 10 * due), due]];
   const line = step.uses.map((one) => easel.values.line(one)).find((one) => one !== null);
   const [dx, dy] = line === undefined ? [5, 0] : [-5 * line.along[1], 5 * line.along[0]];
@@ -139,6 +153,10 @@ function clumsy(page, n, seed) {
     const { kind, slot } = laid(session, step);
     if (kind !== "asked" && kind !== "drawn") break;
     if (kind === "drawn") continue;
+    if (hasSides(task, step)) {
+      answer(session, slot);
+      continue;
+    }
     const due = bench.due(slot);
     const slip = [0, 0.2, 1, 8][Math.floor(4 * chance())];
     if (typeof due !== "number") told(session, slot, { re: due.re + slip * (chance() - 0.5), im: due.im + slip * (chance() - 0.5) });

@@ -17,7 +17,7 @@ from graphic_tmm.serve.routes import application
 from support.gallery import SHEETS
 
 TOKEN = "a-token-that-nobody-guesses"
-PATIENCE = 30.0
+PATIENCE = 120.0
 HOST = "127.0.0.1:8000"
 SMALL = """title = "Small"
 language = "en"

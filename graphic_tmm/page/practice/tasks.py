@@ -77,12 +77,12 @@ def sheet_row(made: DrawnScene) -> Row | None:
 def with_others(row: Row, other: Row) -> Row:
     """Return a row with the positions of another one behind its own."""
     count, more = len(row.names), len(other.names)
+    used = {mark for step in row.steps for mark in step.uses}
     given = {}
-    for mark, value in row.given.items():
-        first, second = (
-            as_value(value, mark.kind),
-            as_value(other.given.get(mark, value), mark.kind),
-        )
+    for mark in used & row.given.keys():
+        value = row.given[mark]
+        first = as_value(value, mark.kind)
+        second = as_value(other.given.get(mark, value), mark.kind)
         if isinstance(first, np.ndarray) and isinstance(second, np.ndarray):
             wide = [np.broadcast_to(first, (1, count)), np.broadcast_to(second, (1, more))]
             joined = np.concatenate(wide, axis=1)

@@ -43,6 +43,7 @@ WORDS: dict[str, str] = {
     "lines": said("Lines and arcs"),
     "on mechanism": said("On the mechanism"),
     "prick": said("Mark {letter}: click, drag, arrows; or its coordinates."),
+    "which way": said("{letter}: which way?"),
     "read off": said("Read {letter} off the ruler."),
     "work out": said("Calculate {letter}."),
     "coordinates": said("mm from {letter}"),

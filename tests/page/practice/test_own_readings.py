@@ -42,10 +42,6 @@ tell({ told, csv: csvOf(rows, asked.words["csv head"], asked.words["csv separato
 """
 
 
-NEAR = 0.95
-"""Where several plans of one position are read, the page has the limits of each read alone: so many agree."""
-
-
 def drawn(scene: Packed, chance: random.Random, *, apart: bool) -> list[dict[str, Any]]:
     """Drawings of tasks by somebody: small slips, some large ones, the origin anywhere on the sheet.
 
@@ -127,5 +123,4 @@ def test_plans_of_one_position_are_judged_together(tmp_path: Path) -> None:
     for seed in range(3):
         drawings = drawn(scene, random.Random(seed), apart=False)
         found += verdicts(scene, drawings, tmp_path / "readings.csv")
-    assert {"fine", "wrong"} not in [set(one) for one in found]
-    assert sum(told == due for told, due in found) > NEAR * len(found)
+    assert [one for one in found if one[0] != one[1]] == []

@@ -14,6 +14,7 @@ from graphic_tmm.page.dense import dense
 from graphic_tmm.page.practice.pack import Packing, practice
 from graphic_tmm.page.practice.poses import APART, SHORT, posed
 from graphic_tmm.page.practice.tasks import Row, sheet_row, with_others
+from graphic_tmm.scenes import packaged
 
 NAMES = ("windrower", "scotch-yoke", "crank-rocker", "toggle-press")
 
@@ -97,6 +98,21 @@ def test_a_pose_is_the_same_mechanism_at_that_angle() -> None:
                 a = one[0, at if one.shape[1] > 1 else 0]
                 b = other[0, k if other.shape[1] > 1 else 0]
                 assert abs(a - b) < 1e-9 * max(1.0, abs(b)), step
+
+
+@pytest.mark.slow
+@each("name", [path.name for path in packaged()])
+def test_every_scene_can_be_posed(name: str) -> None:
+    there = sheet_row(gallery.exact(name))
+    others = None if there is None else posed(there, 5)
+    if there is None or others is None:
+        return
+    whole = with_others(there, others)
+    for plan, places in others.places.items():
+        for step in whole.steps:
+            if step.it.view == plan:
+                for at in places:
+                    assert whole.there(step.it, len(there.names) + at), (plan, step)
 
 
 @pytest.mark.parametrize("name", ["planetary", "lettering"])

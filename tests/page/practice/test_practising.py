@@ -60,6 +60,7 @@ def test_what_is_wrong_is_refused(worked: Any) -> None:
                 else:
                     assert how, here
     assert min(told[kind] for kind in ("times ten", "5 mm off", "other meeting")) > 150
+    assert told["other side"] > 30
     assert told["instrument"] > 10_000
 
 

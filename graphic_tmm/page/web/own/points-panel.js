@@ -61,10 +61,10 @@ export class PointsPanel {
     return made;
   }
 
-  /** The tasks of a plan are its positions. */
+  /** The tasks of a plan are its positions; no sheet has a pose. */
   chosePlan() {
     const plan = Number(this.plan.value);
-    const tasks = [...this.practice.tasks.entries()].filter(([, one]) => one.plan === plan);
+    const tasks = [...this.practice.tasks.entries()].filter(([, one]) => one.plan === plan && !one.pose);
     const name = this.practice.names[this.practice.tasks[this.task]?.at ?? -1];
     this.place.replaceChildren(
       ...tasks.map(([k, one]) => element("option", { value: String(k) }, this.practice.names[one.at] ?? "")),

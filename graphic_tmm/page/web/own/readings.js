@@ -100,13 +100,9 @@ export class PlanReadings {
     const all = [...drawing];
     const judging = this.judging(all);
     // how finely points were read all of the drawing tells
-    const seen = all.flatMap((one) => {
-      const { log, run, manner, place } = one.judging(all);
-      return seenOf({ log, run, manner, place, rows: one.bench.taken() });
-    });
+    const seen = all.flatMap((one) => seenOf(one.judging(all)));
     judging.share = shareOfSlip(seen, this.practice.reader);
-    const found = judging.all();
-    return new Map([...found].filter(([slot]) => this.rows.has(slot)));
+    return judging.all();
   }
 
   /**
@@ -115,12 +111,11 @@ export class PlanReadings {
    */
   judging(all) {
     const { log, manner } = this.bench;
-    const beside = all.filter((one) => one !== this && one.task.at === this.task.at);
-    const here = [this, ...beside];
-    const key = here.map((one) => `${one.task.plan}:${one.version}`).join(" ");
+    const beside = all.filter((one) => one !== this && one.task.at === this.task.at && one.bench.taken().length > 0);
+    const key = [this, ...beside].map((one) => `${one.task.plan}:${one.version}`).join(" ");
     if (this.kept?.key === key) return this.kept.judging;
-    const rows = here.flatMap((one) => one.bench.taken());
-    this.kept = { key, judging: new Judging(log, this.task, manner, rows) };
+    const others = beside.map((one) => ({ plan: one.task.plan, rows: one.bench.taken() }));
+    this.kept = { key, judging: new Judging(log, this.task, manner, this.bench.taken(), others) };
     return this.kept.judging;
   }
 

@@ -10,7 +10,7 @@ import { tallying } from "./tallying.js";
  * @typedef {import("./figures.js").Spot} Spot
  * @typedef {{choose: (name: string) => void, pick: (slot: number) => void, submit: () => void,
  *   tell: (value: number, text: string) => void, aim: (spot: Spot) => void, prick: () => void, leave: () => void,
- *   help: () => void, redo: (slot: number) => void, clear: () => void, record: () => void, readings: () => void,
+ *   help: () => void, side: (side: number) => void, redo: (slot: number) => void, clear: () => void, record: () => void, readings: () => void,
  *   refuse: (trouble: string) => void, again: () => void}} Acts
  */
 
@@ -26,6 +26,7 @@ export class Panel {
     this.listing = new Listing(say("laid to"), acts.pick, acts.submit);
     this.figure = figureForm(say, decimal, acts.tell, acts.refuse);
     this.spot = spotForm(say, decimal, acts.aim, acts.prick);
+    this.sides = [1, -1].map((side) => this.button("", () => acts.side(side)));
     this.distances = element("p", { class: "distances" });
     this.verdict = element("div", { class: "judged" });
     this.hint = element("div", { class: "hinted" });
@@ -35,7 +36,7 @@ export class Panel {
     this.help = this.button("", acts.help, "ask");
     this.readings = this.button(say("save readings"), acts.readings);
     this.tally = tallying(say, acts.redo);
-    const step = element("div", { class: "step" }, this.prompt, this.listing.whole, this.whole, this.figure.form, this.spot.form, this.distances);
+    const step = element("div", { class: "step" }, this.prompt, this.listing.whole, this.whole, this.figure.form, this.spot.form, ...this.sides, this.distances);
     const told = element("div", { class: "told" }, this.verdict, this.leave, this.again, this.hint, this.help);
     const files = element(
       "div",

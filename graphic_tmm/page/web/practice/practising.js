@@ -8,6 +8,7 @@ import { Paper } from "./paper.js";
 import { readAloud } from "./aloud.js";
 import { Session } from "./session.js";
 import { showWork } from "./showing.js";
+import { showSide } from "./sides.js";
 import { cellOf, halfUnit } from "./typed.js";
 import { Verdicts } from "./verdicts.js";
 
@@ -43,9 +44,13 @@ export class Practising {
       prick: () => this.prick(),
       leave: () => this.leave(),
       help: () => this.help(),
+      side: (side) => showSide(this, side),
       redo: (slot) => this.redo(slot),
       again: () => this.redo(this.now),
-      clear: () => this.clear(),
+      clear: () => {
+        this.session.clear();
+        this.go(this.n);
+      },
       record: () => this.session.saveRecord(),
       readings: () => this.session.saveReadings(),
       refuse: (trouble) => this.report([element("p", { class: "verdict" }, trouble)]),
@@ -135,7 +140,7 @@ export class Practising {
 
   focus() {
     if (this.aim !== null) this.paper.whole.focus({ preventScroll: true });
-    else this.panel.figure.field.focus({ preventScroll: true });
+    else (this.panel.sides.find((one) => !one.hidden) ?? this.panel.figure.field).focus({ preventScroll: true });
   }
 
   /** @param {Spot} spot */
@@ -194,9 +199,10 @@ export class Practising {
   help() {
     const help = this.task.help();
     if (help === null) return;
-    this.report([]);
-    if (help.stage === "show") this.finish(help.slot);
-    this.hinted(new Verdicts(this.easel, this.say).help(help));
+    const [shown, lines] = [help.stage === "show", new Verdicts(this.easel, this.say).help(help)];
+    if (shown) this.finish(help.slot);
+    else this.hinted(lines);
+    this.report(shown ? lines : []);
     this.show();
   }
 
@@ -205,11 +211,6 @@ export class Practising {
     [this.now, this.aim] = [slot, null];
     this.hinted([]);
     this.session.keep();
-  }
-
-  clear() {
-    this.session.clear();
-    this.go(this.n);
   }
 
   /** Enter: that is all that is picked; mark it. */

@@ -2,6 +2,7 @@ import { element, sentenceOf } from "../dom.js";
 import { distancesFor, rulerFor } from "./aids.js";
 import { groupsFor } from "./choices.js";
 import { shapesOf } from "./shapes.js";
+import { hasSides } from "./sides.js";
 import { isPoor, Verdicts } from "./verdicts.js";
 
 /**
@@ -34,7 +35,12 @@ function showAnswer({ task, panel, easel, say, aim }) {
   const picking = asked === null && instrument !== null;
   setSeen(panel.listing.whole, picking);
   setSeen(panel.whole, picking && task.picking.isWhole(instrument, task.picks));
-  setSeen(panel.figure.form, asked !== null && aim === null);
+  const sides = asked !== null && hasSides(task, asked) ? (easel.steps.get(asked.it)?.sides ?? []) : [];
+  panel.sides.forEach((one, k) => {
+    setSeen(one, sides.length > 0);
+    one.replaceChildren(sides[k] ?? "");
+  });
+  setSeen(panel.figure.form, asked !== null && aim === null && sides.length === 0);
   setSeen(panel.spot.form, aim !== null);
   if (aim !== null) panel.spot.show(aim);
   const distances = asked === null || aim === null ? [] : distancesFor(asked, easel, aim);
@@ -84,7 +90,7 @@ function promptOf({ task, easel, say, aim }) {
     if (task.instrument !== null) return [say(`${task.instrument.name} takes`)];
     return [say(task.ready ? "all done" : "choose")];
   }
-  const key = aim !== null ? "prick" : READ_OFF.includes(asked.op) ? "read off" : "work out";
+  const key = aim !== null ? "prick" : hasSides(task, asked) ? "which way" : READ_OFF.includes(asked.op) ? "read off" : "work out";
   const [before = "", after = ""] = say(key).split("{letter}");
   return [before, ...sentenceOf([[easel.letterOf(asked.it), asked.it]]), after];
 }

@@ -2,6 +2,7 @@ import { isKnown } from "./easel.js";
 import { INSTRUMENTS, SORTS } from "./palette.js";
 import { Picking } from "./picking.js";
 import { Score, STAGES } from "./score.js";
+import { DRAWN, hasSides } from "./sides.js";
 
 /**
  * @typedef {import("../types.js").Complex} Complex
@@ -17,7 +18,8 @@ import { Score, STAGES } from "./score.js";
  *   was judged; `missed`: a point that is not where it is drawn through
  * @typedef {{slot: number, stage: string}} Help
  * @typedef {{kind: "more"} | {kind: "drawn", slot: number} | {kind: "asked", slot: number}
- *   | {kind: "none", answer: Answer} | {kind: "undrawable", slot: number}} Outcome
+ *   | {kind: "none", answer: Answer} | {kind: "undrawable", slot: number}
+ *   | {kind: "wrong side"}} Outcome
  */
 
 /**
@@ -25,8 +27,6 @@ import { Score, STAGES } from "./score.js";
  * from them has missed, mm.
  */
 const MISSED = 2;
-/** What appears by itself once it is known what it is drawn through. */
-const DRAWN = ["line", "arc", "angle"];
 /** So does an image that falls on another one. */
 const FALLS = "coincide";
 
@@ -155,7 +155,7 @@ export class Task {
    * @param {Move} move
    */
   isTold(move) {
-    return !DRAWN.includes(this.kindOf(move.it)) && move.op !== FALLS;
+    return (!DRAWN.includes(this.kindOf(move.it)) || hasSides(this, move)) && move.op !== FALLS;
   }
 
   /**

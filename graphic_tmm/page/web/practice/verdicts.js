@@ -66,7 +66,7 @@ export class Verdicts {
    * @param {Tried} tried
    */
   told(tried) {
-    const lines = [element("p", { class: "verdict" }, this.say(tried.missed ? "missed" : tried.verdict))];
+    const lines = [element("p", { class: "verdict" }, this.say(tried.missed && tried.verdict !== "wrong" ? "missed" : tried.verdict))];
     const error = Math.abs(tried.error);
     const [size, unit] = this.sized(tried.slot, error);
     if (size !== "" && (isPoor(tried) || isSeen(error, tried.found))) {
@@ -116,6 +116,7 @@ export class Verdicts {
    */
   outcome(outcome) {
     if (outcome.kind === "drawn") return [element("p", { class: "verdict" }, ...this.named("drawn", outcome.slot))];
+    if (outcome.kind === "wrong side") return [element("p", { class: "verdict" }, this.say("wrong"))];
     if (outcome.kind === "undrawable") return [element("p", {}, ...this.named("undrawable", outcome.slot))];
     if (outcome.kind !== "none" || !("why" in outcome.answer)) return [];
     const { why, near } = outcome.answer;

@@ -1,0 +1,106 @@
+"""The process that draws: what is urgent first, what takes too long is ended, what breaks is told."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import signal
+import time
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+
+import pytest
+from support.served import run
+
+from graphic_tmm.serve import worker as workers
+from graphic_tmm.serve.worker import Broken, Gone, TooLong, Worker
+
+
+@asynccontextmanager
+async def working() -> AsyncIterator[Worker]:
+    worker = Worker()
+    try:
+        yield worker
+    finally:
+        worker.close()
+
+
+def test_what_takes_too_long_is_ended_and_the_next_begins_anew() -> None:
+    async def serving() -> None:
+        async with working() as worker:
+            first = await worker.ask(os.getpid, limit=30)
+            assert first != os.getpid()
+            assert await worker.ask(os.getpid, limit=30) == first
+            with pytest.raises(TooLong):
+                await worker.ask(time.sleep, 60, limit=0.1)
+            second = await worker.ask(os.getpid, limit=30)
+            assert second not in (first, os.getpid())
+            with pytest.raises(ProcessLookupError):
+                os.kill(first, 0)
+            with pytest.raises(Gone):
+                await worker.ask(os._exit, 1, limit=30)
+            assert await worker.ask(len, "abc", limit=30) == 3
+
+    run(serving)
+
+
+def test_what_breaks_is_told_and_the_process_stays() -> None:
+    async def serving() -> None:
+        async with working() as worker:
+            first = await worker.ask(os.getpid, limit=30)
+            with pytest.raises(Broken, match="a fault of the program"):
+                await worker.ask(int, "x", limit=30)
+            with pytest.raises(Broken, match="more memory"):
+                await worker.ask(bytearray, 10**12, limit=30)
+            assert await worker.ask(os.getpid, limit=30) == first
+
+    run(serving)
+
+
+def test_the_urgent_comes_first_and_what_nobody_waits_for_not_at_all() -> None:
+    order: list[str] = []
+
+    async def asked(worker: Worker, name: str, urgency: int) -> None:
+        await worker.ask(time.sleep, 0.01, limit=30, urgency=urgency)
+        order.append(name)
+
+    async def serving() -> None:
+        async with working() as worker:
+            await worker.ask(len, "", limit=30)
+            tasks = [asyncio.create_task(asked(worker, "first", 2))]
+            await asyncio.sleep(0)
+            await asyncio.sleep(0)
+            tasks += [
+                asyncio.create_task(asked(worker, name, urgency))
+                for name, urgency in (("idle", 2), ("usual", 1), ("given up", 0), ("urgent", 0))
+            ]
+            await asyncio.sleep(0)
+            tasks[3].cancel()
+            await asyncio.gather(*tasks, return_exceptions=True)
+
+    run(serving)
+    assert order == ["first", "urgent", "usual", "idle"]
+
+
+def test_nobody_waits_in_a_queue_without_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(workers, "WAITING", 3)
+
+    async def serving() -> None:
+        async with working() as worker:
+            tasks = [asyncio.create_task(worker.ask(len, "", limit=30)) for _ in range(10)]
+            found = await asyncio.gather(*tasks, return_exceptions=True)
+            assert sum(isinstance(one, Gone) for one in found) >= 5
+            assert 0 in found
+
+    run(serving)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="a terminal tells Ctrl-C otherwise here")
+def test_ctrl_c_of_the_terminal_passes_it_by() -> None:
+    async def serving() -> None:
+        async with working() as worker:
+            process = await worker.ask(os.getpid, limit=30)
+            os.kill(process, signal.SIGINT)
+            assert await worker.ask(os.getpid, limit=30) == process
+
+    run(serving)
