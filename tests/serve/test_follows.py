@@ -158,6 +158,10 @@ def test_a_folder_is_a_gallery_and_a_new_scene_is_seen(tmp_path: Path) -> None:
                 if len(seen) == 3:
                     break
             assert seen == {("one", True), ("two", True), ("three", False)}
+            # of what is seen in the gallery only the sheets are drawn; its page is made when it is opened
+            assert desk.scenes["one"].kept.sheets
+            assert desk.scenes["one"].kept.page is None
+            assert (await browser.settled("one", lambda one: one["page"] is not None))["ok"]
 
     run(serving)
 

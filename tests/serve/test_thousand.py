@@ -7,7 +7,6 @@ import json
 import os
 import random
 import sys
-import tempfile
 from pathlib import Path
 
 import pytest
@@ -167,7 +166,21 @@ async def beset(browser: Browser, desk: Desk, file: Path, count: int) -> dict[in
     }
 
 
-def allowed(home: Path, temporary: Path) -> tuple[str, ...]:
+class Opened:
+    """What this process opens while it is watched; an audit hook cannot be taken away again."""
+
+    def __init__(self) -> None:
+        self.on, self.paths = False, set[tuple[str, bool]]()
+        sys.addaudithook(self.hear)
+
+    def hear(self, event: str, told: tuple[object, ...]) -> None:
+        if self.on and event == "open" and isinstance(told[0], (str, bytes)):
+            flags = told[2] if isinstance(told[2], int) else 0
+            writes = bool(flags & (os.O_WRONLY | os.O_RDWR | os.O_CREAT))
+            self.paths.add((os.path.abspath(os.fsdecode(told[0])), writes))
+
+
+def allowed(home: Path) -> tuple[str, ...]:
     """Where programs may read: Python's own, the package, what the system tells of itself."""
     own = {
         sys.prefix,
@@ -184,7 +197,8 @@ def allowed(home: Path, temporary: Path) -> tuple[str, ...]:
         "/lib",
         "/etc/",
     }
-    return (*own, str(home), str(temporary))
+    own |= {one for one in sys.path if one}  # where it is looked for modules
+    return (*own, str(home))
 
 
 @pytest.mark.slow
@@ -205,13 +219,16 @@ def test_a_thousand_edits_and_posts_leave_all_whole(
 
     monkeypatch.setattr(folders, "write", write)
     answered: dict[int, int] = {}
+    here = Opened()
 
     async def serving() -> None:
         async with opened(home) as (browser, desk):
             first = await browser.settled("small")
             workers = (desk.front, desk.behind)
             before = [one._process.pid for one in workers]
+            here.on = True
             answered.update(await beset(browser, desk, file, MANY))
+            here.on = False
             desk.look_all()
             last = await browser.settled(
                 "small", lambda one: one["text_version"] == first["text_version"]
@@ -236,5 +253,9 @@ def test_a_thousand_edits_and_posts_leave_all_whole(
     assert {one for one in drew - bytecode if one[1] == "write" and one[2] != os.devnull} == set()
     assert {one for one in drew if one[2].startswith(str(home))} == set()
     assert {one for one in drew if "secret.toml" in one[2]} == set()
-    roots = allowed(path, Path(tempfile.gettempdir()) / "none")
+    roots = allowed(path)
     assert {one for one in drew if not one[2].startswith(roots)} == set()
+    # nor does the server open anything else than the scene
+    far = {(one, writes) for one, writes in here.paths if not one.startswith(str(home))}
+    assert {one for one, writes in far if writes and one != os.devnull} == set()
+    assert {one for one, _ in far if not one.startswith(roots)} == set()

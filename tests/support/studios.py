@@ -26,6 +26,7 @@ def expect(it: Any) -> Any:
     """Return what waits until something holds of a part of a page."""
     from playwright.sync_api import expect as waiting
 
+    waiting.set_options(timeout=PATIENCE * 1000)
     return waiting(it)
 
 
@@ -72,7 +73,7 @@ class Tab:
         self.context = browser.new_context(
             **{"viewport": {"width": 1280, "height": 800}, **options}
         )
-        self.context.set_default_timeout(20_000)
+        self.context.set_default_timeout(2000 * PATIENCE)
         self.watch = Watch(self.context, None)
         self.watch.own = _Below(gallery)  # type: ignore[assignment]
         self.page: Page = self.context.new_page()
@@ -109,5 +110,5 @@ class Tab:
     def another(self, before: str, number: int = 0) -> str:
         """Return the hash of a sheet's picture as soon as it is another one."""
         figure = self.page.locator("figure.sheet").nth(number)
-        expect(figure).not_to_have_attribute("data-shown", before, timeout=PATIENCE * 1000)
+        expect(figure).not_to_have_attribute("data-shown", before)
         return self.shown(number)

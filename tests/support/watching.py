@@ -27,10 +27,8 @@ def _hook(event, told):
         mode, flags = told[1], told[2] or 0
         writes = flags & (os.O_WRONLY | os.O_RDWR | os.O_CREAT)
         writes = writes if mode is None else set(mode) & set("wax+")
-    paths = [one for one in told[:2] if isinstance(one, (str, bytes))]
-    if event == "open":
-        paths = paths[:1]
-    for path in paths or ([repr(told)] if event != "open" else []):
+    paths = [one for one in told[: 1 if event == "open" else 2] if isinstance(one, (str, bytes))]
+    for path in paths:
         path = os.fsdecode(path)
         line = "\\t".join([event, "write" if writes else "read", os.path.abspath(path)])
         os.write(_out, (line.replace("\\n", " ") + "\\n").encode("utf-8", "backslashreplace"))

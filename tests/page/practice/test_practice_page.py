@@ -7,10 +7,12 @@ import gzip
 import hashlib
 import json
 import re
+from pathlib import Path
 from typing import Any
 
 import pytest
 from support import pages
+from support.command import invoke
 
 from graphic_tmm.page.page import page
 from graphic_tmm.page.practice.words import WORDS
@@ -72,6 +74,22 @@ def test_the_same_scene_has_the_same_page_and_another_seed_another(practised: st
 
 def test_what_cannot_be_practised_has_a_plain_page() -> None:
     assert text("planetary", practised=True) == pages.text("planetary", "en")
+
+
+@pytest.mark.slow
+def test_the_command_writes_it_and_poses_by_its_seed(tmp_path: Path) -> None:
+    told = []
+    for folder, options in (("plain", ()), ("posed", ("--seed", "3"))):
+        done = invoke("page", NAME, "--practice", *options, "-o", str(tmp_path / folder))
+        assert done.exit_code == 0, done.output
+        told.append(data((tmp_path / folder / f"{NAME}.html").read_text("utf-8")))
+    plain, posed = (one.pop("practice") for one in told)
+    # the seed poses the plans; it is no other drawing of a hand
+    assert told[0] == told[1]
+    assert not [task for task in plain["tasks"] if "pose" in task]
+    assert len([task for task in posed["tasks"] if task.get("pose")]) == len(
+        {task["plan"] for task in plain["tasks"]}
+    )
 
 
 def test_practice_is_small(practised: str) -> None:
