@@ -110,6 +110,7 @@ export class OwnDesk {
     const [x, y] = this.camera.onScreen(...at);
     const lines = SIGN_LINES[sign];
     context.font = SIGN_LETTERING;
+    context.lineJoin = "round";
     for (const [colour, width] of /** @type {[string, number][]} */ ([
       ["#fff", 5],
       [SIGN_COLOURS[sign], 2],

@@ -27,6 +27,10 @@ export class PlanReadings {
     this.practice = practice;
     this.task = task;
     this.bench = new Bench(practice, task, "points");
+    /** How often something was taken; what was judged when. */
+    this.version = 0;
+    /** @type {{key: string, judging: Judging} | null} */
+    this.kept = null;
     /** Where points are on the drawing, mm, y upward. @type {Map<number, Spot>} */
     this.spots = new Map();
     const steps = new Map(practice.steps.map((step) => [step.it, step]));
@@ -68,6 +72,7 @@ export class PlanReadings {
    */
   take(slot, spot) {
     this.spots.set(slot, spot);
+    this.version += 1;
     const moved = slot === ORIGIN ? [...this.spots.keys()] : [slot];
     for (const one of moved) {
       const found = this.figure(one);
@@ -106,9 +111,12 @@ export class PlanReadings {
    */
   judging(all) {
     const { log, manner } = this.bench;
-    const beside = all.filter((one) => one !== this && one.task.at === this.task.at);
+    const beside = all.filter((one) => one !== this && one.task.at === this.task.at && one.bench.taken().length > 0);
+    const key = [this, ...beside].map((one) => `${one.task.plan}:${one.version}`).join(" ");
+    if (this.kept?.key === key) return this.kept.judging;
     const others = beside.map((one) => ({ plan: one.task.plan, rows: one.bench.taken() }));
-    return new Judging(log, this.task, manner, this.bench.taken(), others);
+    this.kept = { key, judging: new Judging(log, this.task, manner, this.bench.taken(), others) };
+    return this.kept.judging;
   }
 
   /**
