@@ -56,7 +56,7 @@ def test_ctrl_c_ends_it_at_any_moment_also_while_it_draws(after: float, tmp_path
         taken = time.monotonic() - begun_at
     assert (status, errors.strip()) == (ENDED, "")
     assert taken < 5.0
-    assert below
+    assert below or not after  # at the first moment none may have been begun
     assert all_gone(below)
     assert file.read_bytes() == before
     assert [one.name for one in file.parent.iterdir()] == ["scene.toml"]

@@ -191,6 +191,22 @@ def test_a_point_is_marked_by_the_pointer_with_the_loupe(student: Callable[..., 
     assert head.count() == 1
 
 
+def test_of_several_in_one_place_the_student_says_which(student: Callable[..., Student]) -> None:
+    """In the extreme position crank and coupler lie on one line."""
+    own = student(address=f"#practice:{PLAN}/all/0")
+    own.keys("3")
+    links = own.room.locator(".beside .segment")
+    boxes = [links.nth(k).bounding_box() for k in range(links.count())]
+    crank = min(boxes, key=lambda box: box["width"])
+    own.page.mouse.click(crank["x"] + crank["width"] / 2, crank["y"] + crank["height"] / 2)
+    asked = own.room.get_by_role("group", name="Which one?")
+    assert asked.get_by_role("button").all_inner_texts() == ["(OA)", "(AB)"]
+    asked.get_by_role("button", name="(AB)").click()
+    assert not asked.is_visible()
+    picked = own.room.locator(".listing [aria-pressed=true]")
+    assert picked.all_inner_texts() == ["(AB)"]
+
+
 def test_help_goes_from_why_to_what_to_the_step_itself(student: Callable[..., Student]) -> None:
     own = student()
     own.keys("h")

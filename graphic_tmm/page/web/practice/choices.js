@@ -35,6 +35,9 @@ export function groupsFor(task, easel, say) {
   return [...here.slice(0, 2), others, ...here.slice(2)];
 }
 
+/** So far below the pointer the question stands, px. */
+const BELOW = 12;
+
 /**
  * Ask which of several marks in one place is meant.
  * @param {HTMLElement} menu
@@ -44,13 +47,15 @@ export function groupsFor(task, easel, say) {
  * @param {(slot: number) => void} pick
  */
 export function menuOf(menu, [x, y], slots, easel, pick) {
-  const buttons = slots.map((slot) => {
+  const buttons = [...slots].sort((a, b) => a - b).map((slot) => {
     const made = element("button", { type: "button" }, ...typeset(easel.letterOf(slot)));
     made.addEventListener("click", () => pick(slot));
     return made;
   });
   menu.replaceChildren(...buttons);
-  menu.style.setProperty("left", `${x}px`);
-  menu.style.setProperty("top", `${y}px`);
+  const { clientWidth, clientHeight } = menu.parentElement ?? menu;
+  const half = menu.offsetWidth / 2;
+  menu.style.setProperty("left", `${Math.max(half, Math.min(x, clientWidth - half))}px`);
+  menu.style.setProperty("top", `${Math.min(y, clientHeight - menu.offsetHeight - BELOW)}px`);
   buttons[0]?.focus({ preventScroll: true });
 }
