@@ -3,6 +3,7 @@ import { Camera } from "./pan.js";
 import { boxesMeet } from "./sheet-bounds.js";
 import { grownLetters, paintNames } from "./sheet-letters.js";
 import { batchesOf, paintBatches, paintLit } from "./sheet-paint.js";
+import { contextOf, Surface } from "./surface.js";
 
 /**
  * @typedef {import("./sheet-bounds.js").Box} Box
@@ -12,27 +13,22 @@ import { batchesOf, paintBatches, paintLit } from "./sheet-paint.js";
  * @typedef {import("./sheet-paint.js").Batch} Batch
  */
 
-/** No canvas has more points than this: telephones have little memory. */
-const MOST_POINTS = 9e6;
 /** So long nothing has moved before letters are set anew, ms. */
 const REST = 120;
 const GLIDE = 220;
 const STILL_PLEASE = "(prefers-reduced-motion: reduce)";
 
-/** The canvas on which a sheet lies; what it shows follows its camera, at most once a frame. */
-export class Desk {
+/** The canvas on which a sheet lies. */
+export class Desk extends Surface {
   /**
    * @param {HTMLElement} surface what the canvas fills
    * @param {(view: SheetView) => string} short a short name of a view
    */
   constructor(surface, short) {
-    this.surface = surface;
+    super(surface);
     this.short = short;
-    this.canvas = /** @type {HTMLCanvasElement} */ (element("canvas", {}));
-    this.context = contextOf(this.canvas);
     /** A context in millimetres, to ask what is under a point. */
     this.asking = contextOf(element("canvas", { width: "1", height: "1" }));
-    this.camera = new Camera(1, 1);
     /** @type {SheetInk} */
     this.sheet = { width: 1, height: 1, ink: [], views: [], labels: [] };
     /** @type {Ink[]} */
@@ -46,13 +42,8 @@ export class Desk {
     this.batches = [];
     /** @type {Map<number, DOMMatrix>} */
     this.grown = new Map();
-    this.frame = 0;
     this.rest = 0;
     this.onDrawn = () => {};
-    surface.append(this.canvas);
-    new ResizeObserver(() => this.measure()).observe(surface);
-    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.moved());
-    new MutationObserver(() => this.moved()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
   }
 
   /**
@@ -79,17 +70,9 @@ export class Desk {
     this.settle();
   }
 
-  /** Take the size that the surface has now. */
-  measure() {
-    const { clientWidth, clientHeight } = this.surface;
-    if (clientWidth === 0 || clientHeight === 0) return;
-    this.camera.resize(clientWidth, clientHeight);
-    this.moved();
-  }
-
   /** What is seen has changed. */
   moved() {
-    if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
+    super.moved();
     window.clearTimeout(this.rest);
     this.rest = window.setTimeout(() => this.settle(), REST);
   }
@@ -104,32 +87,28 @@ export class Desk {
       this.batched = this.shown;
     }
     window.clearTimeout(this.rest);
-    if (!same && this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
+    if (!same) super.moved();
   }
 
   draw() {
-    this.frame = 0;
-    const { canvas, context, camera } = this;
-    const { width, height } = camera.window;
-    const ratio = Math.min(devicePixelRatio, Math.sqrt(MOST_POINTS / (width * height)));
-    const [across, down] = [Math.round(width * ratio), Math.round(height * ratio)];
-    if (canvas.width !== across) canvas.width = across;
-    if (canvas.height !== down) canvas.height = down;
-    const style = getComputedStyle(this.surface);
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.fillStyle = style.backgroundColor;
-    context.fillRect(0, 0, width, height);
-    const scale = ratio * camera.zoom;
-    context.setTransform(scale, 0, 0, scale, -scale * camera.x, -scale * camera.y);
-    context.fillStyle = "#fff";
-    context.fillRect(0, 0, this.sheet.width, this.sheet.height);
+    super.draw();
+    this.onDrawn();
+  }
+
+  paper() {
+    return this.sheet;
+  }
+
+  /** @param {CSSStyleDeclaration} style */
+  paint(style) {
+    const { context, camera } = this;
     paintBatches(context, this.batches, camera.seen, this.large ? camera.zoom : 0);
     paintLit(context, this.lit, style.getPropertyValue("--lit"), camera.zoom);
     if (this.chosen !== null) this.outline(this.chosen.box, style.getPropertyValue("--lit"));
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    if (this.large) paintNames(context, this.sheet.views, this.short, camera);
-    this.surface.dataset["seen"] = [camera.x, camera.y, camera.zoom].join(" ");
-    this.onDrawn();
+  }
+
+  sign() {
+    if (this.large) paintNames(this.context, this.sheet.views, this.short, this.camera);
   }
 
   /**
@@ -208,13 +187,4 @@ export class Desk {
  */
 export function titleOf(ink) {
   return ink.label < 0 ? (ink.element.querySelector(":scope > title")?.textContent ?? "") : "";
-}
-
-/**
- * Return a canvas's context without see-through points: what is under it need not be blended in.
- * @param {HTMLElement} canvas
- */
-function contextOf(canvas) {
-  const found = /** @type {HTMLCanvasElement} */ (canvas).getContext("2d", { alpha: false });
-  return /** @type {CanvasRenderingContext2D} */ (found);
 }

@@ -1,6 +1,5 @@
-import { element } from "../dom.js";
 import { Camera } from "../pan.js";
-import { contextOn } from "./photo.js";
+import { Surface } from "../surface.js";
 
 /**
  * @typedef {import("./photo.js").Picture} Picture
@@ -13,33 +12,23 @@ import { contextOn } from "./photo.js";
  * @typedef {{at: Spot, name: string, sign: "corner" | "fine" | "doubtful" | "wrong" | "origin" | "aim"}} Sign
  */
 
-/** No canvas has more points than this. */
-const MOST_POINTS_OF_CANVAS = 9e6;
 /** How large a sign is, and its lettering, px. */
 const SIGN_SIZE = 7;
 const SIGN_LETTERING = "600 14px system-ui, sans-serif";
 /** A drawing over a photograph is so wide at least, px. */
 const LEAST_LINE = 1.2;
 
-/** The canvas of a photograph: what lies on it, drawn at most once a frame. */
-export class OwnDesk {
+/** The canvas of a photograph. */
+export class OwnDesk extends Surface {
   /** @param {HTMLElement} surface what it fills */
   constructor(surface) {
-    this.surface = surface;
-    this.canvas = /** @type {HTMLCanvasElement} */ (element("canvas", {}));
-    this.context = contextOn(this.canvas);
-    this.camera = new Camera(1, 1);
+    super(surface);
     /** @type {Laid | null} */
     this.laid = null;
     /** @type {Upon | null} */
     this.upon = null;
     /** @type {Sign[]} */
     this.signs = [];
-    this.frame = 0;
-    surface.append(this.canvas);
-    new ResizeObserver(() => this.measure()).observe(surface);
-    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.moved());
-    new MutationObserver(() => this.moved()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
   }
 
   /**
@@ -52,41 +41,23 @@ export class OwnDesk {
     this.measure();
   }
 
-  /** Take the size that the surface has now. */
-  measure() {
-    const { clientWidth, clientHeight } = this.surface;
-    if (clientWidth === 0 || clientHeight === 0) return;
-    this.camera.resize(clientWidth, clientHeight);
-    this.moved();
+  paper() {
+    return this.laid;
   }
 
-  /** What is seen has changed. */
-  moved() {
-    if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
-  }
-
-  draw() {
-    this.frame = 0;
-    const { canvas, context, camera, laid } = this;
-    const { width, height } = camera.window;
-    const ratio = Math.min(devicePixelRatio, Math.sqrt(MOST_POINTS_OF_CANVAS / (width * height)));
-    const [across, down] = [Math.round(width * ratio), Math.round(height * ratio)];
-    if (canvas.width !== across) canvas.width = across;
-    if (canvas.height !== down) canvas.height = down;
-    const style = getComputedStyle(this.surface);
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.fillStyle = style.backgroundColor;
-    context.fillRect(0, 0, width, height);
-    if (laid === null) return;
-    const scale = ratio * camera.zoom;
-    context.setTransform(scale, 0, 0, scale, -scale * camera.x, -scale * camera.y);
-    context.fillStyle = "#fff";
-    context.fillRect(0, 0, laid.width, laid.height);
-    laid.picture.paint(context, laid.width, laid.height, (scale * laid.width) / laid.picture.width);
+  /**
+   * @param {CSSStyleDeclaration} style
+   * @param {number} scale
+   */
+  paint(style, scale) {
+    if (this.laid === null) return;
+    const { picture, width, height } = this.laid;
+    picture.paint(this.context, width, height, (scale * width) / picture.width);
     if (this.upon !== null) this.over(this.upon, style.getPropertyValue("--over"));
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  }
+
+  sign() {
     for (const sign of this.signs) this.put(sign);
-    this.surface.dataset["seen"] = [camera.x, camera.y, camera.zoom].join(" ");
   }
 
   /**
