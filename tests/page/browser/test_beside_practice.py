@@ -1,0 +1,52 @@
+"""A page that is practised on is otherwise as ever: nothing of practice touches the other tabs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from support import pages
+
+from graphic_tmm.page.page import page as written
+
+SCENE = "crank-rocker"
+LAID = """(tab) => [...document.querySelectorAll(`#${tab}, #${tab} *`)]
+  .filter((one) => one.checkVisibility() && !one.closest("svg svg, g"))
+  .map((one) => [one.tagName, one.getAttribute("class") ?? "", one.getBoundingClientRect()])
+  .map(([tag, name, { x, y, width, height }]) =>
+    [tag, name, ...[x, y, width, height].map((size) => Math.round(size * 10) / 10)].join(" "))"""
+"""Everything that is seen of a tab, and where it is."""
+
+
+@pytest.fixture(scope="module")
+def both(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    folder = tmp_path_factory.mktemp("both")
+    for name in ("bare", "practised"):
+        text = written(*pages.on_sheets(SCENE, "en"), practised=name == "practised")
+        (folder / f"{name}.html").write_text(text, encoding="utf-8")
+    return folder / "bare.html", folder / "practised.html"
+
+
+@pytest.mark.parametrize("wide", [1280, 1920])
+@pytest.mark.parametrize(
+    ("tab", "address"),
+    [
+        ("play", "#velocities/all/9"),
+        ("crank", "#crank:@40"),
+        ("sheets", "#sheets:"),
+        ("lecture", "#lecture:velocities/all/9"),
+    ],
+)
+def test_other_tabs_are_laid_out_as_ever(
+    opened: Callable[..., Any], both: tuple[Path, Path], tab: str, address: str, wide: int
+) -> None:
+    laid = []
+    for file in both:
+        page = opened(file, address, viewport={"width": wide, "height": 900}).page
+        page.locator("html.ready").wait_for()
+        page.wait_for_timeout(300)
+        laid.append(page.evaluate(LAID, tab))
+    assert len(laid[0]) > 20
+    assert laid[0] == laid[1]
