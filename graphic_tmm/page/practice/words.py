@@ -74,12 +74,14 @@ WORDS: dict[str, str] = {
     "help what": said("Help: what?"),
     "help show": said("Help: show it"),
     "score": said(
-        "{done} of {count} steps: {once} at once, {helped} with help or again, {shown} shown"
+        "{done} of {count} steps: {once} at once, {helped} with help or again, {shown} shown, "
+        "{wrong} wrong"
     ),
     "done steps": said("What you have done"),
     "at once": said("at once"),
     "helped": said("with help or again"),
     "was shown": said("shown"),
+    "was wrong": said("left wrong"),
     "all done": said("The plan is ready."),
     "begin anew": said("Begin anew"),
     "save record": said("Record, JSON"),
