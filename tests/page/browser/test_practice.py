@@ -169,9 +169,10 @@ def test_a_point_is_marked_by_the_pointer_with_the_loupe(student: Callable[..., 
     a = own.spots["a"]
     own.page.mouse.click(*own.screen(a.real / 2, a.imag / 2))
     own.room.locator(".listing").get_by_role("button", name="pa =").click()
-    assert "Mark a" in own.told()
-    own.page.mouse.click(*own.screen(a.real + 0.7, a.imag))
+    assert "Mark a within 1 mm" in own.told()
     loupe = own.room.locator("svg.loupe")
+    assert not loupe.is_visible()
+    own.page.mouse.click(*own.screen(a.real + 0.7, a.imag))
     assert loupe.is_visible()
     box = loupe.bounding_box()
     middle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)

@@ -45,3 +45,8 @@ def test_what_is_wrong_and_stands_is_counted_so_until_it_is_done_right(told: Any
     far, _, near = told
     assert (far["mark"], far["wrong"]) == ("wrong", 1)
     assert (near["mark"], near["wrong"]) == ("helped", 0)
+
+
+def test_a_mark_beside_its_crossing_is_missed(told: Any) -> None:
+    """With a loupe and steps of 0.1 mm a millimetre is plenty."""
+    assert [one["missed"] for one in told] == [True, True, False]

@@ -26,7 +26,7 @@ import { DRAWN, hasSides } from "./sides.js";
  * A hand's own lines swing, and a check allows a point as much. Here the lines are drawn true: who marks a point farther
  * from them has missed, mm.
  */
-const MISSED = 2;
+export const MISSED = 1;
 /** So does an image that falls on another one. */
 const FALLS = "coincide";
 
