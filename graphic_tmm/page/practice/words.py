@@ -53,6 +53,7 @@ WORDS: dict[str, str] = {
     "board": said("The board"),
     "loupe": said("Loupe"),
     "meant": said("Which one?"),
+    "nothing here": said("Nothing here that this instrument takes."),
     # how it is judged
     "drawn": said("{letter} is drawn."),
     "fine": said("Right."),
@@ -85,6 +86,7 @@ WORDS: dict[str, str] = {
     "was wrong": said("left wrong"),
     "all done": said("The plan is ready."),
     "begin anew": said("Begin anew"),
+    "surely anew": said("Wipe all that is done?"),
     "save record": said("Record, JSON"),
     "save readings": said("Readings, CSV"),
     "keys tools": said("Choose an instrument"),

@@ -130,6 +130,9 @@ def test_a_plan_is_begun_by_keys_alone(student: Callable[..., Student]) -> None:
     own = student()
     assert own.score().startswith("0 of ")
     own.lay("0", "ω1", "lOA", whole=True)
+    given = own.room.locator(".data").inner_text()
+    assert "ω1 = " in given
+    assert "lOA = " in given
     due = own.mm["pa"] * MU
     own.write(f"{10 * due:.5g}")
     assert "Wrong." in own.told()
@@ -167,9 +170,13 @@ def test_a_point_is_marked_by_the_pointer_with_the_loupe(student: Callable[..., 
     first_steps(own)
     own.keys("6")
     a = own.spots["a"]
+    aside = a / 2 + 10j * a / abs(a)
+    own.page.mouse.click(*own.screen(aside.real, aside.imag))
+    assert "Nothing here" in own.told()
     own.page.mouse.click(*own.screen(a.real / 2, a.imag / 2))
     own.room.locator(".listing").get_by_role("button", name="pa =").click()
     assert "Mark a within 1 mm" in own.told()
+    assert own.room.locator(".data").inner_text().strip().startswith("pa = ")
     loupe = own.room.locator("svg.loupe")
     assert not loupe.is_visible()
     own.page.mouse.click(*own.screen(a.real + 0.7, a.imag))
@@ -245,6 +252,8 @@ def test_what_is_done_is_kept_and_saved(student: Callable[..., Student], tmp_pat
         (PLAN, "a", POSITION),
     }
     own.room.get_by_role("button", name="Begin anew").click()
+    assert own.score() == before
+    own.room.get_by_role("button", name="Wipe all that is done?").click()
     assert own.score().startswith("0 of ")
 
 
