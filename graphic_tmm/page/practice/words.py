@@ -75,6 +75,7 @@ WORDS: dict[str, str] = {
     "help why": said("Help: why?"),
     "help what": said("Help: what?"),
     "help show": said("Help: show it"),
+    "its button": said("Instrument: {name}."),
     "score": said(
         "{done} of {count} steps: {once} at once, {helped} with help or again, {shown} shown, "
         "{wrong} wrong"

@@ -221,6 +221,7 @@ def test_help_goes_from_why_to_what_to_the_step_itself(student: Callable[..., St
     assert "angular velocity" in own.told()
     own.keys("h")
     assert "Calculate vA" in own.told()
+    assert "Instrument: Calculate." in own.told()
     assert own.score().startswith("0 of ")
     own.keys("h")
     assert re.match(r"1 of \d+ steps: 0 at once, 0 with help or again, 1 shown", own.score())

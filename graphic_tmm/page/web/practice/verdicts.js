@@ -1,4 +1,5 @@
 import { element, filled, sentenceOf, typeset } from "../dom.js";
+import { instrumentOf } from "./palette.js";
 import { MISSED } from "./task.js";
 import { shownNumber } from "./typed.js";
 
@@ -126,6 +127,14 @@ export class Verdicts {
   }
 
   /**
+   * Return what the button of a step's instrument is called.
+   * @param {import("../types.js").PracticeStep | undefined} step
+   */
+  buttonOf(step) {
+    return step === undefined ? "" : this.say(instrumentOf(step.op).name);
+  }
+
+  /**
    * Return a help: why a step is done, what is done, what it came to.
    * @param {Help} help
    * @returns {HTMLElement[]}
@@ -134,6 +143,7 @@ export class Verdicts {
     const step = this.easel.steps.get(slot);
     if (stage === "why") return [element("p", {}, ...sentenceOf(step?.why ?? step?.text ?? []))];
     const lines = [element("p", {}, ...sentenceOf(step?.text ?? []))];
+    lines.push(element("p", { class: "tool" }, filled(this.say("its button"), { name: this.buttonOf(step) })));
     if (step?.formula !== undefined) lines.push(element("p", { class: "calc" }, ...typeset(step.formula)));
     else if (step?.tool !== undefined) lines.push(element("p", { class: "tool" }, ...typeset(step.tool)));
     return lines;
