@@ -83,7 +83,7 @@ def foot_of(matrix: Reals, lens: Lens) -> complex:
     deep = skew * across[2] * up[2] + apart * (across[2] ** 2 - up[2] ** 2) / 2
     usual = 1 / USUAL**2
     square = (DOUBT * usual - deep / size) / (DOUBT + skew**2 + apart**2)
-    scale = np.array([1.0, 1.0, 0.0]) * min(max(square, usual * SIZES[0]), usual * SIZES[1])
-    scale[2] = 1.0
-    along = [-float(way * scale @ far) / float(way * scale @ way) for way in (across, up)]
-    return complex(*along)
+    square = min(max(square, usual * SIZES[0]), usual * SIZES[1])
+    scale = np.array([square, square, 1.0])
+    x, y = (-float(way * scale @ far) / float(way * scale @ way) for way in (across, up))
+    return complex(x, y)
