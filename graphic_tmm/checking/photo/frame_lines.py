@@ -19,7 +19,9 @@ from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.checking.photo.lens import Lens, pinhole, straightening
+from graphic_tmm.checking.photo.bends import unbending
+from graphic_tmm.checking.photo.curl import Curl
+from graphic_tmm.checking.photo.lens import Lens, pinhole
 from graphic_tmm.checking.photo.perspective import bilinear, cross, homography, vertices
 from graphic_tmm.checking.photo.shot import Shot, bowed
 from graphic_tmm.language.said import said
@@ -88,6 +90,7 @@ class Lines(NamedTuple):
     residual: float
     missing: tuple[str, ...]
     lens: Lens
+    curl: Curl
     bowed: float
 
 
@@ -114,21 +117,20 @@ def refine(image: NDArray[np.uint8], box: Box, corners: Complexes) -> Lines:
     bowed as the lens bows them; an edge that shows no line stays where it was clicked.
     """
     feet = vertices(box)
-    lens = straighter = pinhole(image)
+    straighter, less = pinhole(image), Curl(box)
     for _ in range(SIGHTS):
-        lens = straighter
-        shot = Shot(image, homography(box, lens.straight(corners)), lens)
+        lens, curl = straighter, less
+        shot = Shot(image, homography(box, lens.straight(corners)), lens, curl)
         edges = [
             _edge(shot, foot, head) for foot, head in zip(feet, np.roll(feet, -1), strict=True)
         ]
         corners = shot.shown(_meet(feet, edges))
-        straighter = straightening(
-            lens, ((one.seen, one.weights) for one in edges if one.seen.size)
-        )
+        lines = [(one.seen, one.weights) for one in edges if one.seen.size]
+        straighter, less = unbending(shot, lines)
     bends = [edge.bend for edge in edges if edge.bend == edge.bend]
     missing = tuple(name for name, edge in zip(EDGES, edges, strict=True) if edge.bend != edge.bend)
-    whole = Shot(image, homography(box, lens.straight(corners)), lens)
-    return Lines(corners, max(bends, default=np.nan), missing, lens, bowed(whole, feet))
+    whole = Shot(image, homography(box, lens.straight(corners)), lens, curl)
+    return Lines(corners, max(bends, default=np.nan), missing, lens, curl, bowed(whole, feet))
 
 
 def _meet(feet: Complexes, edges: list[Edge]) -> Complexes:
@@ -171,7 +173,10 @@ def _edge(shot: Shot, foot: complex, head: complex) -> Edge:
     if kept.mean() < SEEN:
         return _UNSEEN
     line = _fitted(place, centre, weights, 1)
-    bend = abs(curve(place) - line(place))[kept].max()
+    # beside its straight line, and what the curl that the strip follows has of bend
+    rise = ((shot.curl.seen(axis[:, 0]) - axis[:, 0]) / way).imag
+    bent = curve(place) - line(place) + rise - _fitted(place, rise, weights, 1)(place)
+    bend = abs(bent)[kept].max()
     seen = shot.shown(axis[:, 0] + 1j * way * centre)
     return Edge(float(line(-1.0)), float(line(1.0)), float(bend), seen[kept], weights[kept])
 

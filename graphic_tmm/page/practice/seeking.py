@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphic_tmm.checking.photo import flatten, frame_lines, lens
+from graphic_tmm.checking.photo import bends, curl, flatten, frame_lines, lens
 
 
 def seeking() -> dict[str, float]:
@@ -25,6 +25,12 @@ def seeking() -> dict[str, float]:
         "floor": frame_lines.FLOOR,
         "dim": frame_lines.DIM,
         "share": lens.MOST,
+        "usual": curl.USUAL,
+        "doubt": curl.DOUBT,
+        "shortest": curl.SIZES[0],
+        "longest": curl.SIZES[1],
+        "stiff": bends.STIFF,
+        "clearer": bends.CLEARER,
     }
 
 
