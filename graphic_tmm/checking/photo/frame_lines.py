@@ -37,6 +37,10 @@ REACH = 4.0
 """How far from the line through the corners it is sought, mm: the nearest line beside it is at 5 mm.
 Could be 2 (clicks have to be that near) to 5."""
 
+FAR = 8.0
+"""How far it is sought at first sight where none is seen within `REACH`, mm: a corner that was clicked 20 dots
+off is 5 mm off on an A1 of 12 megapixels, 7 mm aslant. Lines beside the frame are shorter, or paler."""
+
 CLEAR, CLEAR_DOTS = 1.2, 2.5
 """From the axis of a line to the paper beside it: mm (a main line is 0.8 mm wide), and at least pixels.
 Could be 0.8 to 1.6 mm and 1.5 to 2.5 px: with 3.5 px grain beside the line counts, and 0.13 mm are lost."""
@@ -118,11 +122,12 @@ def refine(image: NDArray[np.uint8], box: Box, corners: Complexes) -> Lines:
     """
     feet = vertices(box)
     straighter, less = pinhole(image), Curl(box)
-    for _ in range(SIGHTS):
+    for sight in range(SIGHTS):
         lens, curl = straighter, less
         shot = Shot(image, homography(box, lens.straight(corners)), lens, curl)
         edges = [
-            _edge(shot, foot, head) for foot, head in zip(feet, np.roll(feet, -1), strict=True)
+            _found(shot, foot, head, first=sight == 0)
+            for foot, head in zip(feet, np.roll(feet, -1), strict=True)
         ]
         corners = shot.shown(_meet(feet, edges))
         lines = [(one.seen, one.weights) for one in edges if one.seen.size]
@@ -145,8 +150,14 @@ def _meet(feet: Complexes, edges: list[Edge]) -> Complexes:
     return met
 
 
-def _edge(shot: Shot, foot: complex, head: complex) -> Edge:
-    """Return the line that is seen along the edge from ``foot`` to ``head`` (mm on the sheet)."""
+def _found(shot: Shot, foot: complex, head: complex, *, first: bool) -> Edge:
+    """Return the line along an edge; at first sight farther away if there is none near it."""
+    near = _edge(shot, foot, head, REACH)
+    return near if near.seen.size or not first else _edge(shot, foot, head, FAR)
+
+
+def _edge(shot: Shot, foot: complex, head: complex, reach: float) -> Edge:
+    """Return the line that is seen along the edge from ``foot`` to ``head``, no farther than ``reach``, mm."""
     length = abs(head - foot)
     way = (head - foot) / length
     inset = min(NEAR_CORNER, length / 10)
@@ -159,8 +170,8 @@ def _edge(shot: Shot, foot: complex, head: complex) -> Edge:
         grey: Reals = bilinear(shot.image, shot.shown(axis + 1j * way * offsets)).mean(axis=-1)
         return grey
 
-    offsets, dark = _strip(read, clear)
-    path = _darkest(dark - STRAY * (offsets / REACH) ** 2)
+    offsets, dark = _strip(read, clear, reach)
+    path = _darkest(dark - STRAY * (offsets / reach) ** 2)
     depth = np.take_along_axis(dark, path[:, None], axis=1)[:, 0]
     centre = _centred(read, offsets[path], clear)
     shown = (depth > FAINT) & (depth > np.median(depth) / 2) & np.isfinite(centre)
@@ -181,14 +192,14 @@ def _edge(shot: Shot, foot: complex, head: complex) -> Edge:
     return Edge(float(line(-1.0)), float(line(1.0)), float(bend), seen[kept], weights[kept])
 
 
-def _strip(read: Reading, clear: float) -> tuple[Reals, Reals]:
-    """Return offsets, mm, and how much darker each is than the paper ``clear`` on both sides of it.
+def _strip(read: Reading, clear: float, reach: float) -> tuple[Reals, Reals]:
+    """Return offsets to ``reach``, mm, and how much darker each is than the paper on both sides of it.
 
-    Shares (stations, offsets), 0 where a side is darker or is not in the photograph; each is the mean
-    with its neighbours along the edge.
+    Shares (stations, offsets), 0 where a side, ``clear`` away, is darker or is not in the photograph; each is
+    the mean with its neighbours along the edge.
     """
     step = clear / ASIDE
-    half = round(REACH / step)
+    half = round(reach / step)
     offsets: Reals = step * np.arange(-half - ASIDE, half + ASIDE + 1, dtype=np.float64)
     grey = read(offsets)
     grey[1:-1] = (grey[:-2] + grey[1:-1] + grey[2:]) / 3

@@ -11,6 +11,7 @@ def seeking() -> dict[str, float]:
         "stations": frame_lines.STATIONS,
         "sights": frame_lines.SIGHTS,
         "reach": frame_lines.REACH,
+        "far": frame_lines.FAR,
         "clear": frame_lines.CLEAR,
         "clearDots": frame_lines.CLEAR_DOTS,
         "aside": frame_lines.ASIDE,

@@ -67,6 +67,20 @@ def test_clicked_corners_come_back_to_the_lines(camera: Camera) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("edge", range(4), ids=EDGES)
+@pytest.mark.parametrize("aside", [6.0, -6.0])
+def test_an_edge_clicked_far_beside_its_line_is_found(edge: int, aside: float) -> None:
+    """Both of its corners to one side: by more than the reach that is enough for the others."""
+    ends = [edge, (edge + 1) % 4]
+    way = CORNERS[ends[1]] - CORNERS[ends[0]]
+    clicked = CORNERS.astype(np.complex128)
+    clicked[ends] += aside * 1j * way / abs(way)
+    found = refine(seen(TILTED), BOX, TILTED.seen(clicked))
+    assert found.missing == ()
+    assert off(TILTED, found.corners) < EXACT
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("ink", "width", "noise", "by"),
     [(0.35, 0.5, 4.0, 2.0), (1.0, 0.3, 12.0, 5.0)],

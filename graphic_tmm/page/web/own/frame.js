@@ -41,7 +41,12 @@ export function refinedFrame(image, box, clicked, how) {
   for (let sight = 0; sight < how.sights; sight += 1) {
     const { lens, curl } = straighter;
     const aimed = new Shot(box, shot.corners, lens, curl);
-    edges = feet.map((foot, k) => edgeOf(image, aimed, foot, feet[(k + 1) % 4] ?? foot, how));
+    edges = feet.map((foot, k) => {
+      const head = feet[(k + 1) % 4] ?? foot;
+      const near = edgeOf(image, aimed, foot, head, how);
+      // at first sight farther away if there is none near it
+      return near.line === null && sight === 0 ? edgeOf(image, aimed, foot, head, { ...how, reach: how.far }) : near;
+    });
     const met = meetingsOf(feet, edges);
     shot = new Shot(
       box,
