@@ -42,7 +42,7 @@ WORDS: dict[str, str] = {
     "points": said("Points"),
     "lines": said("Lines and arcs"),
     "on mechanism": said("On the mechanism"),
-    "prick": said("Mark {letter}: click, drag, arrows; or its coordinates."),
+    "prick": said("Mark {letter} within {most} mm: click, drag, arrows; or its coordinates."),
     "which way": said("{letter}: which way?"),
     "read off": said("Read {letter} off the ruler."),
     "work out": said("Calculate {letter}."),
@@ -59,6 +59,7 @@ WORDS: dict[str, str] = {
     "doubtful": said("Doubtful: farther off than most hands."),
     "wrong": said("Wrong."),
     "missed": said("Missed."),
+    "missed by": said("A mark more than {most} mm off is missed."),
     "own error": said("Own error {error} {unit}, earlier marks as they stand."),
     "off figure": said("{error} mm off {letter}."),
     "other meeting": said("It is the other one of two meetings."),
@@ -74,12 +75,14 @@ WORDS: dict[str, str] = {
     "help what": said("Help: what?"),
     "help show": said("Help: show it"),
     "score": said(
-        "{done} of {count} steps: {once} at once, {helped} with help or again, {shown} shown"
+        "{done} of {count} steps: {once} at once, {helped} with help or again, {shown} shown, "
+        "{wrong} wrong"
     ),
     "done steps": said("What you have done"),
     "at once": said("at once"),
     "helped": said("with help or again"),
     "was shown": said("shown"),
+    "was wrong": said("left wrong"),
     "all done": said("The plan is ready."),
     "begin anew": said("Begin anew"),
     "save record": said("Record, JSON"),

@@ -169,9 +169,10 @@ def test_a_point_is_marked_by_the_pointer_with_the_loupe(student: Callable[..., 
     a = own.spots["a"]
     own.page.mouse.click(*own.screen(a.real / 2, a.imag / 2))
     own.room.locator(".listing").get_by_role("button", name="pa =").click()
-    assert "Mark a" in own.told()
-    own.page.mouse.click(*own.screen(a.real + 0.7, a.imag))
+    assert "Mark a within 1 mm" in own.told()
     loupe = own.room.locator("svg.loupe")
+    assert not loupe.is_visible()
+    own.page.mouse.click(*own.screen(a.real + 0.7, a.imag))
     assert loupe.is_visible()
     box = loupe.bounding_box()
     middle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
@@ -259,6 +260,25 @@ def test_where_nothing_may_be_kept_the_page_goes_on(student: Callable[..., Stude
     assert own.score().startswith("0 of ")
     own.page.go_back()
     assert own.score().startswith("3 of ")
+
+
+def test_the_mechanism_has_its_symbols_in_every_position(student: Callable[..., Student]) -> None:
+    """Supports, and the sense of the crank about its pivot, though the sheet has it in one position."""
+    turned = set()
+    for at in ("1", "2"):
+        own = student(address=f"#practice:{PLAN}/all/{at}")
+        symbols = own.room.locator(".beside .kinematic")
+        assert symbols.locator("[data-part=pivot]").count() >= 2
+        arrow = symbols.locator("[data-part=turning]")
+        assert arrow.count() == 2
+        turned.add(arrow.first.get_attribute("transform"))
+        frame, ink = own.room.locator(".beside").bounding_box(), symbols.bounding_box()
+        assert frame["y"] <= ink["y"]
+        assert ink["y"] + ink["height"] <= frame["y"] + frame["height"]
+        pivot = own.room.locator(".beside .dot.bare").first.bounding_box()
+        under = symbols.locator("[data-part=pivot]").last.bounding_box()
+        assert abs(pivot["y"] - under["y"]) < under["height"] + 20
+    assert len(turned) == 2
 
 
 WIDE = "() => document.documentElement.scrollWidth - document.documentElement.clientWidth"

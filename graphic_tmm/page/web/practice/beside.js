@@ -1,6 +1,7 @@
 import { drawnElement } from "../dom.js";
 import { distance, frameOf, mmText, pieceIn } from "./figures.js";
 import { markInk, lettersOf } from "./ink.js";
+import { kinematicOf } from "./kinematic.js";
 import { meantAt } from "./shapes.js";
 
 /**
@@ -35,6 +36,8 @@ export class Beside {
     /** @type {Frame} */
     this.frame = [0, 0, 1, 1];
     this.mm = 1;
+    /** Its symbols, where the sheet has them. @type {import("./kinematic.js").Kinematic | null} */
+    this.kinematic = null;
     /** @type {(slot: number) => boolean} */
     this.fits = () => false;
     /** @type {number[]} */
@@ -59,13 +62,30 @@ export class Beside {
    */
   begin(easel, lead) {
     this.shapes = lead === undefined ? [] : shapesBeside(easel, lead);
+    this.kinematic = lead === undefined ? null : kinematicOf(easel, lead);
     this.letterOf = (slot) => easel.letterOf(slot);
     const spots = this.shapes.flatMap((shape) => (shape.sort === "P" ? [shape.spot] : []));
     this.svg.toggleAttribute("hidden", spots.length === 0);
     if (spots.length > 0) this.frame = frameOf(spots, BESIDE_ROOM, BESIDE_LEAST);
+    if (this.kinematic !== null) this.frame = this.withInk(this.kinematic.ink);
     const [left, low, right, high] = this.frame;
     this.svg.setAttribute("viewBox", [left, -high, right - left, high - low].map(mmText).join(" "));
     this.svg.style.setProperty("aspect-ratio", `${mmText(right - left)} / ${mmText(high - low)}`);
+  }
+
+  /**
+   * Return the frame with all symbols in it.
+   * @param {SVGGraphicsElement} ink
+   * @returns {Frame}
+   */
+  withInk(ink) {
+    this.svg.replaceChildren(ink);
+    const [left, low, right, high] = this.frame;
+    const { x, y, width, height } = ink.getBBox();
+    const by = ink.transform.baseVal.consolidate()?.matrix;
+    if (width === 0 || by === undefined) return this.frame;
+    const [a, b] = [x + by.e - BESIDE_LEAST, -(y + by.f) + BESIDE_LEAST];
+    return [Math.min(left, a), Math.min(low, b - height - 2 * BESIDE_LEAST), Math.max(right, a + width + 2 * BESIDE_LEAST), Math.max(high, b)];
   }
 
   /**
@@ -103,6 +123,14 @@ export class Beside {
     return corner;
   }
 
+  /**
+   * Whether the symbols of the mechanism draw a shape already: it is seen only where it can be picked.
+   * @param {Shape} shape
+   */
+  isInk({ sort, slot }) {
+    return this.kinematic !== null && (sort === "V" || this.kinematic.drawn.has(slot));
+  }
+
   draw() {
     const { width, height } = this.svg.getBoundingClientRect();
     if (width === 0 || height === 0) return;
@@ -113,10 +141,12 @@ export class Beside {
       markInk(shape, this.mm, false).map((part) => {
         part.classList.toggle("fits", this.fits(shape.slot));
         part.classList.toggle("picked", this.picks.includes(shape.slot));
+        part.classList.toggle("bare", this.isInk(shape));
         return part;
       }),
     );
-    this.svg.replaceChildren(drawnElement("g", { class: "pencil" }, ...parts), ...lettersOf(this.shapes, this.letterOf, this.mm));
+    const symbols = this.kinematic === null ? [] : [this.kinematic.ink];
+    this.svg.replaceChildren(...symbols, drawnElement("g", { class: "pencil" }, ...parts), ...lettersOf(this.shapes, this.letterOf, this.mm));
   }
 }
 

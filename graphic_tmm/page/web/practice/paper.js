@@ -11,8 +11,8 @@ import { meantAt } from "./shapes.js";
  * @typedef {{zero: Spot, along: Spot, from: number, to: number, read: Spot | null}} Ruler a ruler on the board; what is
  *   read on it
  * @typedef {{frame: Frame, shapes: Shape[], letterOf: (slot: number) => string, arrows: boolean, picks: number[],
- *   fits: (slot: number) => boolean, now: number, wrong: (slot: number) => boolean, aim: Spot | null, ruler: Ruler | null,
- *   taken: [number, number]}} Shown
+ *   fits: (slot: number) => boolean, now: number, wrong: (slot: number) => boolean, aim: Spot | null, moved: boolean,
+ *   ruler: Ruler | null, taken: [number, number]}} Shown `moved`: whether the cross was moved since it is there
  */
 
 const INK = "practice-ink";
@@ -67,7 +67,7 @@ export class Paper {
     this.ink.replaceChildren(...drawn.flat(), ...laid);
     this.letters.replaceChildren(...lettersOf(shown.shapes, shown.letterOf, this.mm));
     this.whole.classList.toggle("aiming", shown.aim !== null);
-    this.enlarge(shown.aim, shown.aim ?? ruler?.read ?? null);
+    this.enlarge(shown.aim, shown.aim === null ? (ruler?.read ?? null) : shown.moved ? shown.aim : null);
   }
 
   /**

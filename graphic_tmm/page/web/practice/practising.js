@@ -1,4 +1,5 @@
 import { element } from "../dom.js";
+import { actsOf } from "./acts.js";
 import { beginningOf, rulerFor } from "./aids.js";
 import { GRAIN } from "./aim.js";
 import { Beside } from "./beside.js";
@@ -8,7 +9,6 @@ import { Paper } from "./paper.js";
 import { readAloud } from "./aloud.js";
 import { Session } from "./session.js";
 import { showWork } from "./showing.js";
-import { showSide } from "./sides.js";
 import { cellOf, halfUnit } from "./typed.js";
 import { Verdicts } from "./verdicts.js";
 
@@ -34,27 +34,10 @@ export class Practising {
     this.sessions = new Map();
     /** @type {Spot | null} */
     this.aim = null;
+    /** Where the cross stood before anything was done with it. @type {Spot | null} */
+    this.begun = null;
     this.now = -1;
-    this.panel = new Panel(say, data.words["decimal sign"] ?? ".", {
-      choose: (name) => this.choose(name),
-      pick: (slot) => this.pick(slot),
-      submit: () => this.settle(this.task.submit()),
-      tell: (value, text) => this.tell(value, [text]),
-      aim: (spot) => this.aimAt(spot),
-      prick: () => this.prick(),
-      leave: () => this.leave(),
-      help: () => this.help(),
-      side: (side) => showSide(this, side),
-      redo: (slot) => this.redo(slot),
-      again: () => this.redo(this.now),
-      clear: () => {
-        this.session.clear();
-        this.go(this.n);
-      },
-      record: () => this.session.saveRecord(),
-      readings: () => this.session.saveReadings(),
-      refuse: (trouble) => this.report([element("p", { class: "verdict" }, trouble)]),
-    });
+    this.panel = new Panel(say, data.words["decimal sign"] ?? ".", actsOf(this));
     this.paper = new Paper(say("board"), say("loupe"), (slots, at) => this.meant(slots, at), (spot) => this.aimAt(spot));
     this.beside = new Beside(say("mechanism"), (slots, at) => this.meant(slots, at));
     this.menu = element("div", { class: "meant", role: "group", "aria-label": say("meant"), hidden: "" });
@@ -134,6 +117,7 @@ export class Practising {
     const move = /** @type {import("./picking.js").Move} */ (this.task.asked);
     const begun = this.easel.values.spot(move.it) ?? beginningOf(rulerFor(move, this.easel), this.session.frame);
     this.aim = this.easel.kindOf(move.it) === "point" ? begun : null;
+    this.begun = this.aim;
     if (this.aim !== null) this.panel.spot.begin(this.easel.letterOf(this.session.told.pole));
     else this.panel.figure.begin(this.easel.letterOf(move.it), this.easel.unitOf(move.it));
   }

@@ -1,8 +1,9 @@
 /**
  * How a task was done, by its steps; there is no clock.
  *
- * @typedef {"once" | "helped" | "shown"} Mark a step was right at once, after help or again, or was shown
- * @typedef {{once: number, helped: number, shown: number, count: number}} Tally of all steps
+ * @typedef {"once" | "helped" | "shown" | "wrong"} Mark a step was right at once, after help or again, was shown, or
+ *   stands though it is wrong
+ * @typedef {{once: number, helped: number, shown: number, wrong: number, count: number}} Tally of all steps
  */
 
 /** The stages of help for a step, in their order. */
@@ -35,20 +36,23 @@ export class Score {
   }
 
   /**
-   * A step is done; what it was worth at first it stays worth, unless it is shown.
+   * A step is done; what it was worth at first it stays worth, unless it is shown or is wrong now.
    * @param {number} slot
    * @param {boolean} shown
+   * @param {boolean} wrong it is let stand though it is wrong
    */
-  done(slot, shown = false) {
+  done(slot, shown = false, wrong = false) {
     const clean = !this.charged.has(slot) && !this.strayed;
     this.strayed = false;
+    const before = this.marks.get(slot);
     if (shown) this.marks.set(slot, "shown");
-    else if (!this.marks.has(slot)) this.marks.set(slot, clean ? "once" : "helped");
+    else if (wrong) this.marks.set(slot, "wrong");
+    else if (before === undefined || before === "wrong") this.marks.set(slot, clean ? "once" : "helped");
   }
 
   /** @returns {Tally} */
   tally() {
-    const found = { once: 0, helped: 0, shown: 0, count: this.count };
+    const found = { once: 0, helped: 0, shown: 0, wrong: 0, count: this.count };
     for (const mark of this.marks.values()) found[mark] += 1;
     return found;
   }

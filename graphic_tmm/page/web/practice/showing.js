@@ -1,8 +1,9 @@
-import { element, sentenceOf } from "../dom.js";
+import { element, filled, sentenceOf } from "../dom.js";
 import { distancesFor, rulerFor } from "./aids.js";
 import { groupsFor } from "./choices.js";
 import { shapesOf } from "./shapes.js";
 import { hasSides } from "./sides.js";
+import { MISSED } from "./task.js";
 import { isPoor, Verdicts } from "./verdicts.js";
 
 /**
@@ -91,7 +92,7 @@ function promptOf({ task, easel, say, aim }) {
     return [say(task.ready ? "all done" : "choose")];
   }
   const key = aim !== null ? "prick" : hasSides(task, asked) ? "which way" : READ_OFF.includes(asked.op) ? "read off" : "work out";
-  const [before = "", after = ""] = say(key).split("{letter}");
+  const [before = "", after = ""] = filled(say(key), { letter: "{letter}", most: MISSED }).split("{letter}");
   return [before, ...sentenceOf([[easel.letterOf(asked.it), asked.it]]), after];
 }
 
@@ -103,7 +104,7 @@ const READ_OFF = ["measure", "measure_along"];
  * @param {Practising} work
  * @returns {Omit<Shown, "taken">}
  */
-function boardOf({ task, easel, session, aim, now }) {
+function boardOf({ task, easel, session, aim, begun, now }) {
   const given = [...new Set([session.told.pole, ...session.told.shown])].filter((slot) => slot >= 0 && easel.isHere(slot));
   const done = task.moves.filter((move) => task.isDone(move.it));
   const slots = [...given, ...done.map((move) => move.it)];
@@ -118,6 +119,7 @@ function boardOf({ task, easel, session, aim, now }) {
     now,
     wrong: isWrong,
     aim,
+    moved: aim !== begun,
     ruler: task.asked === null ? null : rulerFor(task.asked, easel),
   };
 }

@@ -8,8 +8,8 @@ import { isPoor } from "./verdicts.js";
  */
 
 /** How a step that is done is told by a sign, and what that means. */
-const WORTH = { once: "●", helped: "◐", shown: "○", left: "·" };
-const MEANS = { once: "at once", helped: "helped", shown: "was shown" };
+const WORTH = { once: "●", helped: "◐", shown: "○", wrong: "✗", left: "·" };
+const MEANS = { once: "at once", helped: "helped", shown: "was shown", wrong: "was wrong" };
 
 /**
  * Return the score in words and signs, and what is done, each to be done again.

@@ -26,9 +26,17 @@ import { DRAWN, hasSides } from "./sides.js";
  * A hand's own lines swing, and a check allows a point as much. Here the lines are drawn true: who marks a point farther
  * from them has missed, mm.
  */
-const MISSED = 2;
+export const MISSED = 1;
 /** So does an image that falls on another one. */
 const FALLS = "coincide";
+
+/**
+ * Whether what was told of a step is wrong.
+ * @param {Tried} tried
+ */
+export function isWrong(tried) {
+  return tried.verdict === "wrong" || tried.missed;
+}
 
 /**
  * A task: one plan in one position. A step is taken in three moves: an instrument, what it is laid to, what comes of
@@ -172,7 +180,7 @@ export class Task {
     const missed = typeof found !== "number" && parts.some((part) => Math.abs(part.error) > MISSED);
     const tried = { slot, found, texts, last, error, parts, verdict, blamed, missed };
     this.tries.push(tried);
-    if (verdict === "wrong" || missed) {
+    if (isWrong(tried)) {
       this.score.charge(slot);
       this.refused = tried;
     } else this.take(slot, tried);
@@ -234,7 +242,7 @@ export class Task {
     else if (move !== undefined && DRAWN.includes(this.kindOf(slot))) this.bench.take(slot);
     else this.bench.take(slot, /** @type {number | Complex} */ (this.bench.due(slot)));
     this.results.set(slot, tried);
-    this.score.done(slot, shown);
+    this.score.done(slot, shown, tried !== null && isWrong(tried));
     this.rest();
   }
 }

@@ -1,4 +1,5 @@
-import { element, sentenceOf, typeset } from "../dom.js";
+import { element, filled, sentenceOf, typeset } from "../dom.js";
+import { MISSED } from "./task.js";
 import { shownNumber } from "./typed.js";
 
 /**
@@ -73,6 +74,7 @@ export class Verdicts {
       const told = this.say("own error").replace("{error}", size).replace("{unit}", unit);
       lines.push(element("p", { class: "error" }, told));
     }
+    if (tried.missed) lines.push(element("p", { class: "error" }, filled(this.say("missed by"), { most: MISSED })));
     if (isPoor(tried)) lines.push(...this.blame(tried));
     return lines;
   }
