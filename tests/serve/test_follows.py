@@ -28,7 +28,7 @@ async def fetched(browser: Browser, name: str, state: dict[str, Any]) -> tuple[l
 
 def drawn(file: Path) -> tuple[list[bytes], bytes]:
     made, found = composed_sheets(read(file))
-    return [svg(one).encode() for one in found.sheets], page(made, found.sheets).encode()
+    return [svg(one).encode() for one in found.sheets], page(made, found.sheets, practised=True).encode()
 
 
 def replaced(file: Path, text: str) -> None:
