@@ -136,6 +136,7 @@ def test_a_plan_is_begun_by_keys_alone(student: Callable[..., Student]) -> None:
     due = own.mm["pa"] * MU
     own.write(f"{10 * due:.5g}")
     assert "Wrong." in own.told()
+    assert "10 times too large." in own.told()
     own.page.locator("#practice-figure").fill("")
     own.page.locator("#practice-figure").focus()
     own.write(f"{due:.5g}")

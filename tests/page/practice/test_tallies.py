@@ -43,6 +43,8 @@ first_steps: for (const one of fresh.task.moves) {
     break first_steps;
   }
 }
+const { plainSlip } = await import("./practice/slips.js");
+answers.push([[473, 47.3], [0.473, 47.3], [-47.3, 47.3], [51, 47.3], [473, 51]].map((two) => plainSlip(...two)));
 writeFileSync(answered, JSON.stringify(answers));
 """
 
@@ -67,5 +69,10 @@ def test_a_mark_beside_its_crossing_is_missed(told: Any) -> None:
 
 
 def test_help_is_for_the_instrument_that_was_chosen(told: Any) -> None:
-    (helped,) = told[3:]
+    helped = told[3]
     assert helped["helped"] == helped["asked"]
+
+
+def test_a_slipped_point_and_a_wrong_sign_are_told(told: Any) -> None:
+    found = [one and (one["key"], one["times"]) for one in told[4]]
+    assert found == [("times more", 10), ("times less", 100), ("other sense", 1), None, None]

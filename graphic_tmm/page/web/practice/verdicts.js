@@ -1,6 +1,7 @@
 import { element, filled, sentenceOf, typeset } from "../dom.js";
 import { instrumentOf } from "./palette.js";
 import { MISSED } from "./task.js";
+import { plainSlip } from "./slips.js";
 import { shownNumber } from "./typed.js";
 
 /**
@@ -98,6 +99,9 @@ export class Verdicts {
    * @param {Tried} tried
    */
   blame(tried) {
+    const due = this.easel.bench.due(tried.slot);
+    const plain = typeof tried.found === "number" && typeof due === "number" ? plainSlip(tried.found, due) : null;
+    if (plain !== null) return [element("p", { class: "blame" }, filled(this.say(plain.key), { times: plain.times }))];
     const parts = this.easel.steps.get(tried.slot)?.parts ?? [];
     const found = tried.parts.map((part, k) => ({ ...part, kind: parts[k]?.[0] ?? "place", use: parts[k]?.[2] ?? 0 }));
     const other = found.find((part) => part.kind === "met" && part.error > SLIGHT);
