@@ -53,6 +53,7 @@ WORDS: dict[str, str] = {
     "board": said("The board"),
     "loupe": said("Loupe"),
     "meant": said("Which one?"),
+    "nothing here": said("Nothing here that this instrument takes."),
     # how it is judged
     "drawn": said("{letter} is drawn."),
     "fine": said("Right."),
@@ -62,6 +63,9 @@ WORDS: dict[str, str] = {
     "missed by": said("A mark more than {most} mm off is missed."),
     "own error": said("Own error {error} {unit}, earlier marks as they stand."),
     "off figure": said("{error} mm off {letter}."),
+    "times more": said("{times} times too large."),
+    "times less": said("{times} times too small."),
+    "other sense": said("The other sense: see the sign."),
     "other meeting": said("It is the other one of two meetings."),
     "leave": said("Let it stand"),
     "try again": said("Do {letter} again"),
@@ -74,6 +78,7 @@ WORDS: dict[str, str] = {
     "help why": said("Help: why?"),
     "help what": said("Help: what?"),
     "help show": said("Help: show it"),
+    "its button": said("Instrument: {name}."),
     "score": said(
         "{done} of {count} steps: {once} at once, {helped} with help or again, {shown} shown, "
         "{wrong} wrong"
@@ -85,6 +90,7 @@ WORDS: dict[str, str] = {
     "was wrong": said("left wrong"),
     "all done": said("The plan is ready."),
     "begin anew": said("Begin anew"),
+    "surely anew": said("Wipe all that is done?"),
     "save record": said("Record, JSON"),
     "save readings": said("Readings, CSV"),
     "keys tools": said("Choose an instrument"),

@@ -130,9 +130,13 @@ def test_a_plan_is_begun_by_keys_alone(student: Callable[..., Student]) -> None:
     own = student()
     assert own.score().startswith("0 of ")
     own.lay("0", "ω1", "lOA", whole=True)
+    given = own.room.locator(".data").inner_text()
+    assert "ω1 = " in given
+    assert "lOA = " in given
     due = own.mm["pa"] * MU
     own.write(f"{10 * due:.5g}")
     assert "Wrong." in own.told()
+    assert "10 times too large." in own.told()
     own.page.locator("#practice-figure").fill("")
     own.page.locator("#practice-figure").focus()
     own.write(f"{due:.5g}")
@@ -167,9 +171,13 @@ def test_a_point_is_marked_by_the_pointer_with_the_loupe(student: Callable[..., 
     first_steps(own)
     own.keys("6")
     a = own.spots["a"]
+    aside = a / 2 + 10j * a / abs(a)
+    own.page.mouse.click(*own.screen(aside.real, aside.imag))
+    assert "Nothing here" in own.told()
     own.page.mouse.click(*own.screen(a.real / 2, a.imag / 2))
     own.room.locator(".listing").get_by_role("button", name="pa =").click()
     assert "Mark a within 1 mm" in own.told()
+    assert own.room.locator(".data").inner_text().strip().startswith("pa = ")
     loupe = own.room.locator("svg.loupe")
     assert not loupe.is_visible()
     own.page.mouse.click(*own.screen(a.real + 0.7, a.imag))
@@ -214,6 +222,7 @@ def test_help_goes_from_why_to_what_to_the_step_itself(student: Callable[..., St
     assert "angular velocity" in own.told()
     own.keys("h")
     assert "Calculate vA" in own.told()
+    assert "Instrument: Calculate." in own.told()
     assert own.score().startswith("0 of ")
     own.keys("h")
     assert re.match(r"1 of \d+ steps: 0 at once, 0 with help or again, 1 shown", own.score())
@@ -245,6 +254,8 @@ def test_what_is_done_is_kept_and_saved(student: Callable[..., Student], tmp_pat
         (PLAN, "a", POSITION),
     }
     own.room.get_by_role("button", name="Begin anew").click()
+    assert own.score() == before
+    own.room.get_by_role("button", name="Wipe all that is done?").click()
     assert own.score().startswith("0 of ")
 
 

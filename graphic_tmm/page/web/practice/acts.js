@@ -20,6 +20,7 @@ export function actsOf(work) {
     redo: (slot) => work.redo(slot),
     again: () => work.redo(work.now),
     clear: () => {
+      if (work.panel.doubted(work.task.results.size > 0)) return;
       work.session.clear();
       work.go(work.n);
     },

@@ -34,18 +34,34 @@ export class Panel {
     this.leave = this.button(say("leave"), acts.leave, "leave");
     this.again = this.button("", acts.again, "leave");
     this.help = this.button("", acts.help, "ask");
+    this.data = element("p", { class: "distances data" });
+    this.anew = this.button(say("begin anew"), acts.clear);
+    /** What the button of beginning anew asks, what it is called. */
+    this.asks = [say("surely anew"), say("begin anew")];
+    this.anew.addEventListener("blur", () => this.doubted(false));
     this.readings = this.button(say("save readings"), acts.readings);
     this.tally = tallying(say, acts.redo);
-    const step = element("div", { class: "step" }, this.prompt, this.listing.whole, this.whole, this.figure.form, this.spot.form, ...this.sides, this.distances);
+    const step = element("div", { class: "step" }, this.prompt, this.data, this.listing.whole, this.whole, this.figure.form, this.spot.form, ...this.sides, this.distances);
     const told = element("div", { class: "told" }, this.verdict, this.leave, this.again, this.hint, this.help);
     const files = element(
       "div",
       { class: "files" },
       this.button(say("save record"), acts.record),
       this.readings,
-      this.button(say("begin anew"), acts.clear),
+      this.anew,
     );
     this.body = element("div", { class: "panel", tabindex: "0" }, step, told, this.tally.whole, files);
+  }
+
+  /**
+   * Ask before all that is done is wiped; return whether that was not asked yet.
+   * @param {boolean} much whether there is something to be lost
+   */
+  doubted(much) {
+    const [asks = "", name = ""] = this.asks;
+    const asked = this.anew.textContent === asks;
+    this.anew.textContent = much && !asked ? asks : name;
+    return much && !asked;
   }
 
   /**

@@ -96,6 +96,7 @@ export class Practising {
    */
   meant(slots, at) {
     const [first] = slots;
+    if (first === undefined && this.task.instrument !== null) this.report([element("p", {}, this.say("nothing here"))]);
     this.menu.hidden = slots.length < 2;
     if (slots.length > 1) menuOf(this.menu, at, slots, this.easel, (slot) => this.pick(slot));
     else if (first !== undefined) this.pick(first);

@@ -21,6 +21,8 @@ export function showWork(work) {
   panel.prompt.replaceChildren(...promptOf(work));
   panel.listing.show(groupsFor(task, easel, say), task.picks);
   showAnswer(work);
+  const taken = task.asked?.uses ?? [];
+  panel.data.replaceChildren(...taken.flatMap((slot) => dataOf(easel.letterOf(slot), easel.toldOf(slot))));
   showAfter(work);
   panel.tally.show(task, easel);
   work.paper.show({ ...boardOf(work), taken: work.beside.stand(work.session.exact, work.session.frame) });
@@ -70,6 +72,15 @@ function showAfter({ task, panel, easel, say, now }) {
  */
 function setSeen(part, seen) {
   part.toggleAttribute("hidden", !seen);
+}
+
+/**
+ * Return a figure that a step takes, as it was given or found.
+ * @param {string} letter
+ * @param {string} told with its unit; "" of what is no figure
+ */
+function dataOf(letter, told) {
+  return told === "" || letter === "" ? [] : [element("span", { class: "piece" }, ...sentenceOf([letter]), ` = ${told}`), " "];
 }
 
 /**

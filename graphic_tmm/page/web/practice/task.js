@@ -1,5 +1,5 @@
 import { isKnown } from "./easel.js";
-import { INSTRUMENTS, SORTS } from "./palette.js";
+import { INSTRUMENTS, instrumentOf, SORTS } from "./palette.js";
 import { Picking } from "./picking.js";
 import { Score, STAGES } from "./score.js";
 import { DRAWN, hasSides } from "./sides.js";
@@ -82,10 +82,13 @@ export class Task {
     return this.results.size === this.moves.length;
   }
 
-  /** The step that comes next in the order of the plan; null when all is done. */
+  /** The step that comes next: of the chosen instrument, else in the order of the plan; null when all is done. */
   get next() {
     const open = this.moves.filter((move) => !this.isDone(move.it));
-    return open.find((move) => this.bench.ready(move.it)) ?? open[0] ?? null;
+    const can = open.filter((move) => this.bench.ready(move.it));
+    const meant = can.filter((move) => instrumentOf(move.op).name === this.instrument?.name);
+    const laid = meant.find((move) => this.picks.every((slot) => move.uses.includes(slot)));
+    return laid ?? meant[0] ?? can[0] ?? open[0] ?? null;
   }
 
   /**
@@ -222,9 +225,7 @@ export class Task {
     return { slot: move.it, stage: STAGES[stage] ?? "" };
   }
 
-  /**
-   * The stage of the help that would come next.
-   */
+  /** The stage of the help that would come next. */
   get stage() {
     const move = this.asked ?? this.next;
     return STAGES[Math.min(this.helped.get(move?.it ?? -1) ?? 0, STAGES.length - 1)] ?? "";

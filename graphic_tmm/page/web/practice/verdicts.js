@@ -1,5 +1,7 @@
 import { element, filled, sentenceOf, typeset } from "../dom.js";
+import { instrumentOf } from "./palette.js";
 import { MISSED } from "./task.js";
+import { plainSlip } from "./slips.js";
 import { shownNumber } from "./typed.js";
 
 /**
@@ -97,6 +99,9 @@ export class Verdicts {
    * @param {Tried} tried
    */
   blame(tried) {
+    const due = this.easel.bench.due(tried.slot);
+    const plain = typeof tried.found === "number" && typeof due === "number" ? plainSlip(tried.found, due) : null;
+    if (plain !== null) return [element("p", { class: "blame" }, filled(this.say(plain.key), { times: plain.times }))];
     const parts = this.easel.steps.get(tried.slot)?.parts ?? [];
     const found = tried.parts.map((part, k) => ({ ...part, kind: parts[k]?.[0] ?? "place", use: parts[k]?.[2] ?? 0 }));
     const other = found.find((part) => part.kind === "met" && part.error > SLIGHT);
@@ -126,6 +131,14 @@ export class Verdicts {
   }
 
   /**
+   * Return what the button of a step's instrument is called.
+   * @param {import("../types.js").PracticeStep | undefined} step
+   */
+  buttonOf(step) {
+    return step === undefined ? "" : this.say(instrumentOf(step.op).name);
+  }
+
+  /**
    * Return a help: why a step is done, what is done, what it came to.
    * @param {Help} help
    * @returns {HTMLElement[]}
@@ -134,6 +147,7 @@ export class Verdicts {
     const step = this.easel.steps.get(slot);
     if (stage === "why") return [element("p", {}, ...sentenceOf(step?.why ?? step?.text ?? []))];
     const lines = [element("p", {}, ...sentenceOf(step?.text ?? []))];
+    lines.push(element("p", { class: "tool" }, filled(this.say("its button"), { name: this.buttonOf(step) })));
     if (step?.formula !== undefined) lines.push(element("p", { class: "calc" }, ...typeset(step.formula)));
     else if (step?.tool !== undefined) lines.push(element("p", { class: "tool" }, ...typeset(step.tool)));
     return lines;
