@@ -28,7 +28,8 @@ async def fetched(browser: Browser, name: str, state: dict[str, Any]) -> tuple[l
 
 def drawn(file: Path) -> tuple[list[bytes], bytes]:
     made, found = composed_sheets(read(file))
-    return [svg(one).encode() for one in found.sheets], page(made, found.sheets, practised=True).encode()
+    whole = page(made, found.sheets, practised=True)
+    return [svg(one).encode() for one in found.sheets], whole.encode()
 
 
 def replaced(file: Path, text: str) -> None:
