@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.values import Reals
+from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.numbers import decimal_sign, fixed, number
 from graphic_tmm.language.symbols import symbol
@@ -41,6 +41,8 @@ LETTER = 0.01
 """Letters are placed to this, mm."""
 FINE = 1e-5
 """Figures are told to this share of the largest of their row."""
+FLOWN = 100.0
+"""One that is more than so many times the usual one of its row coarsens the others no further."""
 
 
 class Turned(NamedTuple):
@@ -261,13 +263,15 @@ def _values(
             "unit": unit(column.unit, language),
             "places": figures.places,
             "texts": texts,
-            **_fine(row, rows),
+            **fine(row, rows),
         }
 
 
-def _fine(row: Reals, rows: list[Ints]) -> dict[str, Any]:
+def fine(row: Reals, rows: list[Ints]) -> dict[str, Any]:
     """Return a row of figures at all angles: the number of its row, what one of it is worth, where it is."""
     largest = float(np.nanmax(np.abs(row)))
+    if largest > FLOWN * float(np.nanmedian(np.abs(row))):
+        largest /= FLOWN
     worth = 10.0 ** math.floor(math.log10(largest * FINE)) if largest > 0.0 else 1.0
     packer = Packer()
     told_ = packer.put(row, worth)
@@ -279,13 +283,22 @@ def _fine(row: Reals, rows: list[Ints]) -> dict[str, Any]:
     }
 
 
+def on_paper(spots: Complexes, sheet: Sheet) -> Complexes:
+    """Return places on a sheet, mm; NaN of those beside it."""
+    there = (abs(spots.real - sheet.width / 2) <= sheet.width / 2) & (
+        abs(spots.imag - sheet.height / 2) <= sheet.height / 2
+    )
+    return np.where(there, spots, complex("nan"))
+
+
 def _cursor(
     one: Cursor, drawn: Drawn, found: Dense, sheets: Sequence[Sheet], rows: list[Ints]
 ) -> dict[str, Any]:
     """Return a cursor: on which view, its point (mm of the sheet, y downward), what it tells, its texts."""
-    language, high = drawn.scene.language, sheets[one.sheet].height
-    packer = Packer()
-    x, y = packer.put(one.spots.real), packer.put(high - one.spots.imag)
+    language, sheet = drawn.scene.language, sheets[one.sheet]
+    high, packer = sheet.height, Packer()
+    spots = on_paper(one.spots, sheet)
+    x, y = packer.put(spots.real), packer.put(high - spots.imag)
     begun = len(rows)
     rows += packer.rows
     texts: list[str | None] = []
@@ -301,6 +314,6 @@ def _cursor(
         "upright": one.upright,
         "x": [x[0] + begun, x[1]] if len(x) > 1 else x,
         "y": [y[0] + begun, y[1]] if len(y) > 1 else y,
-        "there": _presence(one.spots.real[:, None]),
+        "there": _presence(spots.real[:, None]),
         "texts": texts,
     }

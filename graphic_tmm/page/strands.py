@@ -4,13 +4,17 @@ The chapter's own ink is drawn at every fifth degree, and at each degree whereve
 between: where a stroke comes or goes, jumps, or bends more than four places tell. What
 lies between is laid through four places by Lagrange's cubic. So nothing is drawn by a second rule, and a turn
 costs a fifth.
+
+Where a mechanism can hardly be drawn a plan of it flies away: it is then kilometres large. It is not there at
+such an angle, as where it cannot be drawn.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from math import isfinite
 from typing import NamedTuple
 
@@ -28,6 +32,12 @@ NEAR = 0.05
 """What lies between is off by no more, mm, where it is smooth: a fifth of a thin line."""
 HEAD = 0.25
 """How far off the head of an arrow counts: it turns fast where its vector is almost nothing."""
+AWAY = 10.0
+"""What reaches so many times as far as at half the angles has flown away."""
+USUAL = 200.0, 1000.0
+"""A figure is taken to reach so far there at least, and at most, mm: sheets are no larger."""
+BENT = 500.0
+"""An arc whose bulge is more is a whole turn but for nothing, and no arc."""
 ASIDE = 5.0 / 128.0
 """How far a cubic through four even places is off half way between the first two, of the fourth difference."""
 
@@ -79,16 +89,42 @@ class Strands:
 def strands(dense: Dense, moving: Moving) -> Strands:
     """Return a figure over the angles, drawn as often as it needs."""
     base = list(range(0, dense.whole, STEP))
-    rows = _rows(_drawing(dense, moving, k) for k in base)
+    drawing = _drawing(dense, moving, base)
+    rows = _rows(drawing(k) for k in base)
     refined = _refined(_filled(rows, len(base)), len(base))
     more = [STEP * i + j for i in refined for j in range(1, STEP)]
     more += range(dense.whole, dense.turned.size)
-    rows = _rows((_drawing(dense, moving, k) for k in more), rows, len(base))
+    rows = _rows((drawing(k) for k in more), rows, len(base))
     return Strands((*base, *more), refined, _filled(rows, len(base) + len(more)))
 
 
-def _drawing(dense: Dense, moving: Moving, k: int) -> Drawing:
-    return Drawing(moving.name, "") if k in dense.drawn.undrawn else moving.at(k)
+def _drawing(dense: Dense, moving: Moving, usual: Iterable[int]) -> Callable[[int], Drawing]:
+    """Return what draws a figure at an angle (index); where that cannot be drawn, or flies away, it is empty.
+
+    ``usual``: the angles that tell how far it usually reaches.
+    """
+    nothing = Drawing(moving.name, "")
+
+    @cache
+    def drawing(k: int) -> Drawing:
+        return nothing if k in dense.drawn.undrawn else moving.at(k)
+
+    reaches = [_reach(drawing(k)) for k in usual if k not in dense.drawn.undrawn]
+    far = AWAY * float(np.clip(np.median(reaches or [0.0]), *USUAL))
+    return lambda k: drawing(k) if _reach(drawing(k)) <= far else nothing
+
+
+def _reach(drawing: Drawing) -> float:
+    """Return how far a figure reaches along either axis from where its places are counted, mm."""
+    places = (abs(value) for _, values in _things(drawing) for value in _coordinates(values))
+    return max(places, default=0.0)
+
+
+def _coordinates(values: Sequence[float]) -> Iterator[float]:
+    """Yield the coordinates of what `_things` tells: of a stroke every third value is a bulge."""
+    for k, value in enumerate(values):
+        if k % 3 < 2:
+            yield value
 
 
 _Rows = dict[Key, dict[int, list[float]]]
@@ -118,7 +154,7 @@ def _things(drawing: Drawing) -> Iterator[tuple[Key, list[float]]]:
     for stroke in drawing.strokes:
         if isinstance(stroke, Stroke):
             values = [value for vertex in stroke.path for value in vertex]
-            if all(map(isfinite, values)):
+            if all(map(isfinite, values)) and all(abs(one) < BENT for one in values[2::3]):
                 yield line_key(stroke, met), values
     for one in drawing.wanted:
         at = one.at

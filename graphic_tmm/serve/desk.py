@@ -107,6 +107,7 @@ class Desk:
         except SceneError as error:
             self._stop(scene)
             scene.data = None
+            scene.kept.tell(fresh=False)
             _refuse(scene.kept, "", self.unread(scene, error))
             return
         if (data, beside) == (scene.data, scene.beside):
@@ -136,7 +137,7 @@ class Desk:
     async def _drawn(self, scene: Scene, task: Task) -> None:
         """Draw a scene, its sheets first; tell every step of it."""
         version = hashed(task.data)
-        scene.kept.tell(busy=True, text_version=version)
+        scene.kept.tell(busy=True, fresh=False, text_version=version)
         first = scene.composition is None
         try:
             refused = await self._stages(scene, task)
@@ -156,7 +157,7 @@ class Desk:
         if isinstance(meaning, Refused):
             return meaning
         if scene.done == (meaning, task.given):
-            scene.kept.tell(ok=True, errors=())
+            scene.kept.tell(ok=True, fresh=True, errors=())
             return None
         draft = asyncio.create_task(self._drafted(scene, task, soon, show=True))
         try:
@@ -197,11 +198,12 @@ class Desk:
 def _show(scene: Scene, drawn: Drafted, **told: Any) -> None:
     """Show sheets that were drawn, and what is told of them; the page that is there is of others now."""
     scene.done = ("", None)
-    scene.kept.tell(ok=True, errors=(), sheets=as_sheets(scene.kept, drawn), **told)
+    sheets = as_sheets(scene.kept, drawn)
+    scene.kept.tell(ok=True, fresh=True, errors=(), sheets=sheets, **told)
 
 
 def _refuse(kept: Kept, version: str, faults: tuple[Told, ...]) -> None:
-    """Tell what a text is refused for; the sheets of the text before stay."""
+    """Tell what a text is refused for; the sheets that are there stay."""
     kept.tell(ok=False, busy=False, text_version=version, errors=faults)
 
 

@@ -159,9 +159,9 @@ def meant(task: Task) -> str:
 
 @told
 def paged(task: Task) -> bytes:
-    """Return a scene as a page for a browser."""
+    """Return a scene as a page for a browser, with what lets a person draw its plans himself."""
     made, found = composed(task)
-    return page(made, found.sheets).encode()
+    return page(made, found.sheets, practised=True).encode()
 
 
 @told

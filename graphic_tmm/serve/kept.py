@@ -35,7 +35,7 @@ class Kept:
     """A scene that is served.
 
     ``text_version``: of the text that is drawn, or being drawn. ``errors``: of that text; the sheets are then
-    those of the last text that could be drawn.
+    those of the last text that could be drawn, unless they are ``fresh``: of this one.
     """
 
     name: str
@@ -43,6 +43,7 @@ class Kept:
     text_version: str = ""
     ok: bool = True
     busy: bool = False
+    fresh: bool = False
     errors: tuple[Told, ...] = ()
     warnings: tuple[str, ...] = ()
     sheets: tuple[Shown, ...] = ()
@@ -72,6 +73,7 @@ class Kept:
             "text_version": self.text_version,
             "ok": self.ok,
             "busy": self.busy,
+            "fresh": self.fresh,
             "errors": [one._asdict() for one in self.errors],
             "warnings": list(self.warnings),
             "sheets": [one._asdict() for one in self.sheets],

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import os
 from pathlib import Path
 from typing import Any
 
+import pytest
 from support.served import SMALL, Browser, opened, run, small
 
 from graphic_tmm.page.page import page
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
+from graphic_tmm.serve import jobs
 from graphic_tmm.studio import composed_sheets
 
 
@@ -25,7 +28,8 @@ async def fetched(browser: Browser, name: str, state: dict[str, Any]) -> tuple[l
 
 def drawn(file: Path) -> tuple[list[bytes], bytes]:
     made, found = composed_sheets(read(file))
-    return [svg(one).encode() for one in found.sheets], page(made, found.sheets).encode()
+    whole = page(made, found.sheets, practised=True)
+    return [svg(one).encode() for one in found.sheets], whole.encode()
 
 
 def replaced(file: Path, text: str) -> None:
@@ -99,6 +103,37 @@ def test_faults_are_told_by_line_and_the_last_sheets_stay(tmp_path: Path) -> Non
             assert (await browser.settled("small", lambda one: one["ok"]))["sheets"] == first[
                 "sheets"
             ]
+
+    run(serving)
+
+
+def test_a_page_that_fails_leaves_the_sheets_new_and_says_so(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """``fresh`` tells whether the sheets are those of the text that has faults, or those of before."""
+    file = small(tmp_path)
+
+    async def serving() -> None:
+        async with opened(file) as (browser, _):
+            first = await browser.settled("small", lambda one: one["page"])
+            assert first["fresh"]
+            monkeypatch.setattr(jobs, "paged", json.loads)  # which takes no task
+            file.write_text(SMALL.replace("0.1 m", "0.12 m"), encoding="utf-8")
+            failed = await browser.settled("small", lambda one: not one["ok"])
+            assert failed["fresh"]
+            assert len(failed["errors"]) == 1
+            assert failed["sheets"] != first["sheets"]
+            assert failed["page"] == first["page"]
+            file.write_text(SMALL.replace("0.3 m", "0.3 kg"), encoding="utf-8")
+            version = failed["text_version"]
+            bad = await browser.settled("small", lambda one: one["text_version"] != version)
+            assert not bad["ok"]
+            assert not bad["fresh"]
+            assert bad["sheets"] == failed["sheets"]
+            monkeypatch.undo()
+            file.write_text(SMALL, encoding="utf-8")
+            again = await browser.settled("small", lambda one: one["ok"] and not one["busy"])
+            assert (again["fresh"], again["sheets"]) == (True, first["sheets"])
 
     run(serving)
 

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
+from graphic_tmm.checking.photo.curl import Curl
 from graphic_tmm.checking.photo.frame_lines import REACH, refine
 from graphic_tmm.checking.photo.lens import Lens, pinhole
 from graphic_tmm.checking.photo.perspective import (
@@ -28,6 +29,7 @@ from graphic_tmm.checking.photo.perspective import (
     vertices,
 )
 from graphic_tmm.checking.photo.picture import MOST, pillow, read
+from graphic_tmm.checking.photo.shot import Shot
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.paper.ruled import Box
@@ -51,9 +53,9 @@ class Photo(NamedTuple):
     ``image`` (rows, columns, 3): colours 0 ... 255, the uppermost row first; ``area``: the rectangle of
     the sheet that it fills, mm; ``corners`` (4,): the frame's corners in the photograph, px, lower left,
     lower right, upper right, upper left; ``homography`` (3, 3): from the sheet, mm, y upward, into the
-    photograph of a pinhole, px, y downward; ``lens``: from there into this one; ``residual``: how far the
-    frame's lines are from straight without the lens, mm, NaN if no line was found; ``warnings``: what makes
-    the picture doubtful.
+    photograph of a pinhole, px, y downward; ``lens``: from there into this one; ``curl``: what the sheet
+    is beside the plane of its corners; ``residual``: how far the frame's lines are from straight without
+    the lens, mm, NaN if no line was found; ``warnings``: what makes the picture doubtful.
     """
 
     image: NDArray[np.uint8]
@@ -61,6 +63,7 @@ class Photo(NamedTuple):
     corners: Complexes
     homography: Reals
     lens: Lens
+    curl: Curl
     residual: float
     warnings: tuple[str, ...]
 
@@ -98,16 +101,18 @@ def flatten(
     found = refine(image, box, clicked) if refined else None
     marks = clicked if found is None else found.corners
     lens = pinhole(image) if found is None else found.lens
+    curl = Curl(box) if found is None else found.curl
     matrix = homography(box, lens.straight(marks))
     notes = [_turned(box, marks)]
     if found is not None:
         notes += [_missing(found.missing), _bowed(found.bowed), _bent(found.residual)]
     return Photo(
-        _unbent(*_coarser(image, matrix, lens, box, dots_per_mm), whole, rows, columns),
+        _unbent(_coarser(Shot(image, matrix, lens, curl), dots_per_mm), whole, rows, columns),
         whole,
         marks,
         matrix,
         lens,
+        curl,
         math.nan if found is None else found.residual,
         tuple(note for note in notes if note),
     )
@@ -216,25 +221,22 @@ def _bent(residual: float) -> str:
     )
 
 
-def _coarser(
-    image: NDArray[np.uint8], matrix: Reals, lens: Lens, frame: Box, dots: float
-) -> tuple[NDArray[np.uint8], Reals, Lens]:
+def _coarser(shot: Shot, dots: float) -> Shot:
     """Return a photograph with several dots to one of the picture as their means, its projection, its lens."""
-    corners = through(matrix, vertices(frame))
+    frame = shot.curl.box
+    corners = through(shot.matrix, vertices(frame))
     seen = abs(cross(corners[2] - corners[0], corners[3] - corners[1])) / 2
     drawn = (frame.right - frame.left) * (frame.top - frame.bottom)
     factor = int(math.sqrt(seen / drawn) / dots)
     if factor < 2:
-        return image, matrix, lens
-    reduced = np.asarray(pillow()[0].fromarray(image).reduce(factor), dtype=np.uint8)
+        return shot
+    reduced = np.asarray(pillow()[0].fromarray(shot.image).reduce(factor), dtype=np.uint8)
     half = 0.5 / factor - 0.5
     moved = np.array([[1 / factor, 0, half], [0, 1 / factor, half], [0, 0, 1.0]])
-    return reduced, moved @ matrix, lens.reduced(factor)
+    return Shot(reduced, moved @ shot.matrix, shot.lens.reduced(factor), shot.curl)
 
 
-def _unbent(
-    image: NDArray[np.uint8], matrix: Reals, lens: Lens, area: Box, rows: int, columns: int
-) -> NDArray[np.uint8]:
+def _unbent(shot: Shot, area: Box, rows: int, columns: int) -> NDArray[np.uint8]:
     """Return the ``area`` (mm) of the sheet on ``rows`` × ``columns`` dots, sampled in blocks."""
     side = (area.right - area.left) / columns
     across = area.left + side * (np.arange(columns) + 0.5)
@@ -243,6 +245,6 @@ def _unbent(
     block = max(BLOCK // columns, 1)
     for first in range(0, rows, block):
         points = across + 1j * down[first : first + block, None]
-        seen = bilinear(image, lens.seen(through(matrix, points)))
+        seen = bilinear(shot.image, shot.shown(points))
         made[first : first + block] = np.where(np.isnan(seen), PAPER, np.rint(seen))
     return made

@@ -19,7 +19,9 @@ from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.checking.photo.lens import Lens, pinhole, straightening
+from graphic_tmm.checking.photo.bends import unbending
+from graphic_tmm.checking.photo.curl import Curl
+from graphic_tmm.checking.photo.lens import Lens, pinhole
 from graphic_tmm.checking.photo.perspective import bilinear, cross, homography, vertices
 from graphic_tmm.checking.photo.shot import Shot, bowed
 from graphic_tmm.language.said import said
@@ -34,6 +36,10 @@ grain. Half as many leave 0.07 mm (pencil), a quarter 0.09 mm; twice as many 0.0
 REACH = 4.0
 """How far from the line through the corners it is sought, mm: the nearest line beside it is at 5 mm.
 Could be 2 (clicks have to be that near) to 5."""
+
+FAR = 8.0
+"""How far it is sought at first sight where none is seen within `REACH`, mm: a corner that was clicked 20 dots
+off is 5 mm off on an A1 of 12 megapixels, 7 mm aslant. Lines beside the frame are shorter, or paler."""
 
 CLEAR, CLEAR_DOTS = 1.2, 2.5
 """From the axis of a line to the paper beside it: mm (a main line is 0.8 mm wide), and at least pixels.
@@ -88,6 +94,7 @@ class Lines(NamedTuple):
     residual: float
     missing: tuple[str, ...]
     lens: Lens
+    curl: Curl
     bowed: float
 
 
@@ -114,21 +121,21 @@ def refine(image: NDArray[np.uint8], box: Box, corners: Complexes) -> Lines:
     bowed as the lens bows them; an edge that shows no line stays where it was clicked.
     """
     feet = vertices(box)
-    lens = straighter = pinhole(image)
-    for _ in range(SIGHTS):
-        lens = straighter
-        shot = Shot(image, homography(box, lens.straight(corners)), lens)
+    straighter, less = pinhole(image), Curl(box)
+    for sight in range(SIGHTS):
+        lens, curl = straighter, less
+        shot = Shot(image, homography(box, lens.straight(corners)), lens, curl)
         edges = [
-            _edge(shot, foot, head) for foot, head in zip(feet, np.roll(feet, -1), strict=True)
+            _found(shot, foot, head, first=sight == 0)
+            for foot, head in zip(feet, np.roll(feet, -1), strict=True)
         ]
         corners = shot.shown(_meet(feet, edges))
-        straighter = straightening(
-            lens, ((one.seen, one.weights) for one in edges if one.seen.size)
-        )
+        lines = [(one.seen, one.weights) for one in edges if one.seen.size]
+        straighter, less = unbending(shot, lines)
     bends = [edge.bend for edge in edges if edge.bend == edge.bend]
     missing = tuple(name for name, edge in zip(EDGES, edges, strict=True) if edge.bend != edge.bend)
-    whole = Shot(image, homography(box, lens.straight(corners)), lens)
-    return Lines(corners, max(bends, default=np.nan), missing, lens, bowed(whole, feet))
+    whole = Shot(image, homography(box, lens.straight(corners)), lens, curl)
+    return Lines(corners, max(bends, default=np.nan), missing, lens, curl, bowed(whole, feet))
 
 
 def _meet(feet: Complexes, edges: list[Edge]) -> Complexes:
@@ -143,8 +150,14 @@ def _meet(feet: Complexes, edges: list[Edge]) -> Complexes:
     return met
 
 
-def _edge(shot: Shot, foot: complex, head: complex) -> Edge:
-    """Return the line that is seen along the edge from ``foot`` to ``head`` (mm on the sheet)."""
+def _found(shot: Shot, foot: complex, head: complex, *, first: bool) -> Edge:
+    """Return the line along an edge; at first sight farther away if there is none near it."""
+    near = _edge(shot, foot, head, REACH)
+    return near if near.seen.size or not first else _edge(shot, foot, head, FAR)
+
+
+def _edge(shot: Shot, foot: complex, head: complex, reach: float) -> Edge:
+    """Return the line that is seen along the edge from ``foot`` to ``head``, no farther than ``reach``, mm."""
     length = abs(head - foot)
     way = (head - foot) / length
     inset = min(NEAR_CORNER, length / 10)
@@ -157,8 +170,8 @@ def _edge(shot: Shot, foot: complex, head: complex) -> Edge:
         grey: Reals = bilinear(shot.image, shot.shown(axis + 1j * way * offsets)).mean(axis=-1)
         return grey
 
-    offsets, dark = _strip(read, clear)
-    path = _darkest(dark - STRAY * (offsets / REACH) ** 2)
+    offsets, dark = _strip(read, clear, reach)
+    path = _darkest(dark - STRAY * (offsets / reach) ** 2)
     depth = np.take_along_axis(dark, path[:, None], axis=1)[:, 0]
     centre = _centred(read, offsets[path], clear)
     shown = (depth > FAINT) & (depth > np.median(depth) / 2) & np.isfinite(centre)
@@ -171,19 +184,22 @@ def _edge(shot: Shot, foot: complex, head: complex) -> Edge:
     if kept.mean() < SEEN:
         return _UNSEEN
     line = _fitted(place, centre, weights, 1)
-    bend = abs(curve(place) - line(place))[kept].max()
+    # beside its straight line, and what the curl that the strip follows has of bend
+    rise = ((shot.curl.seen(axis[:, 0]) - axis[:, 0]) / way).imag
+    bent = curve(place) - line(place) + rise - _fitted(place, rise, weights, 1)(place)
+    bend = abs(bent)[kept].max()
     seen = shot.shown(axis[:, 0] + 1j * way * centre)
     return Edge(float(line(-1.0)), float(line(1.0)), float(bend), seen[kept], weights[kept])
 
 
-def _strip(read: Reading, clear: float) -> tuple[Reals, Reals]:
-    """Return offsets, mm, and how much darker each is than the paper ``clear`` on both sides of it.
+def _strip(read: Reading, clear: float, reach: float) -> tuple[Reals, Reals]:
+    """Return offsets to ``reach``, mm, and how much darker each is than the paper on both sides of it.
 
-    Shares (stations, offsets), 0 where a side is darker or is not in the photograph; each is the mean
-    with its neighbours along the edge.
+    Shares (stations, offsets), 0 where a side, ``clear`` away, is darker or is not in the photograph; each is
+    the mean with its neighbours along the edge.
     """
     step = clear / ASIDE
-    half = round(REACH / step)
+    half = round(reach / step)
     offsets: Reals = step * np.arange(-half - ASIDE, half + ASIDE + 1, dtype=np.float64)
     grey = read(offsets)
     grey[1:-1] = (grey[:-2] + grey[1:-1] + grey[2:]) / 3

@@ -69,7 +69,7 @@ def straightening(lens: Lens, lines: Iterable[tuple[Complexes, Reals]]) -> Lens:
     Least squares: what is left of a line beside its own straight one depends on the share by a factor. With
     fewer than two lines the lens stays as it is.
     """
-    bows = [_bow(lens, seen, weights) for seen, weights in lines]
+    bows = [bow_of(lens, seen, weights) for seen, weights in lines]
     square = sum(float((weights * by**2).sum()) for weights, _, by in bows)
     if len(bows) < 2 or square <= 0.0:
         return lens
@@ -77,7 +77,7 @@ def straightening(lens: Lens, lines: Iterable[tuple[Complexes, Reals]]) -> Lens:
     return lens._replace(share=float(np.clip(-product / square, -MOST, MOST)))
 
 
-def _bow(lens: Lens, seen: Complexes, weights: Reals) -> tuple[Reals, Reals, Reals]:
+def bow_of(lens: Lens, seen: Complexes, weights: Reals) -> tuple[Reals, Reals, Reals]:
     """Return a line's weights, how far its points are from straight, px, and what a share of 1 adds to that."""
     way = seen[-1] - seen[0]
     way /= abs(way)
@@ -86,12 +86,12 @@ def _bow(lens: Lens, seen: Complexes, weights: Reals) -> tuple[Reals, Reals, Rea
     by = off * abs(off / lens.radius) ** 2 / way
     return (
         weights,
-        _beside(turned.real, turned.imag, weights),
-        _beside(turned.real, by.imag, weights),
+        left_of_line(turned.real, turned.imag, weights),
+        left_of_line(turned.real, by.imag, weights),
     )
 
 
-def _beside(along: Reals, across: Reals, weights: Reals) -> Reals:
+def left_of_line(along: Reals, across: Reals, weights: Reals) -> Reals:
     """Return what is left of ``across`` beside its weighted line of least squares over ``along``."""
     whole = weights.sum()
     x = along - (weights * along).sum() / whole

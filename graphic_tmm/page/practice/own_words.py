@@ -19,16 +19,16 @@ OWN: dict[str, str] = {
     "own height": said("Height, mm"),
     "own corner": said("Corner {n} of 4: tap it roughly; the lines of the frame are found then."),
     "own corner fine": said(
-        "Corner {n} of 4: tap it, move the cross in the loupe onto it, take it."
+        "Corner {n} of 4: tap it, draw the picture in the loupe until it is under the cross, take it."
     ),
     "own again": said("Corners anew"),
     "own opening": said("The photograph is read …"),
     "own flattening": said("It is laid flat: {percent}"),
     "own exact": said("Exact plan over it"),
     "own origin": said(
-        "Tap {letter}, the origin of the plan; move the cross in the loupe onto it."
+        "Tap {letter}, the origin of the plan; draw the picture in the loupe until it is under the cross."
     ),
-    "own point": said("Tap {letter}; move the cross in the loupe onto it."),
+    "own point": said("Tap {letter}; draw it in the loupe under the cross."),
     "own nameless": said("the origin"),
     "own take": said("Take it"),
     "own all": said("All points of this plan are read. Choose another plan, or save the readings."),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphic_tmm.checking.photo import flatten, frame_lines, lens
+from graphic_tmm.checking.photo import bends, curl, flatten, frame_lines, lens
 
 
 def seeking() -> dict[str, float]:
@@ -11,6 +11,7 @@ def seeking() -> dict[str, float]:
         "stations": frame_lines.STATIONS,
         "sights": frame_lines.SIGHTS,
         "reach": frame_lines.REACH,
+        "far": frame_lines.FAR,
         "clear": frame_lines.CLEAR,
         "clearDots": frame_lines.CLEAR_DOTS,
         "aside": frame_lines.ASIDE,
@@ -25,6 +26,12 @@ def seeking() -> dict[str, float]:
         "floor": frame_lines.FLOOR,
         "dim": frame_lines.DIM,
         "share": lens.MOST,
+        "usual": curl.USUAL,
+        "doubt": curl.DOUBT,
+        "shortest": curl.SIZES[0],
+        "longest": curl.SIZES[1],
+        "stiff": bends.STIFF,
+        "clearer": bends.CLEARER,
     }
 
 

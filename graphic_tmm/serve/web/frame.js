@@ -30,8 +30,10 @@ export class PageFrame {
   /**
    * Take notice of a page.
    * @param {string | null} hash
+   * @param {boolean} coming whether there will be one, if there is none
    */
-  show(hash) {
+  show(hash, coming) {
+    this.nothing.textContent = this.words[coming ? "no page" : "page failed"] ?? "";
     this.hash = hash ?? this.hash;
     this.load();
   }

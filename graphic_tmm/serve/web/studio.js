@@ -53,7 +53,9 @@ function standing() {
   if (!linked) return "lost";
   if (state === null) return "";
   if (state.busy) return "drawing";
-  return state.ok ? "drawn" : "faults";
+  if (state.ok) return "drawn";
+  if (state.fresh) return "faults page";
+  return state.sheets.length > 0 ? "faults" : "faults first";
 }
 
 /** Say how the scene stands, if it is another way than before. */
@@ -71,7 +73,7 @@ function tellState() {
 function hear(now) {
   state = now;
   sheets.show(now.sheets);
-  frame.show(now.page);
+  frame.show(now.page, now.ok || now.busy);
   faults.show(now.errors, now.warnings);
   values.follow(now.text_version);
   tellState();

@@ -4,8 +4,8 @@
  * @typedef {Record<string, string>} Words
  * @typedef {{line: number, key: string, text: string, source?: string}} Fault a fault of the file, with its line
  * @typedef {{name: string, hash: string, width: number, height: number}} Sheet its size in mm
- * @typedef {{version: number, text_version: string, ok: boolean, busy: boolean, errors: Fault[], warnings: string[],
- *   sheets: Sheet[], page: string | null, name?: string}} State
+ * @typedef {{version: number, text_version: string, ok: boolean, busy: boolean, fresh: boolean, errors: Fault[],
+ *   warnings: string[], sheets: Sheet[], page: string | null, name?: string}} State fresh: the sheets are the text's
  * @typedef {{key: string, label: string, text: string, written: boolean, kind: string, unit: string,
  *   choices: string[], default: string, says: string, wanted: boolean}} Field
  * @typedef {{title: string, says: string, there: boolean, fields: Field[]}} Group

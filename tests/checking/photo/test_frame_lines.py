@@ -12,8 +12,10 @@ from support import photographs
 from support.gallery import SHEETS
 from support.photographs import CORNERS, FRAME, PAPER, Camera
 
+from graphic_tmm.checking.photo.curl import Curl
 from graphic_tmm.checking.photo.frame_lines import EDGES, refine
 from graphic_tmm.checking.photo.perspective import homography
+from graphic_tmm.checking.photo.shot import Shot
 from graphic_tmm.paper.ruled import Box
 
 BOX = Box(*FRAME)
@@ -62,6 +64,20 @@ def test_clicked_corners_come_back_to_the_lines(camera: Camera) -> None:
         assert off(camera, found.corners) < EXACT
         worst.append(off(camera, clicked))
     assert max(worst) > CLICKED  # without the lines the clicks would not do
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("edge", range(4), ids=EDGES)
+@pytest.mark.parametrize("aside", [6.0, -6.0])
+def test_an_edge_clicked_far_beside_its_line_is_found(edge: int, aside: float) -> None:
+    """Both of its corners to one side: by more than the reach that is enough for the others."""
+    ends = [edge, (edge + 1) % 4]
+    way = CORNERS[ends[1]] - CORNERS[ends[0]]
+    clicked = CORNERS.astype(np.complex128)
+    clicked[ends] += aside * 1j * way / abs(way)
+    found = refine(seen(TILTED), BOX, TILTED.seen(clicked))
+    assert found.missing == ()
+    assert off(TILTED, found.corners) < EXACT
 
 
 @pytest.mark.slow
@@ -157,6 +173,38 @@ def test_a_sheet_that_curls_leaves_a_residual(sag: float) -> None:
     # two edges bow alike, by the sag's parallax: what a lens cannot do; least squares leave it between the two
     assert bend(camera) - EXACT - found.bowed < found.residual < bend(camera) + EXACT
     assert found.residual > 0.4
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("tilt", "lens", "sag", "ink"),
+    [
+        ((9, 7, -4), 0.002, 2.0, 1.0),
+        ((-12, -5, -3), 0.0, 1.4, 1.0),
+        ((3, -12, 1), -0.002, -2.0, 0.35),
+        ((12, 12, 90), 0.0, -1.5, 1.0),
+    ],
+    ids=["with a lens", "one edge near the foot", "pencil", "on its side"],
+)
+def test_what_a_curled_sheet_hides_is_found(
+    tilt: tuple[float, float, float], lens: float, sag: float, ink: float
+) -> None:
+    camera = SMALL._replace(tilt=tilt, lens=lens, sag=sag)
+    if tilt[2] == 90:
+        camera = camera._replace(columns=1050, rows=1400)
+    image = seen(camera, ink)
+    found = refine(image, BOX, clicks(camera, 9))
+    shot = Shot(image, homography(BOX, found.lens.straight(found.corners)), found.lens, found.curl)
+    inner = GRID[(GRID.real > 20) & (GRID.real < 836) & (GRID.imag > 5) & (GRID.imag < 589)]
+    assert abs(shot.sheet(camera.seen(inner)) - inner).max() < EXACT
+    without = shot._replace(curl=Curl(BOX))
+    assert abs(without.sheet(camera.seen(inner)) - inner).max() > 3 * EXACT
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("ink", "width", "noise"), [(0.35, 0.5, 4.0), (1.0, 0.3, 12.0)])
+def test_a_flat_sheet_has_no_curl(ink: float, width: float, noise: float) -> None:
+    assert refine(seen(SMALL, ink, width, noise), BOX, clicks(SMALL, 3)).curl == Curl(BOX)
 
 
 @pytest.mark.slow

@@ -234,7 +234,7 @@ def test_the_corners_of_a_paper_are_taken_by_the_loupe(hands: Callable[..., Hand
     found.page.locator("#own .corner-choice select").select_option(label="the paper A4")
     ends = CAMERA.seen(np.array([0, SIZE[0], SIZE[0] + 1j * SIZE[1], 1j * SIZE[1]]))
     for n, at in enumerate(map(complex, ends)):
-        found.told.get_by_text(f"Corner {n + 1} of 4: tap it, move").wait_for()
+        found.told.get_by_text(f"Corner {n + 1} of 4: tap it, draw").wait_for()
         found.click(at + 0.5 + 0.5j)
         found.centre(at)
     found.page.wait_for_selector("#own.laid")

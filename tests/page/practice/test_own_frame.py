@@ -13,6 +13,7 @@ from support import photographs
 from support.photographs import CORNERS, FRAME, PAPER, Camera
 from support.scripts import run
 
+from graphic_tmm.checking.photo.curl import Curl
 from graphic_tmm.checking.photo.frame_lines import EDGES, refine
 from graphic_tmm.checking.photo.lens import Lens
 from graphic_tmm.checking.photo.perspective import bilinear, homography, ordered
@@ -38,7 +39,9 @@ const told = asked.cases.map(({ width, height, corners }, k) => {
   const found = refinedFrame({ width, height, data }, asked.box, corners, asked.seeking);
   const { shot, residual, bowed, missing } = found;
   const grid = asked.grid.map(([x, y]) => shot.onSheet(...shot.seen(x, y)));
-  return { corners: shot.corners, share: shot.lens.share, residual, bowed, missing, grid };
+  const curl = [...shot.curl.parts, ...shot.curl.foot];
+  const curled = asked.grid.map(([x, y]) => shot.onSheet(x, y));
+  return { corners: shot.corners, share: shot.lens.share, curl, residual, bowed, missing, grid, curled };
 });
 tell(told);
 """
@@ -83,11 +86,17 @@ def test_frames_are_found_as_the_check_finds_them(tmp_path: Path) -> None:
         assert abs(corners - due.corners).max() < SAME
         assert abs(told["share"] - due.lens.share) < SAME / 100
         assert abs(told["bowed"] - due.bowed) < SAME
+        foot = due.curl.foot
+        assert np.allclose(told["curl"], [*due.curl.parts, foot.real, foot.imag], atol=1e-6)
+        shot = Shot(image, homography(BOX, due.lens.straight(due.corners)), due.lens, due.curl)
+        assert np.allclose(told["curled"], photographs.pairs(shot.sheet(CORNERS)), atol=1e-6)
         assert [EDGES[k] for k in told["missing"]] == list(due.missing)
         none = told["residual"] is None
         assert none == bool(np.isnan(due.residual))
         assert none or abs(told["residual"] - due.residual) < SAME
         assert np.allclose(told["grid"], photographs.pairs(CORNERS), rtol=0, atol=1e-6)
+    curled = [any(one["curl"]) for one in answers]
+    assert curled == [name == "curled" for name in CASES] + [False, False]
     assert [one["missing"] for one in answers[-2:]] == [[0], [0, 1, 2, 3]]
 
 
@@ -135,7 +144,7 @@ def test_the_plane_and_the_lens_are_those_of_the_check() -> None:
     assert sum(one is None for one in told["ordered"]) > 2
     matrix = homography(BOX, lens.straight(square))
     at = points[:, 0] + 1j * points[:, 1]
-    seen = Shot(np.zeros((1, 1, 3), np.uint8), matrix, lens).shown(at)
+    seen = Shot(np.zeros((1, 1, 3), np.uint8), matrix, lens, Curl(BOX)).shown(at)
     assert np.allclose(told["matrix"], homography(BOX, square).ravel(), rtol=1e-12, atol=1e-12)
     assert np.allclose(told["straight"], photographs.pairs(lens.straight(at)), atol=1e-9)
     assert np.allclose(told["seen"], photographs.pairs(seen), atol=1e-7)
@@ -177,7 +186,7 @@ def test_the_flat_picture_is_the_check_s(tmp_path: Path) -> None:
         },
         file,
     )
-    shot = Shot(colours, homography(Box(*box), lens.straight(corners)), lens)
+    shot = Shot(colours, homography(Box(*box), lens.straight(corners)), lens, Curl(Box(*box)))
     x = area[0] + (np.arange(told["width"]) + 0.5) / 2
     y = area[3] - (np.arange(told["height"]) + 0.5) / 2
     due = bilinear(colours, shot.shown(x + 1j * y[:, None]))[..., 1]

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import json
 import os
 import socket
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
 from support.served import SMALL, small
 from support.studios import Tab, expect, serving
+
+from graphic_tmm.serve import jobs
 
 TWO = SMALL + '[[sheet]]\nformat = "A4"\nplace = ["velocities"]\n'
 
@@ -80,6 +84,28 @@ def test_faults_stand_beside_the_sheet_by_line_and_lead_to_their_field(
     expect(studio.page.locator(":focus")).to_have_value("10 mm")
     saved(scene, SMALL)
     expect(studio.page.locator(".faults")).to_be_hidden()
+
+
+def test_a_page_that_fails_is_not_said_of_the_sheets(
+    studio: Tab, scene: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first = studio.shown()
+    studio.told("Drawn as the file says.")
+    monkeypatch.setattr(jobs, "paged", json.loads)  # which takes no task
+    saved(scene, SMALL.replace("0.1 m", "0.12 m"))
+    studio.told("Faults: 1. The sheets are as the file says, the page is not.")
+    assert studio.shown() != first
+
+
+def test_what_was_never_drawn_has_no_sheets_of_before(
+    folder: Path, tab_of: Callable[..., Tab]
+) -> None:
+    file = small(folder, "never-drawn")
+    saved(file, SMALL.replace('"0.3 m"', '"0.3 kg"'))
+    tab = tab_of("s/never-drawn/")
+    tab.told("Faults: 1. Nothing could be drawn yet.")
+    tab.page.get_by_role("tab", name="Plans step by step").click()
+    tab.page.get_by_text("The page could not be made.").wait_for()
 
 
 def test_a_file_that_is_no_toml_keeps_sheets_and_typed_values(studio: Tab, scene: Path) -> None:

@@ -31,37 +31,25 @@ export class ExactPlans {
   }
 
   /**
-   * Return all that is drawn on a sheet.
-   * @param {number} number
-   */
-  sheet(number) {
-    return this.kept(`sheet ${number}`, () => linesOf(this.inkOn(number)?.ink ?? []));
-  }
-
-  /**
    * Return what is drawn of a plan in a position.
    * @param {Task} task
    */
   plan(task) {
-    return this.kept(`plan ${task.view} ${task.at}`, () => {
-      const view = this.data.views[task.view];
-      const sheet = this.inkOn(task.sheet);
-      if (view === undefined || sheet === undefined) return new Path2D();
-      const name = this.data.practice?.names[task.at] ?? "";
-      const shown = sheet.views.findIndex((one) => one.id === view.id);
-      const here = (/** @type {Ink} */ one) => one.at < 0 || view.names[String(one.at)] === name;
-      return linesOf(sheet.ink.filter((one) => one.view === shown && here(one)));
-    });
-  }
-
-  /**
-   * @param {string} key
-   * @param {() => Path2D} make
-   */
-  kept(key, make) {
-    const path = this.made.get(key) ?? make();
+    const key = `${task.view} ${task.at}`;
+    const path = this.made.get(key) ?? this.drawn(task);
     this.made.set(key, path);
     return path;
+  }
+
+  /** @param {Task} task */
+  drawn(task) {
+    const view = this.data.views[task.view];
+    const sheet = this.inkOn(task.sheet);
+    if (view === undefined || sheet === undefined) return new Path2D();
+    const name = this.data.practice?.names[task.at] ?? "";
+    const shown = sheet.views.findIndex((one) => one.id === view.id);
+    const here = (/** @type {Ink} */ one) => one.at < 0 || view.names[String(one.at)] === name;
+    return linesOf(sheet.ink.filter((one) => one.view === shown && here(one)));
   }
 }
 

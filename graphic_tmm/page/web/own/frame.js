@@ -1,5 +1,7 @@
+import { unbending } from "./bends.js";
+import { noCurl, risenSpot } from "./curl.js";
 import { medianOf, polynomialFit, valueOf } from "./fitting.js";
-import { pinholeOf, straightening } from "./lens.js";
+import { pinholeOf } from "./lens.js";
 import { projected, verticesOf } from "./projection.js";
 import { greyAt, Shot } from "./shot.js";
 import { centroidOf, darkestPath, smoothCurve, stripOf } from "./strip.js";
@@ -32,28 +34,34 @@ const OF_BOW = 33;
  */
 export function refinedFrame(image, box, clicked, how) {
   const feet = verticesOf(box);
-  let straighter = pinholeOf(image);
-  let shot = new Shot(box, clicked, straighter);
+  let straighter = { lens: pinholeOf(image), curl: noCurl(box) };
+  let shot = new Shot(box, clicked, straighter.lens);
   /** @type {FoundEdge[]} */
   let edges = [];
   for (let sight = 0; sight < how.sights; sight += 1) {
-    const lens = straighter;
-    const aimed = new Shot(box, shot.corners, lens);
-    edges = feet.map((foot, k) => edgeOf(image, aimed, foot, feet[(k + 1) % 4] ?? foot, how));
+    const { lens, curl } = straighter;
+    const aimed = new Shot(box, shot.corners, lens, curl);
+    edges = feet.map((foot, k) => {
+      const head = feet[(k + 1) % 4] ?? foot;
+      const near = edgeOf(image, aimed, foot, head, how);
+      // at first sight farther away if there is none near it
+      return near.line === null && sight === 0 ? edgeOf(image, aimed, foot, head, { ...how, reach: how.far }) : near;
+    });
     const met = meetingsOf(feet, edges);
     shot = new Shot(
       box,
       met.map(([x, y]) => aimed.seen(x, y)),
       lens,
+      curl,
     );
     const lines = edges.flatMap((one) => (one.line === null ? [] : [one.line]));
-    straighter = straightening(lens, lines, how.share);
+    straighter = unbending(aimed, lines, how);
   }
   const bends = edges.map((one) => one.bend).filter((one) => one === one);
   return {
     shot,
     residual: bends.length > 0 ? Math.max(...bends) : NaN,
-    bowed: bowedBy(shot, feet),
+    bowed: bowedBy(new Shot(box, shot.corners, shot.lens), feet),
     missing: edges.flatMap((one, k) => (one.line === null ? [k] : [])),
   };
 }
@@ -126,7 +134,16 @@ function edgeOf(image, shot, foot, head, how) {
   const kept = Array.from(weights, (one) => one > 0);
   if (shareOf(kept) < enough) return UNSEEN;
   const line = polynomialFit(place, centre, weights, 1);
-  const bends = [...place].map((one) => Math.abs(valueOf(curve, one) - valueOf(line, one)));
+  // beside its straight line, and what the curl that the strip follows has of bend
+  const rise = along.map((far) => {
+    const [ax, ay] = [foot[0] + wx * far, foot[1] + wy * far];
+    const [sx, sy] = risenSpot(shot.curl, ax, ay);
+    return (sy - ay) * wx - (sx - ax) * wy;
+  });
+  const tilt = polynomialFit(place, rise, weights, 1);
+  const bends = [...place].map((one, k) =>
+    Math.abs(valueOf(curve, one) - valueOf(line, one) + (rise[k] ?? 0) - valueOf(tilt, one)),
+  );
   const spots = [...path.keys()].filter((k) => kept[k]).map((k) => spotAt(k, centre[k] ?? 0));
   return {
     start: valueOf(line, -1),

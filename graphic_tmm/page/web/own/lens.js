@@ -83,7 +83,7 @@ export function straightening(lens, lines, most) {
  * @param {Lens} lens
  * @param {SeenLine} line
  */
-function bowOf(lens, { x, y, weights }) {
+export function bowOf(lens, { x, y, weights }) {
   const [x0 = 0, y0 = 0, x1 = 0, y1 = 0] = [x[0], y[0], x.at(-1), y.at(-1)];
   const far = Math.hypot(x1 - x0, y1 - y0);
   const [wx, wy] = [(x1 - x0) / far, (y1 - y0) / far];

@@ -216,18 +216,16 @@ class OwnRoom {
     this.desk.moved();
   }
 
-  /** The exact plan with its pole on the pole that was read; before that the whole sheet, if its frame was clicked. */
+  /** The exact plan with its pole on the pole that was read: nobody sets out a sheet as this one is. */
   upon() {
     const opacity = Number(this.strength.value) / 100;
     if (this.flat === null || opacity === 0) return null;
-    const { area, sheet } = this.flat.of;
+    const { area } = this.flat.of;
     const { task, spots } = this.panel.readings;
     const origin = spots.get(ORIGIN);
-    if (origin !== undefined) {
-      const [x, y] = [origin[0] - area[0] - task.origin[0], area[3] - origin[1] - task.origin[1]];
-      return { path: this.exact.plan(task), x, y, opacity };
-    }
-    return sheet < 0 ? null : { path: this.exact.sheet(sheet), x: 0, y: 0, opacity };
+    if (origin === undefined) return null;
+    const [x, y] = [origin[0] - area[0] - task.origin[0], area[3] - origin[1] - task.origin[1]];
+    return { path: this.exact.plan(task), x, y, opacity };
   }
 
   /** @returns {Sign[]} */

@@ -1,23 +1,27 @@
+import { loweredSpot, noCurl, risenSpot } from "./curl.js";
 import { seenSpot, straightSpot } from "./lens.js";
 import { homographyOf, inverseOf, projected } from "./projection.js";
 
 /**
+ * @typedef {import("./curl.js").Curl} Curl
  * @typedef {import("./lens.js").Lens} Lens
  * @typedef {import("./projection.js").Rectangle} Rectangle
  * @typedef {import("./projection.js").Spot} Spot
  * @typedef {{width: number, height: number, data: Uint8ClampedArray}} Photograph dots of four bytes, row by row
  */
 
-/** How a photograph shows a sheet: a pinhole's projection, then the lens; and back. */
+/** How a photograph shows a sheet: its curl, a pinhole's projection, then the lens; and back. */
 export class Shot {
   /**
    * @param {Rectangle} box what the corners are of, mm
    * @param {Spot[]} corners where they are seen, px, as `verticesOf` has them
    * @param {Lens} lens
+   * @param {Curl} curl
    */
-  constructor(box, corners, lens) {
+  constructor(box, corners, lens, curl = noCurl(box)) {
     this.box = box;
     this.lens = lens;
+    this.curl = curl;
     this.corners = corners;
     this.matrix = homographyOf(
       box,
@@ -33,7 +37,7 @@ export class Shot {
    * @returns {Spot}
    */
   seen(x, y) {
-    const [px, py] = projected(this.matrix, x, y);
+    const [px, py] = projected(this.matrix, ...risenSpot(this.curl, x, y));
     return seenSpot(this.lens, px, py);
   }
 
@@ -45,7 +49,7 @@ export class Shot {
    */
   onSheet(px, py) {
     const [x, y] = straightSpot(this.lens, px, py);
-    return projected(this.back, x, y);
+    return loweredSpot(this.curl, ...projected(this.back, x, y));
   }
 
   /**

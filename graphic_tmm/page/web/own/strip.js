@@ -1,10 +1,11 @@
 import { medianOf, polynomialFit, valueOf } from "./fitting.js";
 
 /**
- * How a line is sought; the numbers and their reasons are those of checking/photo/frame_lines.py.
- * @typedef {{stations: number, sights: number, reach: number, clear: number, clearDots: number, aside: number,
+ * How a line is sought; the numbers and their reasons are those of checking/photo (frame_lines, lens, curl, bends).
+ * @typedef {{stations: number, sights: number, reach: number, far: number, clear: number, clearDots: number, aside: number,
  *   nearCorner: number, faint: number, seen: number, bend: number, stray: number, degree: number, rounds: number,
- *   cut: number, floor: number, dim: number, share: number}} Seeking
+ *   cut: number, floor: number, dim: number, share: number, usual: number, doubt: number,
+ *   shortest: number, longest: number, stiff: number, clearer: number}} Seeking
  * @typedef {(station: number, offset: number) => number} ReadAcross grey, 0 ... 255, at an offset across the edge, mm
  */
 
