@@ -38,6 +38,15 @@ def many(request):
     return lambda told, usual: told if measured else usual
 
 
+@pytest.fixture(scope="session")
+def browser():
+    """One Chromium a session, for pages and for the studio: one process has room for one driver."""
+    from support.browser import launched
+
+    with launched() as found:
+        yield found
+
+
 BEGUN = pytest.StashKey[float]()
 
 

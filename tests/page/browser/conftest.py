@@ -1,4 +1,4 @@
-"""One Chromium a session; what it opens is watched, and fails the test in which it does what it must not."""
+"""Pages in the session's Chromium; what it opens is watched, and fails the test in which it does what it must not."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from support import pages
-from support.browser import Opened, launched
+from support.browser import Opened
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -16,12 +16,6 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if Path(__file__).parent in item.path.parents:
             item.add_marker(pytest.mark.slow)
-
-
-@pytest.fixture(scope="session")
-def browser() -> Iterator[Any]:
-    with launched() as found:
-        yield found
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-"""One Chromium and one studio a session, over a folder into which every test puts a scene of its own."""
+"""One studio a session in the session's Chromium, over a folder into which every test puts a scene of its own."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from support.browser import launched
 from support.served import small
 from support.studios import Tab, serving
 
@@ -17,12 +16,6 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if Path(__file__).parent in item.path.parents:
             item.add_marker(pytest.mark.slow)
-
-
-@pytest.fixture(scope="session")
-def chrome() -> Iterator[Any]:
-    with launched() as found:
-        yield found
 
 
 @pytest.fixture(scope="session")
@@ -37,12 +30,12 @@ def address(folder: Path) -> Iterator[str]:
 
 
 @pytest.fixture
-def tab_of(chrome: Any, address: str) -> Iterator[Callable[..., Tab]]:
+def tab_of(browser: Any, address: str) -> Iterator[Callable[..., Tab]]:
     """Open addresses below the gallery's; a tab that did what it must not fails the test."""
     tabs: list[Tab] = []
 
     def begin(place: str = "", gallery: str = address, **options: Any) -> Tab:
-        tabs.append(Tab(chrome, gallery, place, **options))
+        tabs.append(Tab(browser, gallery, place, **options))
         return tabs[-1]
 
     yield begin
