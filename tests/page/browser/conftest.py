@@ -1,4 +1,4 @@
-"""Pages in the session's Chromium; what it opens is watched, and fails the test in which it does what it must not."""
+"""Pages in Chromium; what is opened is watched, and fails the test in which it does what it must not."""
 
 from __future__ import annotations
 

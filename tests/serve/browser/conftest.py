@@ -1,4 +1,4 @@
-"""One studio a session in the session's Chromium, over a folder into which every test puts a scene of its own."""
+"""One studio a session, over a folder into which every test puts a scene of its own, in Chromium."""
 
 from __future__ import annotations
 
