@@ -11,7 +11,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
-from graphic_tmm.accuracy.geometrography import DEFAULT, FORMULA, READING, SYMBOLS  # noqa: F401
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.script import Script
 from graphic_tmm.board.source import defaults
