@@ -53,6 +53,8 @@ def main(program: str, home: Path) -> None:
 def serve(program: str, scene: Path) -> None:
     """Serve a scene until it is drawn and its page made; then end it as Ctrl-C does."""
     print("+ serve", scene, flush=True)
+    # a shell starts what runs beside it with Ctrl-C ignored, and a child would inherit that
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     with subprocess.Popen(
         [program, "serve", str(scene)], stdout=subprocess.PIPE, text=True
     ) as server:
