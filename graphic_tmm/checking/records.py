@@ -97,11 +97,19 @@ class Judged(NamedTuple):
     follows: Taken | None = None
 
 
-class Likely(NamedTuple):
-    """A mistake that explains readings: its name, a sentence, the lines of the readings that it explains.
+MISTAKE, SLIP, INSTRUMENT, UNKNOWN, UNSEEN = "mistake", "slip", "instrument", "unknown", "unseen"
+"""What a finding may be: a named mistake; a slip of a single reading; an instrument or the paper that is off
+(no mistake); wrong readings that no known mistake explains; a mistake that these readings cannot show."""
 
-    ``like``: names of mistakes with the same effect on every reading given. ``wrong``: how many readings were
-    wrong; ``rest``: what of their deviations it leaves, as a share (0 explains all).
+
+class Likely(NamedTuple):
+    """What readings tell of a drawing: its name, a sentence on this very drawing, the lines that it explains.
+
+    ``like``: sentences of other mistakes that no reading given tells apart from it. ``wrong``: how many readings
+    were wrong; ``rest``: what of their deviations it leaves, as a share (0 explains all). ``kind``: one of
+    `MISTAKE` …; ``family``: of a mistake, which family of mutations it is of ("factor", "operand"), for machines.
+    ``plan``, ``segment``, ``position``: where it was made, as readings name it ("" everywhere); ``step``: the
+    letter of its step, "" for none. ``chance``: how sure it is, 0 ... 1.
     """
 
     name: str
@@ -110,6 +118,13 @@ class Likely(NamedTuple):
     wrong: int
     rest: float
     like: tuple[str, ...] = ()
+    kind: str = MISTAKE
+    family: str = ""
+    plan: str = ""
+    segment: str = ""
+    position: str = ""
+    step: str = ""
+    chance: float = 0.0
 
 
 class Report(NamedTuple):
