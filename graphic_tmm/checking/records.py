@@ -103,13 +103,13 @@ MISTAKE, SLIP, INSTRUMENT, UNKNOWN, UNSEEN = "mistake", "slip", "instrument", "u
 
 
 class Likely(NamedTuple):
-    """What readings tell of a drawing: its name, a sentence on this very drawing, the lines that it explains.
+    """What readings tell of a drawing: its name, a sentence on this drawing, the lines that it explains.
 
-    ``like``: sentences of other mistakes that no reading given tells apart from it. ``wrong``: how many readings
-    were wrong; ``rest``: what of their deviations it leaves, as a share (0 explains all). ``kind``: one of
-    `MISTAKE` …; ``family``: of a mistake, which family of mutations it is of ("factor", "operand"), for machines.
-    ``plan``, ``segment``, ``position``: where it was made, as readings name it ("" everywhere); ``step``: the
-    letter of its step, "" for none. ``chance``: how sure it is, 0 ... 1.
+    ``like``: sentences of other mistakes that no reading given tells apart from it. ``wrong``: how many
+    readings were wrong; ``rest``: what of their deviations it leaves, as a share (0 explains all). ``kind``:
+    one of `MISTAKE` …; ``family``: of a mistake, which family of mutations it is of ("factor", "operand"),
+    for machines. ``plan``, ``segment``, ``position``: where it was made, as readings name it ("" everywhere);
+    ``step``: the letter of its step, "" for none. ``chance``: how sure it is, 0 ... 1.
     """
 
     name: str
