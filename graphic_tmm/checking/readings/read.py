@@ -10,6 +10,7 @@ from graphic_tmm.checking.readings.csv_cells import HEADS, SEPARATORS, Head, Row
 from graphic_tmm.checking.readings.decoding import text_of
 from graphic_tmm.checking.readings.digits import meant
 from graphic_tmm.checking.readings.figures import decimal_comma, half_unit, millimetres, value_of
+from graphic_tmm.checking.readings.twice import twice
 from graphic_tmm.checking.readings.writing import template, write_readings
 from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.errors import Fault, SceneError, first_of
@@ -21,7 +22,6 @@ TOLD = 20
 """So many faults of a file are told; how many more there are is counted."""
 _WANTED = ("plan", "position", "segment")
 _FIGURES = ("mm", "value", "x", "y")
-_KINDS = tuple((name, Taken._fields.index(name)) for name in ("mm", "value", "x"))
 _FOR = {
     "plan": said('add it; its cells name the plan, such as velocities, or "results"'),
     "position": said("add it; its cells name the position, and are empty for results"),
@@ -101,7 +101,7 @@ def _taken(file: Path, head: Head, rows: Iterable[Row]) -> tuple[Taken, ...]:
     cells = [one for one in found if one is not None and one.measured]
     commas = head.separator == ";" or head.with_comma or _comma_seen(cells)
     taken = [_reading(one, head, commas, faults) for one in cells]
-    _find_twice(taken, head, faults)
+    faults += twice(taken, head.title)
     if faults:
         _refuse(file, sorted(faults, key=lambda fault: fault.line))
     return meant(taken)
@@ -220,27 +220,6 @@ def _reading(one: _Cells, head: Head, commas: bool, faults: list[Fault]) -> Take
     mm, x, y = numbers
     last = Last(*map(half_unit, (one.mm, one.value, one.x, one.y)))
     return Taken(one.plan, one.position, one.segment, mm, value, unit, x, y, line, last)
-
-
-def _find_twice(taken: Sequence[Taken], head: Head, faults: list[Fault]) -> None:
-    """Add a fault for each reading that an earlier row has given already."""
-    seen: dict[tuple[str, str, str, str], int] = {}
-    for one in taken:
-        for name, field in _KINDS:
-            if one[field] is None:
-                continue
-            earlier = seen.setdefault((*one[:3], name), one.line)
-            if earlier != one.line:
-                place = said(' at position "{position}"', position=one.position)
-                says = said(
-                    '"{segment}" of "{plan}"{place} stands in line {line} already; keep one of the '
-                    "two",
-                    segment=one.segment,
-                    plan=one.plan,
-                    place=place if one.position else "",
-                    line=earlier,
-                )
-                faults.append(Fault(head.title(name), one.line, says))
 
 
 def _refuse(file: Path, faults: Sequence[Fault]) -> NoReturn:
