@@ -51,9 +51,10 @@ def read_readings(path: Path | str) -> tuple[Taken, ...]:
     """Read the readings of a CSV file, in the order of its rows.
 
     Its first row names the columns, in any order, in English or Russian: plan, position, segment, and mm,
-    or value and unit, or x and y (mm). Further columns mean nothing here. Cells are separated by commas,
-    semicolons or tabs; the decimal sign is a point or a comma; rows without a figure, blank lines and
-    comments (#) are left out. A unit "1" or a dash makes a bare number; its unit is "" in ``Taken``.
+    or value and unit, or x and y (mm); lengths may be in cm or inches, where a title or a cell says so.
+    Further columns mean nothing here. Cells are separated by commas, semicolons or tabs; the decimal sign is
+    a point or a comma; rows without a figure, blank lines and comments (#) are left out. A unit "1" or a dash
+    makes a bare number; its unit is "" in ``Taken``.
 
     Parameters
     ----------
@@ -200,13 +201,17 @@ def _reading(one: _Cells, head: Head, commas: bool, faults: list[Fault]) -> Take
             faults.append(
                 Fault(head.title(name), line, said("the cell is empty, and the row has a figure"))
             )
-    numbers: list[float | None] = []
-    for name, cell in (("mm", one.mm), ("x", one.x), ("y", one.y)):
+    lengths = {"mm": one.mm, "x": one.x, "y": one.y}
+    numbers: dict[str, float] = {}
+    halves = {"value": half_unit(one.value)}
+    for name, cell in lengths.items():
         try:
-            numbers.append(millimetres(cell, commas=commas) if cell else None)
+            if cell:
+                usual = head.units.get(name, 1.0)
+                numbers[name], unit_mm = millimetres(cell, commas=commas, usual=usual)
+                halves[name] = unit_mm * half_unit(cell)
         except ValueError as error:
             faults.append(Fault(head.title(name), line, error.args[0]))
-            numbers.append(None)
     try:
         value, unit = value_of(one.value, one.unit, commas=commas)
     except ValueError as error:
@@ -217,8 +222,8 @@ def _reading(one: _Cells, head: Head, commas: bool, faults: list[Fault]) -> Take
         faults.append(
             Fault(head.title(empty), line, said("a point needs both x and y; this is empty"))
         )
-    mm, x, y = numbers
-    last = Last(*map(half_unit, (one.mm, one.value, one.x, one.y)))
+    mm, x, y = map(numbers.get, lengths)
+    last = Last(**halves)
     return Taken(one.plan, one.position, one.segment, mm, value, unit, x, y, line, last)
 
 

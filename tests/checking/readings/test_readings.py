@@ -185,6 +185,29 @@ def test_millimetres(tmp_path, cell, due):
 
 
 @pytest.mark.parametrize(
+    ("title", "cell", "due"),
+    [
+        *[("mm", "6.85 cm", 68.5), ("mm", "6,85см", 68.5), ("mm", "2 in", 50.8), ("мм", "7", 7.0)],
+        *[("mm", "2 inches.", 50.8), ("mm", "2,5 дюйма", 63.5), ("mm", "2″", 50.8)],
+        *[("cm", "6.85", 68.5), ("см", "6,85", 68.5), ("in", "2", 50.8), ("дюймы", "2", 50.8)],
+        *[("length, cm", "6.85", 68.5), ("Длина (см)", "6,85", 68.5), ("mm, cm", "1", 10.0)],
+        *[("inches", "2", 50.8), ("cm", "68.5 mm", 68.5), ("in", "5 cm", 50.0)],
+    ],
+)
+def test_lengths_in_other_units_of_the_paper(tmp_path, title, cell, due):
+    text = f"plan;position;segment;{title}\nv;1;pb;{cell}\n"
+    assert read_text(tmp_path, text)[0].mm == pytest.approx(due, rel=1e-12)
+
+
+def test_points_in_centimetres_and_how_finely_they_were_written(tmp_path):
+    file = tmp_path / "cm.csv"
+    file.write_text("plan;position;segment;x, cm;y (дюйм);mm\nv;1;b;1,25;2,0 мм;1.5 in\n", "utf-8")
+    (one,) = read_readings(file)
+    assert (one.x, one.y, one.mm) == pytest.approx((12.5, 2.0, 38.1))
+    assert (one.last.x, one.last.y, one.last.mm) == pytest.approx((0.05, 0.05, 1.27))
+
+
+@pytest.mark.parametrize(
     ("value", "unit", "due"),
     [
         *[("16,3", "m/s", (16.3, "m/s")), ("87000 Pa", "", (87000.0, "Pa"))],
@@ -264,7 +287,7 @@ WRONG = {
     "1e999": ("v,1,pb,1e999,,,,", "mm", "too large"),
     "a huge number": (f"v,1,pb,{'9' * 400},,,,", "mm", "too large"),
     "beyond all measure": ("v,1,pb,1e13,,,,", "mm", "too large"),
-    "centimetres": ("v,1,pb,12 cm,,,,", "mm", "write it in mm"),
+    "metres": ("v,1,pb,0.12 m,,,,", "mm", "write it in mm"),
     "two numbers": ("v,1,pb,12 13,,,,", "mm", "one piece"),
     "groups of thousands": ('v,1,pb,"1.234,5",,,,', "mm", "one piece"),
     "a fraction": ("v,1,pb,1/2,,,,", "mm", "one piece"),
