@@ -21,6 +21,7 @@ _PLAIN = re.compile(r"[+-]?[0-9]{1,12}(?:\.[0-9]{1,20})?")
 _COMMA = re.compile(r"[+-]?[0-9]*,[0-9]+(?:[eE][+-]?[0-9]+)?")
 _THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}")
 _LAST = re.compile(r"[0-9]*[.,]?([0-9]*)(?:[eE]([+-]?[0-9]{1,6}))?")
+_DATE = re.compile(r"\d{4}-\d\d-\d\d(?: .*)?|\d{1,2}\.\d{1,2}\.\d{4}|\d\d:\d\d:\d\d.*")
 _SHORTEST = 40
 """Of a cell that a message quotes so many characters are shown."""
 
@@ -119,6 +120,16 @@ def _figure(cell: str, commas: bool, wanted: str) -> tuple[float, str]:
     simple = cell.replace(",", ".") if commas else cell
     if _PLAIN.fullmatch(simple):  # as almost every cell is, in files of any length
         return float(simple), ""
+    if cell.startswith("="):
+        says = said('"{cell}" is a formula without a result; write the figure', cell=_short(cell))
+        raise ValueError(says)
+    if _DATE.fullmatch(cell):
+        says = said(
+            '"{cell}" is a date: the spreadsheet made it of a number; format the cell as text and '
+            "write the number again",
+            cell=_short(cell),
+        )
+        raise ValueError(says)
     match = _FIGURE.fullmatch(_straight(cell))
     if match is None:
         raise ValueError(

@@ -1,19 +1,21 @@
-"""Readings of a hand-made drawing: a CSV file as people and spreadsheets write it, and back."""
+"""Readings of a hand-made drawing: a file as people and spreadsheets write it, and back."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple, NoReturn
 
 from graphic_tmm.checking.readings.csv_cells import HEADS, SEPARATORS, Head, Row, table
-from graphic_tmm.checking.readings.decoding import text_of
+from graphic_tmm.checking.readings.decoding import READINGS, decoded
 from graphic_tmm.checking.readings.digits import meant
 from graphic_tmm.checking.readings.figures import decimal_comma, half_unit, millimetres, value_of
 from graphic_tmm.checking.readings.twice import twice
+from graphic_tmm.checking.readings.workbook import OLD, START, sheet_table
 from graphic_tmm.checking.readings.writing import template, write_readings
 from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.errors import Fault, SceneError, first_of
+from graphic_tmm.files import read
 from graphic_tmm.language.said import joined, said
 
 __all__ = ["read_readings", "template", "write_readings"]
@@ -48,7 +50,7 @@ class _Cells(NamedTuple):
 
 
 def read_readings(path: Path | str) -> tuple[Taken, ...]:
-    """Read the readings of a CSV file, in the order of its rows.
+    """Read the readings of a CSV file or a workbook (xlsx), in the order of its rows.
 
     Its first row names the columns, in any order, in English or Russian: plan, position, segment, and mm,
     or value and unit, or x and y (mm); lengths may be in cm or inches, where a title or a cell says so.
@@ -59,7 +61,7 @@ def read_readings(path: Path | str) -> tuple[Taken, ...]:
     Parameters
     ----------
     path : Path or str
-        The file, in UTF-8, UTF-16 or Windows-1251.
+        The file, in UTF-8, UTF-16 or Windows-1251, or xlsx.
 
     Returns
     -------
@@ -72,8 +74,7 @@ def read_readings(path: Path | str) -> tuple[Taken, ...]:
         With the file's faults, the first 20 of them, each with its column and line, and how many more.
     """
     file = Path(path)
-    text = text_of(file)
-    found = table(text)
+    found = _table(file, read(file, READINGS))
     if found is None:
         _refuse(
             file,
@@ -93,6 +94,16 @@ def read_readings(path: Path | str) -> tuple[Taken, ...]:
     if faults:
         _refuse(file, faults)
     return _taken(file, head, following)
+
+
+def _table(file: Path, data: bytes) -> tuple[Head, Iterator[Row]] | None:
+    """Return the row of titles and the others of a text or a workbook; None if it is empty."""
+    if data.startswith(START):
+        return sheet_table(file, data)
+    if data.startswith(OLD):
+        says = said("an old workbook, or one with a password; save the sheet as CSV or xlsx")
+        _refuse(file, [Fault("", 0, says)])
+    return table(decoded(file, data))
 
 
 def _taken(file: Path, head: Head, rows: Iterable[Row]) -> tuple[Taken, ...]:
