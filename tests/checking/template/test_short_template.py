@@ -49,6 +49,8 @@ def test_what_is_measured_is_asked_for_and_what_is_calculated_is_told(name):
     for calculated in ("pa", "πa", "omega2", "epsilon2"):
         assert re.search(rf"\b{calculated}\b", told)
     assert "velocities: p" in told
+    for segment, ends in {"raa3": "k2a3", "tba3": "n3a3"}.items() if name == "windrower" else ():
+        assert f"{segment} — это {ends}" in told
     assert "accelerations: π" in told
 
 
