@@ -33,6 +33,7 @@ by 0.75 mm, and a shift by that would be put into all points of the plan."""
 _LISTED = 6
 """So many lines are listed in a note."""
 _HOW = {
+    "turned": said('"{typed}" was read as {meant}, of the same length ({plan}; line {lines})'),
     "case": said('"{typed}" was read as {meant} ({plan}; line {lines})'),
     "look-alikes": said(
         '"{typed}" was read as {meant}: it has Cyrillic letters that look like others ({plan}; '
@@ -100,7 +101,7 @@ def mended(
         found.append(one)
     speech = speaking(made.scene.language)
     kept, shifts = _from_poles(found, names)
-    faults += twice(kept)
+    faults += twice(found)
     notes = [_note(mend, at, speech) for mend, at in lines.items() if mend.how not in SILENT]
     return kept, (*notes, *map(speech, shifts)), tuple(faults)
 

@@ -30,6 +30,8 @@ _STOP = frozenset(("план", "плана", "plan", "of", "the", "and"))
 _ENDINGS = re.compile(r"(?:ies|es|ий|ия|ие|ей|[аеёиоуыэюяйьsy])+$")
 _STEM = 3
 """A stem has so many letters at least: fewer begin too many words."""
+_POINT = re.compile(r"[^\W\d_]\d*′*")
+"""The letter of a point."""
 _DASHES = ("-", "–", "—", "−")
 _POSITION = re.compile(r"(?:no|#|pos\.?|пол\.?)?\s*0*(\d+)(?:[.,]0*)?\s*([*×xх]|°|deg|град\.?)?")
 
@@ -80,7 +82,8 @@ def meant(typed: str, known: Aliases) -> Meant:
     back = restored(typed)
     if back:
         return meant(back, known)._replace(how="lost")
-    return _poles(typed, known)
+    pole = _poles(typed, known)
+    return pole if pole.names else _turned(typed, known)
 
 
 def _alike(typed: str, known: Aliases, level: str) -> tuple[str, ...]:
@@ -102,6 +105,16 @@ def _poles(typed: str, known: Aliases) -> Meant:
     other = "π" + word[1:].lstrip("′")
     found = _having(known, lambda alias: signs(alias).casefold() == other.casefold())
     return Meant(found, "pole") if found else NOTHING
+
+
+def _turned(typed: str, known: Aliases) -> Meant:
+    """Return the segment between two points that were named the other way round: a length is the same."""
+    points = _POINT.findall(signs(typed))
+    if len(points) != 2 or "".join(points) != signs(typed):
+        return NOTHING
+    other = "".join(reversed(points))
+    found = _having(known, lambda alias: signs(alias) == other)
+    return Meant(found, "turned") if found else NOTHING
 
 
 def plan_meant(typed: str, plans: Sequence[str]) -> Meant:

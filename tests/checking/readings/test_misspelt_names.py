@@ -58,6 +58,8 @@ def test_misspelt_segments_of_scenes_with_every_chapter():
     [
         *[("velocities", typed, "pa") for typed in ("PA", "рa", "ра", "v_A", "vA", "Pa")],
         *[("velocities", typed, "omega3") for typed in ("ω3", "ω_3", "w3", "ОМЕГА3", "ω₃", "?3")],
+        *[("velocities", typed, "cd") for typed in ("dc", "CD", "сd", "v_DC")],
+        *[("velocities", typed, "aa3") for typed in ("a3a", "aA3", "аа3")],
         *[("velocities", typed, "ps3") for typed in ("пс3", "pS3", "рs3", "ps_3")],
         *[
             ("accelerations", typed, "πa")
@@ -76,7 +78,7 @@ def test_a_segment_by_what_it_is_called_elsewhere(plan, typed, due):
     assert meant(typed, segments("windrower")[plan]).names == (due,)
 
 
-@pytest.mark.parametrize("typed", ["bd", "dc", "x", "?", "??", "pab", "?b", "n", "_", "пб"])
+@pytest.mark.parametrize("typed", ["bd", "da", "x", "?", "??", "pab", "?b", "n", "_", "пб"])
 def test_a_segment_that_the_plan_does_not_have_is_none(typed):
     assert meant(typed, segments("windrower")["velocities"]).names == ()
 
