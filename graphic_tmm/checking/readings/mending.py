@@ -1,13 +1,11 @@
-"""Readings by the names of their scene; what was typed otherwise is mended, with a word where one may wonder.
-
-A row for the pole of a plan is no reading: it tells from where x and y were counted.
-"""
+"""Readings by the names of their scene: what was typed otherwise is mended, and told where it may matter."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+from graphic_tmm.captions import view_name
 from graphic_tmm.checking.cells import Cell, Key, pointed
 from graphic_tmm.checking.readings.names import (
     SILENT,
@@ -18,6 +16,7 @@ from graphic_tmm.checking.readings.names import (
     position_meant,
     segments_of,
 )
+from graphic_tmm.checking.readings.poles import from_poles
 from graphic_tmm.checking.readings.twice import twice
 from graphic_tmm.checking.readings.writing import result_columns
 from graphic_tmm.checking.records import Taken
@@ -27,9 +26,6 @@ from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.readers.table import scene_columns, scene_results
 
-NEAR = 1.0
-"""A pole that was read nearer to the origin than this is the origin, mm: a coordinate read off paper scatters
-by 0.75 mm, and a shift by that would be put into all points of the plan."""
 _LISTED = 6
 """So many lines are listed in a note."""
 _HOW = {
@@ -100,10 +96,10 @@ def mended(
             faults.append(Fault("", part.line, fault))
         found.append(one)
     speech = speaking(made.scene.language)
-    kept, shifts = _from_poles(found, names)
+    kept, shifts = from_poles(found, names.poles, names.points, speech)
     faults += twice(found)
     notes = [_note(mend, at, speech) for mend, at in lines.items() if mend.how not in SILENT]
-    return kept, (*notes, *map(speech, shifts)), tuple(faults)
+    return kept, (*notes, *shifts), tuple(faults)
 
 
 def names_of(made: DrawnScene, due: Mapping[Key, Cell], spots: Mapping[Key, complex]) -> Names:
@@ -178,46 +174,5 @@ def _either(typed: str, found: Meant, where: Said) -> Said:
 def _note(mend: Mend, lines: Sequence[int], speech: Speech) -> str:
     at = sorted(set(lines))
     told = ", ".join(map(str, at[:_LISTED])) + (", ..." if len(at) > _LISTED else "")
-    return speech(_HOW[mend.how], typed=mend.typed, meant=mend.meant, plan=mend.plan, lines=told)
-
-
-def _from_poles(parts: Iterable[Taken], names: Names) -> tuple[tuple[Taken, ...], tuple[Said, ...]]:
-    """Return readings without rows of poles, points counted from where these stand; a word on each shift.
-
-    A row without position is of the plan in all positions.
-    """
-    kept, found = [], {}
-    for part in parts:
-        if names.poles.get(part.plan) != part.segment or _is_point(part, names):
-            kept.append(part)
-        elif part.pointed:
-            found[part.plan, part.position] = part
-        elif part.mm != 0.0:
-            kept.append(part)
-    shifts = {at: one for at, one in found.items() if abs(one.spot) > NEAR}
-    return tuple(_shifted(one, shifts) for one in kept), tuple(map(_told, shifts.values()))
-
-
-def _is_point(part: Taken, names: Names) -> bool:
-    return part.segment in names.points.get(part.plan, {})
-
-
-def _shifted(part: Taken, shifts: Mapping[tuple[str, str], Taken]) -> Taken:
-    pole = shifts.get((part.plan, part.position), shifts.get((part.plan, "")))
-    if pole is None or not part.pointed:
-        return part
-    spot = part.spot - pole.spot
-    return part._replace(x=spot.real, y=spot.imag)
-
-
-def _told(pole: Taken) -> Said:
-    return said(
-        "line {line}: the pole {pole} stands at x = {x:g}, y = {y:g}; the points of its plan are "
-        "counted from there ({plan} {position})",
-        line=pole.line,
-        pole=pole.segment,
-        x=pole.x,
-        y=pole.y,
-        plan=pole.plan,
-        position=pole.position,
-    )
+    plan = view_name(mend.plan, speech.language)
+    return speech(_HOW[mend.how], typed=mend.typed, meant=mend.meant, plan=plan, lines=told)

@@ -71,7 +71,7 @@ def test_a_letter_of_another_alphabet_is_told(tmp_path, made):
     assert [one.key for one in rows] == [("velocities", "pb", "1"), ("velocities", "pb", "2")]
     (note,) = notes
     assert note.startswith('"рb" was read as pb: it has Cyrillic letters')
-    assert note.endswith("(velocities; line 2, 3)")
+    assert note.endswith("(Velocity plan; line 2, 3)")
 
 
 def test_nothing_is_told_of_another_sign_for_the_same_letter(tmp_path, made):
@@ -142,6 +142,7 @@ def test_points_are_counted_from_a_pole_that_stands_elsewhere(tmp_path, made):
     assert [(one.x, one.y) for one in found] == [(12.5, -3), (3, 4), (7, 8), (None, None)]
     (note,) = notes
     assert note.startswith("line 2: the pole p stands at x = 100, y = 50")
+    assert note.endswith("counted from there (Velocity plan, position 1)")
     every, _ = typed(tmp_path, made, ["positions;;O;;;;100;50", "positions;2;B;;;;103;54"])
     assert [(one.x, one.y) for one in every] == [(3, 4)]
 
@@ -155,5 +156,5 @@ def test_a_pole_that_no_plan_has_or_a_length_of_it_is_refused(tmp_path, made):
 def test_notes_are_said_in_the_language_of_the_scene(tmp_path):
     _, notes = typed(tmp_path, gallery.made("engine"), ["скорости;1;рb;10;;;;", "v;1;p;;;;1;1"][:1])
     assert notes == (
-        "«рb» прочитано как pb: в нём русские буквы вместо похожих латинских (velocities; строки: 2)",
+        "«рb» прочитано как pb: в нём русские буквы вместо похожих латинских (План скоростей; строки: 2)",
     )
