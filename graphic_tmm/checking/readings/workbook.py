@@ -19,8 +19,8 @@ START = b"PK\x03\x04"
 """With what a workbook begins, as every ZIP."""
 OLD = b"\xd0\xcf\x11\xe0"
 """With what a workbook of before 2007, or one with a password, begins."""
-LARGEST = 60_000_000
-"""So many bytes a workbook may have unpacked: some 700,000 cells."""
+LARGEST = 10_000_000
+"""So many bytes a workbook may have unpacked: some 25,000 rows, which take some seconds."""
 ROWS, COLUMNS = 1_048_576, 64
 """A sheet has so many rows; columns further right mean nothing here."""
 _ABOVE = 60

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import random
 import sys
 import zipfile
 
@@ -209,3 +210,18 @@ def test_old_workbooks_and_a_missing_library_are_told(folder, monkeypatch):
     assert "graphic-tmm[xlsx]" in str(refused(folder, workbook({"s": [HEAD]})))
     with pytest.raises(SheetError, match="graphic-tmm\\[xlsx\\]"):
         file_of("a.xlsx", [], language="en")
+
+
+def test_a_workbook_and_a_text_of_the_same_cells_are_the_same_readings(folder):
+    source = random.Random(11)
+    rows = []
+    for k in range(200):
+        mm, x = round(source.uniform(-200, 200), 1), round(source.uniform(-99, 99), 2)
+        figures = source.choice(([mm], [mm, x, "m/s"], [None, None, None, x, mm]))
+        rows.append(
+            [source.choice(["velocities", "силы"]), k, source.choice(["πa", "P_ур"]), *figures]
+        )
+    text = "\n".join(";".join("" if c is None else str(c) for c in row) for row in [HEAD, *rows])
+    file = folder / "same.csv"
+    file.write_text(text, "utf-8")
+    assert read(folder, workbook({"s": [HEAD, *rows]})) == read_readings(file)
