@@ -10,14 +10,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 from support.reports import HOSTILE, LANGUAGES, engine, hostile
 
+from graphic_tmm.checking.report.findings import finding_rows, headline, summary
 from graphic_tmm.checking.report.html import html_report
-from graphic_tmm.checking.report.rows import grids, notes, summary, title, who
+from graphic_tmm.checking.report.parts import doubtful_parts, fine_grids, grids, wrong_parts
+from graphic_tmm.checking.report.rows import notes, title, who
+from graphic_tmm.checking.report.words import shown
 
 TAGS = {"html", "head", "meta", "title", "style", "body", "h1", "h2", "p", "span", "ul", "li"}
+TAGS |= {"h3", "section", "details", "summary", "rect", "circle"}
 TAGS |= {"table", "thead", "tbody", "tr", "th", "td", "svg", "g", "path", "text"}
 NAMES = {"lang", "charset", "content", "http-equiv", "name", "class", "scope", "role", "aria-label"}
 NAMES |= {"width", "height", "viewbox", "d", "fill", "stroke", "stroke-width", "x", "y"}
-NAMES |= {"font-size", "text-anchor"}
+NAMES |= {"font-size", "text-anchor", "stroke-linecap", "cx", "cy", "r"}
 
 
 class Page(HTMLParser):
@@ -71,8 +75,16 @@ def test_a_page_reads_back_as_the_words_that_went_in(language: str, text: str) -
     assert [row for row in page.rows if row] == rows
     assert page.said("h1") == [title(made)]
     assert page.said("title")[0] == title(made)
-    assert page.said("li") == list(notes(made))
-    assert page.said("p")[:2] == [summary(made), who(made)]
+    assert page.said("li") == [*finding_rows(made), *notes(made)]
+    assert page.said("p")[:3] == [headline(made), summary(made), who(made)]
+    parts = [*wrong_parts(made), *doubtful_parts(made)]
+    told = [text for part in parts for text in part.told]
+    assert len(told) == (3 if shown(text) else 1)  # what is done, why, the numbers
+    assert page.said("p")[3 : 3 + len(told)] == told
+    assert [heading[2:] for heading in page.said("h2")[:-1]] == [part.heading for part in parts]
+    assert (
+        page.said("h3") == [grid.title for grid in fine_grids(made)] * 2
+    )  # the readings, their chart
     assert all(line.isprintable() for line in out.split("\n"))
     out.encode("utf-8")
 

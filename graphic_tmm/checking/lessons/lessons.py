@@ -1,0 +1,129 @@
+"""Lessons on the steps that readings or mistakes blame: the log's own sentence, reason and calculation."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from graphic_tmm.checking.judging.reader import Reader
+from graphic_tmm.checking.lessons.small_plans import SmallPlans
+from graphic_tmm.checking.lessons.steps import Numbers, Steps, Told
+from graphic_tmm.checking.records import WRONG, Judged, Lesson, Likely
+from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.language.names import spoken
+from graphic_tmm.readers.narration import defined
+from graphic_tmm.readers.sentences import calculation, reason, sentence
+
+PICTURED = 8
+"""So many lessons of a report have a picture. Chosen by eye: a page holds three."""
+
+
+@dataclass
+class _Blame:
+    """What blames a step: wrong readings of a plan, findings by number; a position that one of these tells."""
+
+    plan: str
+    rows: list[Judged] = field(default_factory=list)
+    names: list[int] = field(default_factory=list)
+    position: str = ""
+
+
+class Teacher:
+    """Who tells the lessons of the drawings of one scene."""
+
+    def __init__(self, made: DrawnScene) -> None:
+        self.made = made
+        self.language = made.scene.language
+        self._steps: Steps | None = None
+        self._plans = SmallPlans(made)
+
+    def lessons(
+        self, judged: Sequence[Judged], findings: Sequence[Likely], by: Reader
+    ) -> tuple[Lesson, ...]:
+        """Return a lesson on each step that wrong readings blame or a finding names, in turn."""
+        wrong = [one for one in judged if one.verdict == WRONG]
+        if not wrong and not any(one.step or one.segment for one in findings):
+            return ()
+        if self._steps is None:
+            self._steps = Steps(self.made)
+        blamed = self._blamed(self._steps, wrong, findings)
+        if not blamed:
+            return ()
+        numbers = Numbers(self._steps, [one.taken for one in judged], by)
+        told = [one for one in self._steps.in_turn if one in blamed]
+        return tuple(
+            self._lesson(one, blamed[one], numbers, judged, pictured=k < PICTURED)
+            for k, one in enumerate(told)
+        )
+
+    def _blamed(
+        self, steps: Steps, wrong: Sequence[Judged], findings: Sequence[Likely]
+    ) -> Mapping[Told, _Blame]:
+        """Return what is blamed, and by what."""
+        blamed: dict[Told, _Blame] = {}
+        for row in wrong:
+            told = steps.labelled(row.taken.plan, row.step) if row.step else None
+            if told is not None:
+                blamed.setdefault(told, _Blame(row.taken.plan)).rows.append(row)
+        for k, finding in enumerate(findings):
+            told = steps.of(finding)
+            if told is not None:
+                blame = blamed.setdefault(told, _Blame(finding.plan, position=finding.position))
+                blame.names.append(k)
+        return blamed
+
+    def _lesson(
+        self,
+        told: Told,
+        blame: _Blame,
+        numbers: Numbers,
+        judged: Sequence[Judged],
+        *,
+        pictured: bool,
+    ) -> Lesson:
+        shown = max(blame.rows, key=_size) if blame.rows else self._nearest(told, judged, blame)
+        names = told.board.names
+        wanted = shown.taken.position if shown is not None else blame.position
+        place = names.index(wanted) if wanted in names else 0
+        reading = numbers.reading(told)
+        op = told.step.op
+        there = bool(op.formula or op.proportion) and defined(reading, told.step.it, place)
+        note = calculation(told.step, reading, place, self.language) if there else ""
+        picture = None
+        if pictured and shown is not None:
+            picture = self._plans.picture(told, shown, place)
+        return Lesson(
+            plan=blame.plan,
+            step=told.label,
+            letter=spoken(told.step.it, self.language),
+            says=sentence(told.step, self.language, reading, place),
+            why=reason(told.step, self.language, reading, place),
+            calculation=note,
+            position=names[place],
+            own=bool(note) and numbers.own(told, place),
+            shown=shown,
+            picture=picture,
+            names=tuple(blame.names),
+        )
+
+    def _nearest(self, told: Told, judged: Sequence[Judged], blame: _Blame) -> Judged | None:
+        """Return the reading of what a step leaves that is off the most, whatever its verdict; None if none.
+
+        Where the finding tells a position, of that one.
+        """
+        assert self._steps is not None
+        of = [
+            one
+            for one in judged
+            if (step := self._steps.readable.get((one.taken.plan, one.taken.segment))) is not None
+            and step.it == told.step.it
+            and blame.position in ("", one.taken.position)
+        ]
+        return max(of, key=_size, default=None)
+
+
+def _size(one: Judged) -> float:
+    """Return how far a reading is off: by the step's own error where it is known."""
+    off = one.deviation if one.own is None else one.own
+    return abs(off) if math.isfinite(off) else 0.0

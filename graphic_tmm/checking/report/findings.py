@@ -1,0 +1,114 @@
+"""What the readings tell, in sentences: what matters first, then every finding with how sure it is."""
+
+from __future__ import annotations
+
+from graphic_tmm.checking.records import DOUBTFUL, MISTAKE, WRONG, Judged, Likely, Report
+from graphic_tmm.checking.report.rows import counts, runs
+from graphic_tmm.checking.report.words import LONGEST_SENTENCE, WORDS, plan_name, shown
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.names import plain
+from graphic_tmm.language.numbers import fixed
+
+NAMED = 5
+"""So many findings are told; the JSON has all of them."""
+SURE = 0.995
+"""From here on a finding is said to be sure to 99 %: it is never said to be certain."""
+
+
+def headline(report: Report) -> str:
+    """Return what matters, in one sentence."""
+    words = WORDS[report.language]
+    if not report.readings:
+        return words["none"]
+    if report.mistakes:
+        return finding(report.mistakes[0], report.language)
+    if report.wrong:
+        return _begin(report)
+    doubtful = any(one.verdict == DOUBTFUL for one in report.readings)
+    return words["look again" if doubtful else "all right"]
+
+
+def summary(report: Report) -> str:
+    """Return how many readings are fine, doubtful, wrong; how many of these no finding explains."""
+    words = WORDS[report.language]
+    if not report.readings:
+        return ""
+    said = [words["counts"].format(all=len(report.readings), **counts(report))]
+    left = unexplained(report)
+    if 0 < len(left) < report.wrong:
+        lines = runs([one.taken.line for one in left])
+        told = words["left over"].format(count=len(left), lines=words["at lines"])
+        said.append(told.format(lines=lines) if lines else told.partition(" (")[0] + ".")
+    return " ".join(said)
+
+
+def finding(one: Likely, language: str) -> str:
+    """Return a finding as a sentence."""
+    speech, words = speaking(language), WORDS[language]
+    kind = "alike" if one.like and one.kind == MISTAKE else one.kind
+    says = [one.says or speech(one.name), *map(speech, one.like)]
+    told = "; ".join(filter(None, (shown(text, LONGEST_SENTENCE).rstrip(".") for text in says)))
+    return words[kind if kind in words else MISTAKE].format(says=told)
+
+
+def finding_rows(report: Report) -> tuple[str, ...]:
+    """Return what the headline leaves: of the first finding its details, of the others all."""
+    found = []
+    for k, one in enumerate(report.mistakes[:NAMED]):
+        told = [] if k == 0 else [finding(one, report.language)]
+        more = details(report, one)
+        told += [more[:1].upper() + more[1:] + "."] if more else []
+        found += [" ".join(told)] if told else []
+    if (left := len(report.mistakes) - NAMED) > 0:
+        found.append(WORDS[report.language]["more"].format(count=left))
+    return tuple(found)
+
+
+def details(report: Report, one: Likely) -> str:
+    """Return what a finding explains, how sure it is: for who asks; "" if nothing is to be told."""
+    words, language = WORDS[report.language], report.language
+    told = []
+    if count := explained(report, one):
+        told.append(words["explains"].format(count=count, wrong=report.wrong))
+        told.append(words["leaves"].format(rest=fixed(100 * one.rest, 0, language)))
+    if lines := runs(one.lines):
+        told.append(words["at lines"].format(lines=lines))
+    if one.chance > 0.0:
+        percent = fixed(100 * min(one.chance, SURE), 0, language) if one.chance < SURE else "99"
+        told.append(words["sure"].format(percent=percent))
+    return "; ".join(told)
+
+
+def explained(report: Report, mistake: Likely) -> int:
+    """Return how many of the wrong readings a mistake explains."""
+    lines = set(mistake.lines)
+    return sum(one.verdict == WRONG and one.taken.line in lines for one in report.readings)
+
+
+def unexplained(report: Report) -> tuple[Judged, ...]:
+    """Return the wrong readings that no mistake of the report explains."""
+    lines = {line for mistake in report.mistakes for line in mistake.lines}
+    wrong = (one for one in report.readings if one.verdict == WRONG)
+    return tuple(one for one in wrong if one.taken.line not in lines)
+
+
+def where(plan: str, step: str, letter: str, language: str) -> str:
+    """Return a step as a heading tells it: Velocity plan, step 5: ab."""
+    words = WORDS[language]
+    return words["found wrong"].format(
+        plan=plan_name(plan, language), number=shown(step.partition(" ")[0]), letter=shown(letter)
+    )
+
+
+def _begin(report: Report) -> str:
+    """Return that no known mistake explains the wrong readings, and the step that is first to be looked at."""
+    words = WORDS[report.language]
+    steps = {(one.taken.plan, one.step) for one in report.readings if one.verdict == WRONG}
+    first = next((one for one in report.lessons if (one.plan, one.step) in steps), None)
+    if first is None:
+        return words["unexplained"]
+    return words["begin"].format(
+        letter=shown(first.letter or plain(first.step)),
+        plan=plan_name(first.plan, report.language),
+        number=first.step.partition(" ")[0],
+    )
