@@ -146,10 +146,11 @@ class Picture(NamedTuple):
 class Lesson(NamedTuple):
     """What a step of the construction is, for who did it wrongly.
 
-    ``step``: as `Judged` names it, in its ``plan``; ``letter``: of what it leaves, as people write it. ``says``
-    what is done, ``why``, and how it is calculated in one ``position``: with the ``own`` numbers of the drawing
-    where they were read, else with the exact ones. ``shown``: the reading that is off the most. ``names``:
-    which of the report's mistakes (by number, from 0) were made in it.
+    ``step``: as `Judged` names it, in its ``plan``, there drawn in a ``view`` of the log; ``letter``: of what
+    it leaves, as people write it. ``says`` what is done, ``why``, and how it is calculated in one ``position``:
+    with the ``own`` numbers of the drawing where they were read, else with the exact ones. ``shown``: the
+    reading that is off the most. ``names``: which of the report's mistakes (by number, from 0) were made in it.
+    ``segment``: the figure of a table that it leaves, where readings of that blame no step themselves.
     """
 
     plan: str
@@ -163,6 +164,8 @@ class Lesson(NamedTuple):
     shown: Judged | None = None
     picture: Picture | None = None
     names: tuple[int, ...] = ()
+    segment: str = ""
+    view: str = ""
 
 
 class Report(NamedTuple):

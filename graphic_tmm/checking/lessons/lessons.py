@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from graphic_tmm.checking.judging.reader import Reader
+from graphic_tmm.checking.lessons.by_figure import step_of_figure
 from graphic_tmm.checking.lessons.small_plans import SmallPlans
 from graphic_tmm.checking.lessons.steps import Numbers, Steps, Told
 from graphic_tmm.checking.records import WRONG, Judged, Lesson, Likely
@@ -21,12 +22,16 @@ PICTURED = 8
 
 @dataclass
 class _Blame:
-    """What blames a step: wrong readings of a plan, findings by number; a position that one of these tells."""
+    """What blames a step: wrong readings of a plan, findings by number, with the position that these tell.
+
+    ``segment``: of readings that name no step themselves.
+    """
 
     plan: str
     rows: list[Judged] = field(default_factory=list)
     names: list[int] = field(default_factory=list)
     position: str = ""
+    segment: str = ""
 
 
 class Teacher:
@@ -63,9 +68,10 @@ class Teacher:
         """Return what is blamed, and by what."""
         blamed: dict[Told, _Blame] = {}
         for row in wrong:
-            told = steps.labelled(row.taken.plan, row.step) if row.step else None
+            plan, segment = row.taken.plan, "" if row.step else row.taken.segment
+            told = steps.labelled(plan, row.step) if row.step else step_of_figure(steps, row.taken)
             if told is not None:
-                blamed.setdefault(told, _Blame(row.taken.plan)).rows.append(row)
+                blamed.setdefault(told, _Blame(plan, segment=segment)).rows.append(row)
         for k, finding in enumerate(findings):
             told = steps.of(finding)
             if told is not None:
@@ -86,10 +92,10 @@ class Teacher:
         names = told.board.names
         wanted = shown.taken.position if shown is not None else blame.position
         place = names.index(wanted) if wanted in names else 0
-        reading = numbers.reading(told)
+        reading, at = numbers.reading(told, place)
         op = told.step.op
-        there = bool(op.formula or op.proportion) and defined(reading, told.step.it, place)
-        note = calculation(told.step, reading, place, self.language) if there else ""
+        there = bool(op.formula or op.proportion) and defined(reading, told.step.it, at)
+        note = calculation(told.step, reading, at, self.language) if there else ""
         picture = None
         if pictured and shown is not None:
             picture = self._plans.picture(told, shown, place)
@@ -97,14 +103,16 @@ class Teacher:
             plan=blame.plan,
             step=told.label,
             letter=spoken(told.step.it, self.language),
-            says=sentence(told.step, self.language, reading, place),
-            why=reason(told.step, self.language, reading, place),
+            says=sentence(told.step, self.language, reading, at),
+            why=reason(told.step, self.language, reading, at),
             calculation=note,
-            position=names[place],
+            position=wanted if wanted in names else "",
             own=bool(note) and numbers.own(told, place),
             shown=shown,
             picture=picture,
             names=tuple(blame.names),
+            segment=blame.segment,
+            view=told.step.it.view,
         )
 
     def _nearest(self, told: Told, judged: Sequence[Judged], blame: _Blame) -> Judged | None:

@@ -108,18 +108,26 @@ class Numbers:
             ahead += log[mark].uses if mark in log else ()
         return False
 
-    def reading(self, told: Told) -> Reading:
-        """Return the numbers by which a step is told: it is done right with what the drawing has."""
+    def reading(self, told: Told, place: int) -> tuple[Reading, int]:
+        """Return the numbers by which a step is told in a position (index), and its index in them.
+
+        It is done right: with what the drawing has, else as the protocol of the exact drawing tells it.
+        """
         board, step = told.board, told.step
+        view = step.it.view
+        exactly, row = board.of(view), board.row(view)
+        there = exactly is not None and all(mark in exactly for mark in (step.it, *step.uses))
+        if exactly is not None and there and place in row and not self.own(told, place):
+            return exactly, row.index(place) if view in board.project.rows else place
         marks = [mark for mark in (*step.uses, step.it) if mark.kind in PLAIN]
         values = {mark.slot: self._value(board, mark) for mark in marks}
         if board is self._work and step.it in self._due:
             values[step.it.slot] = self._due[step.it]
         for mark in marks:
             if mark.kind is Length:
-                row = values[mark.slot]
-                values[mark.slot] = np.where(np.abs(row) < NOTHING, 0.0, row)
-        return Reading(values, len(board.names))
+                length = values[mark.slot]
+                values[mark.slot] = np.where(np.abs(length) < NOTHING, 0.0, length)
+        return Reading(values, len(board.names)), place
 
     def _value(self, board: Drawn, mark: Mark) -> Any:
         if board is self._work and mark.slot in self._values:

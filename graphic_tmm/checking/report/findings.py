@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from graphic_tmm.checking.records import DOUBTFUL, MISTAKE, WRONG, Judged, Likely, Report
+from graphic_tmm.captions import view_name
+from graphic_tmm.checking.records import DOUBTFUL, MISTAKE, WRONG, Judged, Lesson, Likely, Report
 from graphic_tmm.checking.report.rows import counts, runs
 from graphic_tmm.checking.report.words import LONGEST_SENTENCE, WORDS, plan_name, shown
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import fixed
 
 NAMED = 5
@@ -92,23 +92,21 @@ def unexplained(report: Report) -> tuple[Judged, ...]:
     return tuple(one for one in wrong if one.taken.line not in lines)
 
 
-def where(plan: str, step: str, letter: str, language: str) -> str:
-    """Return a step as a heading tells it: Velocity plan, step 5: ab."""
-    words = WORDS[language]
-    return words["found wrong"].format(
-        plan=plan_name(plan, language), number=shown(step.partition(" ")[0]), letter=shown(letter)
-    )
+def where(lesson: Lesson, language: str) -> dict[str, str]:
+    """Return the words that tell a step: its plan (of what is calculated, the calculation), number, letter."""
+    plan = plan_name(lesson.plan, language)
+    if lesson.segment and lesson.view and lesson.view != lesson.plan:
+        plan = shown(view_name(lesson.view, language))
+    number = shown(lesson.step.partition(" ")[0])
+    return {"plan": plan, "number": number, "letter": shown(lesson.letter)}
 
 
 def _begin(report: Report) -> str:
-    """Return that no known mistake explains the wrong readings, and the step that is first to be looked at."""
+    """Return that no known mistake explains the wrong readings, and what is first to be looked at."""
     words = WORDS[report.language]
-    steps = {(one.taken.plan, one.step) for one in report.readings if one.verdict == WRONG}
-    first = next((one for one in report.lessons if (one.plan, one.step) in steps), None)
-    if first is None:
-        return words["unexplained"]
-    return words["begin"].format(
-        letter=shown(first.letter or plain(first.step)),
-        plan=plan_name(first.plan, report.language),
-        number=first.step.partition(" ")[0],
+    wrong = [one for one in report.readings if one.verdict == WRONG]
+    if report.lessons:
+        return words["begin"].format(**where(report.lessons[0], report.language))
+    return words["begin at"].format(
+        segment=shown(wrong[0].taken.segment), plan=plan_name(wrong[0].taken.plan, report.language)
     )

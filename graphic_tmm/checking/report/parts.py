@@ -123,48 +123,51 @@ def _of(report: Report, verdict: str) -> list[Judged]:
 
 
 def _blames(lesson: Lesson, one: Judged) -> bool:
+    if lesson.segment:
+        return (one.taken.plan, one.taken.segment, one.step) == (lesson.plan, lesson.segment, "")
     return (one.taken.plan, one.step) == (lesson.plan, lesson.step)
 
 
 def _lesson(lesson: Lesson, rows: Sequence[Judged], language: str) -> Part:
-    heading = where(lesson.plan, lesson.step, lesson.letter, language)
+    heading = WORDS[language]["found wrong"].format(**where(lesson, language))
     caption = WORDS[language]["drawn"].format(position=shown(lesson.position))
     grid = reading_grid(rows, language, heading, (*KNOWN, "step")) if rows else None
     return Part(heading, tuple(_told(lesson, language)), grid, lesson.picture, caption)
 
 
 def _told(lesson: Lesson, language: str) -> list[str]:
-    """Return the paragraphs of a lesson: what is done, why, the due calculation, what was found."""
-    words, found = WORDS[language], list(filter(None, [shown(lesson.says, LONGEST_SENTENCE)]))
-    if lesson.why:
-        found.append(f"{captions(language)['why']}: {shown(lesson.why, LONGEST_SENTENCE)}")
-    at = words["at"].format(position=shown(lesson.position)) if lesson.position else ""
+    """Return the paragraphs of a lesson: what is done, why, the due calculation with what was found."""
+    words = WORDS[language]
+    says, why, calculation = (
+        shown(text, LONGEST_SENTENCE) for text in (lesson.says, lesson.why, lesson.calculation)
+    )
+    position = shown(lesson.position)
+    at = words["at"].format(position=position) if position else ""
     last = []
-    if lesson.calculation:
+    if calculation:
         by = words["own numbers" if lesson.own else "due numbers"]
-        head = ", ".join(filter(None, (by, at)))
-        last.append(f"{head}: {shown(lesson.calculation, LONGEST_SENTENCE)}.")
+        last.append(f"{', '.join(filter(None, (by, at)))}: {calculation}.")
+    elif at:
+        last.append(f"{at[:1].upper()}{at[1:]}.")
     if lesson.shown is not None:
-        yours = _yours(lesson, lesson.shown, language)
-        last.append(yours if lesson.calculation or not at else f"{_capital(at)}. {yours}")
-    return [*found, " ".join(last)] if last else found
+        last.append(_yours(lesson.shown, language, calculation))
+    reason = f"{captions(language)['why']}: {why}" if why else ""
+    numbers = " ".join(last) if calculation or lesson.shown is not None else ""
+    return [text for text in (says, reason, numbers) if text]
 
 
-def _yours(lesson: Lesson, one: Judged, language: str) -> str:
+def _yours(one: Judged, language: str, calculation: str) -> str:
+    """Return what was found, and what is due where no calculation has told it in the same unit."""
     words = WORDS[language]
     if one.taken.pointed:
-        off = figure(one.deviation, 1, language)
-        return words["off"].format(segment=shown(one.taken.segment), off=off)
+        key, off = ("off", one.deviation) if one.own is None else ("off itself", abs(one.own))
+        return words[key].format(segment=shown(one.taken.segment), off=figure(off, 1, language))
     unit = unit_name(one.unit, language)
 
     def told(value: float) -> str:
         text = figure(value, 1, language) if one.unit == "mm" else number(value, language)
         return f"{text} {unit}".rstrip()
 
-    if lesson.own and lesson.calculation:
+    if calculation and calculation.endswith(unit):
         return words["yours"].format(found=told(one.found))
     return words["yours for"].format(found=told(one.found), due=told(one.due))
-
-
-def _capital(text: str) -> str:
-    return text[:1].upper() + text[1:]

@@ -21,12 +21,14 @@ SIGNS = {FINE: "●", DOUBTFUL: "▲", WRONG: "✖"}
 """Verdicts are told by a shape as well as by a colour."""
 LARGE = 1e6
 """From here on a figure is written with a power of ten."""
+NOISE = 1e-12
+"""A deviation below this share of its figure is none: numbers of the machine agree no better."""
 RUNS = 12
 """So many runs of lines are listed; the JSON has all of them."""
 FIGURES = frozenset({"line", "found", "due", "deviation", "percent", "farther", "own"})
 """Columns of figures, set to the right."""
-OPTIONAL = frozenset({"line", "position", "unit", "step", "own", "follows"})
-"""Columns left out where nothing stands in them."""
+OPTIONAL = frozenset({"line", "position", "unit", "percent", "step", "own", "follows"})
+"""Columns left out where nothing stands in them, or a dash."""
 
 
 class Grid(NamedTuple):
@@ -79,7 +81,8 @@ def reading_grid(
     columns = tuple(
         key
         for key in rows[0]
-        if key not in without and (key not in OPTIONAL or any(row[key] for row in rows))
+        if key not in without
+        and (key not in OPTIONAL or any(row[key] not in ("", "—") for row in rows))
     )
     cells = tuple(tuple(row[key] for key in columns) for row in rows)
     return Grid(title, columns, cells, tuple(one.verdict for one in readings))
@@ -134,7 +137,8 @@ def _reading(one: Judged, language: str) -> dict[str, str]:
     def told(value: float) -> str:
         return figure(value, 2, language) if drawn else number(value, language)
 
-    off = signed(one.deviation, 2, language) if drawn else told(one.deviation)
+    deviation = 0.0 if abs(one.deviation) <= NOISE * abs(one.due) else one.deviation
+    off = signed(deviation, 2, language) if drawn else told(deviation)
     return {
         "line": str(taken.line) if taken.line else "",
         "position": shown(taken.position),
@@ -142,7 +146,7 @@ def _reading(one: Judged, language: str) -> dict[str, str]:
         "found": told(one.found),
         "due": told(one.due),
         "unit": "" if drawn else unit_name(one.unit, language),
-        "deviation": off if drawn or not one.deviation > 0 else f"+{off}",
+        "deviation": off if drawn or not deviation > 0 else f"+{off}",
         "percent": figure(one.percent, 1, language),
         "farther": _share(one.quantile, language),
         "step": shown(plain(one.step)),

@@ -5,12 +5,14 @@ Letters are strokes, as on a sheet: a reader of Markdown that leaves out drawing
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from graphic_tmm.checking.records import FINE, WRONG, Picture
 from graphic_tmm.checking.report.chart import COLOURS
 from graphic_tmm.checking.report.rendering import render
+from graphic_tmm.checking.report.words import shown
 from graphic_tmm.paper.drawing import Bezier, Ink, line
 from graphic_tmm.paper.lettering.letters import letter, svg_path
 from graphic_tmm.paper.packing import bounds
@@ -26,6 +28,8 @@ EDGE = 3.0
 BEYOND = 0.5
 """What was found is shown as far as this share of the plan beyond it; what is farther runs out of the picture.
 Chosen by eye."""
+FAR = 5.0
+"""What was found farther than so many times the plan's size is drawn as far, in its direction."""
 LEAST, LARGEST = 2.5, 3.5
 """Letters are as large as on the sheet, made smaller with the plan, but between these, mm (ГОСТ 2.304)."""
 CROSS = 1.3
@@ -54,8 +58,17 @@ class _Page(NamedTuple):
         return one._replace(path=tuple((z.real, z.imag, bulge) for z, bulge in moved))
 
 
+class _Letter(NamedTuple):
+    """A letter with its index: the data of its strokes, the width of the pen, the box of its ink."""
+
+    data: str
+    pen: str
+    box: tuple[float, float, float, float]
+
+
 def small_plan(picture: Picture, label: str) -> Markup:
     """Return a plan as an SVG element: the plan grey, what is due green, what was found red."""
+    picture = _near(picture)
     left, low, right, top = _box(picture)
     room = (WIDTH - 2 * EDGE) / (right - left), (HEIGHT - 2 * EDGE) / (top - low)
     times = min(1.0, *room)
@@ -63,20 +76,36 @@ def small_plan(picture: Picture, label: str) -> Markup:
     page = _Page(left, low, times, height)
     ink = [one for one in picture.drawing.strokes if one.part not in LEFT_OUT]
     meant = [not one.part and bool(set(one.of) & set(picture.of)) for one in ink]
+    letters = list(_letters(page, picture))
+    edges = [(0.0, 0.0, width, height), *(one.box for one in letters)]
+    x, y = (min(edge[k] for edge in edges) for k in (0, 1))
+    size = tuple(max(edge[k + 2] for edge in edges) - (x, y)[k] for k in (0, 1))
     return render(
         "plan.svg",
-        label=label,
-        size=(f"{width:.2f}", f"{height:.2f}"),
+        label=shown(label),
+        box=[f"{value:.2f}" for value in (x, y, *size)],
         due=COLOURS[FINE],
         found=COLOURS[WRONG],
         ink=_drawn(page, [one for one, of in zip(ink, meant, strict=True) if not of]),
         meant=_drawn(page, [one for one, of in zip(ink, meant, strict=True) if of]),
-        letters=list(_letters(page, picture)),
+        letters=letters,
         due_line=_line(page, picture.due),
         found_line=_line(page, picture.found),
         due_mark=_disc(page, picture.due),
         found_mark=_cross(page, picture.found),
     )
+
+
+def _near(picture: Picture) -> Picture:
+    """Return the picture with what was found so near that it can be drawn; what is no number is left out."""
+    found = picture.found
+    if not all(map(cmath.isfinite, (*found, *picture.due))):
+        return picture._replace(due=(), found=())
+    left, low, right, top = bounds(picture.drawing)
+    middle, most = complex(left + right, low + top) / 2, FAR * max(right - left, top - low)
+    ways = [z - middle for z in found]
+    near = (middle + way * min(1.0, most / max(abs(way), most)) for way in ways)
+    return picture._replace(found=tuple(near))
 
 
 def _box(picture: Picture) -> tuple[float, float, float, float]:
@@ -101,18 +130,19 @@ def _drawn(page: _Page, ink: Iterable[Ink]) -> tuple[str, str]:
     return lines, filled
 
 
-def _letters(page: _Page, picture: Picture) -> Iterator[tuple[str, str]]:
-    """Yield the data of the strokes of each letter with its index, and the width of the pen, mm.
-
-    A letter stands to its point as it does on the sheet, by its own size.
-    """
+def _letters(page: _Page, picture: Picture) -> Iterator[_Letter]:
+    """Yield the letters: each stands to its point as it does on the sheet, by its own size."""
     labels = picture.drawing.labels
     for one, named in zip(labels, picture.named or [one.at for one in labels], strict=True):
         size = min(max(one.size * page.times, LEAST), LARGEST)
         put = letter(one.text, size=size, inclined=one.inclined)
         at = page.at(named) + (one.at - named) * size / one.size
         x = at.real - {"start": 0.0, "middle": 0.5, "end": 1.0}[one.anchor] * put.width
-        yield svg_path(put, x, page.height - at.imag, angle=one.turn), f"{size / 10:.2f}"
+        y = page.height - at.imag
+        left, low, right, top = put.ink
+        yield _Letter(
+            svg_path(put, x, y), f"{size / 10:.2f}", (x + left, y - top, x + right, y - low)
+        )
 
 
 def _line(page: _Page, ends: Sequence[complex]) -> str:

@@ -42,7 +42,7 @@ TEXTS: dict[str, str] = {
     "instrument": said("There is no mistake in the construction: {says}."),
     "unknown": said("No known mistake explains what is wrong: {says}."),
     "unseen": said("These readings cannot tell: {says}."),
-    "unexplained": said("No known mistake explains what is wrong."),
+    "begin at": said("No known mistake explains what is wrong; begin with {segment} ({plan})."),
     "begin": said(
         "No known mistake explains what is wrong; begin with {letter}: {plan}, step {number}."
     ),
@@ -80,6 +80,7 @@ TEXTS: dict[str, str] = {
     "due numbers": said("It should be"),
     "yours": said("You have {found}."),
     "yours for": said("You have {found}; due is {due}."),
+    "off itself": said("This step itself puts your point {segment} {off} mm off."),
     "off": said("Your point {segment} is {off} mm away from where it is due."),
     "drawn": said("The plan in position {position}: due in green, yours in red"),
     "notes": said("Notes"),
