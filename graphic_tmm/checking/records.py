@@ -151,6 +151,7 @@ class Lesson(NamedTuple):
     with the ``own`` numbers of the drawing where they were read, else with the exact ones. ``shown``: the
     reading that is off the most. ``names``: which of the report's mistakes (by number, from 0) were made in it.
     ``segment``: the figure of a table that it leaves, where readings of that blame no step themselves.
+    ``drawn``: of what is measured, the sentences of the steps that drew it, each with its number.
     """
 
     plan: str
@@ -166,6 +167,7 @@ class Lesson(NamedTuple):
     names: tuple[int, ...] = ()
     segment: str = ""
     view: str = ""
+    drawn: tuple[str, ...] = ()
 
 
 class Report(NamedTuple):

@@ -93,7 +93,7 @@ def hostile(text: str, language: str = "en") -> Report:
     second = mistake._replace(
         lines=(3,), like=(), plan=text, segment=text, position=text, step=text
     )
-    lesson = Lesson(text, text, text, text, text, text, text, True, bad)
+    lesson = Lesson(text, text, text, text, text, text, text, True, bad, drawn=(text,))
     found, notes = (mistake, second), (text,)
     return Report(text, text, language, text, (*more, doubted), found, notes, (lesson,))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from graphic_tmm.checking.judging.reader import Reader
@@ -113,7 +113,16 @@ class Teacher:
             names=tuple(blame.names),
             segment=blame.segment,
             view=told.step.it.view,
+            drawn=tuple(self._sentences(told, numbers, place)),
         )
+
+    def _sentences(self, told: Told, numbers: Numbers, place: int) -> Iterator[str]:
+        """Yield the sentences of the steps that drew what a step measures, with their numbers."""
+        assert self._steps is not None
+        for one in self._steps.drawn_by(told):
+            reading, at = numbers.reading(one, place)
+            says = sentence(one.step, self.language, reading, at)
+            yield f"{one.label.partition(' ')[0]}. {says}"
 
     def _nearest(self, told: Told, judged: Sequence[Judged], blame: _Blame) -> Judged | None:
         """Return the reading of what a step leaves that is off the most, whatever its verdict; None if none.

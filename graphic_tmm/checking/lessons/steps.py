@@ -12,7 +12,7 @@ import numpy as np
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.board.values import Angle, Length, Number, Point, Side
+from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Side
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.checking.cells import cells
 from graphic_tmm.checking.judging.own_errors import exact, run
@@ -65,6 +65,19 @@ class Steps:
             return self._by_label[plan, label]
         others = [told for (_, name), told in self._by_label.items() if name == label]
         return others[0] if len(others) == 1 else None
+
+    def drawn_by(self, told: Told) -> list[Told]:
+        """Return the steps of the same plan that drew what a step measures: the points, and their lines."""
+        if not told.step.op.reads:
+            return []
+        wanted, view = list[Told](), told.step.it.view
+        for end in told.step.uses:
+            by = self._by_mark.get((told.board.board, end))
+            if end.kind is Point and by is not None and by.step.it.view == view:
+                lines = [self._by_mark.get((told.board.board, mark)) for mark in by.step.uses]
+                there = [one for one in lines if one is not None and one.step.it.view == view]
+                wanted += [*(one for one in there if one.step.it.kind in (Line, Arc)), by]
+        return sorted(dict.fromkeys(wanted), key=lambda one: one.step.it.slot)
 
     def of(self, finding: Likely) -> Told | None:
         """Return the step that a finding was made in; None where it is not of a single one."""

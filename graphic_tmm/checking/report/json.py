@@ -21,7 +21,8 @@ def json_report(report: Report) -> str:
     segment of the earlier reading (follows_from_line) whose deviation it has; line of the file.
     ``mistakes``: {name, says, like, kind, family, plan, segment, position, step, chance, lines, explains,
     wrong, rest}. ``unexplained``: how many of the wrong readings no mistake explains. ``lessons``, of the steps
-    that are blamed: {plan, step, letter, says, why, position, calculation, own_numbers}. Figures have 12
+    that are blamed: {plan, step, letter, says, why, drawn, position, calculation,
+    own_numbers}. Figures have 12
     significant digits; one that is not finite is null.
     Text is whole, what is not printable in it as \\u escapes.
     """
@@ -92,6 +93,7 @@ def _lesson(one: Lesson) -> dict[str, Any]:
         "letter": one.letter,
         "says": one.says,
         "why": one.why,
+        "drawn": list(one.drawn),
         "position": one.position,
         "calculation": one.calculation,
         "own_numbers": one.own,

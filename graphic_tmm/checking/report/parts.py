@@ -153,7 +153,9 @@ def _told(lesson: Lesson, language: str) -> list[str]:
         last.append(_yours(lesson.shown, language, calculation))
     reason = f"{captions(language)['why']}: {why}" if why else ""
     numbers = " ".join(last) if calculation or lesson.shown is not None else ""
-    return [text for text in (says, reason, numbers) if text]
+    steps = " ".join(shown(text, LONGEST_SENTENCE) for text in lesson.drawn)
+    drawn = words["drawn so"].format(steps=steps) if steps.strip() else ""
+    return [text for text in (says, reason, drawn, numbers) if text]
 
 
 def _yours(one: Judged, language: str, calculation: str) -> str:

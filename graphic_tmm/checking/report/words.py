@@ -44,7 +44,7 @@ TEXTS: dict[str, str] = {
     "unseen": said("These readings cannot tell: {says}."),
     "begin at": said("No known mistake explains what is wrong; begin with {segment} ({plan})."),
     "begin": said(
-        "No known mistake explains what is wrong; begin with {letter}: {plan}, step {number}."
+        "No known mistake explains what is wrong; begin with {letter} ({plan}, step {number})."
     ),
     "explains": said("explains {count} of {wrong} wrong readings"),
     "leaves": said("leaves {rest} % of their deviations"),
@@ -76,6 +76,7 @@ TEXTS: dict[str, str] = {
     "doubtful ones": said("{plan}: doubtful, look once more"),
     "fine ones": said("Fine: {count}"),
     "at": said("position {position}"),
+    "drawn so": said("It is drawn so: {steps}"),
     "own numbers": said("From your own numbers"),
     "due numbers": said("It should be"),
     "yours": said("You have {found}."),

@@ -61,6 +61,16 @@ def test_without_a_reading_the_formula_has_the_exact_number(position: str) -> No
     )  # what was read elsewhere is not his number
 
 
+def test_what_is_measured_is_told_with_the_steps_that_drew_it() -> None:
+    (lesson,) = lessons(row("velocities", "1", "pb", 68.2, "10 pb", mm=30.0))
+    assert lesson.drawn == (
+        "5. Through a draw (ab) square to (AB).",
+        "6. Through p draw (pb) parallel to (x).",
+        "7. Where (pb) and (ab) meet, mark b.",
+    )
+    assert lessons(normal())[0].drawn == ()  # it is calculated
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["windrower", "engine"])
 def test_lessons_speak_as_the_protocol_does(name: str) -> None:
@@ -73,6 +83,7 @@ def test_lessons_speak_as_the_protocol_does(name: str) -> None:
     for plan in ("velocities", "accelerations"):
         position = work.names[work.row(plan)[0]]
         for one in told(made, (plan,), position, language):
+            sentences = {f"{line.number}. {line.text}" for line in one.lines}
             for line in one.lines:
                 if line.step is None or not line.number:
                     continue
@@ -82,6 +93,7 @@ def test_lessons_speak_as_the_protocol_does(name: str) -> None:
                 (lesson,) = teacher.lessons((blamed,), (), by(made))
                 assert (lesson.says, lesson.why) == (line.text, line.why)
                 assert lesson.step == label
+                assert set(lesson.drawn) <= sentences
                 if lesson.calculation:
                     assert lesson.calculation == line.calculation
                     seen += 1

@@ -124,7 +124,7 @@ def test_json_has_every_field_of_a_finding_and_of_a_lesson() -> None:
     ]  # fmt: skip
     assert made["lessons"] == [
         {"plan": "velocities", "step": "7 pb", "letter": "pb", "says": "Measure pb.", "why": "For it.",
-         "position": "3", "calculation": "pb = 2", "own_numbers": True}
+         "drawn": [], "position": "3", "calculation": "pb = 2", "own_numbers": True}
     ]  # fmt: skip
 
 
