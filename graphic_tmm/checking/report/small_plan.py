@@ -75,7 +75,8 @@ def small_plan(picture: Picture, label: str) -> Markup:
     width, height = ((b - a) * times + 2 * EDGE for a, b in ((left, right), (low, top)))
     page = _Page(left, low, times, height)
     ink = [one for one in picture.drawing.strokes if one.part not in LEFT_OUT]
-    meant = [not one.part and bool(set(one.of) & set(picture.of)) for one in ink]
+    of = set(picture.of) if len(picture.due) < 2 else set()  # else the due segment is drawn itself
+    meant = [not one.part and bool(set(one.of) & of) for one in ink]
     letters = list(_letters(page, picture))
     edges = [(0.0, 0.0, width, height), *(one.box for one in letters)]
     x, y = (min(edge[k] for edge in edges) for k in (0, 1))
@@ -86,8 +87,8 @@ def small_plan(picture: Picture, label: str) -> Markup:
         box=[f"{value:.2f}" for value in (x, y, *size)],
         due=COLOURS[FINE],
         found=COLOURS[WRONG],
-        ink=_drawn(page, [one for one, of in zip(ink, meant, strict=True) if not of]),
-        meant=_drawn(page, [one for one, of in zip(ink, meant, strict=True) if of]),
+        ink=_drawn(page, [one for one, its in zip(ink, meant, strict=True) if not its]),
+        meant=_drawn(page, [one for one, its in zip(ink, meant, strict=True) if its]),
         letters=letters,
         due_line=_line(page, picture.due),
         found_line=_line(page, picture.found),

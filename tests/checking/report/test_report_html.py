@@ -8,7 +8,8 @@ from html.parser import HTMLParser
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from support.reports import HOSTILE, LANGUAGES, engine, hostile
+from support.lessons_told import lessons, plan_of_velocities, row
+from support.reports import HOSTILE, LANGUAGES, engine, hostile, report
 
 from graphic_tmm.checking.report.findings import finding_rows, headline, summary
 from graphic_tmm.checking.report.html import html_report
@@ -21,7 +22,7 @@ TAGS |= {"h3", "section", "details", "summary", "rect", "circle"}
 TAGS |= {"table", "thead", "tbody", "tr", "th", "td", "svg", "g", "path", "text"}
 NAMES = {"lang", "charset", "content", "http-equiv", "name", "class", "scope", "role", "aria-label"}
 NAMES |= {"width", "height", "viewbox", "d", "fill", "stroke", "stroke-width", "x", "y"}
-NAMES |= {"font-size", "text-anchor", "stroke-linecap", "cx", "cy", "r"}
+NAMES |= {"font-size", "text-anchor", "stroke-linecap", "stroke-opacity", "cx", "cy", "r"}
 
 
 class Page(HTMLParser):
@@ -108,3 +109,13 @@ def test_a_page_is_for_a4_with_heads_on_every_page() -> None:
     assert "@page { size: A4;" in out
     assert "thead { display: table-header-group; }" in out
     assert "print-color-adjust: exact" in out
+
+
+def test_a_page_with_a_small_plan_names_nothing_outside_itself() -> None:
+    due = plan_of_velocities(1)["pb"]
+    blamed = row("velocities", "1", "pb", abs(due), "10 pb", mm=33.0)
+    out = html_report(report(blamed)._replace(lessons=lessons(blamed)))
+    assert out.count('<svg class="plan"') == 1
+    page = Page(out)
+    assert "http" not in out.replace("http-equiv", "")
+    assert page.rows[-1][:2] == ["2", "1"]  # its reading stands below: line and position
