@@ -11,6 +11,8 @@ from graphic_tmm.language.numbers import fixed
 
 NAMED = 5
 """So many findings are told; the JSON has all of them."""
+LEAST_LEFT = 0.005
+"""What rounds to 0 % is nothing left."""
 SURE = 0.995
 """From here on a finding is said to be sure to 99 %: it is never said to be certain."""
 
@@ -70,7 +72,8 @@ def details(report: Report, one: Likely) -> str:
     told = []
     if count := explained(report, one):
         told.append(words["explains"].format(count=count, wrong=report.wrong))
-        told.append(words["leaves"].format(rest=fixed(100 * one.rest, 0, language)))
+        if one.rest >= LEAST_LEFT:
+            told.append(words["leaves"].format(rest=fixed(100 * one.rest, 0, language)))
     if lines := runs(one.lines):
         told.append(words["at lines"].format(lines=lines))
     if one.chance > 0.0:
