@@ -151,7 +151,8 @@ class Lesson(NamedTuple):
     with the ``own`` numbers of the drawing where they were read, else with the exact ones. ``shown``: the
     reading that is off the most. ``names``: which of the report's mistakes (by number, from 0) were made in it.
     ``segment``: the figure of a table that it leaves, where readings of that blame no step themselves.
-    ``drawn``: of what is measured, the sentences of the steps that drew it, each with its number.
+    ``drawn``: of what is measured, the sentences of the steps that drew it, each with its number. ``shows``:
+    the later reading in which a mistake shows that was made in the step.
     """
 
     plan: str
@@ -168,6 +169,7 @@ class Lesson(NamedTuple):
     segment: str = ""
     view: str = ""
     drawn: tuple[str, ...] = ()
+    shows: Judged | None = None
 
 
 class Report(NamedTuple):

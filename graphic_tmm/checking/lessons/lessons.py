@@ -10,7 +10,7 @@ from graphic_tmm.checking.judging.reader import Reader
 from graphic_tmm.checking.lessons.by_figure import step_of_figure
 from graphic_tmm.checking.lessons.small_plans import SmallPlans
 from graphic_tmm.checking.lessons.steps import Numbers, Steps, Told
-from graphic_tmm.checking.records import WRONG, Judged, Lesson, Likely
+from graphic_tmm.checking.records import FINE, WRONG, Judged, Lesson, Likely
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.names import spoken
 from graphic_tmm.readers.narration import defined
@@ -24,12 +24,13 @@ PICTURED = 8
 class _Blame:
     """What blames a step: wrong readings of a plan, findings by number, with the position that these tell.
 
-    ``segment``: of readings that name no step themselves.
+    ``shows``: the plans and segments in which the findings show; ``segment``: of readings that name no step themselves.
     """
 
     plan: str
     rows: list[Judged] = field(default_factory=list)
     names: list[int] = field(default_factory=list)
+    shows: list[tuple[str, str]] = field(default_factory=list)
     position: str = ""
     segment: str = ""
 
@@ -75,8 +76,10 @@ class Teacher:
         for k, finding in enumerate(findings):
             told = steps.of(finding)
             if told is not None:
-                blame = blamed.setdefault(told, _Blame(finding.plan, position=finding.position))
+                plan = told.step.it.view
+                blame = blamed.setdefault(told, _Blame(plan, position=finding.position))
                 blame.names.append(k)
+                blame.shows.append((finding.plan, finding.segment))
         return blamed
 
     def _lesson(
@@ -89,16 +92,16 @@ class Teacher:
         pictured: bool,
     ) -> Lesson:
         shown = max(blame.rows, key=_size) if blame.rows else self._nearest(told, judged, blame)
-        names = told.board.names
-        wanted = shown.taken.position if shown is not None else blame.position
-        place = names.index(wanted) if wanted in names else 0
+        shows = None if shown is not None else _off_most(judged, blame)
+        seen = shown or shows
+        names, row = told.board.names, told.board.row(told.step.it.view)
+        wanted = seen.taken.position if seen is not None else blame.position
+        place = names.index(wanted) if wanted in names else next(iter(row), 0)
         reading, at = numbers.reading(told, place)
         op = told.step.op
         there = bool(op.formula or op.proportion) and defined(reading, told.step.it, at)
         note = calculation(told.step, reading, at, self.language) if there else ""
-        picture = None
-        if pictured and shown is not None:
-            picture = self._plans.picture(told, shown, place)
+        picture = self._plans.picture(told, shown, place) if pictured else None
         return Lesson(
             plan=blame.plan,
             step=told.label,
@@ -113,6 +116,7 @@ class Teacher:
             names=tuple(blame.names),
             segment=blame.segment,
             view=told.step.it.view,
+            shows=shows,
             drawn=tuple(self._sentences(told, numbers, place)),
         )
 
@@ -138,6 +142,18 @@ class Teacher:
             and blame.position in ("", one.taken.position)
         ]
         return max(of, key=_size, default=None)
+
+
+def _off_most(judged: Sequence[Judged], blame: _Blame) -> Judged | None:
+    """Return the reading that is off the most of those in which a finding shows; None if it tells none."""
+    of = [
+        one
+        for one in judged
+        if (one.taken.plan, one.taken.segment) in blame.shows
+        and blame.position in ("", one.taken.position)
+        and one.verdict != FINE
+    ]
+    return max(of, key=_size, default=None)
 
 
 def _size(one: Judged) -> float:

@@ -27,16 +27,21 @@ class SmallPlans:
         self.made = made
         self._drawn: dict[tuple[str, int], Picture | None] = {}
 
-    def picture(self, told: Told, shown: Judged, place: int) -> Picture | None:
+    def picture(self, told: Told, shown: Judged | None, place: int) -> Picture | None:
         """Return the plan of a reading in a position (index); None where its plan has no picture.
 
-        A point stands where it was read; of a length the due segment is as long as was found.
+        A point stands where it was read; of a length the due segment is as long as was found. Without a
+        reading what the step draws is shown.
         """
-        work, plan = self.made.mechanism, shown.taken.plan
+        work = self.made.mechanism
+        plan = told.step.it.view if shown is None else shown.taken.plan
         picture = None if work is None else self._plan(work, plan, place)
         if work is None or picture is None:
             return None
         picture = picture._replace(of=(told.step.it.slot,))
+        if shown is None:
+            ink = {slot for one in picture.drawing.strokes if not one.part for slot in one.of}
+            return picture if told.step.it.slot in ink else None
         if shown.taken.pointed:
             goal = points(self.made).get(shown.taken.key)
             due = () if goal is None else (goal,)

@@ -80,16 +80,32 @@ class Steps:
         return sorted(dict.fromkeys(wanted), key=lambda one: one.step.it.slot)
 
     def of(self, finding: Likely) -> Told | None:
-        """Return the step that a finding was made in; None where it is not of a single one."""
-        names = (finding.step, finding.segment)
-        for name in filter(None, names):
-            for found in (self._by_label, self._by_letter):
-                if (finding.plan, name) in found:
-                    return found[finding.plan, name]
-        step = self.readable.get((finding.plan, finding.segment))
-        if step is None or self.made.mechanism is None:
+        """Return the step that a finding was made in; None where it is not of a single one.
+
+        Its plan and segment may be those where it shows: the step is then the last of its letter before that.
+        """
+        seen = self._named(finding.plan, finding.segment)
+        if not finding.step:
+            return seen
+        found = self._named(finding.plan, finding.step)
+        if found is not None:
+            return found
+        there = [one for one in self.in_turn if finding.step in (one.step.it.letter, one.label)]
+        before = [one for one in there if seen is None or self._before(one, seen)]
+        return before[-1] if before else seen
+
+    def _named(self, plan: str, name: str) -> Told | None:
+        """Return the step of a plan by its label, its letter, or the segment that a reading is of."""
+        if not name:
             return None
+        found = self._by_label.get((plan, name)) or self._by_letter.get((plan, name))
+        step = self.readable.get((plan, name))
+        if found is not None or step is None or self.made.mechanism is None:
+            return found
         return self._by_mark.get((self.made.mechanism.board, step.it))
+
+    def _before(self, one: Told, other: Told) -> bool:
+        return one.board is other.board and one.step.it.slot < other.step.it.slot
 
 
 class Numbers:

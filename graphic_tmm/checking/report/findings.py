@@ -96,12 +96,10 @@ def unexplained(report: Report) -> tuple[Judged, ...]:
 
 
 def where(lesson: Lesson, language: str) -> dict[str, str]:
-    """Return the words that tell a step: its plan (of what is calculated, the calculation), number, letter."""
-    plan = plan_name(lesson.plan, language)
-    if lesson.segment and lesson.view and lesson.view != lesson.plan:
-        plan = shown(view_name(lesson.view, language))
+    """Return the words that tell a step: the view it is drawn in, its number, its letter."""
     number = shown(lesson.step.partition(" ")[0])
-    return {"plan": plan, "number": number, "letter": shown(lesson.letter)}
+    view = shown(view_name(lesson.view, language)) or plan_name(lesson.plan, language)
+    return {"plan": view, "number": number, "letter": shown(lesson.letter)}
 
 
 def _begin(report: Report) -> str:

@@ -151,15 +151,21 @@ def _told(lesson: Lesson, language: str) -> list[str]:
         last.append(f"{at[:1].upper()}{at[1:]}.")
     if lesson.shown is not None:
         last.append(_yours(lesson.shown, language, calculation))
+    if lesson.shows is not None:
+        last.append(_yours(lesson.shows, language, "", words["it shows"]))
     reason = f"{captions(language)['why']}: {why}" if why else ""
-    numbers = " ".join(last) if calculation or lesson.shown is not None else ""
+    seen = lesson.shown is not None or lesson.shows is not None
+    numbers = " ".join(last) if calculation or seen else ""
     steps = " ".join(shown(text, LONGEST_SENTENCE) for text in lesson.drawn)
     drawn = words["drawn so"].format(steps=steps) if steps.strip() else ""
     return [text for text in (says, reason, drawn, numbers) if text]
 
 
-def _yours(one: Judged, language: str, calculation: str) -> str:
-    """Return what was found, and what is due where no calculation has told it in the same unit."""
+def _yours(one: Judged, language: str, calculation: str, both: str = "") -> str:
+    """Return what was found, and what is due where no calculation has told it in the same unit.
+
+    ``both``: how these are told, if not as usual.
+    """
     words = WORDS[language]
     if one.taken.pointed:
         key, off = ("off", one.deviation) if one.own is None else ("off itself", abs(one.own))
@@ -172,4 +178,6 @@ def _yours(one: Judged, language: str, calculation: str) -> str:
 
     if calculation and calculation.endswith(unit):
         return words["yours"].format(found=told(one.found))
-    return words["yours for"].format(found=told(one.found), due=told(one.due))
+    segment = shown(one.taken.segment)
+    template = both or words["yours for"]
+    return template.format(segment=segment, found=told(one.found), due=told(one.due))

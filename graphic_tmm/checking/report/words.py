@@ -81,6 +81,7 @@ TEXTS: dict[str, str] = {
     "due numbers": said("It should be"),
     "yours": said("You have {found}."),
     "yours for": said("You have {found}; due is {due}."),
+    "it shows": said("It shows in {segment}: you have {found}; due is {due}."),
     "off itself": said("This step itself puts your point {segment} {off} mm off."),
     "off": said("Your point {segment} is {off} mm away from where it is due."),
     "drawn": said("The plan in position {position}: due in green, yours in red"),

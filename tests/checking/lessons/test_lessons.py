@@ -164,6 +164,23 @@ def test_a_finding_has_a_lesson_on_its_step_though_no_reading_blames_it(step: st
     assert (blamed.names, blamed.position) == ((0,), "5")
 
 
+def test_a_finding_may_show_in_a_later_plan_than_it_was_made_in() -> None:
+    """The rod's line was drawn wrongly; the first reading that shows it is of the plan of velocities."""
+    (lesson,) = lessons(findings=(likely("velocities", "(AB)", "ab"),))
+    assert (lesson.view, lesson.letter, lesson.names) == ("positions", "(AB)", (0,))
+    assert lesson.picture is None  # the rod's line is not ink of the plan
+    off = row("velocities", "3", "ab", 57.76, "8 ab", mm=30.0)
+    made = [
+        one for one in lessons(off, findings=(likely("velocities", "(AB)", "ab"),)) if one.names
+    ]
+    assert [(one.shows, one.shown, one.position) for one in made] == [(off, None, "3")]
+    # a stands in both plans: it is the one of the plan that is named, else the last before the reading
+    (here,) = lessons(findings=(likely("accelerations", "a", "b"),))
+    assert here.view == "accelerations"
+    (before,) = lessons(findings=(likely("accelerations", "(ab)", "nab"),))
+    assert before.view == "velocities"
+
+
 @pytest.mark.parametrize("plan", ["", "accelerations", "none", "results"])
 def test_a_finding_of_no_step_has_no_lesson(plan: str) -> None:
     assert lessons(findings=(likely(plan), likely(plan, "zz", "q"))) == ()

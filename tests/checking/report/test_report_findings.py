@@ -169,3 +169,20 @@ def test_every_reading_stands_in_just_one_part() -> None:
     (forces,) = (part for part in parts if part.heading.endswith("R_{12}"))
     assert forces.grid is not None
     assert [cells[0] for cells in forces.grid.rows] == ["12"]
+
+
+def test_a_lesson_says_in_which_reading_a_mistake_shows() -> None:
+    seen = judged("ab", found=33.0, due=57.8, verdict=WRONG)
+    lesson = lesson_of("8 (AB)", position="3", shows=seen)
+    (part, _) = wrong_parts(report(seen)._replace(lessons=(lesson,)))
+    assert part.told[-1] == "Position 3. It shows in ab: you have 33.0 mm; due is 57.8 mm."
+
+
+def test_what_is_calculated_in_another_unit_than_it_was_read_has_both_figures() -> None:
+    def told(unit: str) -> str:
+        seen = judged("ab", found=3.0, due=5.0, verdict=WRONG)._replace(unit=unit)
+        lesson = lesson_of("2 ab", calculation="ab = 2·4 = 8 mm", shown=seen)
+        return wrong_parts(report()._replace(lessons=(lesson,)))[0].told[-1]
+
+    assert told("mm") == "It should be: ab = 2·4 = 8 mm. You have 3.0 mm."
+    assert told("m/s") == "It should be: ab = 2·4 = 8 mm. You have 3 m/s; due is 5 m/s."
