@@ -24,7 +24,8 @@ PICTURED = 8
 class _Blame:
     """What blames a step: wrong readings of a plan, findings by number, with the position that these tell.
 
-    ``shows``: the plans and segments in which the findings show; ``segment``: of readings that name no step themselves.
+    ``shows``: the plans and segments in which the findings show; ``segment``: of readings that name no step
+    themselves.
     """
 
     plan: str
