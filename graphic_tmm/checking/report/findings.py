@@ -3,7 +3,17 @@
 from __future__ import annotations
 
 from graphic_tmm.captions import view_name
-from graphic_tmm.checking.records import DOUBTFUL, MISTAKE, WRONG, Judged, Lesson, Likely, Report
+from graphic_tmm.checking.records import (
+    DOUBTFUL,
+    MISTAKE,
+    SLIP,
+    UNKNOWN,
+    WRONG,
+    Judged,
+    Lesson,
+    Likely,
+    Report,
+)
 from graphic_tmm.checking.report.rows import counts, runs
 from graphic_tmm.checking.report.words import LONGEST_SENTENCE, WORDS, plan_name, shown
 from graphic_tmm.language.catalogue import speaking
@@ -13,6 +23,8 @@ NAMED = 5
 """So many findings are told; the JSON has all of them."""
 LEAST_LEFT = 0.005
 """What rounds to 0 % is nothing left."""
+ENOUGH = 0.8
+"""From here on a mistake is named; below it may be: of names so sure 19 of 20 are to be right."""
 SURE = 0.995
 """From here on a finding is said to be sure to 99 %: it is never said to be certain."""
 
@@ -45,12 +57,23 @@ def summary(report: Report) -> str:
 
 
 def finding(one: Likely, language: str) -> str:
-    """Return a finding as a sentence."""
+    """Return a finding as a sentence; what a slip or something unknown says is a sentence by itself."""
     speech, words = speaking(language), WORDS[language]
-    kind = "alike" if one.like and one.kind == MISTAKE else one.kind
     says = [one.says or speech(one.name), *map(speech, one.like)]
     told = "; ".join(filter(None, (shown(text, LONGEST_SENTENCE).rstrip(".") for text in says)))
-    return words[kind if kind in words else MISTAKE].format(says=told)
+    if one.kind in (SLIP, UNKNOWN):
+        return f"{told[:1].upper()}{told[1:]}."
+    kind = one.kind if one.kind in words else MISTAKE
+    if kind == MISTAKE and one.like:
+        kind = "alike"
+    elif kind == MISTAKE and not sure(one):
+        kind = "perhaps"
+    return words[kind].format(says=told)
+
+
+def sure(one: Likely) -> bool:
+    """Whether a finding is as good as sure, or nobody has told how sure it is."""
+    return one.chance <= 0.0 or one.chance >= ENOUGH
 
 
 def finding_rows(report: Report) -> tuple[str, ...]:

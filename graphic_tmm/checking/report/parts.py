@@ -16,7 +16,7 @@ from graphic_tmm.checking.records import (
     Picture,
     Report,
 )
-from graphic_tmm.checking.report.findings import where
+from graphic_tmm.checking.report.findings import sure, where
 from graphic_tmm.checking.report.rows import Grid, by_plan, figure, reading_grid
 from graphic_tmm.checking.report.words import (
     LEGEND,
@@ -48,8 +48,8 @@ class Part(NamedTuple):
 def wrong_parts(report: Report) -> tuple[Part, ...]:
     """Return the steps that are blamed, in the order of the log; then the wrong readings of no step.
 
-    Where a mistake is named and its step is known, that step is first, and the other readings that it explains
-    are told to be wrong for it: they have no lesson of their own.
+    The step of the first finding stands before the others. Where that is a mistake, the other readings that it
+    explains are told to be wrong for it: they have no lesson of their own.
     """
     language, words = report.language, WORDS[report.language]
     first, follows = _named(report)
@@ -74,11 +74,11 @@ def wrong_parts(report: Report) -> tuple[Part, ...]:
 
 
 def _named(report: Report) -> tuple[Lesson | None, frozenset[int]]:
-    """Return the lesson on the step of the mistake named first, and the lines that it explains."""
+    """Return the lesson on the step of the first finding, and the lines that it explains if it is sure."""
     named = report.mistakes[0] if report.mistakes else None
     first = next((one for one in report.lessons if 0 in one.names), None)
-    if named is None or named.kind != MISTAKE or first is None:
-        return None, frozenset()
+    if named is None or first is None or named.kind != MISTAKE or not sure(named):
+        return first, frozenset()
     return first, frozenset(named.lines) - {0}
 
 

@@ -37,10 +37,9 @@ TEXTS: dict[str, str] = {
     ),
     "look again": said("Nothing is wrong, but look once more at what is doubtful."),
     "mistake": said("Most likely: {says}."),
+    "perhaps": said("Perhaps, but the readings do not say it for sure: {says}."),
     "alike": said("One of these, and the readings do not tell which: {says}."),
-    "slip": said("A single reading has slipped: {says}."),
     "instrument": said("There is no mistake in the construction: {says}."),
-    "unknown": said("No known mistake explains what is wrong: {says}."),
     "unseen": said("These readings cannot tell: {says}."),
     "begin at": said("No known mistake explains what is wrong; begin with {segment} ({plan})."),
     "begin": said(

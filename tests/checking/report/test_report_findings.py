@@ -24,6 +24,8 @@ from graphic_tmm.checking.report.json import json_report
 from graphic_tmm.checking.report.markdown import markdown_report
 from graphic_tmm.checking.report.parts import doubtful_parts, wrong_parts
 
+WHOLE = (SLIP, UNKNOWN)
+"""What says a whole sentence of its own."""
 KINDS = (MISTAKE, SLIP, INSTRUMENT, UNKNOWN, UNSEEN)
 SAYS = "шаг 10: n_ba3 вычислено с BC"
 
@@ -34,9 +36,11 @@ def likely(kind: str = MISTAKE, *, like: tuple[str, ...] = (), chance: float = 0
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_kind_has_a_sentence_of_its_own(language: str) -> None:
-    told = [finding(likely(kind), language) for kind in KINDS]
+    told = [finding(likely(kind), language) for kind in KINDS if kind not in WHOLE]
+    told.append(finding(likely(chance=0.79), language))
     told.append(finding(likely(like=("other", "third.")), language))
-    assert len(set(told)) == len(KINDS) + 1
+    assert len(set(told)) == len(KINDS) - len(WHOLE) + 2
+    assert finding(likely(chance=0.8), language) == told[0]
     for text in told:
         assert SAYS in text
         assert text.endswith(".")
@@ -45,6 +49,12 @@ def test_every_kind_has_a_sentence_of_its_own(language: str) -> None:
         assert bool(re.search("[А-Яа-я]", own)) is (language == "ru")
         assert bool(re.search("[A-Za-z]", own)) is (language == "en")
     assert f"{SAYS}; other; third." in told[-1]
+
+
+@pytest.mark.parametrize("kind", [SLIP, UNKNOWN])
+def test_a_slip_and_what_is_unknown_are_told_by_their_own_sentence(kind: str) -> None:
+    one = likely(kind)._replace(says="only pb is off")
+    assert finding(one, "en") == finding(one, "ru") == "Only pb is off."
 
 
 def test_an_instrument_is_no_mistake() -> None:
@@ -153,8 +163,9 @@ def test_what_follows_from_a_named_mistake_has_no_lesson_of_its_own() -> None:
     assert follows.heading.endswith("wrong for the same reason")
     assert follows.grid is not None
     assert [cells[0] for cells in follows.grid.rows] == ["2", "3"]
-    unknown = made._replace(mistakes=(found._replace(kind=UNKNOWN),))
-    assert [part.heading[-2:] for part in wrong_parts(unknown)] == ["ab", "pb", " n", "pc"]
+    for other in (found._replace(kind=UNKNOWN), found._replace(chance=0.5)):
+        unsure = made._replace(mistakes=(other,))
+        assert [part.heading[-2:] for part in wrong_parts(unsure)] == [" n", "ab", "pb", "pc"]
 
 
 def test_every_reading_stands_in_just_one_part() -> None:
