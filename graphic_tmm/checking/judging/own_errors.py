@@ -82,7 +82,7 @@ def parts_of(step: Step, lines: Mapping[Mark, Step]) -> tuple[Part, ...]:
 class Run(NamedTuple):
     """A log run with what was read: the errors by mark, and what each mark that was read should have been.
 
-    ``values``: what every mark on the way was taken as, by slot: as it was read, or as it follows from that.
+    ``values``: what every step used and left, by the slot of its mark.
     """
 
     errors: Mapping[Mark, tuple[Own, ...]]
