@@ -110,7 +110,7 @@ class Teacher:
             says=sentence(told.step, self.language, reading, at),
             why=reason(told.step, self.language, reading, at),
             calculation=note,
-            position=wanted if wanted in names else "",
+            position=names[place] if wanted in names or picture is not None else "",
             own=bool(note) and numbers.own(told, place),
             shown=shown,
             picture=picture,

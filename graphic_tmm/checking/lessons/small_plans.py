@@ -41,7 +41,8 @@ class SmallPlans:
         picture = picture._replace(of=(told.step.it.slot,))
         if shown is None:
             ink = {slot for one in picture.drawing.strokes if not one.part for slot in one.of}
-            return picture if told.step.it.slot in ink else None
+            due = _spot(work, told.step.it, place)
+            return picture._replace(due=due) if due or told.step.it.slot in ink else None
         if shown.taken.pointed:
             goal = points(self.made).get(shown.taken.key)
             due = () if goal is None else (goal,)
@@ -76,12 +77,18 @@ def _named(work: Drawn, drawing: Drawing, place: int) -> tuple[complex, ...]:
     found = []
     for label in drawing.labels:
         mark = next((marks[slot] for slot in label.of if slot in marks), None)
-        spot = label.at
-        if mark is not None and mark.kind is Point:
-            row = np.ravel(exact(work, mark))
-            spot = complex(row[place if row.size > 1 else 0])
-        found.append(spot if cmath.isfinite(spot) else label.at)
+        spot = () if mark is None else _spot(work, mark, place)
+        found.append(spot[0] if spot else label.at)
     return tuple(found)
+
+
+def _spot(work: Drawn, mark: Mark, place: int) -> tuple[complex, ...]:
+    """Return where a point is due in a position (index), mm; none where it is no point, or not drawn."""
+    if mark.kind is not Point:
+        return ()
+    row = np.ravel(exact(work, mark))
+    spot = complex(row[place if row.size > 1 else 0])
+    return (spot,) if cmath.isfinite(spot) else ()
 
 
 def _ends(work: Drawn, shown: Judged, place: int) -> tuple[complex, ...]:

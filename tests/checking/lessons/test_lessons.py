@@ -211,3 +211,13 @@ def test_only_some_lessons_have_a_picture() -> None:
 def test_nothing_wrong_is_no_lesson() -> None:
     assert lessons(row("velocities", "1", "ab", 57.76, mm=57.5)) == ()
     assert slider_crank().mechanism is not None
+
+
+def test_a_step_that_nothing_was_read_of_is_shown_in_some_position() -> None:
+    (lesson,) = lessons(findings=(likely("velocities", "b"),))
+    assert lesson.picture is not None
+    assert lesson.picture.found == ()
+    assert lesson.picture.due == pytest.approx((plan_of_velocities(0)["pb"],), abs=1e-9)
+    assert lesson.position == "0"  # as its caption says
+    (rate,) = lessons(findings=(likely("velocities", "ω_2"),))
+    assert (rate.picture, rate.position) == (None, "")
