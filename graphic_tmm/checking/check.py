@@ -10,6 +10,7 @@ from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardstick, yardstick
 from graphic_tmm.checking.known import known
+from graphic_tmm.checking.lessons.lessons import Teacher
 from graphic_tmm.checking.mistakes.likely import Alternatives, likely
 from graphic_tmm.checking.records import Report, Taken
 from graphic_tmm.scene.records import Scene
@@ -59,7 +60,7 @@ def checks(
     The hand draws once for all drawings of which the same figures were read. Otherwise as `check`.
     """
     made = make(scene, exact=True)
-    others = Alternatives(made)
+    others, teacher = Alternatives(made), Teacher(made)
     drawing = HANDS[hand]._replace(trials=trials, seed=scene.seed)
     known_by: dict[frozenset[object], Yardstick] = {}
     for source, readings in drawings:
@@ -70,8 +71,9 @@ def checks(
         by = known_by[read]
         judged = judge(made, rows, by)
         found = likely(others, judged, by.spread, scene.language)
+        lessons = teacher.lessons(judged, found, by.reader)
         name = scene_name(scene.source)
-        yield Report(name, scene.title, scene.language, hand, judged, found, notes)
+        yield Report(name, scene.title, scene.language, hand, judged, found, notes, lessons)
 
 
 def figures(scene: Scene) -> int:

@@ -60,7 +60,7 @@ class Comparison:
     def run(self) -> Run:
         """The log run with what was read."""
         if self.made.mechanism is None:
-            return Run({}, {})
+            return Run({}, {}, {})
         return run(self.made.mechanism, *self.found)
 
     def step(self, taken: Taken) -> Step | None:
