@@ -8,8 +8,12 @@ from support.another_hand import MACHINES as HANDED
 from support.another_hand import POSITIONS, Pencil, sheets
 from support.gallery import CASES
 from support.students.drawing import Student
-from support.students.records import CAM, EXACT, D
-from support.students.writing import ALL, scale_of
+from support.students.early import EARLY
+from support.students.kinds import AtStep, Kind
+from support.students.outside import OUTSIDE
+from support.students.planting import Planted, plant
+from support.students.records import CAM, EXACT, D, Hand
+from support.students.writing import ALL, rows_of, scale_of
 
 from graphic_tmm.checking.cells import cells, points
 from graphic_tmm.scene.read import read
@@ -53,3 +57,39 @@ def test_what_he_draws_is_due(name: str) -> None:
         for (plan, letter), spot in page.points.items():
             assert abs(spot - spots[plan, letter, str(k)]) < 1e-6
     assert told >= 24
+
+
+def drawn(kind: Kind, count: int = 1) -> list[Planted]:
+    """So many drawings of a kind that show it, on the mechanisms that have its step."""
+    found = []
+    for k, machine in enumerate((*ALL, *ALL)):
+        one = plant(kind, machine, 700 + k, ("points", "both")[k % 2])
+        if one is not None and one.truths[0].shown:
+            found.append(one)
+        if len(found) == count:
+            return found
+    return found
+
+
+@pytest.mark.slow
+def test_every_kind_of_mistake_shows_somewhere() -> None:
+    """At least 45 kinds that a grammar may hold, and 10 that it may not, on seven mechanisms."""
+    unseen = [kind.name for kind in (*EARLY, *OUTSIDE) if not drawn(kind)]
+    assert not unseen
+    assert len({kind.name for kind in EARLY}) >= 30
+    assert len({kind.name for kind in OUTSIDE}) >= 10
+
+
+@pytest.mark.parametrize("kind", EARLY[:4], ids=lambda kind: kind.name)
+def test_before_a_mistake_everything_is_drawn_as_the_honest_student_does(kind: AtStep) -> None:
+    """The same slips, wherever the two agree: what differs is the mistake, and what follows from it."""
+    (one,) = drawn(kind)
+    truth = one.truths[0]
+    due = rows_of(Student(ALL[one.machine], Hand(ruler=one.ruler), one.seed).draw(), one.mode)
+    assert due.keys() == one.rows.keys()
+    differs = [key for key in due if due[key] != one.rows[key]]
+    assert differs
+    assert all(key[1] == truth.position for key in differs) or not truth.position
+    order = list(due)
+    own = [key for key in order if (key[0], key[2]) in truth.places and key in differs]
+    assert order.index(own[0]) == order.index(differs[0])

@@ -142,6 +142,6 @@ def _lever(s: Student, of: dict[str, complex], couple: float) -> None:
 
 FORCED = Machine(
     {P: 0.002, V: 0.025, A: 0.5, F: 4.0},
-    {**CRANK, "m2": 3.0, "m3": 5.0, "J2": 0.04, "F": 400.0},
+    {**CRANK, "m2": 3.0, "m3": 5.0, "J2": 0.2, "F": 400.0},
     (1, 3, 5), forces, CALCULATED, ("OA", "AB"),
 )  # fmt: skip
