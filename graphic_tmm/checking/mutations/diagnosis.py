@@ -1,0 +1,239 @@
+"""From judged readings to what happened: the right mistake, or none.
+
+Hypotheses are weighed by all readings; a name is given where it is sure, and passes an absolute gate: posteriors
+only compare, and the best of bad explanations is none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.record import Step
+from graphic_tmm.checking.cells import Key
+from graphic_tmm.checking.judging.comparison import Comparison
+from graphic_tmm.checking.mutations import changed
+from graphic_tmm.checking.mutations.evidence import Board, Readings, of_mutations, of_variations
+from graphic_tmm.checking.mutations.fitting import fitted
+from graphic_tmm.checking.mutations.hypotheses import (
+    NO_MISTAKE,
+    SOMETHING,
+    UNEXPLAINED,
+    Hypothesis,
+    groups,
+    of_board,
+    of_table,
+)
+from graphic_tmm.checking.mutations.mistakes import NONE, Mistakes, Offered
+from graphic_tmm.checking.mutations.mutation import Mutation
+from graphic_tmm.checking.mutations.tables import Table, copied, variations
+from graphic_tmm.checking.records import FINE, WRONG, Judged, Taken
+
+SURE = 0.8
+"""A name is given where it is as sure as this."""
+FIRST = 3
+"""So many explanations are tried as the first of two mistakes."""
+VISIBLE = 0.5
+"""A mistake must move some reading that is not fine by this share of what a hand scatters by, with no reading put
+in: else it explains noise."""
+KEPT = 300
+"""So many hypotheses are told apart."""
+
+
+class Diagnosis(NamedTuple):
+    """What happened: groups of hypotheses that no reading tells apart, the plausible first, how sure each is.
+
+    ``unknown``: the step that is farthest off where no name is given; None where there is one.
+    """
+
+    named: tuple[tuple[tuple[Hypothesis, ...], float], ...]
+    unknown: Step | None
+    wrong: tuple[Judged, ...]
+
+
+def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged]) -> Diagnosis:
+    """Return what happened to a drawing."""
+    wrong = tuple(one for one in judged if one.verdict == WRONG)
+    if not wrong:
+        return Diagnosis((), None, ())
+    readings = Readings(drawing)
+    least = _least(drawing, judged)
+    found: list[Hypothesis] = []
+    rest = _Rest()
+    for number, offered in enumerate(mistakes.boards):
+        found += _of_board(readings, offered, number, least, rest)
+    table = mistakes.boards[0].base
+    found += _of_table(readings, table)
+    named = _best(readings, found, rest)
+    if named is None or named[0][0].beyond:
+        pair = _two(readings, mistakes, least, found, rest)
+        if pair is not None:
+            return Diagnosis(pair, None, wrong)
+    if named is not None:
+        return Diagnosis((named,), None, wrong)
+    return Diagnosis((), rest.step, wrong)
+
+
+class _Rest:
+    """What is not a name: no mistake at all, or something at a step that we do not know."""
+
+    def __init__(self) -> None:
+        self.scores = [float(np.log(NO_MISTAKE))]
+        self.step: Step | None = None
+        self.off = 0.0
+
+
+def _least(drawing: Comparison, judged: Sequence[Judged]) -> dict[tuple[Key, bool], float]:
+    """Return by how much a mistake must move each reading that is not fine."""
+    return {
+        one.taken.at: VISIBLE * drawing.by.spread[one.taken.at].rms
+        for one in judged
+        if one.verdict != FINE and one.taken.at in drawing.by.spread
+    }
+
+
+def _of_board(
+    readings: Readings,
+    offered: Offered,
+    number: int,
+    least: Mapping[tuple[Key, bool], float],
+    rest: _Rest,
+) -> Iterator[Hypothesis]:
+    rows = offered.moving(least)
+    some = [offered.mutations[k] for k in rows]
+    evidence, told = of_mutations(readings, offered.base, some, offered.plain, rows)
+    if told is not None:
+        steps = {step.it: step for step in offered.base.log.steps}
+        gains = {mark: told.unknown[mark] - told.base[mark] for mark in told.base}
+        prior = float(np.log(SOMETHING / max(1, len(gains))))
+        for mark, gain in gains.items():
+            rest.scores.append(prior + float(np.maximum(gain, 0.0).sum()))
+            if (far := float(told.off[mark].max())) > rest.off:
+                rest.off, rest.step = far, steps[mark]
+    yield from of_board(number, some, evidence, offered.shares)
+    if number == 0 or offered.made.mechanism is None:
+        free, told_free = fitted(readings, offered, offered.base, least)
+        if free:
+            yield from of_board(number, free, told_free, {"given": len(offered.free)}, fitted=True)
+
+
+def _of_table(readings: Readings, base: Board) -> Iterator[Hypothesis]:
+    drawing = readings.drawing
+    names = drawing.made.mechanism.names if drawing.made.mechanism is not None else ()
+    table = Table(drawing.rows, names or tuple(dict.fromkeys(t.position for t in drawing.rows)))
+
+    def off(k: int) -> complex:
+        taken = drawing.rows[k]
+        return taken.spot - drawing.spots.get(taken.key, taken.spot)
+
+    def apart(k: int, j: int) -> bool:
+        one, other = drawing.rows[k], drawing.rows[j]
+        if one.pointed:
+            return abs(drawing.spots[one.key] - drawing.spots[other.key]) > 1.0
+        due, before = (_due(drawing, taken) for taken in (one, other))
+        return abs(due - before) > 3.0 * drawing.by.spread[one.at].rms + 0.01 * abs(due)
+
+    some = [table.same(), *variations(table, drawing.scale, off), *copied(table, apart)]
+    yield from of_table(some, of_variations(readings, base, some))
+
+
+def _due(drawing: Comparison, taken: Taken) -> float:
+    cell = drawing.due[taken.key]
+    return float((cell.mm if taken.mm is not None else cell.value) or 0.0)
+
+
+def _acceptable(readings: Readings, one: Hypothesis) -> bool:
+    """Whether a hypothesis passes the gate: it leaves few readings unexplained and draws all that was read."""
+    most = int(UNEXPLAINED * readings.count)
+    return one.lost == 0 and one.beyond <= most and float(one.gain.sum()) > 0.0
+
+
+def _best(
+    readings: Readings, found: Sequence[Hypothesis], rest: _Rest
+) -> tuple[tuple[Hypothesis, ...], float] | None:
+    """Return the group of hypotheses that is sure, with how sure it is; None where none is."""
+    allowed = [one for one in found if _acceptable(readings, one)]
+    if not allowed:
+        return None
+    allowed.sort(key=lambda one: -one.score)
+    whole = float(np.logaddexp.reduce([*rest.scores, *(one.score for one in allowed)]))
+    group = groups(allowed[:KEPT])[0]
+    sure = float(np.exp(np.logaddexp.reduce([one.score for one in group]) - whole))
+    if sure < SURE:
+        return None
+    return tuple(sorted(group, key=plausible)), sure
+
+
+def plausible(one: Hypothesis) -> tuple[float, ...]:
+    """Return the place of a hypothesis among those that no reading tells apart: the usual ones first."""
+    what = one.what
+    if not isinstance(what, Mutation):
+        return (0.5, 0.0, 0.0)
+    slot = min(what.slots, default=0)
+    return (
+        what.usual + (1.0 if what.wide else 0.0),
+        0.0 if one.place is None else 1.0,
+        float(slot),
+    )
+
+
+def _two(
+    readings: Readings,
+    mistakes: Mistakes,
+    least: Mapping[tuple[Key, bool], float],
+    found: Sequence[Hypothesis],
+    rest: _Rest,
+) -> tuple[tuple[tuple[Hypothesis, ...], float], ...] | None:
+    """Return two mistakes made at once: a second round on top of the best explanations of a first."""
+    firsts = sorted((one for one in found if one.lost == 0), key=lambda one: -one.score)
+    best: tuple[float, tuple[Hypothesis, ...], tuple[Hypothesis, ...]] | None = None
+    scores = list(rest.scores)
+    for group in groups([one for one in firsts if isinstance(one.what, Mutation)][:KEPT])[:FIRST]:
+        first = min(group, key=plausible)
+        if first.gain.sum() <= 0.0 or not isinstance(first.what, Mutation):
+            continue
+        offered = mistakes.boards[first.board]
+        log, given = changed.made(offered.base.log, offered.base.given, first.what, first.place)
+        base = Board(offered.board, log, given)
+        seconds = _second(readings, offered, base, first, least)
+        scores += [one.score for one in seconds]
+        allowed = [one for one in seconds if _acceptable(readings, one)]
+        if not allowed:
+            continue
+        second = groups(sorted(allowed, key=lambda one: -one.score)[:KEPT])[0]
+        if best is None or second[0].score > best[0]:
+            best = (
+                second[0].score,
+                tuple(sorted(group, key=plausible)),
+                tuple(sorted(second, key=plausible)),
+            )
+    if best is None:
+        return None
+    scores += [one.score for one in found if _acceptable(readings, one)]
+    whole = float(np.logaddexp.reduce(scores))
+    sure = float(np.exp(np.logaddexp.reduce([one.score for one in best[2]]) - whole))
+    if sure < SURE:
+        return None
+    return (best[1], sure), (best[2], sure)
+
+
+def _second(
+    readings: Readings,
+    offered: Offered,
+    base: Board,
+    first: Hypothesis,
+    least: Mapping[tuple[Key, bool], float],
+) -> list[Hypothesis]:
+    """Return hypotheses of a second mistake, scored with the first."""
+    rows = offered.moving(least)
+    slots = first.what.slots if isinstance(first.what, Mutation) else frozenset()
+    some = [one for one in (offered.mutations[k] for k in rows) if not one.slots & slots]
+    some = some if some and some[0] is NONE else [NONE, *some]
+    plain = offered.run(some, base)
+    evidence, _ = of_mutations(readings, base, some, plain, np.arange(len(some)))
+    return [
+        one._replace(score=one.score + first.score, gain=one.gain)
+        for one in of_board(first.board, some, evidence, offered.shares)
+    ]
