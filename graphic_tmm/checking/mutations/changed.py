@@ -46,7 +46,8 @@ def _changed(step: Step, change: Change, place: int | None, positions: int) -> S
         due, found = right(*values[:count]), run(*values[count:])
         return _both(found, due, at, positions)
 
-    op = step.op._replace(run=either)
+    # what it marks is then told by its place alone, not by the lines of either
+    op = step.op._replace(run=either, name=f"{step.op.name} at one position")
     return step._replace(op=op, uses=(*step.uses, *change.step.uses), choice={})
 
 

@@ -1,7 +1,7 @@
-"""Readings that are of no mark of their own: diagrams, forces, results, parts. Their figures come off the tables.
+"""Readings that are of no mark of their own (diagrams, forces, results, parts), by the tables' figures.
 
-Such a figure hangs on many that were read before. It may have been found from these, or from what the student had
-without writing it down: of both what the readings are more likely with is taken.
+Such a figure hangs on many that were read before. It may have been found from these, or from what the
+student had without writing it down: of both what the readings are more likely with is taken.
 """
 
 from __future__ import annotations
@@ -27,7 +27,8 @@ LOST = -50.0
 class Reading(NamedTuple):
     """A reading of such a figure: what was found and is due, by what it scatters, what a mm is in its unit.
 
-    ``place``: the index of its position, the number of positions where it has none of the mechanism's.
+    ``place``: the index of its position, the number of positions where it has none of the mechanism's;
+    ``beside``: it is the quantity of a length that was read, too.
     """
 
     taken: Taken
@@ -36,6 +37,7 @@ class Reading(NamedTuple):
     scatter: float
     mm: float
     place: int
+    beside: bool = False
 
     @property
     def at(self) -> tuple[Key, bool]:
@@ -43,7 +45,7 @@ class Reading(NamedTuple):
         return self.taken.at
 
     def told(self, figures: Any, found: Any = None) -> tuple[Array, Array, Array]:
-        """Return how likely it is, how far off and how lost, of figures; ``found``: what was read, if otherwise."""
+        """Return how likely it is, how far off, how lost; ``found``: what was read, if otherwise."""
         read = self.found if found is None else found
         if self.taken.pointed:
             error = np.abs(np.asarray(read) - figures)
@@ -90,7 +92,8 @@ def readings(drawing: Comparison, marked: Sequence[Taken]) -> list[Reading]:
         due = due_figure(cell, taken)
         if beside is not None and np.isfinite(mu):
             due, scatter = abs(beside.mm or 0.0) * mu, 0.0
-        found.append(Reading(taken, taken_figure(taken, cell), due, scatter, mm, place))
+        figure, length = taken_figure(taken, cell), beside is not None
+        found.append(Reading(taken, figure, due, scatter, mm, place, length))
     return found
 
 
@@ -103,19 +106,20 @@ def told(
     """
     gain, beyond, lost = (np.zeros((count, places + 1)) for _ in range(3))
     for one in rows:
-        base, off, _ = one.told(np.asarray(one.due))
+        base, far, _ = one.told(np.asarray(one.due))
         best: tuple[Array, Array, Array] | None = None
         for figures in ways:
-            if one.at not in figures or (one.scatter == 0.0 and one.taken.value is not None):
+            if one.at not in figures or one.beside:
                 continue
             found = one.told(figures[one.at])
             if best is None:
                 best = found
             else:
-                better = found[0] > best[0]
-                best = tuple(np.where(better, a, b) for a, b in zip(found, best, strict=True))  # type: ignore[assignment]
+                better, pairs = found[0] > best[0], zip(found, best, strict=True)
+                likely, off, gone = (np.where(better, new, old) for new, old in pairs)
+                best = likely, off, gone
         if best is None:
-            beyond[:, one.place] += float(off > BEYOND)
+            beyond[:, one.place] += float(far > BEYOND)
             continue
         gain[:, one.place] += best[0] - base
         beyond[:, one.place] += best[1] > BEYOND

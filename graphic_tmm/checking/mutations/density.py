@@ -46,8 +46,8 @@ def broad(off: Any, size: Any, figure: Any) -> Array:
 def size_of(scatter: Any, figure: Any, mm: Any, change: Any = 0.0) -> Array:
     """Return the standard deviation by which an error is measured.
 
-    ``scatter``: the hand's; ``figure``: what is read; ``mm``: what a millimetre is in its unit (0 of what is not
-    measured); ``change``: by how much a mistake moves it.
+    ``scatter``: the hand's; ``figure``: what is read; ``mm``: what a millimetre is in its unit (0 of what
+    is not measured); ``change``: by how much a mistake moves it.
     """
     moved = OF_CHANGE * np.minimum(np.abs(change), FARTHEST)
     least = LEAST_MM * mm, LEAST_SHARE * np.abs(figure), moved

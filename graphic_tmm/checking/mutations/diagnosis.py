@@ -1,7 +1,7 @@
 """From judged readings to what happened: the right mistake, or none.
 
-Hypotheses are weighed by all readings; a name is given where it is sure, and passes an absolute gate: posteriors
-only compare, and the best of bad explanations is none.
+Hypotheses are weighed by all readings; a name is given where it is sure, and passes an absolute gate:
+posteriors only compare, and the best of bad explanations is none.
 """
 
 from __future__ import annotations
@@ -36,8 +36,10 @@ SURE = 0.8
 FIRST = 3
 """So many explanations are tried as the first of two mistakes."""
 VISIBLE = 0.5
-"""A mistake must move some reading that is not fine by this share of what a hand scatters by, with no reading put
-in: else it explains noise."""
+"""A mistake must move some reading that is not fine by this share of what a hand scatters by, with no
+reading put in: else it explains noise."""
+MOST = 3
+"""So many groups of one step and family may be told as one of them."""
 KEPT = 300
 """So many hypotheses are told apart."""
 
@@ -51,6 +53,7 @@ class Diagnosis(NamedTuple):
     named: tuple[tuple[tuple[Hypothesis, ...], float], ...]
     unknown: Step | None
     wrong: tuple[Judged, ...]
+    readings: Readings | None = None
 
 
 def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged]) -> Diagnosis:
@@ -70,10 +73,10 @@ def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged])
     if named is None or named[0][0].beyond:
         pair = _two(readings, mistakes, least, found, rest)
         if pair is not None:
-            return Diagnosis(pair, None, wrong)
+            return Diagnosis(pair, None, wrong, readings)
     if named is not None:
-        return Diagnosis((named,), None, wrong)
-    return Diagnosis((), rest.step, wrong)
+        return Diagnosis((named,), None, wrong, readings)
+    return Diagnosis((), rest.step, wrong, readings)
 
 
 class _Rest:
@@ -159,11 +162,30 @@ def _best(
         return None
     allowed.sort(key=lambda one: -one.score)
     whole = float(np.logaddexp.reduce([*rest.scores, *(one.score for one in allowed)]))
-    group = groups(allowed[:KEPT])[0]
-    sure = float(np.exp(np.logaddexp.reduce([one.score for one in group]) - whole))
-    if sure < SURE:
-        return None
-    return tuple(sorted(group, key=plausible)), sure
+    return _sure(groups(allowed[:KEPT]), whole)
+
+
+def _sure(
+    found: Sequence[Sequence[Hypothesis]], whole: float
+) -> tuple[tuple[Hypothesis, ...], float] | None:
+    """Return the best group if it is sure; else it with up to two more of the same step and family."""
+    first = found[0]
+    alike = [one for one in found if at_step(one[0]) == at_step(first[0])][:MOST]
+    told: list[Hypothesis] = []
+    for group in alike:
+        told += sorted(group, key=plausible)
+        sure = float(np.exp(np.logaddexp.reduce([one.score for one in told]) - whole))
+        if sure >= SURE:
+            return tuple(told), sure
+    return None
+
+
+def at_step(one: Hypothesis) -> tuple[object, ...]:
+    """Return what is said of where and of what kind a mistake is."""
+    what = one.what
+    if not isinstance(what, Mutation):
+        return (what.family, what.kind, what.plan, what.segment)
+    return (what.family, what.at.it if what.at is not None else what.was)
 
 
 def plausible(one: Hypothesis) -> tuple[float, ...]:

@@ -1,8 +1,8 @@
 """What readings tell for and against mutations: entry by entry how likely each is, base and rows.
 
 An entry is a reading against what it should be. Where its step is known it is the step's own error, with the
-earlier readings as they were found; else (a diagram, a force) the figure that the log leads to, with what was read
-put in.
+earlier readings as they were found; else (a diagram, a force) the figure that the log leads to, with what
+was read put in.
 """
 
 from __future__ import annotations
@@ -198,7 +198,7 @@ class Told:
         self.unknown = np.where(entry.read, free, 0.0)
 
     def rows(self, errors: Array) -> tuple[Array, Array, Array]:
-        """Return how likely, how far off and how lost rows are, (row, position); errors: (part, row, position)."""
+        """Return how likely, how far off, how lost rows of errors (part, row, position) are."""
         if errors.shape[0] != self.entry.error.shape[0]:
             errors = np.max(np.abs(errors), axis=0)[None]
             entry = self.entry._replace(

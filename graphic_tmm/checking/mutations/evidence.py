@@ -60,14 +60,17 @@ class Readings:
     def __init__(self, drawing: Comparison) -> None:
         self.drawing = drawing
         self.found = dict(drawing.found[0])
-        self.marked: dict[int, tuple[Mark, int]] = {}
-        for k, taken in enumerate(drawing.rows):
+        last: dict[tuple[Mark, int], int] = {}
+        # links that turn alike share a mark: of what was read of it the last is the one that was taken
+        rows = enumerate(drawing.rows)
+        for k, taken in sorted(rows, key=lambda row: row[1].mm is not None):
             step, place = drawing.step(taken), drawing.place(taken)
             known = step is not None and (step.it, place) in drawing.by.steps
             if known and step is not None and drawing.stands(taken, step, place):
-                self.marked[k] = step.it, place
-        rows = [drawing.rows[k] for k in self.marked]
-        self.columns = columns.readings(drawing, rows)
+                last[step.it, place] = k
+        self.marked = {k: at for at, k in sorted(last.items(), key=lambda row: row[1])}
+        marked = [drawing.rows[k] for k in self.marked]
+        self.columns = columns.readings(drawing, marked)
         self.keys = tuple(dict.fromkeys(one.at for one in self.columns))
 
     @property
@@ -148,7 +151,7 @@ def of_variations(readings: Readings, base: Board, some: Sequence[Variation]) ->
             other = by_row.get(id(readings.drawing.rows[source]))
             if other is not None:
                 read[h] = way.factor[k] * other.found + way.plus[k]
-        base_told, off, _ = one.told(np.asarray(one.due))
+        base_told, _, _ = one.told(np.asarray(one.due))
         likely, far, gone = one.told(np.asarray(one.due), read)
         gain[:, one.place] += np.where(gone > 0, one.unknown, likely) - base_told
         beyond[:, one.place] += far > BEYOND

@@ -1,14 +1,16 @@
 """A formula calculated otherwise: small changes of its text, as a student makes them.
 
-A power left out or put on, a product for a quotient, a term left out or with the other sign, sin for cos, a figure
-left out: each is a formula again, with a text that can be told.
+A power left out or put on, a product for a quotient, a term left out or with the other sign, sin for cos, a
+figure left out: each is a formula again, with a text that can be told.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
 
 from graphic_tmm.board.formula import FORMULAS, computed
 from graphic_tmm.board.formula_text import Node, names_of, text_of
@@ -41,6 +43,32 @@ def otherwise(op: Operation) -> tuple[Otherwise, ...]:
         run = computed(op.name, formula.arguments, tree)
         found.setdefault(text, Otherwise(family, op._replace(run=run, formula=text), touched))
     return tuple(found.values())
+
+
+@cache
+def with_sense(op: Operation, right: Operation) -> Operation:
+    """Return an operation whose result has the sense of the right one, of the inputs that follow its own.
+
+    A product is calculated without signs, and its sense told by a rule.
+    """
+    count = len(op.arguments)
+
+    def run(*values: Any) -> Any:
+        found, due = op.run(*values[:count]), right.run(*values[-count:])
+        return np.abs(found) * np.where(due < 0.0, -1.0, 1.0)
+
+    return op._replace(run=run)
+
+
+def is_product(op: Operation) -> bool:
+    """Whether a formula is of products, quotients and powers alone."""
+    return op.name in FORMULAS and _heads(FORMULAS[op.name].tree) <= {
+        *("·", "/", "^", "neg", "name", "figure", "π", "sqrt"),
+    }
+
+
+def _heads(node: Node) -> set[str]:
+    return {node.head}.union(*(_heads(part) for part in node.parts))
 
 
 def _changed(node: Node) -> Iterator[tuple[str, Node, frozenset[str]]]:

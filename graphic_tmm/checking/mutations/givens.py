@@ -1,7 +1,7 @@
 """What is given, taken amiss: everything that is calculated or drawn with it goes on with the wrong one.
 
-Two lengths exchanged, a crank turned the other way or counted from elsewhere, turns a minute for rad/s, a length
-misread. How much a given was misread by is free: it is found from the readings.
+Two lengths exchanged, a crank turned the other way or counted from elsewhere, turns a minute for rad/s, a
+length misread. How much a given was misread by is free: it is found from the readings.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """The grammar of mistakes: what a student may do instead of each step, read off its operation and its marks.
 
-A new operation brings its mistakes with it: another mark of the same kind for each that it uses, the marks of two
-arguments exchanged, the other sense, the other meeting; a formula brings what its text can be made into. What a
-step may be mistaken for hangs on kinds, units, views and roles alone.
+A new operation brings its mistakes with it: another mark of the same kind for each that it uses, the marks
+of two arguments exchanged, the other sense, the other meeting; a formula brings what its text can be made
+into. What a step may be mistaken for hangs on kinds, units, views and roles alone.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Side
 from graphic_tmm.checking.mutations import words
-from graphic_tmm.checking.mutations.formulas import otherwise
+from graphic_tmm.checking.mutations.formulas import is_product, otherwise, with_sense
 from graphic_tmm.checking.mutations.mutation import (
     DIRECTION,
     FACTOR,
@@ -70,9 +70,39 @@ def mutations(log: Construction, wanted: Iterable[Step] | None = None) -> Iterat
             if key:
                 together[key].append(one)
     for some in together.values():
-        if len(some) > 1:
-            changes = {slot: change for one in some for slot, change in one.changes.items()}
-            yield some[0]._replace(changes=changes, wide=True)
+        plans: dict[str, list[Mutation]] = defaultdict(list)
+        for one in some:
+            plans[one.at.it.view if one.at is not None else ""].append(one)
+        every = [some] if len(plans) > 1 else []
+        for alike in (*every, *plans.values()):
+            if len(alike) > 1:
+                changes = {slot: change for one in alike for slot, change in one.changes.items()}
+                yield alike[0]._replace(changes=changes, wide=True)
+
+
+def late(log: Construction) -> Construction:
+    """Return a log whose readings of the ruler are taken as late as they can be: when the plan stands.
+
+    Another point may be taken for the right one then, if only it does not hang on what is measured.
+    """
+    waiting = list(log.steps)
+    known = {mark.slot for mark in log.given}
+    found: list[Step] = []
+    while waiting:
+        held: list[Step] = []
+        for step in waiting:
+            ready = all(mark.slot in known for mark in step.uses)
+            if ready and not step.op.reads:
+                known.add(step.it.slot)
+                found.append(step)
+            else:
+                held.append(step)
+        read = [s for s in held if s.op.reads and all(m.slot in known for m in s.uses)]
+        known |= {step.it.slot for step in read}
+        found += read
+        taken = {step.it.slot for step in read}
+        waiting = [step for step in held if step.it.slot not in taken]
+    return log._replace(steps=tuple(found))
 
 
 class _Scope:
@@ -87,17 +117,19 @@ class _Scope:
             if mark.kind is Number and mark.unit:
                 self.alike[mark.unit].append(mark)
         self.scales = [mark for mark in log.given if _is_scale(mark)]
+        made = {step.it.slot: k for k, step in enumerate(log.steps)}
+        self.turn = {mark.slot: made.get(mark.slot, -1) for row in self.of.values() for mark in row}
 
     def others(self, mark: Mark, it: Mark) -> list[Mark]:
         """Return the marks that may be taken for one where another is made; those that are there before."""
-        before, view = it.slot, it.view
+        before, view = self.turn[it.slot], it.view
         if mark.kind is Number:
             found = self.alike[mark.unit] if mark.unit else []
         else:
             found = self.of[mark.kind, mark.view]
             if mark.kind is Line and view != mark.view:
                 found = [*found, *self.of[mark.kind, view]]
-        return [one for one in found if one.slot < before and one.slot != mark.slot]
+        return [one for one in found if self.turn[one.slot] < before and one.slot != mark.slot]
 
     def step(self, mark: Mark) -> Step | None:
         return self.steps.get(mark.slot)
@@ -130,6 +162,12 @@ def _operands(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
             if now in step.uses and was.kind is Point and len(step.uses) <= 3:
                 continue
             other = Change(_with(step, k, now))
+            if step.op is measure_along and was.kind is Point:
+                apart = step._replace(op=_apart(step.op), uses=(*other.step.uses, *step.uses[:2]))
+                other = Change(apart)
+            if is_product(step.op) and was.kind in (Length, Number):
+                uses = (*other.step.uses, *step.uses)
+                other = Change(step._replace(op=with_sense(step.op, step.op), uses=uses))
             usual = 1.0 if now.view == was.view else UNUSUAL
             yield (), _one(step, family, says, other, was=was, now=now, usual=usual)
 
@@ -167,6 +205,16 @@ def _exchanged(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
     if step.op is similar:
         change = Change(step._replace(op=_mirrored(step.op)))
         yield (MIRRORED, "similar"), _one(step, MIRRORED, words.MIRRORED, change)
+
+
+@cache
+def _apart(op: Operation) -> Operation:
+    """Return the operation of measuring another distance than that along a line, with the sense of that."""
+
+    def run(start: Any, end: Any, on: Any, first: Any, last: Any) -> Any:
+        return np.abs(end - start) * np.sign(op.run(first, last, on))
+
+    return op._replace(run=run)
 
 
 @cache
@@ -243,6 +291,8 @@ def _formulas(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
         odd = family == LEFT_OUT and len(one.touched) > 1
         usual = UNUSUAL if squared or odd else 1.0
         change = Change(step._replace(op=one.op))
+        if is_product(step.op) and one.family != SENSE:
+            change = Change(step._replace(op=with_sense(one.op, step.op)))
         key = (family, step.op.name, one.op.formula)
         told = {"formula": one.op.formula, "usual": usual}
         yield key, _one(step, family, words.FORMULA, change, **told)

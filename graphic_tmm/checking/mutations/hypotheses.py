@@ -19,7 +19,7 @@ NO_MISTAKE, SOMETHING, INSTRUMENTS, KNOWN = 0.6, 0.1, 0.05, 0.25
 EVERYWHERE = 0.75
 """A mistake is made wherever it can be in three of four drawings, else in one position."""
 FITTED = 3.0
-"""What a free number costs that is found from the readings (natural logarithm): it may be any of some twenty."""
+"""What a free number costs that is found from the readings: it may be any of some twenty (logarithm)."""
 UNEXPLAINED = 0.03
 """No name is given that leaves a larger share of the readings beyond what a hand does."""
 ALIKE = 0.5
@@ -29,9 +29,9 @@ ALIKE = 0.5
 class Hypothesis(NamedTuple):
     """A hypothesis weighed: what is mutated (or how the table was written), where, what speaks for it.
 
-    ``place``: at one position only (its index); ``score``: the logarithm of how likely it is beforehand and by the
-    readings, that of no mistake being `NO_MISTAKE`'s; ``gain``: (position,) of the readings; ``beyond``,
-    ``lost``: how many readings it leaves unexplained, how many it cannot draw.
+    ``place``: at one position only (its index); ``score``: the logarithm of how likely it is beforehand and
+    by the readings, that of no mistake being `NO_MISTAKE`'s; ``gain``: (position,) of the readings;
+    ``beyond``, ``lost``: how many readings it leaves unexplained, how many it cannot draw.
     """
 
     what: Mutation | Variation

@@ -15,7 +15,7 @@ from graphic_tmm.checking.mutations.evidence import Board
 from graphic_tmm.checking.mutations.execution import Beside, executed
 from graphic_tmm.checking.mutations.figures import figures_of
 from graphic_tmm.checking.mutations.givens import free, mistaken
-from graphic_tmm.checking.mutations.grammar import mutations
+from graphic_tmm.checking.mutations.grammar import late, mutations
 from graphic_tmm.checking.mutations.mutation import Mutation
 from graphic_tmm.drawn import Drawn, DrawnScene
 
@@ -32,7 +32,7 @@ class Offered:
     @cached_property
     def base(self) -> Board:
         """The board as it should be drawn."""
-        return Board(self.board, self.board.construction, self.board.given)
+        return Board(self.board, late(self.board.construction), self.board.given)
 
     @cached_property
     def mutations(self) -> tuple[Mutation, ...]:
@@ -77,9 +77,10 @@ class Offered:
         moves[0] = True
         for at, row in told.items():
             with np.errstate(all="ignore"):
-                moves |= ~(np.abs(np.abs(row) - np.abs(row[0])) <= wanted[at]) & np.isfinite(row[0])
-                if np.iscomplexobj(row):
-                    moves |= ~(np.abs(row - row[0]) <= wanted[at]) & np.isfinite(row[0])
+                off = np.abs(row - row[0])
+                if at[1] and not np.iscomplexobj(row):
+                    off = np.abs(np.abs(row) - np.abs(row[0]))  # a length has no sign
+                moves |= ~(off <= wanted[at]) & np.isfinite(row[0])
         return np.flatnonzero(moves)
 
 

@@ -21,8 +21,8 @@ FAMILIES = (
 class Change(NamedTuple):
     """What is done instead of a step.
 
-    ``step``: the operation, what it uses and its choice, as they are then; ``before``: which of its uses is that
-    of the position before (-1: none); ``factor``: how many times its result is taken.
+    ``step``: the operation, what it uses and its choice, as they are then; ``before``: which of its uses is
+    that of the position before (-1: none); ``factor``: how many times its result is taken.
     """
 
     step: Step
@@ -41,10 +41,10 @@ class Amiss(NamedTuple):
 class Mutation(NamedTuple):
     """A mutation of a log.
 
-    ``changes``: by the slots of steps; ``amiss``: by the slots of given marks. What tells it in words: ``at`` its
-    first step (None of one of the givens), ``was`` and ``now`` the marks, ``times`` the factor, ``formula`` as it
-    was calculated; ``says``: a sentence with these as names. ``usual``: how usual it is among those of its
-    family, 1 the most.
+    ``changes``: by the slots of steps; ``amiss``: by the slots of given marks. What tells it in words:
+    ``at`` its first step (None of one of the givens), ``was`` and ``now`` the marks, ``times`` the factor,
+    ``formula`` as it was calculated; ``says``: a sentence with these as names. ``usual``: how usual it is
+    among those of its family, 1 the most.
     """
 
     family: str

@@ -1,8 +1,8 @@
 """The table of readings, written down amiss: rows shifted, exchanged, copied, reversed, columns swapped, ×10.
 
-Each variation says which reading stood where another should, and how many times it is too large; undone, the rest
-of the drawing is as it was made. An instrument that is off is undone alike: a compass, a copy, a pole, a sheet
-askew; it is told with a word and is never a mistake.
+Each variation says which reading stood where another should, and how many times it is too large; undone,
+the rest of the drawing is as it was made. An instrument that is off is undone alike: a compass, a copy, a
+pole, a sheet askew; it is told with a word and is never a mistake.
 """
 
 from __future__ import annotations
@@ -47,8 +47,8 @@ Column = tuple[str, str, str]
 class Variation(NamedTuple):
     """Readings as they should have been written: of each the row that has it, how many times too large it is.
 
-    ``source``: (row,), −1 for one that tells nothing; ``factor``, ``plus``: (row,), of points complex. ``told``:
-    the names in the sentence.
+    ``source``: (row,), −1 for one that tells nothing; ``factor``, ``plus``: (row,), of points complex.
+    ``told``: the names in the sentence.
     """
 
     kind: str
@@ -103,7 +103,8 @@ def variations(
 ) -> Iterator[Variation]:
     """Yield the variations of a table of readings.
 
-    ``scales``: what a mm is in the unit of a reading; ``off``: how far a point that was read is from its due, mm.
+    ``scales``: what a mm is in the unit of a reading; ``off``: how far a point that was read is from its
+    due, mm.
     """
     for where, plan, segment, columns in table.places():
         named = table.same()._replace(plan=plan, segment=segment)
@@ -159,7 +160,7 @@ def _by_position(
 
 
 def copied(table: Table, apart: Callable[[int, int], bool]) -> Iterator[Variation]:
-    """Yield the positions whose readings are those of the position before; ``apart``: whether they are due so."""
+    """Yield positions with the readings of the one before; ``apart``: whether two are due to differ."""
     for plan in table.plans():
         columns = [c for c in table.columns if c[0] == plan]
         for one, other in zip(table.positions[1:], table.positions, strict=False):

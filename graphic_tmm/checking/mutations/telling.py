@@ -13,6 +13,7 @@ from graphic_tmm.checking.mutations.diagnosis import Diagnosis
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis
 from graphic_tmm.checking.mutations.mutation import Mutation
 from graphic_tmm.checking.mutations.names import BY_FAMILY, INSTRUMENT, name_of
+from graphic_tmm.checking.mutations.shown import shown_at
 from graphic_tmm.checking.mutations.tables import Variation
 from graphic_tmm.checking.records import (
     INSTRUMENT as OFF,
@@ -42,9 +43,7 @@ TENFOLD = 0.05
 def told(diagnosis: Diagnosis, drawing: Comparison, language: str) -> tuple[Likely, ...]:
     """Return what is told of a diagnosis, the surest first."""
     speech = speaking(language)
-    found = [
-        _named(group, sure, diagnosis.wrong, drawing, speech) for group, sure in diagnosis.named
-    ]
+    found = [_named(group, sure, diagnosis, drawing, speech) for group, sure in diagnosis.named]
     if found or not diagnosis.wrong:
         return tuple(found)
     roots = [one for one in diagnosis.wrong if one.follows is None]
@@ -56,11 +55,11 @@ def told(diagnosis: Diagnosis, drawing: Comparison, language: str) -> tuple[Like
 def _named(
     group: Sequence[Hypothesis],
     sure: float,
-    wrong: Sequence[Judged],
+    diagnosis: Diagnosis,
     drawing: Comparison,
     speech: Speech,
 ) -> Likely:
-    first = group[0]
+    first, wrong = group[0], diagnosis.wrong
     says = list(dict.fromkeys(_says(one, drawing, speech) for one in group))
     lines = tuple(one.taken.line for one in wrong)
     what = first.what
@@ -84,6 +83,7 @@ def _named(
             sure,
         )
     mark = what.at.it if what.at is not None else what.was
+    plan, segment = shown_at(first, diagnosis, drawing)
     return Likely(
         speech(name_of(what)),
         says[0],
@@ -93,8 +93,8 @@ def _named(
         tuple(says[1:MOST]),
         MISTAKE,
         what.family,
-        mark.view if mark is not None else "",
-        segment_name(mark.letter) if mark is not None else "",
+        plan,
+        segment,
         position,
         mark.letter if mark is not None else "",
         sure,
