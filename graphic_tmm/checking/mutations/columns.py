@@ -93,6 +93,7 @@ def readings(drawing: Comparison, marked: Sequence[Taken]) -> list[Reading]:
         if beside is not None and np.isfinite(mu):
             due, scatter = abs(beside.mm or 0.0) * mu, 0.0
         figure, length = taken_figure(taken, cell), beside is not None
+        figure = abs(figure) if length else figure  # a length has no sign to compare
         found.append(Reading(taken, figure, due, scatter, mm, place, length))
     return found
 

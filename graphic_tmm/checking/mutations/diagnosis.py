@@ -6,6 +6,7 @@ posteriors only compare, and the best of bad explanations is none.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -27,17 +28,25 @@ from graphic_tmm.checking.mutations.hypotheses import (
     of_table,
 )
 from graphic_tmm.checking.mutations.mistakes import NONE, Mistakes, Offered
-from graphic_tmm.checking.mutations.mutation import Mutation
+from graphic_tmm.checking.mutations.mutation import (
+    Mutation,
+)
 from graphic_tmm.checking.mutations.tables import Table, copied, variations
 from graphic_tmm.checking.records import FINE, WRONG, Judged, Taken
 
-SURE = 0.8
-"""A name is given where it is as sure as this."""
+SURE, UNSURE = 0.8, 0.79
+"""A name is given where it is as sure as this; a perhaps is never as sure."""
 FIRST = 3
 """So many explanations are tried as the first of two mistakes."""
 VISIBLE = 0.5
 """A mistake must move some reading that is not fine by this share of what a hand scatters by, with no
 reading put in: else it explains noise."""
+REPEATED = 2
+"""So many doubtful readings of one segment may be a mistake: by chance of 2 % each they are one in 2500."""
+CLEAR = 8.0
+"""A second mistake beside one that explains nearly all must explain so much more (natural logarithm)."""
+LIKELY = 0.5
+"""A mistake is told as a perhaps if it is at least so likely among the mistakes that we know."""
 MOST = 3
 """So many groups of one step and family may be told as one of them."""
 KEPT = 300
@@ -59,7 +68,7 @@ class Diagnosis(NamedTuple):
 def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged]) -> Diagnosis:
     """Return what happened to a drawing."""
     wrong = tuple(one for one in judged if one.verdict == WRONG)
-    if not wrong:
+    if not wrong and not _repeated(judged):
         return Diagnosis((), None, ())
     readings = Readings(drawing)
     least = _least(drawing, judged)
@@ -72,11 +81,20 @@ def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged])
     named = _best(readings, found, rest)
     if named is None or named[0][0].beyond:
         pair = _two(readings, mistakes, least, found, rest)
-        if pair is not None:
+        if pair is not None and (named is None or float(pair[1][0][0].gain.sum()) > CLEAR):
             return Diagnosis(pair, None, wrong, readings)
     if named is not None:
         return Diagnosis((named,), None, wrong, readings)
+    perhaps = _perhaps(readings, found, rest) if wrong else None
+    if perhaps is not None:
+        return Diagnosis((perhaps,), rest.step, wrong, readings)
     return Diagnosis((), rest.step, wrong, readings)
+
+
+def _repeated(judged: Sequence[Judged]) -> bool:
+    """Whether one segment is doubtful so often that a hand's slips are hardly the reason."""
+    found = Counter((one.taken.plan, one.taken.segment) for one in judged if one.verdict != FINE)
+    return any(count >= REPEATED for count in found.values())
 
 
 class _Rest:
@@ -138,7 +156,9 @@ def _of_table(readings: Readings, base: Board) -> Iterator[Hypothesis]:
         due, before = (_due(drawing, taken) for taken in (one, other))
         return abs(due - before) > 3.0 * drawing.by.spread[one.at].rms + 0.01 * abs(due)
 
-    some = [table.same(), *variations(table, drawing.scale, off), *copied(table, apart)]
+    scales = {one.name: one.value for board in drawing.made.boards for one in board.scales.values()}
+    varied = variations(table, drawing.scale, off, scales)
+    some = [table.same(), *varied, *copied(table, apart)]
     yield from of_table(some, of_variations(readings, base, some))
 
 
@@ -178,6 +198,23 @@ def _sure(
         if sure >= SURE:
             return tuple(told), sure
     return None
+
+
+def _perhaps(
+    readings: Readings, found: Sequence[Hypothesis], rest: _Rest
+) -> tuple[tuple[Hypothesis, ...], float] | None:
+    """Return the likeliest mistake where it is not sure that it is one of those that we know."""
+    allowed = [one for one in found if _acceptable(readings, one) and not one.instrument]
+    if not allowed:
+        return None
+    allowed.sort(key=lambda one: -one.score)
+    known = float(np.logaddexp.reduce([one.score for one in allowed]))
+    whole = float(np.logaddexp.reduce([*rest.scores, known]))
+    group = groups(allowed[:KEPT])[0]
+    mine = float(np.logaddexp.reduce([one.score for one in group]))
+    if float(np.exp(mine - known)) < LIKELY:
+        return None
+    return tuple(sorted(group, key=plausible)), min(float(np.exp(mine - whole)), UNSURE)
 
 
 def at_step(one: Hypothesis) -> tuple[object, ...]:

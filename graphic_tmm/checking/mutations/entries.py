@@ -29,7 +29,8 @@ Array = NDArray[np.float64]
 class Entry(NamedTuple):
     """The errors of one mark where it was read, (part, position), NaN where it was not; with their sizes.
 
-    ``figure``: what was read, its size; ``mm``: what a millimetre is in its unit.
+    ``figure``: what was read, its size; ``mm``: what a millimetre is in its unit; ``drawn``: it is drawn and
+    read off the paper, so that a longer line is farther off; what is calculated is not.
     """
 
     mark: Mark
@@ -37,6 +38,7 @@ class Entry(NamedTuple):
     scatter: Array
     figure: Array
     mm: float
+    drawn: bool = True
 
     @property
     def read(self) -> NDArray[np.bool_]:
@@ -165,12 +167,16 @@ def entry_of(
             sizes = scatters[mark][:, place]
         sizes = sizes if sizes.size == error.shape[0] else np.full(error.shape[0], sizes.max())
         rounding = 0.0 if grain is None else float(grain.read[0, place])
-        scatter[:, place] = np.hypot(sizes, rounding / np.sqrt(3.0))
+        larger = drawing.larger(mark.view, int(place))
+        scatter[:, place] = np.hypot(larger * sizes, rounding / np.sqrt(3.0))
     if not np.isfinite(scatter).any():
         return None
     mm = 1.0 if mark.kind in (Length, Point) else 0.0
-    figure = np.zeros(places) if mark.kind is Point else np.abs(np.asarray(read, dtype=float))
-    return Entry(mark, np.broadcast_to(error, scatter.shape), scatter, np.nan_to_num(figure), mm)
+    figure = np.abs(np.asarray(read))
+    step = drawing.step_of(mark)
+    drawn = mark.kind is Point or step is None or step.op.reads
+    whole = np.broadcast_to(error, scatter.shape)
+    return Entry(mark, whole, scatter, np.nan_to_num(figure), mm, drawn)
 
 
 WIDE = 100.0
@@ -185,16 +191,13 @@ class Told:
     def __init__(self, entry: Entry) -> None:
         self.entry = entry
         self.figure = np.full_like(entry.figure, WIDE) if entry.mark.kind is Point else entry.figure
-        # what is relative is so of the figure that was read, not of a point's distance from the pole
         self.size = size_of(entry.scatter, entry.figure, entry.mm)
         self.likely, self.off, _ = (
             one[0] for one in self._of(entry.error[:, None], self.size[:, None])
         )
         with np.errstate(all="ignore"):
-            free = np.log(
-                0.5 * np.exp(self.likely)
-                + 0.5 * np.sum(broad(np.abs(entry.error), self.size, self.figure), axis=0)
-            )
+            nothing = np.log(broad(np.abs(entry.error), self.size, self.figure)).sum(axis=0)
+            free = np.logaddexp(self.likely, nothing) - np.log(2.0)
         self.unknown = np.where(entry.read, free, 0.0)
 
     def rows(self, errors: Array) -> tuple[Array, Array, Array]:
@@ -207,6 +210,7 @@ class Told:
             )
             return Told(entry).rows(errors)
         change = np.nan_to_num(errors - self.entry.error[:, None], posinf=0.0, neginf=0.0)
+        change = change * self.entry.drawn
         size = size_of(
             self.entry.scatter[:, None], self.entry.figure, self.entry.mm, np.abs(change)
         )

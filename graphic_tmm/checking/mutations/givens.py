@@ -14,7 +14,7 @@ import numpy as np
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.record import Construction, Mark
-from graphic_tmm.board.values import Length, Number
+from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.checking.mutations.grammar import BY_UNIT, POWERS_OF_TEN
 from graphic_tmm.checking.mutations.mutation import (
     CRANK,
@@ -61,6 +61,7 @@ def _named(log: Construction, given: Given) -> dict[tuple[str, str], list[Mark]]
     for mark in log.given:
         angle = mark.role == roles.CRANK_ANGLE
         size = mark.kind in (Number, Length) and bool(mark.unit) and not mark.unit.endswith("/mm")
+        size = size or (mark.kind is Angle and bool(mark.name))
         if mark in given and (angle or (size and np.size(given[mark]) == 1)):
             found.setdefault((mark.name, mark.unit), []).append(mark)
     return found

@@ -34,6 +34,7 @@ from graphic_tmm.checking.mutations.mutation import (
     LEFT_OUT,
     MEETING,
     MIRRORED,
+    POWER,
     PREVIOUS,
     SCALE,
     SENSE,
@@ -182,7 +183,9 @@ def _before(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
         ):
             made = scope.step(was)
             if made is not None:
-                yield (), _one(step, PREVIOUS, words.BEFORE, Change(step, before=k), was=was)
+                usual = 1.0 if was.kind is Line else UNUSUAL
+                told = {"was": was, "usual": usual}
+                yield (), _one(step, PREVIOUS, words.BEFORE, Change(step, before=k), **told)
 
 
 def _exchanged(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
@@ -289,7 +292,8 @@ def _formulas(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
         family = SCALE if only_scales else one.family
         squared = one.op.formula.count("²") > step.op.formula.count("²")
         odd = family == LEFT_OUT and len(one.touched) > 1
-        usual = UNUSUAL if squared or odd else 1.0
+        turned = only_scales or (any(map(_is_scale, marks)) and family == POWER)
+        usual = UNUSUAL if squared or odd or turned else 1.0
         change = Change(step._replace(op=one.op))
         if is_product(step.op) and one.family != SENSE:
             change = Change(step._replace(op=with_sense(one.op, step.op)))

@@ -12,7 +12,7 @@ from graphic_tmm.checking.mutations.evidence import Readings
 from graphic_tmm.checking.mutations.execution import executed
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis
 from graphic_tmm.checking.mutations.mistakes import NONE
-from graphic_tmm.checking.mutations.mutation import Mutation
+from graphic_tmm.checking.mutations.mutation import CRANK, Mutation
 
 
 def shown_at(one: Hypothesis, diagnosis: Diagnosis, drawing: Comparison) -> tuple[str, str]:
@@ -22,6 +22,8 @@ def shown_at(one: Hypothesis, diagnosis: Diagnosis, drawing: Comparison) -> tupl
     """
     what, readings = one.what, diagnosis.readings
     assert isinstance(what, Mutation)
+    if what.family == CRANK:
+        return "", ""  # the whole drawing stands otherwise
     wrong = {(each.taken.plan, each.taken.segment) for each in diagnosis.wrong}
     board = drawing.made.boards[one.board]
     marks: list[tuple[str, str]] = []

@@ -8,7 +8,7 @@ pole, a sheet askew; it is told with a word and is never a mistake.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
@@ -38,6 +38,8 @@ EVERYTHING = said("the table")
 FACTORS = (10.0, 0.1, 100.0, 0.01, 1000.0, 0.001)
 COMMON_FACTORS = tuple(float(f) for f in np.round(np.arange(0.95, 1.0501, 0.005), 3) if f != 1.0)
 """Up to 5 %: a scale or a copy may be so far off; what is more is a mistake."""
+OPPOSITE = 4.0
+"""Figures all of the opposite sign are rather calculated or drawn so than written down so."""
 TURNS = (-5.0, -4.0, -3.0, -2.0, -1.5, -1.0, -0.5, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0)
 """Degrees: so far askew a sheet may lie. What is turned farther was drawn so."""
 Column = tuple[str, str, str]
@@ -99,7 +101,10 @@ class Table:
 
 
 def variations(
-    table: Table, scales: Callable[[Taken], float], off: Callable[[int], complex]
+    table: Table,
+    scales: Callable[[Taken], float],
+    off: Callable[[int], complex],
+    others: Mapping[str, float],
 ) -> Iterator[Variation]:
     """Yield the variations of a table of readings.
 
@@ -111,7 +116,7 @@ def variations(
         told = {"where": where or EVERYTHING}
         yield from _moved(table, named, told, columns)
         yield from _times(table, named, told, columns)
-        yield from _quantities(table, named, told, columns, scales)
+        yield from _quantities(table, named, told, columns, scales, others)
         if not segment:
             yield from _instruments(table, named, told, columns, off)
     yield from _swapped(table)
@@ -198,7 +203,8 @@ def _times(
         for factor in (*FACTORS, -1.0):
             if factor == -1.0 and kind == "mm":
                 continue
-            yield _scaled(named, TIMES, {**told, "times": factor}, rows, 1.0 / factor)
+            found = _scaled(named, TIMES, {**told, "times": factor}, rows, 1.0 / factor)
+            yield found._replace(cost=1.0 if factor > 0.0 else OPPOSITE)
 
 
 def _scaled(
@@ -221,22 +227,20 @@ def _quantities(
     told: dict[str, object],
     columns: Sequence[Column],
     scales: Callable[[Taken], float],
+    others: Mapping[str, float],
 ) -> Iterator[Variation]:
-    """Of quantities the scale factor is inverted or another plan's; rates are in degrees."""
+    """Of quantities the scale factor is inverted or another one; rates are in degrees."""
     rows = [k for c in columns if c[2] == "value" for k in table.columns[c].values()]
     mu = np.array([scales(table.rows[k]) for k in rows])
     drawn = [k for k, m in zip(rows, mu, strict=True) if np.isfinite(m) and m > 0.0]
     if len(drawn) > 1:
         own = mu[np.isfinite(mu) & (mu > 0.0)]
         yield _scaled(named, INVERTED, told, drawn, own**2)._replace(family=SCALE)
-        for plan in table.plans():
-            others = [scales(r) for r in table.rows if r.plan == plan and not r.in_mm]
-            others = [m for m in others if np.isfinite(m) and m > 0.0]
-            if others and not np.allclose(own, others[0]):
-                words = {**told, "now": plan}
-                yield _scaled(named, OTHER_SCALE, words, drawn, own / others[0])._replace(
-                    family=SCALE
-                )
+        for letter, other in others.items():
+            if not np.allclose(own, other):
+                words = {**told, "now": letter}
+                found = _scaled(named, OTHER_SCALE, words, drawn, own / other)
+                yield found._replace(family=SCALE)
     rates = [k for k, m in zip(rows, mu, strict=True) if not np.isfinite(m)]
     if len(rates) > 1:
         yield _scaled(named, DEGREES, told, rates, np.pi / 180.0)

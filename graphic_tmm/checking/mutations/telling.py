@@ -44,8 +44,10 @@ def told(diagnosis: Diagnosis, drawing: Comparison, language: str) -> tuple[Like
     """Return what is told of a diagnosis, the surest first."""
     speech = speaking(language)
     found = [_named(group, sure, diagnosis, drawing, speech) for group, sure in diagnosis.named]
-    if found or not diagnosis.wrong:
+    if found:
         return tuple(found)
+    if not diagnosis.wrong:
+        return ()
     roots = [one for one in diagnosis.wrong if one.follows is None]
     if len({(one.taken.plan, one.taken.segment, one.taken.position) for one in roots}) == 1:
         return (_slip(roots, speech),)
@@ -96,7 +98,7 @@ def _named(
         plan,
         segment,
         position,
-        mark.letter if mark is not None else "",
+        mark.letter if mark is not None and plan else "",
         sure,
     )
 
