@@ -156,7 +156,7 @@ def _of_table(readings: Readings, base: Board) -> Iterator[Hypothesis]:
         due, before = (_due(drawing, taken) for taken in (one, other))
         return abs(due - before) > 3.0 * drawing.by.spread[one.at].rms + 0.01 * abs(due)
 
-    scales = {one.name: one.value for board in drawing.made.boards for one in board.scales.values()}
+    scales = {one.symbol: one.value for board in drawing.made.boards for one in board.scales.values()}
     varied = variations(table, drawing.scale, off, scales)
     some = [table.same(), *varied, *copied(table, apart)]
     yield from of_table(some, of_variations(readings, base, some))
