@@ -28,9 +28,8 @@ from graphic_tmm.checking.mutations.hypotheses import (
     of_table,
 )
 from graphic_tmm.checking.mutations.mistakes import NONE, Mistakes, Offered
-from graphic_tmm.checking.mutations.mutation import (
-    Mutation,
-)
+from graphic_tmm.checking.mutations.mutation import FAMILIES, Mutation
+from graphic_tmm.checking.mutations.names import usual
 from graphic_tmm.checking.mutations.tables import Table, copied, variations
 from graphic_tmm.checking.records import FINE, WRONG, Judged, Taken
 
@@ -47,6 +46,8 @@ CLEAR = 8.0
 """A second mistake beside one that explains nearly all must explain so much more (natural logarithm)."""
 LIKELY = 0.5
 """A mistake is told as a perhaps if it is at least so likely among the mistakes that we know."""
+PERHAPS = 0.1
+"""Less sure than this nothing is told, not even as a perhaps."""
 MOST = 3
 """So many groups of one step and family may be told as one of them."""
 KEPT = 300
@@ -63,6 +64,7 @@ class Diagnosis(NamedTuple):
     unknown: Step | None
     wrong: tuple[Judged, ...]
     readings: Readings | None = None
+    doubtful: tuple[Judged, ...] = ()
 
 
 def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged]) -> Diagnosis:
@@ -78,23 +80,54 @@ def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged])
         found += _of_board(readings, offered, number, least, rest)
     table = mistakes.boards[0].base
     found += _of_table(readings, table)
-    named = _best(readings, found, rest)
+    said = _said(readings, mistakes, least, found, rest)
+    if not said and wrong:
+        perhaps = _perhaps(readings, found, rest)
+        said = () if perhaps is None else (perhaps,)
+    doubtful = tuple(one for one in judged if one.verdict != FINE)
+    certain = bool(said) and said[0][1] >= SURE and _acceptable(readings, said[0][0][0])
+    return Diagnosis(said, None if certain else rest.step, wrong, readings, doubtful)
+
+
+def _said(
+    readings: Readings,
+    mistakes: Mistakes,
+    least: Mapping[tuple[Key, bool], float],
+    found: Sequence[Hypothesis],
+    rest: _Rest,
+) -> tuple[tuple[tuple[Hypothesis, ...], float], ...]:
+    """Return what is sure: one mistake, two, or one beside which something is off at one position."""
+    named = _best([one for one in found if _acceptable(readings, one)], rest)
     if named is None or named[0][0].beyond:
         pair = _two(readings, mistakes, least, found, rest)
-        if pair is not None and (named is None or float(pair[1][0][0].gain.sum()) > CLEAR):
-            return Diagnosis(pair, None, wrong, readings)
-    if named is not None:
-        return Diagnosis((named,), None, wrong, readings)
-    perhaps = _perhaps(readings, found, rest) if wrong else None
-    if perhaps is not None:
-        return Diagnosis((perhaps,), rest.step, wrong, readings)
-    return Diagnosis((), rest.step, wrong, readings)
+        if pair is not None and float(pair[1][0][0].gain.sum()) > CLEAR:
+            return pair
+    if named is None:
+        named = _best([one for one in found if _but_one(readings, one)], rest)
+    return () if named is None else (named,)
+
+
+def _but_one(readings: Readings, one: Hypothesis) -> bool:
+    """Whether a hypothesis passes the gate but for one position, at which something else may be off."""
+    most, worst = int(UNEXPLAINED * readings.count), int(np.argmax(one.far))
+    elsewhere = np.delete(one.gain, worst)
+    return (
+        one.lost == 0
+        and one.elsewhere <= most
+        and int((elsewhere > 1.0).sum()) >= REPEATED
+        and float(elsewhere.sum()) > CLEAR
+        and not one.instrument
+    )
 
 
 def _repeated(judged: Sequence[Judged]) -> bool:
     """Whether one segment is doubtful so often that a hand's slips are hardly the reason."""
-    found = Counter((one.taken.plan, one.taken.segment) for one in judged if one.verdict != FINE)
-    return any(count >= REPEATED for count in found.values())
+    doubtful = [one.taken for one in judged if one.verdict != FINE]
+    segments = Counter((one.plan, one.segment) for one in doubtful)
+    places = Counter((one.plan, one.position) for one in doubtful)
+    return any(n >= REPEATED for n in segments.values()) or any(
+        n > REPEATED for n in places.values()
+    )
 
 
 class _Rest:
@@ -156,8 +189,10 @@ def _of_table(readings: Readings, base: Board) -> Iterator[Hypothesis]:
         due, before = (_due(drawing, taken) for taken in (one, other))
         return abs(due - before) > 3.0 * drawing.by.spread[one.at].rms + 0.01 * abs(due)
 
-    scales = {one.symbol: one.value for board in drawing.made.boards for one in board.scales.values()}
-    varied = variations(table, drawing.scale, off, scales)
+    scales = {
+        one.symbol: one.value for board in drawing.made.boards for one in board.scales.values()
+    }
+    varied = variations(table, drawing.scale, off, scales, apart)
     some = [table.same(), *varied, *copied(table, apart)]
     yield from of_table(some, of_variations(readings, base, some))
 
@@ -173,11 +208,8 @@ def _acceptable(readings: Readings, one: Hypothesis) -> bool:
     return one.lost == 0 and one.beyond <= most and float(one.gain.sum()) > 0.0
 
 
-def _best(
-    readings: Readings, found: Sequence[Hypothesis], rest: _Rest
-) -> tuple[tuple[Hypothesis, ...], float] | None:
+def _best(allowed: list[Hypothesis], rest: _Rest) -> tuple[tuple[Hypothesis, ...], float] | None:
     """Return the group of hypotheses that is sure, with how sure it is; None where none is."""
-    allowed = [one for one in found if _acceptable(readings, one)]
     if not allowed:
         return None
     allowed.sort(key=lambda one: -one.score)
@@ -212,7 +244,7 @@ def _perhaps(
     whole = float(np.logaddexp.reduce([*rest.scores, known]))
     group = groups(allowed[:KEPT])[0]
     mine = float(np.logaddexp.reduce([one.score for one in group]))
-    if float(np.exp(mine - known)) < LIKELY:
+    if float(np.exp(mine - known)) < LIKELY or float(np.exp(mine - whole)) < PERHAPS:
         return None
     return tuple(sorted(group, key=plausible)), min(float(np.exp(mine - whole)), UNSURE)
 
@@ -229,13 +261,10 @@ def plausible(one: Hypothesis) -> tuple[float, ...]:
     """Return the place of a hypothesis among those that no reading tells apart: the usual ones first."""
     what = one.what
     if not isinstance(what, Mutation):
-        return (0.5, 0.0, 0.0)
-    slot = min(what.slots, default=0)
-    return (
-        what.usual + (1.0 if what.wide else 0.0),
-        0.0 if one.place is None else 1.0,
-        float(slot),
-    )
+        return (what.cost - 0.5, 0.0, 0.0, 0.0)
+    odd = what.usual + (1.0 if what.wide else 0.0) - (1.0 if usual(what) else 0.0)
+    at = 0.0 if one.place is None else 1.0
+    return (odd, at, float(FAMILIES.index(what.family)), float(min(what.slots, default=0)))
 
 
 def _two(
@@ -246,36 +275,36 @@ def _two(
     rest: _Rest,
 ) -> tuple[tuple[tuple[Hypothesis, ...], float], ...] | None:
     """Return two mistakes made at once: a second round on top of the best explanations of a first."""
-    firsts = sorted((one for one in found if one.lost == 0), key=lambda one: -one.score)
-    best: tuple[float, tuple[Hypothesis, ...], tuple[Hypothesis, ...]] | None = None
-    scores = list(rest.scores)
-    for group in groups([one for one in firsts if isinstance(one.what, Mutation)][:KEPT])[:FIRST]:
+    single = [*rest.scores, *(one.score for one in found if _acceptable(readings, one))]
+    best: tuple[float, float, tuple[Hypothesis, ...], tuple[Hypothesis, ...]] | None = None
+    firsts = [one for one in found if one.lost == 0 and float(one.gain.sum()) > 0.0]
+    firsts = sorted((one for one in firsts if isinstance(one.what, Mutation)), key=_score)
+    for group in groups(firsts[:KEPT])[:FIRST]:
         first = min(group, key=plausible)
-        if first.gain.sum() <= 0.0 or not isinstance(first.what, Mutation):
-            continue
+        assert isinstance(first.what, Mutation)
         offered = mistakes.boards[first.board]
         log, given = changed.made(offered.base.log, offered.base.given, first.what, first.place)
         base = Board(offered.board, log, given)
-        seconds = _second(readings, offered, base, first, least)
-        scores += [one.score for one in seconds]
-        allowed = [one for one in seconds if _acceptable(readings, one)]
+        allowed = [
+            one
+            for one in _second(readings, offered, base, first, least)
+            if _acceptable(readings, one)
+        ]
         if not allowed:
             continue
-        second = groups(sorted(allowed, key=lambda one: -one.score)[:KEPT])[0]
-        if best is None or second[0].score > best[0]:
-            best = (
-                second[0].score,
-                tuple(sorted(group, key=plausible)),
-                tuple(sorted(second, key=plausible)),
-            )
-    if best is None:
+        second = groups(sorted(allowed, key=_score)[:KEPT])[0]
+        score = float(np.logaddexp.reduce([one.score for one in second]))
+        whole = float(np.logaddexp.reduce([*single, *(one.score for one in allowed)]))
+        if best is None or score > best[0]:
+            pair = tuple(sorted(group, key=plausible)), tuple(sorted(second, key=plausible))
+            best = score, float(np.exp(score - whole)), *pair
+    if best is None or best[1] < SURE:
         return None
-    scores += [one.score for one in found if _acceptable(readings, one)]
-    whole = float(np.logaddexp.reduce(scores))
-    sure = float(np.exp(np.logaddexp.reduce([one.score for one in best[2]]) - whole))
-    if sure < SURE:
-        return None
-    return (best[1], sure), (best[2], sure)
+    return (best[2], best[1]), (best[3], best[1])
+
+
+def _score(one: Hypothesis) -> float:
+    return -one.score
 
 
 def _second(

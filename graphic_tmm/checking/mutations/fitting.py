@@ -19,7 +19,7 @@ GRID = (0.4, 0.5, 0.6, 0.7, 0.8, 0.88, 1.12, 1.25, 1.4, 1.6, 1.8, 2.2)
 """Where the search begins: so many times as large a given was taken."""
 STEP, ROUNDS = 0.01, 3
 """The step of the differences, and how often a step is taken: from a grid of 12 % the third is below 0.1 %."""
-NEAR = 0.05
+NEAR = 0.1
 """What is nearer to 1 is an instrument's, or a reading's, not a mistake."""
 FARTHEST = 0.2
 """No step goes farther (of the logarithm): a parabola is none beyond."""
@@ -32,7 +32,7 @@ def fitted(
 
     The first row is the log as it is. ``least``: by how much a figure must move that is not fine.
     """
-    trial = [NONE, *(misread(marks, 1.0 + NEAR * 4) for marks in offered.free)]
+    trial = [NONE, *(misread(marks, 1.2) for marks in offered.free)]
     rows = offered.moving(least, offered.run(trial, base)) if offered.free else np.zeros(1, int)
     free = [offered.free[k - 1] for k in rows if k]
     if not free:

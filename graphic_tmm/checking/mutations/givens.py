@@ -6,6 +6,7 @@ length misread. How much a given was misread by is free: it is found from the re
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 from typing import Any
@@ -22,6 +23,7 @@ from graphic_tmm.checking.mutations.mutation import (
     FACTOR,
     GIVEN,
     SENSE,
+    WRONG_END,
     Amiss,
     Mutation,
 )
@@ -30,10 +32,13 @@ from graphic_tmm.checking.mutations.words import (
     EXCHANGED_GIVEN,
     GIVEN_TIMES,
     OPPOSITE_GIVEN,
+    OTHER_END,
     OTHER_WAY,
 )
 
 Given = Mapping[Mark, object]
+SENSED = ("1/s", "1/s²", "N", "N·m")
+"""Units of what has a sense; a length has one only where it is a coordinate, and below zero."""
 
 
 def mistaken(log: Construction, given: Given) -> Iterator[Mutation]:
@@ -67,6 +72,18 @@ def _named(log: Construction, given: Given) -> dict[tuple[str, str], list[Mark]]
     return found
 
 
+def _from_other_end(
+    one: Sequence[Mark], other: Sequence[Mark], first: float, second: float
+) -> Iterator[Mutation]:
+    """Yield the shorter of two lengths of a link as if it were counted from the other end of the longer."""
+    short, long = (one, other) if abs(first) < abs(second) else (other, one)
+    begins = (re.match(r"l_\{?(\D)", marks[0].name) for marks in (short, long))
+    letters = [found[1] if found else "" for found in begins]
+    if letters[0] and letters[0] == letters[1]:
+        whole = max(first, second, key=abs)
+        yield _all(WRONG_END, OTHER_END, short, -1.0, whole, now=long[0])
+
+
 def misread(marks: Sequence[Mark], factor: float) -> Mutation:
     """Return the mutation of a given that was taken so many times as large."""
     return _all(GIVEN, GIVEN_TIMES, marks, factor, times=factor)
@@ -85,7 +102,8 @@ def _of(marks: Sequence[Mark], value: object) -> Iterator[Mutation]:
         for plus in (180.0, 90.0, -90.0, *_interval(value)):
             yield _all(CRANK, COUNTED, marks, 1.0, plus, times=plus)
         return
-    yield _all(SENSE, OPPOSITE_GIVEN, marks, -1.0)
+    if marks[0].unit in SENSED or np.all(np.asarray(value) < 0.0):
+        yield _all(SENSE, OPPOSITE_GIVEN, marks, -1.0)
     for factor in (2.0, 0.5, *POWERS_OF_TEN, *BY_UNIT.get(marks[0].unit, ())):
         yield _all(FACTOR, GIVEN_TIMES, marks, factor, times=factor)
 
@@ -107,4 +125,7 @@ def _exchanged(log: Construction, given: Given) -> Iterator[Mutation]:
             continue
         amiss = {mark.slot: Amiss(other[0]) for mark in one}
         amiss |= {mark.slot: Amiss(one[0]) for mark in other}
+        yield from _from_other_end(
+            one, other, float(np.ravel(first)[0]), float(np.ravel(second)[0])
+        )
         yield Mutation(EXCHANGED, EXCHANGED_GIVEN, {}, amiss, was=one[0], now=other[0])

@@ -201,7 +201,7 @@ def _exchanged(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
         uses = list(step.uses)
         uses[j], uses[k] = uses[k], uses[j]
         change = Change(step._replace(uses=tuple(uses)))
-        family = MIRRORED if step.op is similar else SENSE
+        family = WRONG_END if step.op is similar else SENSE
         key = (family, step.op.name, j) if step.it.role != roles.INERTIA else (roles.INERTIA,)
         says = words.LETTERS if step.op is similar else words.SENSE
         yield key, _one(step, family, says, change, was=step.uses[j], now=step.uses[k])
@@ -256,7 +256,8 @@ def _directions(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
         says = words.SENSE if step.uses[0].role != roles.NORMAL else words.WRONG_END
         yield (), _one(step, SENSE, says, change, was=step.uses[1])
         nothing = Change(step._replace(op=_not_at_all(step.op)))
-        yield (), _one(step, LEFT_OUT, words.LEFT_OUT, nothing, was=step.uses[1])
+        told = {"was": step.uses[1], "usual": 1.5}
+        yield (), _one(step, LEFT_OUT, words.LEFT_OUT, nothing, **told)
 
 
 @cache

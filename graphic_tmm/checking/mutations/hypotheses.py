@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.checking.mutations.evidence import Evidence
-from graphic_tmm.checking.mutations.mutation import FAMILIES, Mutation
+from graphic_tmm.checking.mutations.mutation import FAMILIES, PREVIOUS, Mutation
 from graphic_tmm.checking.mutations.tables import Variation
 from graphic_tmm.checking.records import INSTRUMENT
 
@@ -17,9 +17,10 @@ Array = NDArray[np.float64]
 NO_MISTAKE, SOMETHING, INSTRUMENTS, KNOWN = 0.6, 0.1, 0.05, 0.25
 """What is expected beforehand: most drawings hold no mistake; of the others the known ones are most."""
 EVERYWHERE = 0.75
-"""A mistake is made wherever it can be in three of four drawings, else in one position."""
-FITTED = 3.0
-"""What a free number costs that is found from the readings: it may be any of some twenty (logarithm)."""
+"""A mistake is made wherever it can be in three of four drawings, else in one position; what is taken from the
+position before rather once."""
+FITTED = 4.5
+"""What a free number costs that is found from the readings: it may be any of some hundred (logarithm)."""
 UNEXPLAINED = 0.03
 """No name is given that leaves a larger share of the readings beyond what a hand does."""
 ALIKE = 0.5
@@ -41,6 +42,12 @@ class Hypothesis(NamedTuple):
     gain: Array
     beyond: int
     lost: int
+    far: Array
+
+    @property
+    def elsewhere(self) -> int:
+        """How many readings it leaves unexplained but in the worst position: there may be a slip beside it."""
+        return self.beyond - int(self.far.max(initial=0.0))
 
     @property
     def instrument(self) -> bool:
@@ -83,6 +90,7 @@ def of_table(some: Sequence[Variation], evidence: Evidence) -> Iterator[Hypothes
             evidence.gain[row],
             int(evidence.beyond[row].sum()),
             0,
+            evidence.beyond[row],
         )
 
 
@@ -91,26 +99,28 @@ def _scoped(
 ) -> Iterator[Hypothesis]:
     gain, beyond, lost = evidence.gain[row], evidence.beyond, evidence.lost[row]
     total = float(gain.sum())
+    everywhere = 1.0 - EVERYWHERE if one.family == PREVIOUS else EVERYWHERE
     yield Hypothesis(
         one,
         board,
         None,
-        prior + float(np.log(EVERYWHERE)) + total,
+        prior + float(np.log(everywhere)) + total,
         gain,
         int(beyond[row].sum()),
         int(lost.sum()),
+        beyond[row],
     )
     places = np.flatnonzero(gain[:-1])
     if places.size < 2 or not one.changes:
         return
-    base = float(beyond[0].sum())
     place = int(places[np.argmax(gain[places])])
     single = np.zeros_like(gain)
     single[place] = gain[place]
-    one_of = float(np.log((1.0 - EVERYWHERE) / places.size))
-    far = base - beyond[0, place] + beyond[row, place]
+    one_of = float(np.log((1.0 - everywhere) / places.size))
+    far = beyond[0].copy()
+    far[place] = beyond[row, place]
     score = prior + one_of + float(gain[place])
-    yield Hypothesis(one, board, place, score, single, int(far), int(lost[place]))
+    yield Hypothesis(one, board, place, score, single, int(far.sum()), int(lost[place]), far)
 
 
 def groups(some: Sequence[Hypothesis]) -> list[list[Hypothesis]]:

@@ -12,10 +12,12 @@ LEFT_OUT, DIRECTION, SENSE, WRONG_END = "left out", "direction", "sense", "wrong
 MEETING, MIRRORED, START, SCALE = "meeting", "mirrored", "start", "scale"
 EXCHANGED, CRANK, GIVEN, TABLE = "exchanged", "crank", "given", "table"
 FAMILIES = (
-    *(OPERAND, PREVIOUS, FACTOR, POWER, LEFT_OUT, DIRECTION, SENSE, WRONG_END),
-    *(MEETING, MIRRORED, START, SCALE, EXCHANGED, CRANK, GIVEN, TABLE),
+    *(LEFT_OUT, SENSE, WRONG_END, OPERAND, FACTOR, POWER, DIRECTION, START, MEETING, MIRRORED),
+    *(SCALE, EXCHANGED, CRANK, GIVEN, PREVIOUS, TABLE),
 )
-"""What mistakes are of: a family has the same share of what is expected beforehand as any other."""
+"""What mistakes are of: a family has the same share of what is expected beforehand as any other.
+
+In the order in which they are told where nothing else tells mistakes apart."""
 
 
 class Change(NamedTuple):

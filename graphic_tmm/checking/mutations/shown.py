@@ -24,7 +24,7 @@ def shown_at(one: Hypothesis, diagnosis: Diagnosis, drawing: Comparison) -> tupl
     assert isinstance(what, Mutation)
     if what.family == CRANK:
         return "", ""  # the whole drawing stands otherwise
-    wrong = {(each.taken.plan, each.taken.segment) for each in diagnosis.wrong}
+    wrong = {(each.taken.plan, each.taken.segment) for each in diagnosis.doubtful}
     board = drawing.made.boards[one.board]
     marks: list[tuple[str, str]] = []
     if readings is not None and drawing.made.mechanism is board:

@@ -105,6 +105,7 @@ def variations(
     scales: Callable[[Taken], float],
     off: Callable[[int], complex],
     others: Mapping[str, float],
+    apart: Callable[[int, int], bool],
 ) -> Iterator[Variation]:
     """Yield the variations of a table of readings.
 
@@ -119,7 +120,7 @@ def variations(
         yield from _quantities(table, named, told, columns, scales, others)
         if not segment:
             yield from _instruments(table, named, told, columns, off)
-    yield from _swapped(table)
+    yield from _swapped(table, apart)
 
 
 def _moved(
@@ -246,7 +247,7 @@ def _quantities(
         yield _scaled(named, DEGREES, told, rates, np.pi / 180.0)
 
 
-def _swapped(table: Table) -> Iterator[Variation]:
+def _swapped(table: Table, apart: Callable[[int, int], bool]) -> Iterator[Variation]:
     for plan in table.plans():
         mine = [c for c in table.columns if c[0] == plan]
         for one, other in combinations(mine, 2):
@@ -256,8 +257,8 @@ def _swapped(table: Table) -> Iterator[Variation]:
             source = named.source.copy()
             first, second = table.columns[one], table.columns[other]
             common = first.keys() & second.keys()
-            if len(common) < 2:
-                continue
+            if sum(apart(first[p], second[p]) for p in common) < 2:
+                continue  # links that turn alike have the same figures
             for p in common:
                 source[first[p]], source[second[p]] = second[p], first[p]
             told = {"one": one[1], "other": other[1]}

@@ -9,7 +9,7 @@ from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.record import Mark
 from graphic_tmm.captions import view_name
 from graphic_tmm.checking.judging.comparison import Comparison
-from graphic_tmm.checking.mutations.diagnosis import Diagnosis
+from graphic_tmm.checking.mutations.diagnosis import SURE, Diagnosis
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis
 from graphic_tmm.checking.mutations.mutation import Mutation
 from graphic_tmm.checking.mutations.names import BY_FAMILY, INSTRUMENT, name_of
@@ -43,15 +43,16 @@ TENFOLD = 0.05
 def told(diagnosis: Diagnosis, drawing: Comparison, language: str) -> tuple[Likely, ...]:
     """Return what is told of a diagnosis, the surest first."""
     speech = speaking(language)
-    found = [_named(group, sure, diagnosis, drawing, speech) for group, sure in diagnosis.named]
-    if found:
-        return tuple(found)
-    if not diagnosis.wrong:
-        return ()
     roots = [one for one in diagnosis.wrong if one.follows is None]
-    if len({(one.taken.plan, one.taken.segment, one.taken.position) for one in roots}) == 1:
+    alone = len({one.taken.key for one in roots}) == 1
+    sure = [row for row in diagnosis.named if row[1] >= SURE]
+    if alone and not sure and _tenfold(roots[0]):
         return (_slip(roots, speech),)
-    return (_unknown(diagnosis, drawing, speech),)
+    found = [_named(group, chance, diagnosis, drawing, speech) for group, chance in diagnosis.named]
+    if (found and (diagnosis.unknown is None or not sure)) or not diagnosis.wrong:
+        return tuple(found)
+    rest = _slip(roots, speech) if alone else _unknown(diagnosis, drawing, speech)
+    return (*found, rest)
 
 
 def _named(
@@ -63,7 +64,7 @@ def _named(
 ) -> Likely:
     first, wrong = group[0], diagnosis.wrong
     says = list(dict.fromkeys(_says(one, drawing, speech) for one in group))
-    lines = tuple(one.taken.line for one in wrong)
+    lines = tuple(one.taken.line for one in wrong or diagnosis.doubtful)
     what = first.what
     names = drawing.made.mechanism.names if drawing.made.mechanism is not None else ()
     position = names[first.place] if first.place is not None else ""
@@ -151,8 +152,7 @@ def _called(mark: Mark, language: str) -> str:
 
 def _slip(wrong: Sequence[Judged], speech: Speech) -> Likely:
     one = wrong[0]
-    times = abs(one.found / one.due) if one.due else 1.0
-    tenfold = any(abs(times / ten - 1.0) < TENFOLD for ten in (10.0, 0.1, 100.0, 0.01))
+    tenfold = _tenfold(one)
     says = speech(SLIP_TEN if tenfold else SLIP_SAYS, segment=one.taken.segment)
     lines = tuple(dict.fromkeys(each.taken.line for each in wrong))
     return Likely(
@@ -169,6 +169,12 @@ def _slip(wrong: Sequence[Judged], speech: Speech) -> Likely:
         step=one.step,
         chance=1.0,
     )
+
+
+def _tenfold(one: Judged) -> bool:
+    """Whether a reading is ten or a hundred times too large or too small."""
+    times = abs(one.found / one.due) if one.due else 1.0
+    return any(abs(times / ten - 1.0) < TENFOLD for ten in (10.0, 0.1, 100.0, 0.01))
 
 
 def _unknown(diagnosis: Diagnosis, drawing: Comparison, speech: Speech) -> Likely:

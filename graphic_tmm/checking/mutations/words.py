@@ -20,7 +20,9 @@ BEGUN = said("{it} was drawn from {now} instead of {was}")
 DIRECTED = said("{it} was drawn by the direction of {now} instead of {was}")
 LAID = said("for {it} {now} was laid off instead of {was}")
 BEFORE = said("for {it} {was} of the position before was taken")
-LETTERS = said("the figure similar to the link was built for {it} with {was} and {now} exchanged")
+LETTERS = said(
+    "{it} was found from the other end: {was} and {now} were exchanged in the similarity"
+)
 MIRRORED = said("the figure similar to the link was built mirrored for {it}")
 SENSE = said("{it} has the opposite sense")
 WRONG_END = said("the normal component {it} points away from the centre of rotation")
@@ -35,6 +37,7 @@ SCALE = said("{it} was calculated with the scale factor {now} instead of {was}")
 OTHER_WAY = said("the crank was turned the other way")
 COUNTED = said("the crank's angles were counted from {times}° further on")
 OPPOSITE_GIVEN = said("{was}, which is given, was taken with the opposite sense")
+OTHER_END = said("{was} was counted from the other end of {now}")
 GIVEN_TIMES = said("{was}, which is given, was taken {times} times as large")
 EXCHANGED_GIVEN = said("{was} and {now} were exchanged")
 
