@@ -7,12 +7,13 @@ posteriors only compare, and the best of bad explanations is none.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.record import Step
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations import changed
@@ -46,6 +47,8 @@ CLEAR = 8.0
 """A second mistake beside one that explains nearly all must explain so much more (natural logarithm)."""
 LIKELY = 0.5
 """A mistake is told as a perhaps if it is at least so likely among the mistakes that we know."""
+DIRECT = 0.75
+"""So much more usual is a mistake at the very step whose reading is off."""
 PERHAPS = 0.1
 """Less sure than this nothing is told, not even as a perhaps."""
 MOST = 3
@@ -85,7 +88,11 @@ def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged])
         perhaps = _perhaps(readings, found, rest)
         said = () if perhaps is None else (perhaps,)
     doubtful = tuple(one for one in judged if one.verdict != FINE)
-    certain = bool(said) and said[0][1] >= SURE and _acceptable(readings, said[0][0][0])
+    whole = len(said) > 1 or (bool(said) and _acceptable(readings, said[0][0][0]))
+    certain = whole and said[0][1] >= SURE
+    wronged = {one.taken.key for one in doubtful}
+    off = {mark for (mark, _), taken in readings.by_mark.items() if taken.key in wronged}
+    said = tuple((tuple(sorted(group, key=partial(plausible, off=off))), at) for group, at in said)
     return Diagnosis(said, None if certain else rest.step, wrong, readings, doubtful)
 
 
@@ -257,12 +264,16 @@ def at_step(one: Hypothesis) -> tuple[object, ...]:
     return (what.family, what.at.it if what.at is not None else what.was)
 
 
-def plausible(one: Hypothesis) -> tuple[float, ...]:
-    """Return the place of a hypothesis among those that no reading tells apart: the usual ones first."""
+def plausible(one: Hypothesis, off: Container[Mark] = ()) -> tuple[float, ...]:
+    """Return the place of a hypothesis among those that no reading tells apart: the usual ones first.
+
+    ``off``: marks whose readings are off; what is off itself is rather wrong than what it was found from.
+    """
     what = one.what
     if not isinstance(what, Mutation):
         return (what.cost - 0.5, 0.0, 0.0, 0.0)
     odd = what.usual + (1.0 if what.wide else 0.0) - (1.0 if usual(what) else 0.0)
+    odd -= DIRECT if what.at is not None and what.at.it in off else 0.0
     at = 0.0 if one.place is None else 1.0
     return (odd, at, float(FAMILIES.index(what.family)), float(min(what.slots, default=0)))
 
