@@ -72,8 +72,8 @@ def checks(
             known_by[read] = yardstick(made, rows, drawing, limits, points)
         by = known_by[read]
         judged = judge(made, rows, by)
-        drawing = Comparison(made, [part for taken in rows for part in taken.parts()], by)
-        found = told(diagnosed(mistakes, drawing, judged), drawing, scene.language)
+        compared = Comparison(made, [part for taken in rows for part in taken.parts()], by)
+        found = told(diagnosed(mistakes, compared, judged), compared, scene.language)
         name = scene_name(scene.source)
         yield Report(name, scene.title, scene.language, hand, judged, found, notes)
 

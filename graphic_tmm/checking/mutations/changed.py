@@ -31,7 +31,8 @@ def made(
 
 
 def _positions(given: Mapping[Mark, object]) -> int:
-    return max((np.shape(v)[1] for v in given.values() if np.ndim(v) == 2), default=1)  # type: ignore[arg-type]
+    rows = [value for value in given.values() if isinstance(value, np.ndarray) and value.ndim > 1]
+    return max((value.shape[1] for value in rows), default=1)
 
 
 def _changed(step: Step, change: Change, place: int | None, positions: int) -> Step:

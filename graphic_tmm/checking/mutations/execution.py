@@ -41,14 +41,14 @@ class Beside(NamedTuple):
 
     base: Mapping[int, Any]
     rows: Mapping[int, Sparse]
-    count: int
+    size: int
 
     def whole(self, slot: int) -> Any:
         """Return a mark in all rows, (row, position); (1, position) where all are the base."""
         if slot not in self.rows:
             return self.base[slot]
         sparse = self.rows[slot]
-        return _put(self.base[slot], self.count, sparse.rows, sparse.value)
+        return _put(self.base[slot], self.size, sparse.rows, sparse.value)
 
 
 Seen = Callable[[Step, Rows | None, list[Any], Any], Any]
@@ -95,7 +95,7 @@ def _amiss(base: Mapping[int, Any], mutations: Sequence[Mutation]) -> Iterator[t
 
 
 def _wide(values: Iterable[Any]) -> int:
-    return max(v.shape[1] for v in values)
+    return max(int(v.shape[1]) for v in values)
 
 
 def _result(step: Step, drawn: Sequence[Any], rows: int, count: int) -> Any:

@@ -42,7 +42,7 @@ def fitted(
         """Return what each given gains, taken so many times as large; (given, factor)."""
         some = [misread(m, f) for m, row in zip(free, factors, strict=True) for f in row]
         found = _evidence(readings, offered, base, [NONE, *some]).gain[1:].sum(axis=1)
-        return found.reshape(len(free), -1)
+        return np.asarray(found.reshape(len(free), -1))
 
     first = gains([GRID] * len(free))
     at = np.log(np.array(GRID)[np.argmax(first, axis=1)])

@@ -54,7 +54,7 @@ def free(log: Construction, given: Given) -> tuple[tuple[Mark, ...], ...]:
     Each as the marks that stand for it in the plans where it is calculated with.
     """
     return tuple(
-        marks
+        tuple(marks)
         for marks in _named(log, given).values()
         if marks[0].role != roles.CRANK_ANGLE and np.all(np.asarray(given[marks[0]]) != 0.0)
     )
@@ -67,7 +67,7 @@ def _named(log: Construction, given: Given) -> dict[tuple[str, str], list[Mark]]
         angle = mark.role == roles.CRANK_ANGLE
         size = mark.kind in (Number, Length) and bool(mark.unit) and not mark.unit.endswith("/mm")
         size = size or (mark.kind is Angle and bool(mark.name))
-        if mark in given and (angle or (size and np.size(given[mark]) == 1)):
+        if mark in given and (angle or (size and _single(given[mark]))):
             found.setdefault((mark.name, mark.unit), []).append(mark)
     return found
 
@@ -82,6 +82,10 @@ def _from_other_end(
     if letters[0] and letters[0] == letters[1]:
         whole = max(first, second, key=abs)
         yield _all(WRONG_END, OTHER_END, short, -1.0, whole, now=long[0])
+
+
+def _single(value: object) -> bool:
+    return not isinstance(value, tuple) and np.size(np.asarray(value)) == 1
 
 
 def misread(marks: Sequence[Mark], factor: float) -> Mutation:

@@ -178,9 +178,7 @@ def _before(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
     if step.op.across:
         return
     for k, was in enumerate(step.uses):
-        if was.kind in (Line, Length) or (
-            was.kind is Point and step.op in (measure, measure_along)
-        ):
+        if was.kind in (Line, Length, Number, Point, Angle):
             made = scope.step(was)
             if made is not None:
                 usual = 1.0 if was.kind is Line else UNUSUAL
@@ -235,7 +233,7 @@ def _directions(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
         turned = Change(step._replace(choice={**step.choice, "sense": -sense}))
         normal = step.it.role == roles.NORMAL
         family = WRONG_END if normal else SENSE
-        key = (family, step.it.role) if normal else ()
+        key: Key = (family, step.it.role) if normal else ()
         says = words.WRONG_END if normal else words.SENSE
         yield key, _one(step, family, says, turned)
     if step.op in (parallel, square):
@@ -249,15 +247,36 @@ def _directions(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
             change = Change(
                 step._replace(choice={"quarters": (step.choice["quarters"] + quarters) % 4})
             )
-            key = (DIRECTION, step.op.name, quarters)
-            yield key, _one(step, DIRECTION, words.TURNED, change)
+            yield (DIRECTION, step.op.name, quarters), _one(step, DIRECTION, words.TURNED, change)
+    if step.it.kind is Line and step.op not in (parallel, square):
+        for quarters in (1, 2, 3):
+            change = Change(step._replace(op=_turned(step.op, quarters)))
+            yield (), _one(step, DIRECTION, words.TURNED, change, usual=UNUSUAL)
     if step.op is lay_off:
+        for factor in (2.0, 0.5):
+            change = Change(step._replace(op=_times(step.op, factor)))
+            told = {"was": step.uses[1], "times": factor}
+            yield (), _one(step, FACTOR, words.LAID_TIMES, change, **told)
         change = Change(step._replace(op=_backwards(step.op)))
         says = words.SENSE if step.uses[0].role != roles.NORMAL else words.WRONG_END
         yield (), _one(step, SENSE, says, change, was=step.uses[1])
         nothing = Change(step._replace(op=_not_at_all(step.op)))
         told = {"was": step.uses[1], "usual": 1.5}
         yield (), _one(step, LEFT_OUT, words.LEFT_OUT, nothing, **told)
+
+
+@cache
+def _turned(op: Operation, quarters: int) -> Operation:
+    def run(*values: Any, **choice: Any) -> Any:
+        line = op.run(*values, **choice)
+        return Line(line.at, line.along * 1j**quarters)
+
+    return op._replace(run=run)
+
+
+@cache
+def _times(op: Operation, factor: float) -> Operation:
+    return op._replace(run=lambda on, length: op.run(on, factor * length))
 
 
 @cache
@@ -315,12 +334,12 @@ def _factors(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
         return
     unit = step.it.unit
     for factor in (2.0, 0.5, *POWERS_OF_TEN, *BY_UNIT.get(unit, ())):
-        key = (FACTOR, step.op.name, factor)
         usual = 1.0 if factor in (2.0, 0.5) else 2.0
         change = Change(step, factor=factor)
-        yield key, _one(step, FACTOR, words.FACTOR, change, times=factor, usual=usual)
+        of = (FACTOR, step.op.name, factor)
+        yield of, _one(step, FACTOR, words.FACTOR, change, times=factor, usual=usual)
     yield (LEFT_OUT, step.op.name), _one(step, LEFT_OUT, words.LEFT_OUT, Change(step, factor=0.0))
-    key = (roles.INERTIA,) if step.it.role == roles.INERTIA else (SENSE, step.op.name)
+    key: Key = (roles.INERTIA,) if step.it.role == roles.INERTIA else (SENSE, step.op.name)
     yield key, _one(step, SENSE, words.SENSE, Change(step, factor=-1.0))
 
 

@@ -71,9 +71,9 @@ class Offered:
         ``wanted``: figures, by key and whether in mm, and by how much they must move.
         """
         beside = beside or self.plain
-        rows = np.arange(beside.count)
+        rows = np.arange(beside.size)
         told = figures_of(self.made, self.board, beside, rows, tuple(wanted))
-        moves = np.zeros(beside.count, dtype=bool)
+        moves = np.zeros(beside.size, dtype=bool)
         moves[0] = True
         for at, row in told.items():
             with np.errstate(all="ignore"):

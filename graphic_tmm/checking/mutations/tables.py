@@ -59,7 +59,7 @@ class Variation(NamedTuple):
     source: NDArray[np.intp]
     factor: NDArray[np.complex128]
     plus: NDArray[np.complex128]
-    told: dict[str, object]
+    told: Mapping[str, object]
     plan: str = ""
     segment: str = ""
     position: str = ""
@@ -126,7 +126,7 @@ def variations(
 def _moved(
     table: Table,
     named: Variation,
-    told: dict[str, object],
+    told: Mapping[str, object],
     columns: Sequence[Column],
 ) -> Iterator[Variation]:
     """Rows one further, one too early, in the reversed order; two exchanged, one copied from another."""
@@ -153,7 +153,7 @@ def _by_position(
     table: Table,
     named: Variation,
     says: str,
-    told: dict[str, object],
+    told: Mapping[str, object],
     columns: Sequence[Column],
     to: dict[str, str],
 ) -> Variation:
@@ -194,7 +194,7 @@ def _figure(taken: Taken) -> object:
 def _times(
     table: Table,
     named: Variation,
-    told: dict[str, object],
+    told: Mapping[str, object],
     columns: Sequence[Column],
 ) -> Iterator[Variation]:
     for kind in ("mm", "value", "xy"):
@@ -211,7 +211,7 @@ def _times(
 def _scaled(
     named: Variation,
     says: str,
-    told: dict[str, object],
+    told: Mapping[str, object],
     rows: Sequence[int],
     factor: complex | NDArray[np.float64],
     plus: complex = 0.0,
@@ -225,7 +225,7 @@ def _scaled(
 def _quantities(
     table: Table,
     named: Variation,
-    told: dict[str, object],
+    told: Mapping[str, object],
     columns: Sequence[Column],
     scales: Callable[[Taken], float],
     others: Mapping[str, float],
@@ -268,7 +268,7 @@ def _swapped(table: Table, apart: Callable[[int, int], bool]) -> Iterator[Variat
 def _instruments(
     table: Table,
     named: Variation,
-    told: dict[str, object],
+    told: Mapping[str, object],
     columns: Sequence[Column],
     off: Callable[[int], complex],
 ) -> Iterator[Variation]:
