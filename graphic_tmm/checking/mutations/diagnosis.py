@@ -105,10 +105,12 @@ def _said(
 ) -> tuple[tuple[tuple[Hypothesis, ...], float], ...]:
     """Return what is sure: one mistake, two, or one beside which something is off at one position."""
     named = _best([one for one in found if _acceptable(readings, one)], rest)
-    if named is None or named[0][0].beyond:
+    if named is None or named[0][0].beyond >= REPEATED:
         pair = _two(readings, mistakes, least, found, rest)
-        if pair is not None and float(pair[1][0][0].gain.sum()) > CLEAR:
-            return pair
+        if pair is not None:
+            first, second = pair[0][0][0], pair[1][0][0]
+            if float(second.gain.sum()) > CLEAR and first.beyond - second.beyond >= REPEATED:
+                return pair
     if named is None:
         named = _best([one for one in found if _but_one(readings, one)], rest)
     return () if named is None else (named,)

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from graphic_tmm.board.grammar import OPERATIONS
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Length, Point
 from graphic_tmm.checking.judging import slips
@@ -96,6 +97,10 @@ class Own:
         """Return errors, (part, row, position)."""
         if step.it.kind is not Point:
             return np.asarray(apart(read, value))[None]
+        known = OPERATIONS.get(step.op.name)
+        if known is None or known.run is not step.op.run:
+            # lines and lengths tell nothing of what was done with them otherwise
+            return np.asarray(slips.off_place(read, value))[None]
         values = {mark.slot: one for mark, one in zip(step.uses, drawn, strict=True)}
         parts = errors_at(
             lambda mark: exact(self.work, mark), self.lines, step, read, value, values, self.due

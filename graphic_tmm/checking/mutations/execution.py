@@ -71,7 +71,8 @@ def executed(
     count = max(map(places, base.values()), default=1)
     rows: dict[int, Sparse] = dict(_amiss(base, mutations))
     with np.errstate(all="ignore"):
-        for step in needed(log, wanted):
+        taken_ = (m for one in mutations for way in one.changes.values() for m in way.step.uses)
+        for step in needed(log, (*wanted, *taken_)):
             it = step.it.slot
             drawn = [base[m.slot] for m in step.uses]
             base[it] = seen(step, None, drawn, _result(step, drawn, 1, count))

@@ -90,7 +90,7 @@ def _single(value: object) -> bool:
 
 def misread(marks: Sequence[Mark], factor: float) -> Mutation:
     """Return the mutation of a given that was taken so many times as large."""
-    return _all(GIVEN, GIVEN_TIMES, marks, factor, times=factor)
+    return _all(GIVEN, GIVEN_TIMES, marks, factor, times=factor, usual=2.0)
 
 
 def _all(

@@ -18,7 +18,6 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.operations.instruments import (
     lay_off,
-    measure,
     measure_along,
     parallel,
     similar,
@@ -178,7 +177,7 @@ def _before(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
     if step.op.across:
         return
     for k, was in enumerate(step.uses):
-        if was.kind in (Line, Length, Number, Point, Angle):
+        if was.kind in (Line, Length):
             made = scope.step(was)
             if made is not None:
                 usual = 1.0 if was.kind is Line else UNUSUAL

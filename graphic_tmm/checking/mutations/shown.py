@@ -38,6 +38,27 @@ def shown_at(one: Hypothesis, diagnosis: Diagnosis, drawing: Comparison) -> tupl
     return (mark.view, segment_name(mark.letter)) if mark is not None else ("", "")
 
 
+def explained(one: Hypothesis, diagnosis: Diagnosis, drawing: Comparison) -> tuple[int, ...]:
+    """Return the lines of the wrong readings that a mistake moves; of all where that cannot be told."""
+    what, readings = one.what, diagnosis.readings
+    some = diagnosis.wrong or diagnosis.doubtful
+    lines = tuple(dict.fromkeys(each.taken.line for each in some))
+    if not isinstance(what, Mutation) or readings is None:
+        return lines
+    board = drawing.made.boards[one.board]
+    moved = set(_columns(one, what, readings, drawing))
+    if drawing.made.mechanism is board:
+        moved |= set(_marks(board.construction, what, readings))
+    names = drawing.made.mechanism.names if drawing.made.mechanism is not None else ()
+    at = names[one.place] if one.place is not None else ""
+    found = [
+        each.taken.line
+        for each in some
+        if (each.taken.plan, each.taken.segment) in moved and at in ("", each.taken.position)
+    ]
+    return tuple(dict.fromkeys(found)) or lines
+
+
 def _marks(log: Construction, what: Mutation, readings: Readings) -> list[tuple[str, str]]:
     """Return the readings of marks that a mutation moves, nothing read being between; in the log's order."""
     read: dict[Mark, tuple[str, str]] = {

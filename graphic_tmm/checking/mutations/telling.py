@@ -13,7 +13,7 @@ from graphic_tmm.checking.mutations.diagnosis import SURE, Diagnosis
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis
 from graphic_tmm.checking.mutations.mutation import Mutation
 from graphic_tmm.checking.mutations.names import BY_FAMILY, INSTRUMENT, name_of
-from graphic_tmm.checking.mutations.shown import shown_at
+from graphic_tmm.checking.mutations.shown import explained, shown_at
 from graphic_tmm.checking.mutations.tables import Variation
 from graphic_tmm.checking.records import (
     INSTRUMENT as OFF,
@@ -64,7 +64,7 @@ def _named(
 ) -> Likely:
     first, wrong = group[0], diagnosis.wrong
     says = list(dict.fromkeys(_says(one, drawing, speech) for one in group))
-    lines = tuple(one.taken.line for one in wrong or diagnosis.doubtful)
+    lines = explained(first, diagnosis, drawing)
     what = first.what
     names = drawing.made.mechanism.names if drawing.made.mechanism is not None else ()
     position = names[first.place] if first.place is not None else ""
