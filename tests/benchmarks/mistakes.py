@@ -23,6 +23,8 @@ from support.students.measuring import Outcome, outcomes  # noqa: E402
 from support.students.outside import OUTSIDE  # noqa: E402
 from support.students.planting import Planted  # noqa: E402
 
+from graphic_tmm.checking.records import DOUBTFUL, WRONG  # noqa: E402
+
 PARTS = {"early": EARLY}
 INSIDE: tuple[Kind, ...] = tuple(kind for part in PARTS.values() for kind in part)
 Rows = list[tuple[str, list[Outcome]]]
@@ -83,10 +85,14 @@ def write_failures(path: Path, found: Iterable[Outcome]) -> None:
                 file.write(
                     f"{of.machine} {of.mode} ruler {of.ruler:g} seed {of.seed}: {truth.kind} "
                     f"{list(truth.families)} at {places} position {truth.position or 'all'} {truth.words}"
-                    f"{'' if truth.shown else ' (does not show)'}\n"
+                    f" {truth.moved} readings show it\n"
                 )
             marks = [name for name in ("place", "family", "member") if getattr(one, name)]
-            file.write(f"    right: {', '.join(marks) or 'nothing'}; sure and wrong: {one.wrong}\n")
+            verdicts = [row.verdict for row in one.report.readings]
+            file.write(
+                f"    {verdicts.count(WRONG)} wrong, {verdicts.count(DOUBTFUL)} doubtful; right: "
+                f"{', '.join(marks) or 'nothing'}; sure and wrong: {one.wrong}\n"
+            )
             file.write(f"    told: {told(one) or 'nothing'}\n")
 
 

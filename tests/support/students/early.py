@@ -192,7 +192,7 @@ SENSES: tuple[Kind, ...] = (
     AtStep("inertia not reversed", ("sense",), ("inertia",), taking(sense=1.0), (EVERYWHERE, KIND)),
     AtStep("couple of inertia not reversed", ("sense",), ("couple",), taking(sense=1.0)),
     AtStep("Coriolis turned the other way", ("sense",), ("laid",), laid(("k",), sense=-1.0)),
-    AtStep("rate with the other sign", ("sense",), ("rate",), taking(sense=-1.0)),
+    AtStep("rate with the other sign", ("sense", "table"), ("rate",), taking(sense=-1.0)),
     AtStep("normal component from the wrong end", ("wrong end", "sense"), ("laid",),
            laid(("n",), sense=-1.0)),
     AtStep("place counted from the other end", ("wrong end",), ("image", "place"), _other_end),

@@ -6,7 +6,8 @@ What counts as right, of the finding that is told first:
   or of what was first read that shows it; a finding of a whole plan or drawing (no segment) is right where its
   family is; its position, if it tells one, is not another. "Look at step k" counts.
 - **family**: the planted one or what may be said for it as well (a component from the wrong end is a sense
-  reversed); or a mistake of the family told, at the place told, gives the same figures within half a scatter.
+  reversed); or what is told gives the same figures within half a scatter (a given that is fitted: within one);
+  so does a slip of the only reading that shows a mistake.
 - **member**: family and place, and the sentence (or one that no reading tells apart from it) has the words for
   what was taken.
 - **wrong name**: a mistake at 80 % or more (a check that tells no chance is held to be sure) whose family or
@@ -32,10 +33,11 @@ from support.students.drawing import Student
 from support.students.kinds import AtStep, Kind
 from support.students.places import own_places
 from support.students.planting import Planted, Truth, mind_of, numbers, scatter
-from support.students.records import Hand
+from support.students.records import F, Hand
 from support.students.writing import ALL, csv_of, rows_of
 
 SURE = 0.8
+VIEWS_OF_FORCES = ("loads", "group", "forces", "link", "lever", "couples")
 TOLD = (MISTAKE, SLIP, UNKNOWN)
 
 
@@ -109,25 +111,49 @@ def at_place(found: Likely, truth: Truth) -> bool:
     """Whether a finding tells where a mistake was made."""
     if truth.position and found.position not in ("", truth.position):
         return False
-    if not found.segment and not found.step:
+    plan, names = told_place(found)
+    if not names or found.family == "crank":
         return found.family in truth.families
-    places = truth.places
-    own = {
-        (found.plan, found.segment),
-        (found.plan, found.step),
-        (found.plan, ""),
-        ("", found.segment),
-    }
-    return ("", "") in places or not own.isdisjoint(places)
+    if found.family == "given" and "given" in truth.families:
+        return any(re.search(word, name) for word in truth.words for name in names)
+    own = {(plan, name) for name in (*names, "")} | {("", name) for name in names}
+    return ("", "") in truth.places or not own.isdisjoint(truth.places)
+
+
+def told_place(found: Likely) -> tuple[str, set[str]]:
+    """Return the plan and the names that a finding tells, as the student calls them.
+
+    Lines stand in brackets; the views of forces are his plan of forces, their ordinates his forces.
+    """
+    plan = F if found.plan.split()[0:1] and found.plan.split()[0] in VIEWS_OF_FORCES else found.plan
+    names = {name.strip("()") for name in (found.segment, found.step) if name}
+    if plan == F:
+        names |= {name[1:] for name in names if re.match("y[A-Z]", name)}
+    if found.family == "given":
+        names |= {name[1:] for name in names if re.match("l[A-Z]", name)}
+    return plan, names
 
 
 def of_family(found: Likely, truth: Truth, one: Planted, kinds: Sequence[Kind]) -> bool:
     """Whether a finding is of the family that was planted, or says what gives the same figures."""
     if found.kind == SLIP:
-        return "slip" in truth.families
+        return "slip" in truth.families or (truth.moved == 1 and bool(truth.families))
     if found.kind != MISTAKE or not truth.families:
         return False
-    return found.family in truth.families or same_figures(found, one, kinds)
+    if found.family in truth.families:
+        return True
+    return same_given(found, one) or same_figures(found, one, kinds)
+
+
+def same_given(found: Likely, one: Planted) -> bool:
+    """Whether a given, taken so many times as large as the finding tells, reads the same within a scatter."""
+    told = re.search(r"taken ([\d.]+) times", found.says)
+    names = told_place(found)[1] & ALL[one.machine].given.keys()
+    if found.family != "given" or not told or not names:
+        return False
+    given = {name: ALL[one.machine].given[name] * float(told[1]) for name in names}
+    student = Student(ALL[one.machine], Hand(ruler=one.ruler), one.seed, given=given)
+    return _alike(one, student, scatter(one.machine, one.mode, one.ruler), 1.0)
 
 
 def has_words(found: Likely, truth: Truth) -> bool:
@@ -137,7 +163,8 @@ def has_words(found: Likely, truth: Truth) -> bool:
 
 def same_figures(found: Likely, one: Planted, kinds: Sequence[Kind]) -> bool:
     """Whether a mistake of the family told, at the place told, reads the same within half a scatter."""
-    at = {(found.plan, found.segment), (found.plan, found.step)}
+    plan, names = told_place(found)
+    at = {(plan, name) for name in names}
     by = scatter(one.machine, one.mode, one.ruler)
     honest = Student(ALL[one.machine], Hand(ruler=one.ruler), one.seed).draw()
     for kind in kinds:
@@ -156,7 +183,9 @@ def same_figures(found: Likely, one: Planted, kinds: Sequence[Kind]) -> bool:
     return False
 
 
-def _alike(one: Planted, student: Student, by: dict[tuple[str, str, str], np.ndarray]) -> bool:
+def _alike(
+    one: Planted, student: Student, by: dict[tuple[str, str, str], np.ndarray], share: float = 0.5
+) -> bool:
     try:
         with np.errstate(all="ignore"):
             rows = rows_of(student.draw(), one.mode)
@@ -165,6 +194,6 @@ def _alike(one: Planted, student: Student, by: dict[tuple[str, str, str], np.nda
     if rows.keys() != one.rows.keys():
         return False
     return all(
-        not np.any(np.abs(numbers(rows[key]) - numbers(cells)) > 0.5 * by[key])
+        not np.any(np.abs(numbers(rows[key]) - numbers(cells)) > share * by[key])
         for key, cells in one.rows.items()
     )

@@ -21,7 +21,7 @@ TRIES = 12
 
 
 class Truth(NamedTuple):
-    """What was planted: its kind and families (none: outside), where, words of a good name, whether it shows.
+    """What was planted: kind, families (none: outside), where, words of a good name, how many readings show it.
 
     ``places``: plan and segment of the step, or of what is first read that shows it; a plan with "": anywhere
     in it, ("", ""): anywhere. ``position``: "" for everywhere.
@@ -32,7 +32,12 @@ class Truth(NamedTuple):
     places: frozenset[Place]
     position: str
     words: tuple[str, ...]
-    shown: bool
+    moved: int
+
+    @property
+    def shown(self) -> bool:
+        """Whether any reading shows it."""
+        return self.moved > 0
 
 
 class Planted(NamedTuple):
@@ -122,7 +127,7 @@ def _once(
     first = moved(one, due)
     shown = [(key[0], key[2]) for key in first if key[1] == (position or first[0][1])][:1]
     families = kind.families
-    truth = Truth(kind.name, families, frozenset({*places, *shown}), position, words, bool(first))
+    truth = Truth(kind.name, families, frozenset({*places, *shown}), position, words, len(first))
     return one._replace(truths=(truth,))
 
 
@@ -185,7 +190,7 @@ def _tabled(
     places = {(written.plan, name) for name in written.segments} or {(written.plan, "")}
     truth = Truth(
         kind.name, kind.families, frozenset(places), written.position, written.words,
-        bool(moved(one, due)),
+        len(moved(one, due)),
     )  # fmt: skip
     return one._replace(truths=(truth,))
 
