@@ -65,6 +65,11 @@ def part_of(one: Outcome) -> str:
     return next(part for part, kinds in PARTS.items() if any(kind == each.name for each in kinds))
 
 
+def readings_moved(one: Outcome) -> str:
+    moved = one.planted.truths[0].moved
+    return next(f"up to {most}" for most in (0, 1, 3, 10, 10_000) if moved <= most)
+
+
 def told(one: Outcome) -> str:
     """Return what a report said, in a line."""
     return "; ".join(
@@ -161,6 +166,11 @@ def main() -> None:
             table("part", by(part_of, found))
             table("family", by(lambda one: one.planted.truths[0].families[0], found))
             table("scene", by(lambda one: one.planted.machine, found))
+            table(
+                "reach",
+                by(lambda one: "one position" if one.planted.truths[0].position else "all", found),
+            )
+            table("readings that show it", by(readings_moved, found))
             table("read as", by(lambda one: one.planted.mode, found))
             table("kind", by(lambda one: one.planted.truths[0].kind, found))
             failed += [
