@@ -74,14 +74,30 @@ def scatter(machine: str, mode: str, ruler: float) -> dict[tuple[str, str, str],
 
 def moved(one: Planted, due: Rows) -> list[tuple[str, str, str]]:
     """Return the readings that a mistake moves visibly, in the order of drawing."""
-    by = scatter(one.machine, one.mode, one.ruler)
+    by, unsigned = scatter(one.machine, one.mode, one.ruler), without_sign(one.rows)
     found = []
     for key, cells in due.items():
         now = one.rows.get(key)
-        off = np.abs(numbers(now) - numbers(cells)) if now and key in by else None
+        off = None
+        if now and key in by:
+            wanted = numbers(cells)
+            if (key[0], key[2]) in unsigned:
+                wanted[:2] = np.abs(wanted[:2])
+            off = np.abs(numbers(now) - wanted)
         if off is None or np.any(off > VISIBLE * by[key]):
             found.append(key)
     return found
+
+
+def without_sign(rows: Rows) -> set[Place]:
+    """Return the segments of which no figure is negative: their readings may tell sizes alone."""
+    names = {(plan, name) for plan, _, name in rows}
+    negative = {
+        (plan, name)
+        for (plan, _, name), cells in rows.items()
+        if np.nanmin([0.0, *numbers(cells)[:2]]) < 0
+    }
+    return names - negative
 
 
 def mind_of(step: Step, takes: Operands, position: int | None, kind: AtStep | None = None) -> Mind:
