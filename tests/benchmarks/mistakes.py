@@ -81,8 +81,10 @@ def told(one: Outcome) -> str:
     )
 
 
-def write_failures(path: Path, found: Iterable[Outcome]) -> None:
-    """Write what was not right: enough to draw it again."""
+def write_failures(path: Path | None, found: Iterable[Outcome]) -> None:
+    """Write what was not right so far: enough to draw it again."""
+    if path is None:
+        return
     with path.open("w", encoding="utf-8") as file:
         for one in found:
             of = one.planted
@@ -178,19 +180,20 @@ def main() -> None:
             failed += [
                 one for one in found if one.wrong or not (one.place and one.family and one.member)
             ]
+            write_failures(given.failures, failed)
         if kinds := chosen(OUTSIDE, given.only):
             wanted = int(given.outside * given.share)
             found = measured("outside", planted(kinds, wanted, given.seed + 7), (), folder)
             table("outside", [("all", found), *by(lambda one: one.planted.truths[0].kind, found)])
             failed += [one for one in found if one.wrong]
+            write_failures(given.failures, failed)
         if not given.only:
             wanted = int(given.two * given.share)
             found = measured("two at once", pairs(INSIDE, wanted, given.seed + 13), INSIDE, folder)
             two_at_once(found)
             failed += [one for one in found if not one.both]
+            write_failures(given.failures, failed)
             honest_table(int(given.honest * given.share), given.seed + 50_000, folder)
-    if given.failures:
-        write_failures(given.failures, failed)
 
 
 if __name__ == "__main__":
