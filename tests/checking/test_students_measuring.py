@@ -8,6 +8,7 @@ import pytest
 from support.students.early import EARLY
 from support.students.measuring import outcome
 from support.students.planting import Planted, plant
+from support.students.told import step_in
 
 from graphic_tmm.checking.records import INSTRUMENT, MISTAKE, UNKNOWN, Likely, Report
 
@@ -101,3 +102,20 @@ def test_a_mistake_that_gives_the_same_figures_is_right() -> None:
     other = truth._replace(families=("factor",))
     assert outcome(one._replace(truths=(other,)), report(found), EARLY).family
     assert not outcome(one._replace(truths=(other,)), report(found), ()).family
+
+
+@pytest.mark.parametrize(
+    ("says", "wanted"),
+    [
+        ("Velocity plan, step 5: (aa3) has the opposite sense", ("velocities", "aa3")),
+        ("Acceleration plan, step 1: a_A was taken 2 times as large", (A, "aA")),
+        ("Loads, step 8: P_i3 has the opposite sense, at position 3 only", ("forces", "Pi3")),
+        ("Force polygon of group 2-3, step 8: y_Pi2 was left out", ("forces", "Pi2")),
+        ("l_AS2, which is given, was taken 2.014 times as large", ("", "AS2")),
+        ("no known mistake explains what is wrong: look at Velocity plan, step 9: ω_2", ("velocities", "ω2")),
+    ],
+)  # fmt: skip
+def test_a_sentence_tells_its_step_as_the_student_calls_it(
+    says: str, wanted: tuple[str, str]
+) -> None:
+    assert wanted in step_in(says)

@@ -8,6 +8,7 @@ What counts as right, of the finding that is told first:
 - **family**: the planted one or what may be said for it as well (a component from the wrong end is a sense
   reversed); or what is told gives the same figures within half a scatter (a given that is fitted: within one);
   so does a slip of the only reading that shows a mistake.
+- a name counts as right if one of the names is that no reading tells apart from it (equal figures);
 - **member**: family and place, and the sentence (or one that no reading tells apart from it) has the words for
   what was taken.
 - **wrong name**: a mistake at 80 % or more (a check that tells no chance is held to be sure) whose family or
@@ -18,26 +19,22 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from itertools import groupby
+from itertools import groupby, product
 from pathlib import Path
 from typing import NamedTuple
-
-import numpy as np
 
 from graphic_tmm.checking.check import checks
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import MISTAKE, SLIP, UNKNOWN, Likely, Report, Taken
 from graphic_tmm.scene.read import read
 from support.gallery import CASES
-from support.students.drawing import Student
-from support.students.kinds import AtStep, Kind
-from support.students.places import own_places
-from support.students.planting import Planted, Truth, mind_of, numbers, scatter
-from support.students.records import F, Hand
-from support.students.writing import ALL, csv_of, rows_of
+from support.students.alike import same_figures, same_given
+from support.students.kinds import Kind
+from support.students.planting import Planted, Truth
+from support.students.told import Told, alternatives
+from support.students.writing import csv_of
 
 SURE = 0.8
-VIEWS_OF_FORCES = ("loads", "group", "forces", "link", "lever", "couples")
 TOLD = (MISTAKE, SLIP, UNKNOWN)
 
 
@@ -90,8 +87,9 @@ def outcome(one: Planted, report: Report, kinds: Sequence[Kind]) -> Outcome:
     if not told:
         return Outcome(one, report, right=right, wrong=wrong)
     first = told[0]
-    place = any(at_place(first, truth) for truth in one.truths)
-    family = any(of_family(first, truth, one, kinds) for truth in one.truths)
+    ways = list(product(alternatives(first), one.truths))
+    place = any(at_place(way, truth) for way, truth in ways)
+    family = any(of_family(way, truth, one, kinds) for way, truth in ways)
     member = any(
         is_right(first, truth, one, kinds) and has_words(first, truth) for truth in one.truths
     )
@@ -104,56 +102,9 @@ def is_sure(found: Likely) -> bool:
 
 
 def is_right(found: Likely, truth: Truth, one: Planted, kinds: Sequence[Kind]) -> bool:
-    return at_place(found, truth) and of_family(found, truth, one, kinds)
-
-
-def at_place(found: Likely, truth: Truth) -> bool:
-    """Whether a finding tells where a mistake was made."""
-    if truth.position and found.position not in ("", truth.position):
-        return False
-    plan, names = told_place(found)
-    if not names or found.family == "crank":
-        return found.family in truth.families
-    if found.family == "given" and "given" in truth.families:
-        return any(re.search(word, name) for word in truth.words for name in names)
-    own = {(plan, name) for name in (*names, "")} | {("", name) for name in names}
-    return ("", "") in truth.places or not own.isdisjoint(truth.places)
-
-
-def told_place(found: Likely) -> tuple[str, set[str]]:
-    """Return the plan and the names that a finding tells, as the student calls them.
-
-    Lines stand in brackets; the views of forces are his plan of forces, their ordinates his forces.
-    """
-    plan = F if found.plan.split()[0:1] and found.plan.split()[0] in VIEWS_OF_FORCES else found.plan
-    names = {name.strip("()") for name in (found.segment, found.step) if name}
-    if plan == F:
-        names |= {name[1:] for name in names if re.match("y[A-Z]", name)}
-    if found.family == "given":
-        names |= {name[1:] for name in names if re.match("l[A-Z]", name)}
-    return plan, names
-
-
-def of_family(found: Likely, truth: Truth, one: Planted, kinds: Sequence[Kind]) -> bool:
-    """Whether a finding is of the family that was planted, or says what gives the same figures."""
-    if found.kind == SLIP:
-        return "slip" in truth.families or (truth.moved == 1 and bool(truth.families))
-    if found.kind != MISTAKE or not truth.families:
-        return False
-    if found.family in truth.families:
-        return True
-    return same_given(found, one) or same_figures(found, one, kinds)
-
-
-def same_given(found: Likely, one: Planted) -> bool:
-    """Whether a given, taken so many times as large as the finding tells, reads the same within a scatter."""
-    told = re.search(r"taken ([\d.]+) times", found.says)
-    names = told_place(found)[1] & ALL[one.machine].given.keys()
-    if found.family != "given" or not told or not names:
-        return False
-    given = {name: ALL[one.machine].given[name] * float(told[1]) for name in names}
-    student = Student(ALL[one.machine], Hand(ruler=one.ruler), one.seed, given=given)
-    return _alike(one, student, scatter(one.machine, one.mode, one.ruler), 1.0)
+    return any(
+        at_place(way, truth) and of_family(way, truth, one, kinds) for way in alternatives(found)
+    )
 
 
 def has_words(found: Likely, truth: Truth) -> bool:
@@ -161,39 +112,27 @@ def has_words(found: Likely, truth: Truth) -> bool:
     return any(all(re.search(word, says) for word in truth.words) for says in sentences)
 
 
-def same_figures(found: Likely, one: Planted, kinds: Sequence[Kind]) -> bool:
-    """Whether a mistake of the family told, at the place told, reads the same within half a scatter."""
-    plan, names = told_place(found)
-    at = {(plan, name) for name in names}
-    by = scatter(one.machine, one.mode, one.ruler)
-    honest = Student(ALL[one.machine], Hand(ruler=one.ruler), one.seed).draw()
-    for kind in kinds:
-        if not isinstance(kind, AtStep) or found.family not in kind.families:
-            continue
-        for step in honest.steps:
-            if step.kind not in kind.of or own_places(step).isdisjoint(at):
-                continue
-            if found.position not in ("", str(step.position)):
-                continue
-            position = step.position if found.position else None
-            for takes, _ in kind.variants(step, honest):
-                mind = mind_of(step, takes, position)
-                if _alike(one, Student(ALL[one.machine], honest.hand, one.seed, mind), by):
-                    return True
-    return False
+def at_place(told: Told, truth: Truth) -> bool:
+    """Whether a finding tells where a mistake was made."""
+    if truth.position and told.position not in ("", truth.position):
+        return False
+    if not told.places or told.family == "crank":
+        return told.family in truth.families
+    if told.family == "given" and "given" in truth.families:
+        names = [name for _, name in told.places]
+        return any(re.search(word, name) for word in truth.words for name in names)
+    own = {
+        *told.places,
+        *((plan, "") for plan, _ in told.places),
+        *(("", name) for _, name in told.places),
+    }
+    return ("", "") in truth.places or not own.isdisjoint(truth.places)
 
 
-def _alike(
-    one: Planted, student: Student, by: dict[tuple[str, str, str], np.ndarray], share: float = 0.5
-) -> bool:
-    try:
-        with np.errstate(all="ignore"):
-            rows = rows_of(student.draw(), one.mode)
-    except KeyError:
+def of_family(told: Told, truth: Truth, one: Planted, kinds: Sequence[Kind]) -> bool:
+    """Whether a finding is of the family that was planted, or says what gives the same figures."""
+    if told.kind == SLIP:
+        return "slip" in truth.families or (truth.moved == 1 and bool(truth.families))
+    if told.kind != MISTAKE or not truth.families:
         return False
-    if rows.keys() != one.rows.keys():
-        return False
-    return all(
-        not np.any(np.abs(numbers(rows[key]) - numbers(cells)) > share * by[key])
-        for key, cells in one.rows.items()
-    )
+    return told.family in truth.families or same_given(told, one) or same_figures(told, one, kinds)
