@@ -16,7 +16,8 @@ from pathlib import Path
 TESTS = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(TESTS), str(TESTS.parent)]
 
-from support.students.drawings import HANDS, honest, pairs, planted  # noqa: E402
+from support.another_hand import MODES  # noqa: E402
+from support.students.drawings import HANDS, MACHINES, honest, pairs, planted  # noqa: E402
 from support.students.early import EARLY  # noqa: E402
 from support.students.kinds import Kind  # noqa: E402
 from support.students.late import LATE  # noqa: E402
@@ -130,13 +131,15 @@ def two_at_once(found: list[Outcome]) -> None:
     )
 
 
-def honest_table(wanted: int, seed: int, folder: Path) -> None:
+def honest_table(
+    wanted: int, seed: int, folder: Path, machines: Sequence[str], modes: Sequence[str]
+) -> None:
     """Print how many honest drawings are told to have a mistake."""
     print(
         "\n| honest | drawings | a mistake told | at 80 % | a wrong reading |\n|---|---:|---:|---:|---:|"
     )
     for k, hand in enumerate(HANDS):
-        drawings = honest(hand, wanted, seed + 1000 * k)
+        drawings = honest(hand, wanted, seed + 1000 * k, machines, modes)
         found = list(outcomes(list(drawings), folder))
         named, sure = sum(one.named for one in found), sum(one.wrong > 0 for one in found)
         broken = sum(one.report.wrong > 0 for one in found)
@@ -159,13 +162,20 @@ def main() -> None:
     asked.add_argument("--only", help="kinds whose name has it, or of this family")
     asked.add_argument("--seed", type=int, default=20_000)
     asked.add_argument("--failures", type=Path, help="where to write what was not right")
+    asked.add_argument("--machines", default=",".join(MACHINES), help="with commas")
+    asked.add_argument(
+        "--modes", default=",".join(MODES), help="how drawings are read, with commas"
+    )
     given = asked.parse_args()
+    where = given.machines.split(","), given.modes.split(",")
     failed: list[Outcome] = []
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         if kinds := chosen(PARTS.get(given.part, INSIDE), given.only):
             wanted = int(given.planted * given.share)
-            found = measured("one mistake", planted(kinds, wanted, given.seed), INSIDE, folder)
+            found = measured(
+                "one mistake", planted(kinds, wanted, given.seed, *where), INSIDE, folder
+            )
             table("all", [("all", found)])
             table("part", by(part_of, found))
             table("family", by(lambda one: one.planted.truths[0].families[0], found))
@@ -183,17 +193,19 @@ def main() -> None:
             write_failures(given.failures, failed)
         if kinds := chosen(OUTSIDE, given.only):
             wanted = int(given.outside * given.share)
-            found = measured("outside", planted(kinds, wanted, given.seed + 7), (), folder)
+            found = measured("outside", planted(kinds, wanted, given.seed + 7, *where), (), folder)
             table("outside", [("all", found), *by(lambda one: one.planted.truths[0].kind, found)])
             failed += [one for one in found if one.wrong]
             write_failures(given.failures, failed)
         if not given.only:
             wanted = int(given.two * given.share)
-            found = measured("two at once", pairs(INSIDE, wanted, given.seed + 13), INSIDE, folder)
+            found = measured(
+                "two at once", pairs(INSIDE, wanted, given.seed + 13, *where), INSIDE, folder
+            )
             two_at_once(found)
             failed += [one for one in found if not one.both]
             write_failures(given.failures, failed)
-            honest_table(int(given.honest * given.share), given.seed + 50_000, folder)
+            honest_table(int(given.honest * given.share), given.seed + 50_000, folder, *where)
 
 
 if __name__ == "__main__":

@@ -56,7 +56,13 @@ def planted(
     return islice(each(), wanted)
 
 
-def pairs(kinds: Sequence[Kind], wanted: int, seed: int) -> Iterator[Planted]:
+def pairs(
+    kinds: Sequence[Kind],
+    wanted: int,
+    seed: int,
+    machines: Sequence[str] = MACHINES,
+    modes: Sequence[str] = MODES,
+) -> Iterator[Planted]:
     """Yield so many drawings with two mistakes that show."""
     steps = [kind for kind in kinds if isinstance(kind, AtStep)]
     rng = np.random.default_rng(seed)
@@ -64,8 +70,8 @@ def pairs(kinds: Sequence[Kind], wanted: int, seed: int) -> Iterator[Planted]:
     def each() -> Iterator[Planted]:
         for turn in count():
             a, b = rng.choice(len(steps), 2, replace=False)
-            mode = MODES[turn % len(MODES)]
-            one = two(steps[a], steps[b], MACHINES[(turn // 4) % len(MACHINES)], seed + turn, mode)
+            machine, mode = machines[(turn // 4) % len(machines)], modes[turn % len(modes)]
+            one = two(steps[a], steps[b], machine, seed + turn, mode)
             if one is not None:
                 yield one
 
