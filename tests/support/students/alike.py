@@ -28,7 +28,10 @@ def same_given(told: Told, one: Planted) -> bool:
 
 
 def same_figures(told: Told, one: Planted, kinds: Sequence[Kind]) -> bool:
-    """Whether a mistake of the family told, at the place told, reads the same within half a scatter."""
+    """Whether a mistake of the family told, at the place told, reads the same within two scatters.
+
+    Rays that another mistake draws elsewhere have slips of their own.
+    """
     by = scatter(one.machine, one.mode, one.ruler)
     honest = Student(ALL[one.machine], Hand(ruler=one.ruler), one.seed).draw()
     for kind in kinds:
@@ -48,7 +51,7 @@ def same_figures(told: Told, one: Planted, kinds: Sequence[Kind]) -> bool:
 
 
 def _alike(
-    one: Planted, student: Student, by: dict[tuple[str, str, str], np.ndarray], share: float = 0.5
+    one: Planted, student: Student, by: dict[tuple[str, str, str], np.ndarray], share: float = 2.0
 ) -> bool:
     try:
         with np.errstate(all="ignore"):

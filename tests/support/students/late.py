@@ -96,7 +96,8 @@ STRENGTHS: tuple[Kind, ...] = (
     AtStep("arm left out", ("left out",), ("arm", "arm of the lever"), taking(left=True)),
     AtStep("path left out of the radius", ("left out",), ("pressure",), taking(path=0.0),
            (EVERYWHERE,)),
-    AtStep("offset left out", ("left out", "given"), ("pressure",), taking(offset=0.0), (EVERYWHERE,)),
+    AtStep("offset left out", ("left out", "given", "factor"), ("pressure",), taking(offset=0.0),
+           (EVERYWHERE,)),
     AtStep("couple left out of the lever", ("left out",), ("couple on the lever",),
            taking(factor=0.0)),
 )  # fmt: skip

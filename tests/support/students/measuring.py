@@ -6,9 +6,9 @@ What counts as right, of the finding that is told first:
   or of what was first read that shows it; a finding of a whole plan or drawing (no segment) is right where its
   family is; its position, if it tells one, is not another. "Look at step k" counts.
 - **family**: the planted one or what may be said for it as well (a component from the wrong end is a sense
-  reversed); or what is told gives the same figures within half a scatter (a given that is fitted: within one);
-  so does a slip of the only reading that shows a mistake.
-- a name counts as right if one of the names is that no reading tells apart from it (equal figures);
+  reversed); or what gives the same figures: what no reading tells apart from the name, as the finding says;
+  what reads the same in the student's own drawing of it, within two scatters (a given within one); a slip of
+  the only reading that shows a mistake.
 - **member**: family and place, and the sentence (or one that no reading tells apart from it) has the words for
   what was taken.
 - **wrong name**: a mistake at 80 % or more (a check that tells no chance is held to be sure) whose family or
@@ -120,7 +120,8 @@ def at_place(told: Told, truth: Truth) -> bool:
         return told.family in truth.families
     if told.family == "given" and "given" in truth.families:
         names = [name for _, name in told.places]
-        return any(re.search(word, name) for word in truth.words for name in names)
+        if any(re.search(word, name) for word in truth.words for name in names):
+            return True
     own = {
         *told.places,
         *((plan, "") for plan, _ in told.places),

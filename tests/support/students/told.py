@@ -55,7 +55,7 @@ def _like(found: Likely, says: str) -> Told:
 def places_of(found: Likely) -> frozenset[Place]:
     """Return the places that a finding's fields tell."""
     first = found.plan.split()[:1]
-    plan = F if first and first[0] in VIEWS else found.plan
+    plan = F if first and first[0] in VIEWS else D if first == ["diagram"] else found.plan
     return frozenset(
         (plan, short) for name in (found.segment, found.step) if name for short in shorter(name)
     )
@@ -77,6 +77,6 @@ def shorter(name: str) -> set[str]:
     """Return a name as the student has it: (t_ab) is tab, y_Pi2 the force Pi2, l_AS2 the length AS2."""
     plain = name.strip("(),").replace("_", "")
     names = {plain, name.strip("(),")}
-    if re.match("[yl][A-Z]", plain):
+    if re.match("[ylh][A-Z]", plain):
         names.add(plain[1:])
-    return names
+    return names | {inner.replace("_", "") for inner in re.findall(r"\(([^()]+)\)", name)}
