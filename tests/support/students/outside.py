@@ -53,7 +53,7 @@ def _odd_ray(step: Step, tools: Tools) -> Iterator[Variant]:
 
 def _constant(step: Step, tools: Tools) -> Iterator[Variant]:
     """The same in every position, whatever the speed."""
-    yield {"square": 0, "power": 0, "factor": 30.0 * tools.mu[A]}, ()
+    yield {"square": 0, "power": 0, "factor": 17.0 * tools.mu[A]}, ()
 
 
 def whole(rows: Rows, segments_: frozenset[str] = frozenset()) -> Written:
