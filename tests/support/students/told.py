@@ -20,6 +20,8 @@ TITLES = {
     "Acceleration diagram": D, "Diagram of": CAM, "Displacement of": CAM, "Pressure angle": CAM,
     "Region of": CAM,
 }  # fmt: skip
+DRAWN = {"Diagram of dS/dφ": "dS", "Diagram of d²S/dφ²": "ddS", "Pressure angle": "pressure"}
+"""Diagrams of the cam, by the ordinates that are read of them."""
 SAYS = {
     "left out": "left out", "sense": "opposite sense", "meeting": "meetings", "start": "drawn from",
     "previous": "position before", "factor": "times as large", "power": "was calculated as",
@@ -70,7 +72,8 @@ def step_in(says: str) -> frozenset[Place]:
     if not named:
         return frozenset()
     plans = [plan for title, plan in TITLES.items() if title in named[1]]
-    return frozenset((plan, name) for plan in plans[:1] for name in shorter(named[2]))
+    names = shorter(named[2]) | {name for title, name in DRAWN.items() if title in named[1]}
+    return frozenset((plan, name) for plan in plans[:1] for name in names)
 
 
 def shorter(name: str) -> set[str]:
