@@ -16,14 +16,18 @@ from pathlib import Path
 TESTS = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(TESTS), str(TESTS.parent)]
 
-from support.students.drawings import HANDS, honest, pairs, planted  # noqa: E402
+from support.another_hand import MODES  # noqa: E402
+from support.students.drawings import HANDS, MACHINES, honest, pairs, planted  # noqa: E402
 from support.students.early import EARLY  # noqa: E402
 from support.students.kinds import Kind  # noqa: E402
+from support.students.late import LATE  # noqa: E402
 from support.students.measuring import Outcome, outcomes  # noqa: E402
 from support.students.outside import OUTSIDE  # noqa: E402
 from support.students.planting import Planted  # noqa: E402
 
-PARTS = {"early": EARLY}
+from graphic_tmm.checking.records import DOUBTFUL, WRONG  # noqa: E402
+
+PARTS = {"early": EARLY, "late": LATE}
 INSIDE: tuple[Kind, ...] = tuple(kind for part in PARTS.values() for kind in part)
 Rows = list[tuple[str, list[Outcome]]]
 
@@ -63,6 +67,11 @@ def part_of(one: Outcome) -> str:
     return next(part for part, kinds in PARTS.items() if any(kind == each.name for each in kinds))
 
 
+def readings_moved(one: Outcome) -> str:
+    moved = one.planted.truths[0].moved
+    return next((f"up to {most}" for most in (0, 1, 3, 10) if moved <= most), "more")
+
+
 def told(one: Outcome) -> str:
     """Return what a report said, in a line."""
     return "; ".join(
@@ -73,8 +82,10 @@ def told(one: Outcome) -> str:
     )
 
 
-def write_failures(path: Path, found: Iterable[Outcome]) -> None:
-    """Write what was not right: enough to draw it again."""
+def write_failures(path: Path | None, found: Iterable[Outcome]) -> None:
+    """Write what was not right so far: enough to draw it again."""
+    if path is None:
+        return
     with path.open("w", encoding="utf-8") as file:
         for one in found:
             of = one.planted
@@ -83,10 +94,14 @@ def write_failures(path: Path, found: Iterable[Outcome]) -> None:
                 file.write(
                     f"{of.machine} {of.mode} ruler {of.ruler:g} seed {of.seed}: {truth.kind} "
                     f"{list(truth.families)} at {places} position {truth.position or 'all'} {truth.words}"
-                    f"{'' if truth.shown else ' (does not show)'}\n"
+                    f" {truth.moved} readings show it\n"
                 )
             marks = [name for name in ("place", "family", "member") if getattr(one, name)]
-            file.write(f"    right: {', '.join(marks) or 'nothing'}; sure and wrong: {one.wrong}\n")
+            verdicts = [row.verdict for row in one.report.readings]
+            file.write(
+                f"    {verdicts.count(WRONG)} wrong, {verdicts.count(DOUBTFUL)} doubtful; right: "
+                f"{', '.join(marks) or 'nothing'}; sure and wrong: {one.wrong}\n"
+            )
             file.write(f"    told: {told(one) or 'nothing'}\n")
 
 
@@ -116,13 +131,15 @@ def two_at_once(found: list[Outcome]) -> None:
     )
 
 
-def honest_table(wanted: int, seed: int, folder: Path) -> None:
+def honest_table(
+    wanted: int, seed: int, folder: Path, machines: Sequence[str], modes: Sequence[str]
+) -> None:
     """Print how many honest drawings are told to have a mistake."""
     print(
         "\n| honest | drawings | a mistake told | at 80 % | a wrong reading |\n|---|---:|---:|---:|---:|"
     )
     for k, hand in enumerate(HANDS):
-        drawings = honest(hand, wanted, seed + 1000 * k)
+        drawings = honest(hand, wanted, seed + 1000 * k, machines, modes)
         found = list(outcomes(list(drawings), folder))
         named, sure = sum(one.named for one in found), sum(one.wrong > 0 for one in found)
         broken = sum(one.report.wrong > 0 for one in found)
@@ -141,38 +158,54 @@ def main() -> None:
     asked.add_argument("--outside", type=int, default=120, help="drawings outside the grammar")
     asked.add_argument("--honest", type=int, default=70, help="honest drawings of each hand")
     asked.add_argument("--share", type=float, default=1.0, help="of all these")
+    asked.add_argument("--part", choices=PARTS, help="kinds of this part only")
     asked.add_argument("--only", help="kinds whose name has it, or of this family")
     asked.add_argument("--seed", type=int, default=20_000)
     asked.add_argument("--failures", type=Path, help="where to write what was not right")
+    asked.add_argument("--machines", default=",".join(MACHINES), help="with commas")
+    asked.add_argument(
+        "--modes", default=",".join(MODES), help="how drawings are read, with commas"
+    )
     given = asked.parse_args()
+    where = given.machines.split(","), given.modes.split(",")
     failed: list[Outcome] = []
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        if kinds := chosen(INSIDE, given.only):
+        if kinds := chosen(PARTS.get(given.part, INSIDE), given.only):
             wanted = int(given.planted * given.share)
-            found = measured("one mistake", planted(kinds, wanted, given.seed), INSIDE, folder)
+            found = measured(
+                "one mistake", planted(kinds, wanted, given.seed, *where), INSIDE, folder
+            )
             table("all", [("all", found)])
             table("part", by(part_of, found))
             table("family", by(lambda one: one.planted.truths[0].families[0], found))
             table("scene", by(lambda one: one.planted.machine, found))
+            table(
+                "reach",
+                by(lambda one: "one position" if one.planted.truths[0].position else "all", found),
+            )
+            table("readings that show it", by(readings_moved, found))
             table("read as", by(lambda one: one.planted.mode, found))
             table("kind", by(lambda one: one.planted.truths[0].kind, found))
             failed += [
                 one for one in found if one.wrong or not (one.place and one.family and one.member)
             ]
+            write_failures(given.failures, failed)
         if kinds := chosen(OUTSIDE, given.only):
             wanted = int(given.outside * given.share)
-            found = measured("outside", planted(kinds, wanted, given.seed + 7), (), folder)
+            found = measured("outside", planted(kinds, wanted, given.seed + 7, *where), (), folder)
             table("outside", [("all", found), *by(lambda one: one.planted.truths[0].kind, found)])
             failed += [one for one in found if one.wrong]
+            write_failures(given.failures, failed)
         if not given.only:
             wanted = int(given.two * given.share)
-            found = measured("two at once", pairs(INSIDE, wanted, given.seed + 13), INSIDE, folder)
+            found = measured(
+                "two at once", pairs(INSIDE, wanted, given.seed + 13, *where), INSIDE, folder
+            )
             two_at_once(found)
             failed += [one for one in found if not one.both]
-            honest_table(int(given.honest * given.share), given.seed + 50_000, folder)
-    if given.failures:
-        write_failures(given.failures, failed)
+            write_failures(given.failures, failed)
+            honest_table(int(given.honest * given.share), given.seed + 50_000, folder, *where)
 
 
 if __name__ == "__main__":

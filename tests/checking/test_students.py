@@ -10,6 +10,7 @@ from support.gallery import CASES
 from support.students.drawing import Student
 from support.students.early import EARLY
 from support.students.kinds import AtStep, Kind
+from support.students.late import LATE
 from support.students.outside import OUTSIDE
 from support.students.planting import Planted, plant
 from support.students.records import CAM, EXACT, D, Hand
@@ -74,9 +75,10 @@ def drawn(kind: Kind, count: int = 1) -> list[Planted]:
 @pytest.mark.slow
 def test_every_kind_of_mistake_shows_somewhere() -> None:
     """At least 45 kinds that a grammar may hold, and 10 that it may not, on seven mechanisms."""
-    unseen = [kind.name for kind in (*EARLY, *OUTSIDE) if not drawn(kind)]
+    unseen = [kind.name for kind in (*EARLY, *LATE, *OUTSIDE) if not drawn(kind)]
     assert not unseen
-    assert len({kind.name for kind in EARLY}) >= 30
+    assert len({kind.name for kind in (*EARLY, *LATE)}) >= 45
+    assert 3 * len(LATE) >= len({*EARLY, *LATE})
     assert len({kind.name for kind in OUTSIDE}) >= 10
 
 

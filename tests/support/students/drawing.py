@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from support.another_hand import met, sense
-from support.students.records import A, Operands, P, Page, V, Way
+from support.students.records import POLES, A, Operands, P, Page, V, Way
 from support.students.tools import Tools
 
 
@@ -95,6 +95,8 @@ class Student(Tools):
         """Measure a segment from point to point."""
         take = self.take(plan, name, whose, start=start, end=end)
         way = self.at(plan, take["end"]) - self.at(plan, take["start"])
+        if plan in (V, A) and take["start"] == POLES[plan]:
+            way -= self.hand.pole
         return self.page.write(plan, name, self.ruled(f"{plan} {name}", abs(way)))
 
     def turns(self, plan: str, start: str, end: str, way: Way) -> float:

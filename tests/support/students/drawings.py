@@ -27,7 +27,13 @@ HANDS: dict[str, dict[str, Any]] = {
 """Honest hands; the first two are what a student is taken for."""
 
 
-def planted(kinds: Sequence[Kind], wanted: int, seed: int) -> Iterator[Planted]:
+def planted(
+    kinds: Sequence[Kind],
+    wanted: int,
+    seed: int,
+    machines: Sequence[str] = MACHINES,
+    modes: Sequence[str] = MODES,
+) -> Iterator[Planted]:
     """Yield so many drawings with one mistake: the kinds take turns, each over the mechanisms that have it.
 
     What does not show is yielded too.
@@ -36,13 +42,13 @@ def planted(kinds: Sequence[Kind], wanted: int, seed: int) -> Iterator[Planted]:
     at = {k: k for k in range(len(kinds))}
 
     def each() -> Iterator[Planted]:
-        for turn in count():
+        for turn in range(wanted):
             for k in order:
-                for _ in ALL:
+                for _ in machines:
                     at[k] += 1
                     own = seed + 100_000 * turn + 100 * int(k) + at[k] % 100
-                    mode, ruler = MODES[(k + turn) % len(MODES)], RULERS[(k + turn) % len(RULERS)]
-                    one = plant(kinds[k], MACHINES[at[k] % len(MACHINES)], own, mode, ruler)
+                    mode, ruler = modes[(k + turn) % len(modes)], RULERS[(k + turn) % len(RULERS)]
+                    one = plant(kinds[k], machines[at[k] % len(machines)], own, mode, ruler)
                     if one is not None:
                         yield one
                         break
@@ -50,7 +56,13 @@ def planted(kinds: Sequence[Kind], wanted: int, seed: int) -> Iterator[Planted]:
     return islice(each(), wanted)
 
 
-def pairs(kinds: Sequence[Kind], wanted: int, seed: int) -> Iterator[Planted]:
+def pairs(
+    kinds: Sequence[Kind],
+    wanted: int,
+    seed: int,
+    machines: Sequence[str] = MACHINES,
+    modes: Sequence[str] = MODES,
+) -> Iterator[Planted]:
     """Yield so many drawings with two mistakes that show."""
     steps = [kind for kind in kinds if isinstance(kind, AtStep)]
     rng = np.random.default_rng(seed)
@@ -58,17 +70,23 @@ def pairs(kinds: Sequence[Kind], wanted: int, seed: int) -> Iterator[Planted]:
     def each() -> Iterator[Planted]:
         for turn in count():
             a, b = rng.choice(len(steps), 2, replace=False)
-            mode = MODES[turn % len(MODES)]
-            one = two(steps[a], steps[b], MACHINES[(turn // 4) % len(MACHINES)], seed + turn, mode)
+            machine, mode = machines[(turn // 4) % len(machines)], modes[turn % len(modes)]
+            one = two(steps[a], steps[b], machine, seed + turn, mode)
             if one is not None:
                 yield one
 
     return islice(each(), wanted)
 
 
-def honest(hand: str, wanted: int, seed: int) -> Iterator[Planted]:
+def honest(
+    hand: str,
+    wanted: int,
+    seed: int,
+    machines: Sequence[str] = MACHINES,
+    modes: Sequence[str] = MODES,
+) -> Iterator[Planted]:
     """Yield so many honest drawings by a hand, over all mechanisms and modes."""
-    turns = list(product(ALL, MODES))
+    turns = list(product(machines, modes))
     for k in range(wanted):
         machine, mode = turns[k % len(turns)]
         yield from honest_drawings(machine, mode, range(seed + k, seed + k + 1), **HANDS[hand])

@@ -19,6 +19,7 @@ from support.students.kinds import (
     lengths_of,
     letters_of,
     others,
+    word,
 )
 from support.students.records import POLES, P, Step, V
 from support.students.tools import Tools
@@ -32,45 +33,45 @@ HALF, TWICE = r"half|½|0\.5|factor|\b2\b", r"twice|doubl|\b2\b|diameter|factor"
 def _link(step: Step, tools: Tools) -> Iterator[Variant]:
     for link in others(tools.machine.links, step.takes["link"]):
         if link in tools.given or (P, link) in tools.pages[step.position].lengths:
-            yield {"link": link}, (link,)
+            yield {"link": link}, (word(link),)
 
 
 def _speed(step: Step, tools: Tools) -> Iterator[Variant]:
     for name in others(lengths_of(tools, V, step.position), step.takes["of"]):
-        yield {"of": name}, (name,)
+        yield {"of": name}, (word(name),)
 
 
 def _segment(step: Step, tools: Tools) -> Iterator[Variant]:
     for name in others(lengths_of(tools, step.plan, step.position), step.takes["of"]):
-        yield {"of": name}, (name,)
+        yield {"of": name}, (word(name),)
 
 
 def _square_to_another(step: Step, tools: Tools) -> Iterator[Variant]:
     how, of = step.takes["way"]
     if how == "square":
         for link in others([name for name in tools.machine.links if len(name) == 2], of):
-            yield {"way": (how, link)}, (link,)
+            yield {"way": (how, link)}, (word(link),)
 
 
 def _crank_rate(step: Step, tools: Tools) -> Iterator[Variant]:
-    yield {"rate": "omega1"}, ("omega1|ω_?1",)
+    yield {"rate": "omega1"}, (word("omega1"),)
 
 
 def _mass(step: Step, tools: Tools) -> Iterator[Variant]:
     for name in others(("m2", "m3"), step.takes["mass"]):
-        yield {"mass": name}, ("m_?" + name[1],)
+        yield {"mass": name}, (word(name),)
 
 
 def _acceleration(step: Step, tools: Tools) -> Iterator[Variant]:
     for name in others(("πa", "πb", "πs2"), step.takes["of"]):
-        yield {"of": name}, (name,)
+        yield {"of": name}, (word(name),)
 
 
 def _other_point(step: Step, tools: Tools) -> Iterator[Variant]:
     """Measure to the due point from another: a reading of the wrong segment."""
     for letter in others(letters_of(tools, step.plan, step.position), step.takes["start"]):
         if letter != step.takes["end"] and step.takes["start"] == POLES.get(step.plan):
-            yield {"start": letter}, (letter,)
+            yield {"start": letter}, (word(letter),)
 
 
 OPERANDS: tuple[Kind, ...] = (
@@ -175,7 +176,7 @@ def _other_start(step: Step, tools: Tools) -> Iterator[Variant]:
     letters = [*letters_of(tools, step.plan, step.position), POLES[step.plan]]
     for letter in others(letters, step.takes["start"]):
         if letter != step.takes["letter"] and _before(step, tools, letter):
-            yield {"start": letter}, (letter,)
+            yield {"start": letter}, (word(letter),)
 
 
 def _before(step: Step, tools: Tools, letter: str) -> bool:
@@ -191,7 +192,7 @@ SENSES: tuple[Kind, ...] = (
     AtStep("inertia not reversed", ("sense",), ("inertia",), taking(sense=1.0), (EVERYWHERE, KIND)),
     AtStep("couple of inertia not reversed", ("sense",), ("couple",), taking(sense=1.0)),
     AtStep("Coriolis turned the other way", ("sense",), ("laid",), laid(("k",), sense=-1.0)),
-    AtStep("rate with the other sign", ("sense",), ("rate",), taking(sense=-1.0)),
+    AtStep("rate with the other sign", ("sense", "table"), ("rate",), taking(sense=-1.0)),
     AtStep("normal component from the wrong end", ("wrong end", "sense"), ("laid",),
            laid(("n",), sense=-1.0)),
     AtStep("place counted from the other end", ("wrong end",), ("image", "place"), _other_end),
@@ -223,13 +224,13 @@ def _misread(given: dict[str, Any], rng: np.random.Generator, tools: Tools) -> I
     ):
         if name in given:
             by = rng.choice([0.75, 0.85, 1.15, 1.3])
-            yield {name: given[name] * by}, (name,)
+            yield {name: given[name] * by}, (word(name),)
 
 
 def _exchanged(given: dict[str, Any], rng: np.random.Generator, tools: Tools) -> Iterator[Variant]:
     for a, b in (("AB", "CB"), ("BC", "CD"), ("H_V", "H_a"), ("m2", "m3"), ("rise", "fall")):
         if a in given and b in given and given[a] != given[b]:
-            yield {a: given[b], b: given[a]}, (a, b)
+            yield {a: given[b], b: given[a]}, (word(a), word(b))
 
 
 ASSIGNMENT: tuple[Kind, ...] = (

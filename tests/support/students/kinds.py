@@ -76,3 +76,19 @@ def lengths_of(tools: Tools, plan: str, position: int) -> list[str]:
 
 def letters_of(tools: Tools, plan: str, position: int) -> list[str]:
     return [name for p, name in tools.pages[position].points if p == plan]
+
+
+SAID = {
+    "F": "F_?3|load|force", "H_V": "H_?V|pole distance", "H_a": "H_?a|pole distance",
+    "stroke": r"stroke|\bh\b", "r0": "r_?0|radius", "rise": "rise|φ", "fall": "return|fall|φ",
+    "omega1": "ω_?1|omega1|crank",
+}  # fmt: skip
+"""How a sentence may say what is given."""
+
+
+def word(name: str) -> str:
+    """Return the words by which a sentence may name a segment, a link or a given."""
+    if name in SAID:
+        return SAID[name]
+    apart = f"{name[0]}_?{name[1:]}" if name[1:].isdigit() else name
+    return rf"(?<!\w){apart}(?!\w)"

@@ -6,7 +6,9 @@ What counts as right, of the finding that is told first:
   or of what was first read that shows it; a finding of a whole plan or drawing (no segment) is right where its
   family is; its position, if it tells one, is not another. "Look at step k" counts.
 - **family**: the planted one or what may be said for it as well (a component from the wrong end is a sense
-  reversed); or a mistake of the family told, at the place told, gives the same figures within half a scatter.
+  reversed); or what gives the same figures: what no reading tells apart from the name, as the finding says;
+  what reads the same in the student's own drawing of it, within two scatters (a given within one); a slip of
+  the only reading that shows a mistake.
 - **member**: family and place, and the sentence (or one that no reading tells apart from it) has the words for
   what was taken.
 - **wrong name**: a mistake at 80 % or more (a check that tells no chance is held to be sure) whose family or
@@ -17,23 +19,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from itertools import groupby
+from itertools import groupby, product
 from pathlib import Path
 from typing import NamedTuple
-
-import numpy as np
 
 from graphic_tmm.checking.check import checks
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import MISTAKE, SLIP, UNKNOWN, Likely, Report, Taken
 from graphic_tmm.scene.read import read
 from support.gallery import CASES
-from support.students.drawing import Student
-from support.students.kinds import AtStep, Kind
-from support.students.places import own_places
-from support.students.planting import Planted, Truth, mind_of, numbers, scatter
-from support.students.records import Hand
-from support.students.writing import ALL, csv_of, rows_of
+from support.students.alike import same_figures, same_given
+from support.students.kinds import Kind
+from support.students.planting import Planted, Truth
+from support.students.told import Told, alternatives
+from support.students.writing import csv_of
 
 SURE = 0.8
 TOLD = (MISTAKE, SLIP, UNKNOWN)
@@ -88,8 +87,9 @@ def outcome(one: Planted, report: Report, kinds: Sequence[Kind]) -> Outcome:
     if not told:
         return Outcome(one, report, right=right, wrong=wrong)
     first = told[0]
-    place = any(at_place(first, truth) for truth in one.truths)
-    family = any(of_family(first, truth, one, kinds) for truth in one.truths)
+    ways = list(product(alternatives(first), one.truths))
+    place = any(at_place(way, truth) for way, truth in ways)
+    family = any(of_family(way, truth, one, kinds) for way, truth in ways)
     member = any(
         is_right(first, truth, one, kinds) and has_words(first, truth) for truth in one.truths
     )
@@ -102,32 +102,9 @@ def is_sure(found: Likely) -> bool:
 
 
 def is_right(found: Likely, truth: Truth, one: Planted, kinds: Sequence[Kind]) -> bool:
-    return at_place(found, truth) and of_family(found, truth, one, kinds)
-
-
-def at_place(found: Likely, truth: Truth) -> bool:
-    """Whether a finding tells where a mistake was made."""
-    if truth.position and found.position not in ("", truth.position):
-        return False
-    if not found.segment and not found.step:
-        return found.family in truth.families
-    places = truth.places
-    own = {
-        (found.plan, found.segment),
-        (found.plan, found.step),
-        (found.plan, ""),
-        ("", found.segment),
-    }
-    return ("", "") in places or not own.isdisjoint(places)
-
-
-def of_family(found: Likely, truth: Truth, one: Planted, kinds: Sequence[Kind]) -> bool:
-    """Whether a finding is of the family that was planted, or says what gives the same figures."""
-    if found.kind == SLIP:
-        return "slip" in truth.families
-    if found.kind != MISTAKE or not truth.families:
-        return False
-    return found.family in truth.families or same_figures(found, one, kinds)
+    return any(
+        at_place(way, truth) and of_family(way, truth, one, kinds) for way in alternatives(found)
+    )
 
 
 def has_words(found: Likely, truth: Truth) -> bool:
@@ -135,36 +112,28 @@ def has_words(found: Likely, truth: Truth) -> bool:
     return any(all(re.search(word, says) for word in truth.words) for says in sentences)
 
 
-def same_figures(found: Likely, one: Planted, kinds: Sequence[Kind]) -> bool:
-    """Whether a mistake of the family told, at the place told, reads the same within half a scatter."""
-    at = {(found.plan, found.segment), (found.plan, found.step)}
-    by = scatter(one.machine, one.mode, one.ruler)
-    honest = Student(ALL[one.machine], Hand(ruler=one.ruler), one.seed).draw()
-    for kind in kinds:
-        if not isinstance(kind, AtStep) or found.family not in kind.families:
-            continue
-        for step in honest.steps:
-            if step.kind not in kind.of or own_places(step).isdisjoint(at):
-                continue
-            if found.position not in ("", str(step.position)):
-                continue
-            position = step.position if found.position else None
-            for takes, _ in kind.variants(step, honest):
-                mind = mind_of(step, takes, position)
-                if _alike(one, Student(ALL[one.machine], honest.hand, one.seed, mind), by):
-                    return True
-    return False
+def at_place(told: Told, truth: Truth) -> bool:
+    """Whether a finding tells where a mistake was made."""
+    if truth.position and told.position not in ("", truth.position):
+        return False
+    if not told.places or told.family == "crank":
+        return told.family in truth.families
+    if told.family == "given" and "given" in truth.families:
+        names = [name for _, name in told.places]
+        if any(re.search(word, name) for word in truth.words for name in names):
+            return True
+    own = {
+        *told.places,
+        *((plan, "") for plan, _ in told.places),
+        *(("", name) for _, name in told.places),
+    }
+    return ("", "") in truth.places or not own.isdisjoint(truth.places)
 
 
-def _alike(one: Planted, student: Student, by: dict[tuple[str, str, str], np.ndarray]) -> bool:
-    try:
-        with np.errstate(all="ignore"):
-            rows = rows_of(student.draw(), one.mode)
-    except KeyError:
+def of_family(told: Told, truth: Truth, one: Planted, kinds: Sequence[Kind]) -> bool:
+    """Whether a finding is of the family that was planted, or says what gives the same figures."""
+    if told.kind == SLIP:
+        return "slip" in truth.families or (truth.moved == 1 and bool(truth.families))
+    if told.kind != MISTAKE or not truth.families:
         return False
-    if rows.keys() != one.rows.keys():
-        return False
-    return all(
-        not np.any(np.abs(numbers(rows[key]) - numbers(cells)) > 0.5 * by[key])
-        for key, cells in one.rows.items()
-    )
+    return told.family in truth.families or same_given(told, one) or same_figures(told, one, kinds)

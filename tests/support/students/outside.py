@@ -13,7 +13,7 @@ import numpy as np
 from support.another_hand import Rows
 from support.students.early_tables import number_in, picked, segments
 from support.students.kinds import AtGiven, AtStep, AtTable, Kind, Variant, Written
-from support.students.records import POLES, Step
+from support.students.records import POLES, A, Step
 from support.students.tools import Tools
 
 LINKS = ("OA", "AB", "CB", "BC", "CD", "B", "C", "stroke", "r0", "e", "H_V", "H_a")
@@ -51,8 +51,9 @@ def _odd_ray(step: Step, tools: Tools) -> Iterator[Variant]:
     yield {"off": -17.0}, ()
 
 
-def _cubed(step: Step, tools: Tools) -> Iterator[Variant]:
-    yield {"square": 3, "power": 0.3, "factor": 0.37}, ()
+def _constant(step: Step, tools: Tools) -> Iterator[Variant]:
+    """The same in every position, whatever the speed."""
+    yield {"square": 0, "power": 0, "factor": 17.0 * tools.mu[A]}, ()
 
 
 def whole(rows: Rows, segments_: frozenset[str] = frozenset()) -> Written:
@@ -129,7 +130,7 @@ OUTSIDE: tuple[Kind, ...] = (
     AtStep("gradian", (), ("crank",), _gradian, ("everywhere",)),
     AtStep("another guide", (), ("meeting",), _own_guide, ("everywhere",)),
     AtStep("slipped triangle", (), ("ray",), _odd_ray),
-    AtStep("formula of his own", (), ("normal",), _cubed, ("everywhere",)),
+    AtStep("formula of his own", (), ("normal",), _constant, ("everywhere",)),
     AtTable("two slips of the ruler", (), _two_slips, ("mm", "both")),
     AtTable("second student with another μ", (), _second_student),
     AtTable("guessed segment", (), _guessed),

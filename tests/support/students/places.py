@@ -9,15 +9,19 @@ from support.students.records import F, P, Step, V
 
 Place = tuple[str, str]
 """A plan and a segment or letter."""
-ENDS = {"nab": "n2", "ncb": "n3", "nba3": "n3", "ncd": "n4", "kaa3": "k2", "pa": "a", "πa": "a"}
-"""The points at which calculated segments end."""
+ENDS = {
+    "nab": {"n2"}, "ncb": {"n3"}, "nba3": {"n3"}, "ncd": {"n4"}, "kaa3": {"k2"},
+    "pa": {"a", "vA"}, "πa": {"a", "aA"}, "Mi2": {"J2"}, "M_sum": {"ΣM2", "R01"},
+    "V": {"HV"}, "a": {"Ha"},
+}  # fmt: skip
+"""Where calculated segments end, and what else a calculation of them is called."""
 POLYGON = ("R12", "R03", "R23", "R12t", "R12n")
 """What is read of the polygon of forces, which closes at one corner."""
 
 
 def own_places(step: Step) -> set[Place]:
     """Return where a step may be said to stand: its name, the points and segments that it gives."""
-    names = {step.name, ENDS.get(step.name, step.name), step.takes.get("letter", step.name)}
+    names = {step.name, step.takes.get("letter", step.name), *ENDS.get(step.name, ())}
     if step.kind == "image":
         names.add(("p" if step.plan == V else "π") + step.name)
     if step.plan == P:
@@ -26,9 +30,11 @@ def own_places(step: Step) -> set[Place]:
         names.add(step.name.split()[-1])
         names |= set(POLYGON) if step.name[:1] in "MRy" else set()
         names |= {"P_bal_lever"} if step.name.startswith("lever") else set()
-    if step.takes.get("of") in ("pa3", "tba3"):
+    if step.kind == "rate" and step.takes["of"] in ("pa3", "tba3"):
         names |= {f"{step.name[:-1]}{k}" for k in (2, 3)}  # the stone turns with the rocker
-    return {(step.plan, name) for name in names}
+    found = {(step.plan, name) for name in names}
+    # which way it points is seen from the relative velocity alone
+    return found | ({(V, "aa3")} if (step.kind, step.name) == ("laid", "kaa3") else set())
 
 
 def taking_given(steps: Iterable[Step], given: Mapping[str, Any]) -> set[Place]:

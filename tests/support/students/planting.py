@@ -21,7 +21,7 @@ TRIES = 12
 
 
 class Truth(NamedTuple):
-    """What was planted: its kind and families (none: outside), where, words of a good name, whether it shows.
+    """What was planted: kind, families (none: outside), where, words of a good name, how many readings show it.
 
     ``places``: plan and segment of the step, or of what is first read that shows it; a plan with "": anywhere
     in it, ("", ""): anywhere. ``position``: "" for everywhere.
@@ -32,7 +32,12 @@ class Truth(NamedTuple):
     places: frozenset[Place]
     position: str
     words: tuple[str, ...]
-    shown: bool
+    moved: int
+
+    @property
+    def shown(self) -> bool:
+        """Whether any reading shows it."""
+        return self.moved > 0
 
 
 class Planted(NamedTuple):
@@ -69,14 +74,30 @@ def scatter(machine: str, mode: str, ruler: float) -> dict[tuple[str, str, str],
 
 def moved(one: Planted, due: Rows) -> list[tuple[str, str, str]]:
     """Return the readings that a mistake moves visibly, in the order of drawing."""
-    by = scatter(one.machine, one.mode, one.ruler)
+    by, unsigned = scatter(one.machine, one.mode, one.ruler), without_sign(one.rows)
     found = []
     for key, cells in due.items():
         now = one.rows.get(key)
-        off = np.abs(numbers(now) - numbers(cells)) if now and key in by else None
+        off = None
+        if now and key in by:
+            wanted = numbers(cells)
+            if (key[0], key[2]) in unsigned:
+                wanted[:2] = np.abs(wanted[:2])
+            off = np.abs(numbers(now) - wanted)
         if off is None or np.any(off > VISIBLE * by[key]):
             found.append(key)
     return found
+
+
+def without_sign(rows: Rows) -> set[Place]:
+    """Return the segments of which no figure is negative: their readings may tell sizes alone."""
+    names = {(plan, name) for plan, _, name in rows}
+    negative = {
+        (plan, name)
+        for (plan, _, name), cells in rows.items()
+        if np.nanmin([0.0, *numbers(cells)[:2]]) < 0
+    }
+    return names - negative
 
 
 def mind_of(step: Step, takes: Operands, position: int | None, kind: AtStep | None = None) -> Mind:
@@ -122,7 +143,7 @@ def _once(
     first = moved(one, due)
     shown = [(key[0], key[2]) for key in first if key[1] == (position or first[0][1])][:1]
     families = kind.families
-    truth = Truth(kind.name, families, frozenset({*places, *shown}), position, words, bool(first))
+    truth = Truth(kind.name, families, frozenset({*places, *shown}), position, words, len(first))
     return one._replace(truths=(truth,))
 
 
@@ -185,7 +206,7 @@ def _tabled(
     places = {(written.plan, name) for name in written.segments} or {(written.plan, "")}
     truth = Truth(
         kind.name, kind.families, frozenset(places), written.position, written.words,
-        bool(moved(one, due)),
+        len(moved(one, due)),
     )  # fmt: skip
     return one._replace(truths=(truth,))
 
