@@ -17,6 +17,7 @@ from graphic_tmm.board.findings import step_number
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Number
 from graphic_tmm.checking.judging.comparison import Comparison
+from graphic_tmm.checking.judging.equivalents import pair
 from graphic_tmm.checking.judging.own_errors import apart
 from graphic_tmm.checking.judging.reader import GIVEN
 from graphic_tmm.checking.judging.scatter import Scatter, times_off
@@ -142,7 +143,25 @@ def _own(drawing: Comparison, taken: Taken) -> _Own | None:
         lost = drawing.by.reader.lost(taken.last, drawing.share)
         errors = tuple((one, error, lost) for one, error, _ in errors)
     times, by, error = steps.worst(errors, drawing.share if taken.pointed else 1.0)
-    return _Own(steps.scatter, times, by, error)
+    own = _Own(steps.scatter, times, by, error)
+    return _mildest(drawing, taken, own) if taken.pointed else own
+
+
+def _mildest(drawing: Comparison, taken: Taken, own: _Own) -> _Own:
+    """Return the mildest of what a point is off by the log's construction and by others that are as right."""
+    verdict = own.scatter.verdict(own.counted)
+    if verdict == FINE:
+        return own
+    limits = pair(drawing.by.limits)
+    grain = drawing.by.reader.lost(taken.last, drawing.share)
+    for way in drawing.otherwise(taken):
+        times, error = max(
+            ((counted(one.error, grain) / one.size, one.error) for one in way),
+            default=(math.inf, 0.0),
+        )
+        if not _milder(verdict, limits.verdict(times)):
+            own, verdict = _Own(limits, times, own.step, error), limits.verdict(times)
+    return own
 
 
 def _agreed(drawing: Comparison, taken: Taken, length: Taken) -> _Own | None:

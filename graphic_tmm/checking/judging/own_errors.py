@@ -80,10 +80,14 @@ def parts_of(step: Step, lines: Mapping[Mark, Step]) -> tuple[Part, ...]:
 
 
 class Run(NamedTuple):
-    """A log run with what was read: the errors by mark, and what each mark that was read should have been."""
+    """A log run with what was read: the errors by mark, and what each mark that was read should have been.
+
+    ``values``: what every step used and left, by the slot of its mark.
+    """
 
     errors: Mapping[Mark, tuple[Own, ...]]
     due: Mapping[Mark, Any]
+    values: Mapping[int, Any]
 
 
 def run(work: Drawn, found: Found, grain: Mapping[Mark, Grain]) -> Run:
@@ -136,7 +140,7 @@ def run_log(
                     read = slips.directed(read, value)
                 value = np.where(np.isnan(read), value, read)
             values[step.it.slot] = value
-    return Run(errors, due)
+    return Run(errors, due, values)
 
 
 def apart(found: Any, due: Any) -> Any:
