@@ -8,7 +8,7 @@ from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
-from graphic_tmm.checking.judging.yardstick import Yardstick, yardstick
+from graphic_tmm.checking.judging.yardstick import Yardsticks
 from graphic_tmm.checking.known import known
 from graphic_tmm.checking.mistakes.likely import Alternatives, likely
 from graphic_tmm.checking.records import Report, Taken
@@ -56,18 +56,15 @@ def checks(
 ) -> Iterator[Report]:
     """Yield the reports on the readings of many drawings of a scene, each with its source.
 
-    The hand draws once for all drawings of which the same figures were read. Otherwise as `check`.
+    The hand draws once for all of them. Otherwise as `check`.
     """
     made = make(scene, exact=True)
     others = Alternatives(made)
     drawing = HANDS[hand]._replace(trials=trials, seed=scene.seed)
-    known_by: dict[frozenset[object], Yardstick] = {}
+    yardsticks = Yardsticks(made, drawing, limits, points)
     for source, readings in drawings:
         rows, notes = known(made, readings, source)
-        read = frozenset(row.at for row in rows)
-        if read not in known_by:
-            known_by[read] = yardstick(made, rows, drawing, limits, points)
-        by = known_by[read]
+        by = yardsticks.of(rows)
         judged = judge(made, rows, by)
         found = likely(others, judged, by.spread, scene.language)
         name = scene_name(scene.source)
