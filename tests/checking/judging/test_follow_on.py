@@ -72,7 +72,7 @@ def drawings(name: str, place: int) -> Iterator[tuple[str, dict[int, Sheet]]]:
 @pytest.mark.parametrize("name", MACHINES)
 @pytest.mark.parametrize("mode", ["mm", "quantities"])
 def test_only_the_length_that_was_misread_is_wrong(name: str, mode: str, tmp_path: Path) -> None:
-    """Rates, normals and Coriolis components calculated from it are right, and so is what is drawn with them."""
+    """Rates, normals and Coriolis components found from it are right, and so is what is drawn with them."""
     found = list(drawings(name, 1))
     assert len(found) >= 6
     pen = Pencil(np.random.default_rng(0), 0.5)
