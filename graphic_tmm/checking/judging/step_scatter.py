@@ -38,7 +38,8 @@ class StepScatter(NamedTuple):
 
     ``sharp``: the same, if coordinates were read without a slip. ``scatter``: of the largest error measured
     by its size; ``most``: what `MOST` of the errors, so measured, are below. ``steady``: which of the
-    errors are counted for that: not those that a hand makes now and then.
+    errors are counted for that: not those that a hand makes now and then. ``drawn``: the largest error of each
+    drawing, by its size, with its sign.
     """
 
     sizes: tuple[float, ...]
@@ -46,6 +47,7 @@ class StepScatter(NamedTuple):
     scatter: Scatter
     most: float
     steady: tuple[bool, ...]
+    drawn: Reals
 
     def at(self, share: float) -> tuple[float, ...]:
         """Return the sizes if coordinates were read with this share of the slip that was counted upon."""
@@ -135,7 +137,11 @@ def step_scatter(
     ]
     steady = tuple(own.sized_by is own.error for own in errors)
     most = np.quantile([row for row, counts in zip(times, steady, strict=True) if counts], MOST)
-    return StepScatter(sizes, least, _limited(np.array(times), limits), float(most), steady)
+    scatter = _limited(np.array(times), limits)
+    drawn = (
+        times[0] * np.sign(errors[0].error[:, place]) if len(errors) == 1 else np.max(times, axis=0)
+    )
+    return StepScatter(sizes, least, scatter, float(most), steady, drawn)
 
 
 def _limited(times: Reals, limits: Limits) -> Scatter:
