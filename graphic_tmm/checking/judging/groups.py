@@ -32,7 +32,7 @@ RARE = 0.005
 FLOOR = 0.25
 """What is added to the variance of every length, each measured by its size, where lengths are held against
 one another: no length is known better than half of what a hand is off by it, whatever others tell of it.
-Chosen by eye: with 0.1 to 0.5 as many of 360 honest drawings have a group."""
+Chosen by eye: with 0.05 to 1 no honest drawing of 120 has a group."""
 MOST = 3
 """So many groups are told: further ones tell the same again."""
 NAME = said("small errors together")

@@ -46,6 +46,14 @@ class OwnScatters:
             self._find(new, found, drawn)
         return {at: self._kept[case] for at, case in cases.items()}
 
+    def lacks(self, found: Found) -> bool:
+        """Whether there is a case among what was read that has not been found yet."""
+        return any(case not in self._kept for case in self._cases(found).values())
+
+    def forget(self) -> None:
+        """Keep what was found out, but not what the hand's drawings have of the marks."""
+        self._read.clear()
+
     def _cases(self, found: Found) -> dict[tuple[Mark, int], Case]:
         """Return the case of each mark that was read, by mark and position."""
         there = {mark: ~np.isnan(row[0]) for mark, row in found.items()}

@@ -133,7 +133,7 @@ def limited_figure(
 
 def _whole(deviations: np.ndarray, by: Reader) -> np.ndarray:
     """Return deviations of all drawings; of a figure that some do not have, or that is alike in all, none."""
-    return deviations if deviations.size == by.hand.trials else NOTHING
+    return deviations.astype(np.float32) if deviations.size == by.hand.trials else NOTHING
 
 
 def _read(figures: Reals, goal: float, key: Key, due: Cell, by: Reader, in_mm: bool) -> Reals:

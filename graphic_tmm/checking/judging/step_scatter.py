@@ -138,10 +138,10 @@ def step_scatter(
     steady = tuple(own.sized_by is own.error for own in errors)
     most = np.quantile([row for row, counts in zip(times, steady, strict=True) if counts], MOST)
     scatter = _limited(np.array(times), limits)
-    drawn = (
-        times[0] * np.sign(errors[0].error[:, place]) if len(errors) == 1 else np.max(times, axis=0)
-    )
-    return StepScatter(sizes, least, scatter, float(most), steady, drawn)
+    drawn = np.max(times, axis=0)
+    if len(errors) == 1:
+        drawn = np.copysign(drawn, np.nan_to_num(errors[0].error[:, place]))
+    return StepScatter(sizes, least, scatter, float(most), steady, drawn.astype(np.float32))
 
 
 def _limited(times: Reals, limits: Limits) -> Scatter:

@@ -20,7 +20,8 @@ from graphic_tmm.drawn import DrawnScene
 
 KEPT = 4_000_000
 """So many numbers of a hand's drawings are kept at the most (32 MB): all that can be read of a scene with 10
-positions is 0.1 to 1.2 million in 400 drawings. Of a larger one only what was read is drawn, and kept."""
+positions is 0.1 to 1.2 million in 400 drawings. Of a larger one what was read is drawn, and drawn again for
+other figures; how they scatter is kept."""
 
 
 class Yardstick(NamedTuple):
@@ -66,12 +67,18 @@ class Yardsticks:
         own: Mapping[tuple[Mark, int], StepScatter] = {}
         if self._own is not None and found:
             own = self._own.of(found, self._drawn.marks)
+        if not self._little:
+            self._drawn = Sample({}, {}, {})
+            if self._own is not None:
+                self._own.forget()
         return Yardstick(self.reader, self.limits, spread, own)
 
-    def _draw(self, asked: Collection[tuple[Key, bool]], marks: Collection[Mark]) -> None:
+    def _draw(self, asked: Collection[tuple[Key, bool]], marks: Mapping[Mark, Any]) -> None:
         """Have drawings with these figures and marks: all of their kind, if that is little."""
         drawn = self._drawn
         missing = [mark for mark in marks if mark not in drawn.marks]
+        if not self._little and self._own is not None:
+            missing = missing if self._own.lacks(marks) else []
         new = [at for at in asked if at not in self._spread and at not in self._none]
         new = [at for at in new if at not in drawn.figures and at[0] not in drawn.spots]
         if not (new or missing):

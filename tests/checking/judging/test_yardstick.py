@@ -53,6 +53,7 @@ def same(one: Yardstick, other: Yardstick) -> None:
         assert (own.most, own.steady) == (due.most, due.steady)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["crank-rocker", "offset-slider", "cam"])
 @pytest.mark.parametrize("kept", [module.KEPT, 0])
 def test_kept_they_are_those_of_each_drawing_alone(
@@ -66,6 +67,7 @@ def test_kept_they_are_those_of_each_drawing_alone(
             same(together.of(rows), yardstick(exact(name), rows, HAND, Limits()))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["crank-rocker", "shaper"])
 def test_own_errors_are_those_of_the_whole_log_run_with_what_was_read(name: str) -> None:
     made = exact(name)
