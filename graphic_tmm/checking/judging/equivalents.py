@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from functools import cache
 from statistics import NormalDist
 from typing import Any, NamedTuple
 
@@ -144,6 +145,7 @@ def spot_of(mark: Mark, value: Any) -> complex:
     return np.complex128(value)
 
 
+@cache
 def pair(limits: Limits) -> Scatter:
     """Return the limits of the larger of two errors of a hand, each measured by its root mean square."""
     shares = (np.arange(SAMPLE) + 0.5) / SAMPLE
