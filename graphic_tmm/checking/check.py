@@ -9,7 +9,7 @@ from graphic_tmm.checking.cells import cells
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
-from graphic_tmm.checking.judging.yardstick import Yardstick, yardstick
+from graphic_tmm.checking.judging.yardstick import Yardsticks
 from graphic_tmm.checking.known import known
 from graphic_tmm.checking.lessons.lessons import Teacher
 from graphic_tmm.checking.mutations.diagnosis import diagnosed
@@ -60,18 +60,15 @@ def checks(
 ) -> Iterator[Report]:
     """Yield the reports on the readings of many drawings of a scene, each with its source.
 
-    The hand draws once for all drawings of which the same figures were read. Otherwise as `check`.
+    The hand draws once for all of them. Otherwise as `check`.
     """
     made = make(scene, exact=True)
     mistakes, teacher = Mistakes(made), Teacher(made)
     drawing = HANDS[hand]._replace(trials=trials, seed=scene.seed)
-    known_by: dict[frozenset[object], Yardstick] = {}
+    yardsticks = Yardsticks(made, drawing, limits, points)
     for source, readings in drawings:
         rows, notes = known(made, readings, source)
-        read = frozenset(row.at for row in rows)
-        if read not in known_by:
-            known_by[read] = yardstick(made, rows, drawing, limits, points)
-        by = known_by[read]
+        by = yardsticks.of(rows)
         judged = judge(made, rows, by)
         compared = Comparison(made, [part for taken in rows for part in taken.parts()], by)
         found = told(diagnosed(mistakes, compared, judged), compared, scene.language)

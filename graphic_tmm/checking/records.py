@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -84,6 +85,8 @@ class Judged(NamedTuple):
     the hand's own drawings are farther off (0 … 1, small for a reading that the hand would hardly make);
     ``step``: which step of its plan is blamed, "" for none; ``own``: the error that this step made itself, mm
     (None of a rate). ``follows``: the earlier reading whose deviation it has, though it is right itself.
+    ``times``: how many times what the hand is usually off it is, as it was made or else as it is, with its sign
+    (of a point without one); NaN where that is not known.
     """
 
     taken: Taken
@@ -97,6 +100,7 @@ class Judged(NamedTuple):
     step: str = ""
     own: float | None = None
     follows: Taken | None = None
+    times: float = math.nan
 
 
 MISTAKE, SLIP, INSTRUMENT, UNKNOWN, UNSEEN = "mistake", "slip", "instrument", "unknown", "unseen"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -12,6 +12,7 @@ import numpy as np
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Length, Number, Point
 from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, longest, points
+from graphic_tmm.checking.judging.equivalents import Off, offs, ways_of
 from graphic_tmm.checking.judging.own_errors import Grain, Run, apart, exact, read_of, run
 from graphic_tmm.checking.judging.step_scatter import share_of_slip
 from graphic_tmm.checking.judging.taken_marks import as_marks, scale_of, steps_of
@@ -149,6 +150,29 @@ class Comparison:
             return ()
         return tuple((by, float(np.nan_to_num(error)), grain) for by, error, grain in told)
 
+    def otherwise(self, taken: Taken) -> Iterator[tuple[Off, ...]]:
+        """Yield how far a point is off where each other construction of it leads, with the hand's sizes."""
+        step, place = self.step(taken), self.place(taken)
+        if step is None or place < 0 or not taken.pointed:
+            return
+        reader, values = self.by.reader, self.run.values
+        due = complex(_single(self.run.due[step.it], place))
+        for way in ways_of(step, self.lines):
+            yield offs(
+                way,
+                taken.spot,
+                due,
+                lambda mark: _single(values[mark.slot], place),
+                reader.hand,
+                self.share * reader.pointing,
+            )
+
+    @cached_property
+    def lines(self) -> Mapping[Mark, Step]:
+        """The steps of the log, by their marks."""
+        assert self.made.mechanism is not None
+        return {step.it: step for step in self.made.mechanism.construction.steps}
+
     @cached_property
     def share(self) -> float:
         """With which share of the slip that is counted upon the points of this drawing were read."""
@@ -219,6 +243,14 @@ class Comparison:
         due = np.where(np.isnan(self.found[0][mark]), np.nan, due)
         due = np.abs(due) if mark.kind is Length else due
         return run(self.made.mechanism, {**self.found[0], mark: due}, {})
+
+
+def _single(value: Any, place: int) -> Any:
+    """Return a value at a position: of a line or an arc each of its parts."""
+    if isinstance(value, tuple):
+        return type(value)(*(_single(part, place) for part in value))
+    flat = np.ravel(value)
+    return flat[place if flat.size > 1 else 0]
 
 
 def _at(row: Any, place: int) -> float:

@@ -7,7 +7,7 @@ that was read the point that the log marked: a later step starts from what was f
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -90,12 +90,15 @@ class Run(NamedTuple):
     values: Mapping[int, Any]
 
 
-def run(work: Drawn, found: Found, grain: Mapping[Mark, Grain]) -> Run:
+def run(
+    work: Drawn, found: Found, grain: Mapping[Mark, Grain], wanted: Container[Mark] | None = None
+) -> Run:
     """Run the log of a scene with what was read in the place of what it measured, calculated and marked.
 
-    ``grain``: how far each figure that was read may be from what was meant, by rounding alone.
+    ``grain``: how far each figure that was read may be from what was meant, by rounding alone. ``wanted``: of
+    which marks the errors are told; None for all that were read.
     """
-    return run_log(work.construction, work.given, found, grain, partial(exact, work))
+    return run_log(work.construction, work.given, found, grain, partial(exact, work), wanted)
 
 
 def run_log(
@@ -104,6 +107,7 @@ def run_log(
     found: Found,
     grain: Mapping[Mark, Grain],
     exact: Callable[[Mark], Any],
+    wanted: Container[Mark] | None = None,
 ) -> Run:
     """Run a log with what was read in the place of what it measured, calculated and marked.
 
@@ -117,6 +121,8 @@ def run_log(
         How far each figure that was read may be from what was meant, by rounding alone.
     exact
         What the exact hand has of a mark.
+    wanted
+        Of which marks the errors are told; None for all that were read.
     """
     values: dict[int, Any] = {
         mark.slot: as_value(given[mark], mark.kind) for mark in log.given if mark in given
@@ -130,13 +136,15 @@ def run_log(
             value = _of(step)(*drawn)
             if (read := found.get(step.it)) is not None:
                 due[step.it] = value
-                if step.it.kind is Point:
+                told = wanted is None or step.it in wanted
+                if told and step.it.kind is Point:
                     parts = errors_at(exact, lines, step, read, value, values, due)
                     whole = grain[step.it].read if step.it in grain else 0.0
                     errors[step.it] = tuple(part._replace(grain=whole) for part in parts)
-                else:
+                elif told:
                     error = apart(read, value)
                     errors[step.it] = (Own(step, error, error, _grain(step, value, drawn, grain)),)
+                if step.it.kind is not Point:
                     read = slips.directed(read, value)
                 value = np.where(np.isnan(read), value, read)
             values[step.it.slot] = value
