@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.board.values import Length, Number
+from graphic_tmm.board.values import Length, Number, Point
 from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, longest, points
 from graphic_tmm.checking.judging.equivalents import Off, offs, ways_of
 from graphic_tmm.checking.judging.own_errors import Grain, Run, apart, exact, read_of, run
@@ -67,6 +67,37 @@ class Comparison:
     def step(self, taken: Taken) -> Step | None:
         """Return the step that a reading is of; None where it is no length, point or rate of a plan."""
         return self.steps.get((taken.plan, taken.segment))
+
+    def step_of(self, mark: Mark) -> Step | None:
+        """Return the step that leaves a mark that can be read."""
+        return self._by_marks.get(mark)
+
+    @cached_property
+    def _by_marks(self) -> Mapping[Mark, Step]:
+        return {step.it: step for step in self.steps.values()}
+
+    def larger(self, view: str, place: int) -> float:
+        """Return how many times as large as due the longest of what was read of a view is; 1 at the least.
+
+        A ray that reaches farther is farther off by the same swing of the hand.
+        """
+        return max(1.0, self._larger.get((view, place), 1.0))
+
+    @cached_property
+    def _larger(self) -> Mapping[tuple[str, int], float]:
+        found: dict[tuple[str, int], tuple[float, float]] = {}
+        for mark, row in self.found[0].items():
+            if mark.kind not in (Length, Point) or self.made.mechanism is None:
+                continue
+            due = np.abs(np.broadcast_to(exact(self.made.mechanism, mark), row.shape))[0]
+            for place in np.flatnonzero(~np.isnan(row[0])):
+                read, right = found.get((mark.view, int(place)), (0.0, 0.0))
+                known = float(np.nan_to_num(due[place]))
+                found[mark.view, int(place)] = (
+                    max(read, abs(complex(row[0, place]))),
+                    max(right, known),
+                )
+        return {at: read / right for at, (read, right) in found.items() if right > 0.0}
 
     def calculated(self, taken: Taken) -> bool:
         """Whether a reading is a length that its step calculates, written as calculated."""

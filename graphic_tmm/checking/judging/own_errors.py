@@ -21,7 +21,7 @@ from graphic_tmm.board.values import given as as_value
 from graphic_tmm.checking.judging import slips
 from graphic_tmm.drawn import Drawn
 
-MET = (meet, cut, cross)
+MET = frozenset(op.name for op in (meet, cut, cross))
 """Operations that mark where two lines or arcs meet."""
 Found = Mapping[Mark, Any]
 """What was read of marks: arrays (trial, position), of a point x + iy; NaN where it was not read."""
@@ -64,7 +64,7 @@ class Part(NamedTuple):
 
 def parts_of(step: Step, lines: Mapping[Mark, Step]) -> tuple[Part, ...]:
     """Return what the point of a step may be off; ``lines``: the steps of the log by their marks."""
-    if step.op in MET:
+    if step.op.name in MET:
         on = {Line: "line", Arc: "arc"}
         found = [
             Part(on[mark.kind], lines.get(mark) or step, k)
@@ -74,7 +74,7 @@ def parts_of(step: Step, lines: Mapping[Mark, Step]) -> tuple[Part, ...]:
         if Side in step.op.takes:
             found.append(Part("met", step, step.op.takes.index(Side)))
         return tuple(found)
-    if step.op is lay_off:
+    if step.op.name == lay_off.name:
         return Part("line", lines.get(step.uses[0]) or step, 0), Part("laid", step, 1)
     return (Part("place", step, -1),)
 
@@ -138,7 +138,7 @@ def run_log(
                 due[step.it] = value
                 told = wanted is None or step.it in wanted
                 if told and step.it.kind is Point:
-                    parts = _parts(exact, lines, step, read, value, values, due)
+                    parts = errors_at(exact, lines, step, read, value, values, due)
                     whole = grain[step.it].read if step.it in grain else 0.0
                     errors[step.it] = tuple(part._replace(grain=whole) for part in parts)
                 elif told:
@@ -209,7 +209,7 @@ def exact(work: Drawn, mark: Mark) -> Any:
     return row
 
 
-def _parts(
+def errors_at(
     exact: Callable[[Mark], Any],
     lines: Mapping[Mark, Step],
     step: Step,
