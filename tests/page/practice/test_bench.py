@@ -71,9 +71,10 @@ def test_no_wrong_answer_is_fine(answers: list[tuple[Packed, dict[str, Any]]]) -
                     told[kind, verdict] += 1
                     assert kind == "5 mm" or verdict == WRONG, (scene.name, slot, kind, apart)
     shifted = [told["5 mm", verdict] for verdict in VERDICTS]
-    # a ray that swings by 0.6° may be off so far at half a metre, as two lines that are almost one may meet
-    assert shifted[0] < 0.01 * sum(shifted)
-    assert shifted[2] > 0.85 * sum(shifted)
+    # a ray that swings by 0.6° may be off so far at half a metre, as two lines that are almost one may meet; a
+    # point of a similar figure may be found by such rays
+    assert shifted[0] < 0.015 * sum(shifted), shifted
+    assert shifted[2] > 0.8 * sum(shifted), shifted
     assert min(told["ten times", WRONG], told["other meeting", WRONG]) > 5
 
 
