@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells
 from graphic_tmm.checking.judging.comparison import Comparison
+from graphic_tmm.checking.judging.groups import groups
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardsticks
@@ -72,6 +73,7 @@ def checks(
         judged = judge(made, rows, by)
         compared = Comparison(made, [part for taken in rows for part in taken.parts()], by)
         found = told(diagnosed(mistakes, compared, judged), compared, scene.language)
+        found = found or groups(made, judged, by)
         lessons = teacher.lessons(judged, found, by.reader)
         name = scene_name(scene.source)
         yield Report(name, scene.title, scene.language, hand, judged, found, notes, lessons)

@@ -30,7 +30,7 @@ FARTHEST = 1e9
 
 def log_density(error: Any, size: Any, figure: Any) -> Array:
     """Return the logarithm of the density of an error, of that standard deviation, of such a figure."""
-    off = np.abs(error)
+    off = np.minimum(np.abs(error), FARTHEST)
     normal = np.exp(-0.5 * (off / size) ** 2) / (size * np.sqrt(2.0 * np.pi))
     wide = 1.0 / (np.pi * WIDER * size * (1.0 + (off / (WIDER * size)) ** 2))
     found = (1.0 - ODD - ANY) * normal + ODD * wide + ANY * broad(off, size, figure)
@@ -40,7 +40,8 @@ def log_density(error: Any, size: Any, figure: Any) -> Array:
 def broad(off: Any, size: Any, figure: Any) -> Array:
     """Return the density of an error of which nothing is known but the figure's own magnitude."""
     whole = np.maximum(np.abs(figure), 10.0 * size)
-    return np.asarray(0.25 / whole + 0.25 / ((off + size) * MAGNITUDES))
+    even = np.where(off <= 2.0 * whole, 0.125 / whole, 0.0)
+    return np.asarray(even + 0.25 / ((off + size) * MAGNITUDES))
 
 
 def size_of(scatter: Any, figure: Any, mm: Any, change: Any = 0.0) -> Array:

@@ -80,17 +80,17 @@ class Table:
         """Return the plans that were read."""
         return list(dict.fromkeys(plan for plan, _, _ in self.columns))
 
-    def places(self) -> Iterator[tuple[str, str, str, list[Column]]]:
-        """Yield what may have gone wrong together: everything, a plan, a column; its name and its columns."""
+    def places(self) -> Iterator[tuple[str, str, list[Column]]]:
+        """Yield what may have gone wrong together: everything, a plan, a column; with its columns."""
         every = list(self.columns)
-        yield "", "", "", every
+        yield "", "", every
         for plan in self.plans():
             mine = [column for column in every if column[0] == plan]
             if len(mine) < len(every):
-                yield plan, plan, "", mine
+                yield plan, "", mine
             for column in mine:
                 if len(mine) > 1:
-                    yield f"{plan}: {column[1]}", plan, column[1], [column]
+                    yield plan, column[1], [column]
 
     def same(self) -> Variation:
         """Return the table as it is."""
@@ -112,9 +112,9 @@ def variations(
     ``scales``: what a mm is in the unit of a reading; ``off``: how far a point that was read is from its
     due, mm.
     """
-    for where, plan, segment, columns in table.places():
+    for plan, segment, columns in table.places():
         named = table.same()._replace(plan=plan, segment=segment)
-        told = {"where": where or EVERYTHING}
+        told: dict[str, object] = {}
         yield from _moved(table, named, told, columns)
         yield from _times(table, named, told, columns)
         yield from _quantities(table, named, told, columns, scales, others)
@@ -181,7 +181,7 @@ def copied(table: Table, apart: Callable[[int, int], bool]) -> Iterator[Variatio
                 continue
             source = table.same().source.copy()
             source[[k for k, _ in some]] = -1
-            told = {"one": one, "other": other, "where": plan}
+            told = {"one": one, "other": other}
             yield table.same()._replace(
                 says=COPIED, source=source, told=told, plan=plan, position=one, cost=0.1
             )

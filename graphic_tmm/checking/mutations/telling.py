@@ -14,7 +14,7 @@ from graphic_tmm.checking.mutations.hypotheses import Hypothesis
 from graphic_tmm.checking.mutations.mutation import Mutation
 from graphic_tmm.checking.mutations.names import BY_FAMILY, INSTRUMENT, name_of
 from graphic_tmm.checking.mutations.shown import explained, shown_at
-from graphic_tmm.checking.mutations.tables import Variation
+from graphic_tmm.checking.mutations.tables import EVERYTHING, Variation
 from graphic_tmm.checking.records import (
     INSTRUMENT as OFF,
 )
@@ -109,6 +109,8 @@ def _says(one: Hypothesis, drawing: Comparison, speech: Speech) -> str:
     what, language = one.what, speech.language
     if isinstance(what, Variation):
         words = {k: _word(v, speech) for k, v in what.told.items()}
+        plan = view_name(what.plan, language) if what.plan else speech(EVERYTHING)
+        words["where"] = f"{plan}: {what.segment}" if what.segment else plan
         return speech(what.says, **words)
     log = drawing.made.boards[one.board].construction
     sentence = _sentence(what, language, speech)
