@@ -30,8 +30,9 @@ def underlay(
 ) -> tuple[tuple[Path, ...], tuple[str, ...]]:
     """Write a sheet's photograph, flattened, and over it the exact sheet, thin and coloured, true to the mm.
 
-    ``number``: of the sheet, from 1. Return the files, and what the photograph is warned about. The picture
-    has the drawing's name with "-flat": not the photograph's, which may stand beside it.
+    ``corners``: of the frame as they were typed, "" to find it. ``number``: of the sheet, from 1. Return the
+    files, and what the photograph is warned about. The picture has the drawing's name with "-flat": not the
+    photograph's, which may stand beside it.
 
     Raises
     ------
@@ -40,11 +41,11 @@ def underlay(
         written.
     """
     from graphic_tmm.checking.photo.flatten import flatten, png
-    from graphic_tmm.paper.frame.frame import drawing_area
+    from graphic_tmm.checking.photo.ruling import ruled
     from graphic_tmm.paper.write.svg import Under, svg
 
     path = _drawing(file)
-    clicked = _corners(corners)
+    clicked = _corners(corners) if corners else None
     drawn = sheets(scene)[1]
     if number > len(drawn):
         raise SheetError(
@@ -55,9 +56,8 @@ def underlay(
             )
         )
     sheet = drawn[number - 1]
-    left, bottom, right, top = drawing_area(sheet.format, scene.language, number == 1).inner
-    paper = (0.0, 0.0, sheet.width, sheet.height)
-    flat = flatten(Path(photo), clicked, (left, bottom, right, top), area=paper)
+    lines = ruled(sheet, number == 1)
+    flat = flatten(Path(photo), clicked or lines, lines.frame, area=lines.paper)
     picture = f"{path.stem}-flat.png"
     text = svg(sheet, under=Under(picture))
     files: dict[str, str | bytes] = {path.name: text, picture: png(flat)}

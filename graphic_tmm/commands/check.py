@@ -75,7 +75,7 @@ if TYPE_CHECKING:
     help=said("How many times larger the overlay shows deviations."),
 )
 @click.option(
-    "--photo", help=said("A photograph of the sheet, to be laid under it (with --corners).")
+    "--photo", help=said("A photograph of the sheet, to be laid under it; its frame is found.")
 )
 @click.option(
     "--sheet",
@@ -83,7 +83,10 @@ if TYPE_CHECKING:
     help=said("Which sheet the photograph shows (with --photo); default: the first."),
 )
 @click.option(
-    "--corners", help=said("The corners of the frame in the photograph: x,y x,y x,y x,y (dots).")
+    "--corners",
+    help=said(
+        "The corners of the frame in the photograph, if it is not found: x,y x,y x,y x,y (dots)."
+    ),
 )
 @click.option(
     "-f",

@@ -123,7 +123,7 @@ def taken(number: int, given: Conditions | None = None) -> Taken:
     image = np.ascontiguousarray(np.rot90(image, how.quarters))
 
     def seen(points: np.ndarray) -> np.ndarray:
-        return _turned(camera.seen(points), how.quarters, camera.columns, camera.rows)
+        return turned(camera.seen(points), how.quarters, camera.columns, camera.rows)
 
     left, bottom, right, top = paper.frame
     frame = np.array([left + 1j * bottom, right + 1j * bottom, right + 1j * top, left + 1j * top])
@@ -149,7 +149,7 @@ def _rubbed(paper: Paper, how: Conditions, number: int) -> np.ndarray:
     if not ink or not how.marks.smears:
         return np.zeros((1, 1), np.uint8)
     chosen = [ink[k] for k in random.integers(0, len(ink), 2 * how.marks.smears)]
-    turned = [
+    moved = [
         one._replace(
             points=one.points[0]
             + (one.points - one.points[0]) * np.exp(1j * np.radians(random.normal(0, 6)))
@@ -157,7 +157,7 @@ def _rubbed(paper: Paper, how: Conditions, number: int) -> np.ndarray:
         )
         for one in chosen
     ]
-    return ghosts(turned, paper.size, how.pencil, number, 0.06)
+    return ghosts(moved, paper.size, how.pencil, number, 0.06)
 
 
 def aimed(paper: Paper, how: Conditions) -> Camera:
@@ -210,7 +210,7 @@ def aimed(paper: Paper, how: Conditions) -> Camera:
     raise AssertionError("the sheet is not seen whole")
 
 
-def _turned(seen: np.ndarray, quarters: int, columns: int, rows: int) -> np.ndarray:
+def turned(seen: np.ndarray, quarters: int, columns: int, rows: int) -> np.ndarray:
     """Return where places of a photograph are when it is turned counter-clockwise by quarters."""
     x, y = seen.real, seen.imag
     for _ in range(quarters % 4):
