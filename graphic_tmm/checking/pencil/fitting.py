@@ -15,124 +15,243 @@ import numpy as np
 
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.checking.pencil.expected import Line, View
-from graphic_tmm.checking.pencil.lines import Track
+from graphic_tmm.checking.pencil.lines import BAND, Track
 
 FAR = 3.0
 """The displacement of a place, mm (one standard deviation), before anything is seen of it."""
-BESIDE = 1.2
-"""And against a place that a line joins it with."""
-NARROWER = (3.0, 2.0, 1.3, 0.9, 0.7, 0.7)
-"""How far a line may be from the places found so far, mm: round by round."""
-WORTH = 14.0
-"""What full cover is worth against squares of that: chosen by eye."""
-NONE = 0.35
-"""A line with less cover than this, beside its displacement, is better taken for not drawn."""
+BESIDE, LONGER = 0.6, 0.012
+"""And against a place that a line joins it with, mm, and so much more the longer the line: of a student's hand a
+ray swings by 0.6°, a length is off by 0.75 mm, and few steps lie between them."""
+TURNED = 1.5
+"""A line is turned from its due by some degrees (one standard deviation)."""
+ROUNDS = 3
+MARGINS = (8.0, 5.0, 3.0, 1.5, 0.0)
+"""A line is chosen, round by round, if it is worth so much more than any other one."""
+TAKEN = 6.0
+"""What a track loses that another line has chosen."""
+ALIKE, ALONG = 0.7, 0.1
+"""Places of one point in neighbouring positions err alike, mm, and by so much less alike the farther they are."""
+WORTH = 16.0
+"""What full cover is worth against the squares of displacements: chosen by eye."""
+NONE = 0.4
+"""A line with less cover than this is better taken for not drawn."""
+DOUBT = 2.0
+"""Of two choices that differ less in worth either may be right."""
+GRAIN = 0.2
+"""A track is known no better than that, mm."""
 SAME = 0.5
 """Two lines have chosen one line of pencil if they are nearer at both its ends, mm."""
 
 
 class Fit(NamedTuple):
-    """The track of each line (None: not seen), and the displacement of each place, mm."""
+    """The track of each line (None: not seen), and the displacement of each place, mm.
+
+    ``doubt``: by line how far aside of it, mm, at its two ends, the next best choice is; NaN where it is clear.
+    """
 
     tracks: tuple[Track | None, ...]
     moved: Complexes
+    doubt: tuple[tuple[float, float] | None, ...] = ()
+
+
+class Web:
+    """The least squares of a view: what neighbours and lines tell of the displacements of its places."""
+
+    def __init__(self, view: View) -> None:
+        self.view = view
+        spots = np.array([place.at for place in view.places])
+        self.shares = [line.shares(spots) for line in view.lines]
+        count = len(view.places)
+        base = np.eye(2 * count) / FAR**2
+        for line in view.lines:
+            on = line.places
+            for a, b in zip(on, on[1:], strict=False):
+                weight = (BESIDE + LONGER * abs(spots[a] - spots[b])) ** -2
+                for part in (0, 1):
+                    i, j = 2 * a + part, 2 * b + part
+                    base[i, i] += weight
+                    base[j, j] += weight
+                    base[i, j] -= weight
+                    base[j, i] -= weight
+        self.base = base
+        self._neighbours(spots)
+        count = range(len(view.lines))
+        self.rivals = [[k for k in count if _rival(one, view.lines[k])] for one in view.lines]
+
+    def _neighbours(self, spots: Complexes) -> None:
+        """Join places of one point in positions that follow each other: lengths and pivots are common to all."""
+        before: dict[tuple[str, str], int] = {}
+        for k, place in enumerate(self.view.places):
+            if not place.names:
+                continue
+            plan, letter, _ = place.names[0]
+            a = before.get((plan, letter))
+            before[plan, letter] = k
+            if a is not None:
+                weight = (ALIKE + ALONG * abs(spots[a] - spots[k])) ** -2
+                for part in (0, 1):
+                    i, j = 2 * a + part, 2 * k + part
+                    self.base[i, i] += weight
+                    self.base[j, j] += weight
+                    self.base[i, j] -= weight
+                    self.base[j, i] -= weight
+
+    def solved(self, chosen: Sequence[Track | None]) -> Solved:
+        """Return the displacements that the lines chosen tell, (2 · all), and how they scatter, (2 · all, 2 · all)."""
+        normal, right = self.base.copy(), np.zeros(len(self.base))
+        for k, track in enumerate(chosen):
+            if track is not None:
+                at, rows = self._rows(k)
+                weight = _weight(track)
+                normal[np.ix_(at, at)] += weight * rows.T @ rows
+                right[at] += weight * rows.T @ np.asarray(track.aside(self.shares[k]))
+        scatter = np.linalg.inv(normal)
+        return Solved(scatter @ right, scatter)
+
+    def without(self, k: int, told: Solved, track: Track | None) -> tuple[Reals, Reals]:
+        """Return how far the places of a line are aside by all other lines, (places,), and how that scatters."""
+        at, rows = self._rows(k)
+        due = rows @ told.moved[at]
+        spread = rows @ told.scatter[np.ix_(at, at)] @ rows.T
+        if track is None:
+            return due, spread
+        weight = _weight(track)
+        due = due - weight * spread @ np.asarray(track.aside(self.shares[k]))
+        gain = spread @ np.linalg.inv(np.eye(len(due)) / weight - spread)
+        return due + gain @ due, spread + gain @ spread
+
+    def _rows(self, k: int) -> tuple[list[int], Reals]:
+        """Return which displacements move a line's places aside, and by how much each, (places, 2 · places)."""
+        line = self.view.lines[k]
+        left = 1j * line.way
+        made = np.zeros((len(line.places), 2 * len(line.places)))
+        for n in range(len(line.places)):
+            made[n, 2 * n : 2 * n + 2] = left.real, left.imag
+        return [2 * place + part for place in line.places for part in (0, 1)], made
+
+
+class Solved(NamedTuple):
+    """Displacements, x and y of all places, and their scatter."""
+
+    moved: Reals
+    scatter: Reals
+
+    @property
+    def places(self) -> Complexes:
+        """The displacements as complex numbers, mm."""
+        return np.asarray(self.moved[::2] + 1j * self.moved[1::2], dtype=np.complex128)
+
+
+def _weight(track: Track) -> float:
+    return max(track.error, 0.08) ** -2
+
+
+def _rival(line: Line, other: Line) -> bool:
+    """Whether one line of pencil may be taken for either of two lines that should be apart."""
+    if line is other or abs((other.way / line.way).imag) > 0.25:
+        return False
+    own = (np.array([line.start, line.end]) - other.start) / other.way
+    near = abs(own.imag).min() < 2 * BAND and own.real.max() > 0 and own.real.min() < other.length
+    return bool(near and abs(own.imag).max() > 2 * SAME)
+
+
+class Choice(NamedTuple):
+    """What of a line's tracks is best: None, if none is worth it; by how much, and how far aside the next best is."""
+
+    track: Track | None
+    margin: float
+    doubt: tuple[float, float] | None
 
 
 def fit(view: View, found: Sequence[Sequence[Track]]) -> Fit:
-    """Return which tracks belong together; ``found``: by line."""
-    spots = np.array([place.at for place in view.places])
-    shares = [_shares(line, spots) for line in view.lines]
-    moved = np.zeros(len(spots), dtype=np.complex128)
+    """Return which tracks belong together; ``found``: by line.
+
+    Clear lines first: what they tell of the places makes others clear. Then each again beside all others.
+    """
+    web = Web(view)
     chosen: list[Track | None] = [None] * len(view.lines)
-    for reach in NARROWER:
-        for k, line in enumerate(view.lines):
-            chosen[k] = _chosen(line, shares[k], found[k], moved, reach)
-        _once(view, chosen)
-        moved = displaced(view, shares, chosen, BESIDE)
-    return Fit(tuple(chosen), moved)
-
-
-def _shares(line: Line, spots: Complexes) -> Reals:
-    """Return where on a line its places are, as shares of its length."""
-    own: Reals = (((spots[list(line.places)] - line.start) / line.way).real / line.length).astype(
-        np.float64
-    )
-    return own
+    waiting = {k for k in range(len(chosen)) if found[k]}
+    doubt: list[tuple[float, float] | None] = [None] * len(chosen)
+    for margin in MARGINS:
+        told = web.solved(chosen)
+        made = {k: _chosen(web, k, found[k], told, chosen) for k in waiting}
+        for k in sorted(waiting, key=lambda k: -made[k].margin):
+            if made[k].track is not None and made[k].margin > margin:
+                chosen[k] = made[k].track
+                waiting.discard(k)
+        _once(web, chosen)
+    for _ in range(ROUNDS):
+        before = list(chosen)
+        told = web.solved(chosen)
+        for k in range(len(chosen)):
+            chosen[k], _, doubt[k] = _chosen(web, k, found[k], told, before)
+        _once(web, chosen)
+        if chosen == before:
+            break
+    return Fit(tuple(chosen), web.solved(chosen).places, tuple(doubt))
 
 
 def _chosen(
-    line: Line, shares: Reals, found: Sequence[Track], moved: Complexes, reach: float
-) -> Track | None:
-    """Return the track that is most covered and nearest to where its places are; None if none is."""
+    web: Web, k: int, found: Sequence[Track], told: Solved, chosen: Sequence[Track | None]
+) -> Choice:
+    """Return the track that is most covered and nearest to where the other lines have its places."""
     if not found:
-        return None
-    aside = (moved[list(line.places)] / (1j * line.way)).real
+        return Choice(None, 0.0, None)
+    due, spread = web.without(k, told, chosen[k])
+    turned = np.radians(TURNED) * web.view.lines[k].length + 0.3
+    inverse = np.linalg.inv(spread + GRAIN**2 * np.eye(len(due)))
+    taken = _taken(web, k, found, chosen)
     worth = []
-    for track in found:
-        off = (track.aside(shares) - aside) / reach
-        worth.append(WORTH * (track.covered - NONE) - 0.5 * float(np.mean(off**2)))
+    for track, there in zip(found, taken, strict=True):
+        off = np.asarray(track.aside(web.shares[k])) - due
+        chi = off @ inverse @ off / max(len(off) / 2, 1)
+        chi += ((track.end - track.start) / turned) ** 2
+        worth.append(WORTH * (track.covered - NONE) - 0.5 * chi - TAKEN * there)
     best = int(np.argmax(worth))
-    return found[best] if worth[best] > 0 else None
+    if worth[best] <= 0:
+        return Choice(None, -worth[best], None)
+    others = [n for n in range(len(worth)) if n != best]
+    margin = worth[best] - max((worth[n] for n in others), default=0.0)
+    one = found[best]
+    aside = [
+        (found[n].start - one.start, found[n].end - one.end)
+        for n in others
+        if worth[n] > worth[best] - DOUBT
+    ]
+    doubt = max(aside, key=lambda ends: max(map(abs, ends)), default=None)
+    return Choice(one, min(margin, worth[best]), doubt)
 
 
-def _once(view: View, chosen: list[Track | None]) -> None:
-    """Let a line of pencil belong to one line only: to the longer one, if they are two where they should be."""
-    ends = np.full((len(chosen), 2), np.nan, dtype=np.complex128)
-    for k, track in enumerate(chosen):
-        if track is not None:
-            line = view.lines[k]
-            ends[k] = (
-                line.start + 1j * line.way * track.start,
-                line.end + 1j * line.way * track.end,
-            )
-    order = sorted(range(len(chosen)), key=lambda k: -view.lines[k].length)
-    for n, k in enumerate(order):
-        if chosen[k] is None:
-            continue
-        a, b = ends[k]
-        for other in order[n + 1 :]:
-            if chosen[other] is None:
-                continue
-            own = (ends[other] - a) / (b - a) * abs(b - a)
-            if max(abs(own.imag)) < SAME and _overlap(own, abs(b - a)):
-                due = view.lines[k]
-                was = np.array([view.lines[other].start, view.lines[other].end])
-                apart = abs(((was - due.start) / due.way).imag).max()
-                if apart > 2 * SAME:
-                    chosen[other] = None
-
-
-def _overlap(own: Complexes, length: float) -> bool:
-    low, high = min(own.real), max(own.real)
-    return bool(min(high, length) - max(low, 0.0) > 0.5 * (high - low))
-
-
-def displaced(
-    view: View, shares: Sequence[Reals], chosen: Sequence[Track | None], beside: float
-) -> Complexes:
-    """Return the displacements that the lines chosen tell, with the least squares."""
-    count = len(view.places)
-    normal = np.eye(2 * count) / FAR**2
-    right = np.zeros(2 * count)
-    for k, line in enumerate(view.lines):
-        on = list(line.places)
-        for a, b in zip(on, on[1:], strict=False):
-            for part in (0, 1):
-                i, j = 2 * a + part, 2 * b + part
-                weight = 1 / beside**2
-                normal[i, i] += weight
-                normal[j, j] += weight
-                normal[i, j] -= weight
-                normal[j, i] -= weight
-        track = chosen[k]
+def _taken(
+    web: Web, k: int, found: Sequence[Track], chosen: Sequence[Track | None]
+) -> list[bool]:
+    """Return of tracks whether another line, that should be elsewhere, has chosen the same pencil."""
+    line = web.view.lines[k]
+    mine = np.array([_ends(line, track) for track in found])
+    taken = np.zeros(len(found), dtype=bool)
+    for rival in web.rivals[k]:
+        track = chosen[rival]
         if track is None:
             continue
-        left = 1j * line.way
-        row = np.array([left.real, left.imag])
-        for place, share in zip(on, shares[k], strict=True):
-            weight = 1 / max(track.error, 0.1) ** 2
-            block = slice(2 * place, 2 * place + 2)
-            normal[block, block] += weight * np.outer(row, row)
-            right[block] += weight * row * track.aside(share)
-    found = np.linalg.solve(normal, right)
-    return found[::2] + 1j * found[1::2]
+        a, b = _ends(web.view.lines[rival], track)
+        own = (mine - a) / (b - a) * abs(b - a)
+        low, high = own.real.min(axis=1), own.real.max(axis=1)
+        over = np.minimum(high, abs(b - a)) - np.maximum(low, 0.0)
+        taken |= (abs(own.imag).max(axis=1) < SAME) & (over > 0.5 * (high - low))
+    return [bool(there) for there in taken]
+
+
+def _ends(line: Line, track: Track) -> tuple[complex, complex]:
+    left = 1j * line.way
+    return line.start + left * track.start, line.end + left * track.end
+
+
+def _once(web: Web, chosen: list[Track | None]) -> None:
+    """Let a line of pencil belong to one line only: to the longer one, if they are two where they should be."""
+    order = sorted(range(len(chosen)), key=lambda k: -web.view.lines[k].length)
+    kept: list[Track | None] = [None] * len(chosen)
+    for k in order:
+        one = chosen[k]
+        if one is not None and not _taken(web, k, [one], kept)[0]:
+            kept[k] = one
+    chosen[:] = kept

@@ -9,8 +9,9 @@ from graphic_tmm.checking.pencil.expected import View
 
 REACH = 8.0
 """A view is sought as far from where it should stand, mm: a student measures it off the frame, or puts it by eye."""
-STEP = 0.5
-MOST = 1500
+STEPS = (1.0, 0.25)
+"""At first in such steps, mm, then about the best of them more finely."""
+MOST = 600
 """So many places of its lines are looked at."""
 FAR = 0.02
 """What a millimetre of moving costs, as a share of cover: of two places alike the nearer one."""
@@ -25,9 +26,11 @@ def placed(flat: Flat, view: View, shift: complex = 0j, reach: float = REACH) ->
         return shift, 0.0
     ink = np.concatenate(some)
     ink = ink[:: -(-len(ink) // MOST)]
-    axis = np.arange(-reach, reach + 1e-9, STEP)
-    moves = shift + (axis[:, None] + 1j * axis).ravel()
-    cover = np.array([float(flat.near(ink + move).mean()) for move in moves])
-    worth = cover - FAR * abs(moves - shift)
-    best = int(np.argmax(worth))
-    return complex(moves[best]), float(cover[best])
+    found, reaches = shift, (reach, STEPS[0])
+    for wide, step in zip(reaches, STEPS, strict=True):
+        axis = np.arange(-wide, wide + 1e-9, step)
+        moves = found + (axis[:, None] + 1j * axis).ravel()
+        cover = flat.near(ink + moves[:, None]).mean(axis=1)
+        best = int(np.argmax(cover - FAR * abs(moves - shift)))
+        found = complex(moves[best])
+    return found, float(cover[best])

@@ -10,7 +10,7 @@ import numpy as np
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import View
-from graphic_tmm.checking.pencil.fitting import Fit, displaced
+from graphic_tmm.checking.pencil.fitting import Fit, Web
 from graphic_tmm.checking.pencil.lines import Track
 from graphic_tmm.checking.pencil.signs import Sign
 
@@ -138,10 +138,7 @@ class Signs:
         return Sign.made(self.view.ink[k] - at, np.array(others, dtype=np.complex128).reshape(-1, 2))
 
 
-def refit(view: View, tracks: Sequence[Track | None]) -> Complexes:
-    """Return the displacements that refined lines tell."""
-    places = np.array([place.at for place in view.places])
-    shares = [
-        (((places[list(one.places)] - one.start) / one.way).real / one.length) for one in view.lines
-    ]
-    return displaced(view, shares, tracks, 1.2)
+
+def refit(view: View, fit: Fit, tracks: Sequence[Track | None]) -> Fit:
+    """Return a fit with refined lines."""
+    return Fit(tuple(tracks), Web(view).solved(tracks).places, fit.doubt)
