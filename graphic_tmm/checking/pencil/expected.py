@@ -12,6 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Complexes, Line as Drawable, Point, Reals
 from graphic_tmm.checking.cells import pointed
@@ -28,6 +30,10 @@ SHORTEST = 4.0
 """A shorter stroke is part of a sign, no line, mm."""
 ALIKE = 0.3
 """Two lines are one if their ends are so near to the other's axis, mm."""
+DRAWINGS = 400
+"""So many drawings of a hand tell how its points err together."""
+LOST = 20.0
+"""A point farther off than this, mm, was drawn in the other assembly."""
 RING = 2.5
 """A small sign (a ring, a head) belongs to the point that it is about, so near, mm."""
 ASIDE = ("leader", "number", "dimension", "hatching", "turning", "axis")
@@ -70,6 +76,8 @@ class View(NamedTuple):
     """A view of a sheet: its places and lines; the place (index) of each pole, by plan and position.
 
     ``ink``: by place the straight pieces, (pieces, 2), of the signs there: lines that end, heads, rings, nicks.
+    ``of``: by place the position (index) that it belongs to, None for all. ``astray``: how far drawings of a hand
+    have each place from where it should be, (drawings, places), mm.
     """
 
     name: str
@@ -77,20 +85,27 @@ class View(NamedTuple):
     lines: tuple[Line, ...]
     poles: dict[tuple[str, str], int]
     ink: tuple[Complexes, ...]
+    of: tuple[int | None, ...]
+    astray: Complexes
 
 
-def views(made: DrawnScene, sheet: Sheet) -> tuple[View, ...]:
-    """Return what a sheet of a scene should show of its plans whose points can be read."""
-    found = (view_of(made, drawing) for drawing in sheet.drawings)
-    return tuple(view for view in found if view is not None)
+def views(made: DrawnScene, sheet: Sheet, hand: Hand) -> tuple[View, ...]:
+    """Return what a sheet of a scene should show of its plans whose points can be read, if a ``hand`` draws it."""
+    work, plans = made.mechanism, pointed()
+    if work is None:
+        return ()
+    log = work.construction
+    points = [mark for plan in plans for mark in _points(work, plan)]
+    drawn = execute(log, work.given, points, hand=hand._replace(trials=DRAWINGS))
+    found = []
+    for drawing in sheet.drawings:
+        shown = [plan for plan in drawing.shows if plan in plans]
+        if shown:
+            found.append(_view(Stood(work, drawing, shown), drawing, drawn))
+    return tuple(found)
 
 
-def view_of(made: DrawnScene, drawing: Drawing) -> View | None:
-    """Return what a view should show; None if no points can be read off it."""
-    shown = [plan for plan in drawing.shows if plan in pointed()]
-    if made.mechanism is None or not shown:
-        return None
-    stood = Stood(made.mechanism, drawing, shown)
+def _view(stood: Stood, drawing: Drawing, drawn: Reading) -> View:
     spots = np.array([place.at for place in stood.places], dtype=np.complex128)
     lines = []
     for k in dict.fromkeys(stroke.position for stroke in drawing.strokes):
@@ -104,6 +119,8 @@ def view_of(made: DrawnScene, drawing: Drawing) -> View | None:
         tuple(line for line in lines if line.places),
         stood.poles,
         tuple(_signs(drawing, spots[n], stood.at[n]) for n in range(len(spots))),
+        tuple(stood.at),
+        stood.astray(drawn),
     )
 
 
@@ -118,6 +135,7 @@ class Stood:
         self.at: list[int | None] = []
         self.poles: dict[tuple[str, str], int] = {}
         self.by_slot: dict[int, dict[int | None, int]] = {}
+        self._marks: list[tuple[Mark, int, complex] | None] = []
         self.steps = {step.it.slot: step for step in work.construction.steps}
         self.users: dict[int, list[int]] = {}
         for step in work.construction.steps:
@@ -133,7 +151,7 @@ class Stood:
         places = [k for k in range(len(row)) if k in inked]
         if reading is None or not places:
             return
-        pole = self._put(Place(origin, ()), None)
+        pole = self._put(Place(origin, ()), None, None)
         self.poles |= {(plan, work.names[row[k]]): pole for k in places}
         groups: dict[tuple[complex, ...], list[Mark]] = {}
         for mark in _points(work, plan):
@@ -149,21 +167,34 @@ class Stood:
                 called = tuple((plan, name, work.names[row[k]]) for name in names)
                 if not cmath.isfinite(spot):
                     continue
+                mark = (marks[0], row[k], spot)
                 if not fixed:
-                    by[k] = self._put(Place(origin + spot, called), k)
+                    by[k] = self._put(Place(origin + spot, called), k, mark)
                     continue
                 if None not in by:
                     at_pole = abs(spot) < 1e-3
-                    by[None] = pole if at_pole else self._put(Place(origin + spot, ()), None)
+                    by[None] = pole if at_pole else self._put(Place(origin + spot, ()), None, mark)
                 one = self.places[by[None]]
                 self.places[by[None]] = one._replace(names=(*one.names, *called))
             for mark in marks:
                 self.by_slot.setdefault(mark.slot, {}).update(by)
 
-    def _put(self, place: Place, k: int | None) -> int:
+    def _put(self, place: Place, k: int | None, mark: tuple[Mark, int, complex] | None) -> int:
         self.places.append(place)
         self.at.append(k)
+        self._marks.append(mark)
         return len(self.places) - 1
+
+    def astray(self, drawn: Reading) -> Complexes:
+        """Return how far drawings have each place from where it should be, (drawings, places), mm; 0 for none."""
+        found = np.zeros((DRAWINGS, len(self.places)), dtype=np.complex128)
+        for n, one in enumerate(self._marks):
+            if one is not None and one[0] in drawn:
+                mark, k, spot = one
+                value = drawn[mark]
+                found[:, n] = value[:, k if value.shape[1] > 1 else 0] - spot
+        lost = ~np.isfinite(found) | (abs(found) > LOST)
+        return np.where(lost, 0.0, found)
 
     def on(self, slots: Iterable[int] | None, k: int | None) -> list[int]:
         """Return the places that strokes of some marks go through in a position; None: any of the position."""

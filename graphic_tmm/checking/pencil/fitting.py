@@ -17,11 +17,10 @@ from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.checking.pencil.expected import Line, View
 from graphic_tmm.checking.pencil.lines import BAND, Track
 
-FAR = 3.0
-"""The displacement of a place, mm (one standard deviation), before anything is seen of it."""
-BESIDE, LONGER = 0.6, 0.012
-"""And against a place that a line joins it with, mm, and so much more the longer the line: of a student's hand a
-ray swings by 0.6°, a length is off by 0.75 mm, and few steps lie between them."""
+MORE = 1.4
+"""A hand may err so many times as far as that of the student, who is the usual one."""
+OWN, WHOLE = 0.4, 0.7
+"""And each place for itself, and a plan as a whole, after it was laid over its pencil, mm."""
 TURNED = 1.5
 """A line is turned from its due by some degrees (one standard deviation)."""
 ROUNDS = 3
@@ -29,13 +28,11 @@ MARGINS = (8.0, 5.0, 3.0, 1.5, 0.0)
 """A line is chosen, round by round, if it is worth so much more than any other one."""
 TAKEN = 6.0
 """What a track loses that another line has chosen."""
-ALIKE, ALONG = 0.7, 0.1
-"""Places of one point in neighbouring positions err alike, mm, and by so much less alike the farther they are."""
 WORTH = 16.0
 """What full cover is worth against the squares of displacements: chosen by eye."""
 NONE = 0.4
 """A line with less cover than this is better taken for not drawn."""
-DOUBT = 2.0
+DOUBT = 3.0
 """Of two choices that differ less in worth either may be right."""
 GRAIN = 0.2
 """A track is known no better than that, mm."""
@@ -61,40 +58,9 @@ class Web:
         self.view = view
         spots = np.array([place.at for place in view.places])
         self.shares = [line.shares(spots) for line in view.lines]
-        count = len(view.places)
-        base = np.eye(2 * count) / FAR**2
-        for line in view.lines:
-            on = line.places
-            for a, b in zip(on, on[1:], strict=False):
-                weight = (BESIDE + LONGER * abs(spots[a] - spots[b])) ** -2
-                for part in (0, 1):
-                    i, j = 2 * a + part, 2 * b + part
-                    base[i, i] += weight
-                    base[j, j] += weight
-                    base[i, j] -= weight
-                    base[j, i] -= weight
-        self.base = base
-        self._neighbours(spots)
+        self.base = _told_by(view.astray)
         count = range(len(view.lines))
         self.rivals = [[k for k in count if _rival(one, view.lines[k])] for one in view.lines]
-
-    def _neighbours(self, spots: Complexes) -> None:
-        """Join places of one point in positions that follow each other: lengths and pivots are common to all."""
-        before: dict[tuple[str, str], int] = {}
-        for k, place in enumerate(self.view.places):
-            if not place.names:
-                continue
-            plan, letter, _ = place.names[0]
-            a = before.get((plan, letter))
-            before[plan, letter] = k
-            if a is not None:
-                weight = (ALIKE + ALONG * abs(spots[a] - spots[k])) ** -2
-                for part in (0, 1):
-                    i, j = 2 * a + part, 2 * k + part
-                    self.base[i, i] += weight
-                    self.base[j, j] += weight
-                    self.base[i, j] -= weight
-                    self.base[j, i] -= weight
 
     def solved(self, chosen: Sequence[Track | None]) -> Solved:
         """Return the displacements that the lines chosen tell, (2 · all), and how they scatter, (2 · all, 2 · all)."""
@@ -128,6 +94,18 @@ class Web:
         for n in range(len(line.places)):
             made[n, 2 * n : 2 * n + 2] = left.real, left.imag
         return [2 * place + part for place in line.places for part in (0, 1)], made
+
+
+def _told_by(astray: Complexes) -> Reals:
+    """Return what the drawings of a hand tell of displacements before anything is seen: the inverse of their scatter.
+
+    ``astray``: (drawings, places). Another hand errs more, and each place for itself; the plan as a whole is aside.
+    """
+    parts = np.stack([astray.real, astray.imag], axis=-1).reshape(len(astray), -1)
+    scatter = MORE**2 * parts.T @ parts / len(parts) + OWN**2 * np.eye(parts.shape[1])
+    for part in (0, 1):
+        scatter[part::2, part::2] += WHOLE**2
+    return np.asarray(np.linalg.inv(scatter), dtype=np.float64)
 
 
 class Solved(NamedTuple):
@@ -201,12 +179,13 @@ def _chosen(
     turned = np.radians(TURNED) * web.view.lines[k].length + 0.3
     inverse = np.linalg.inv(spread + GRAIN**2 * np.eye(len(due)))
     taken = _taken(web, k, found, chosen)
-    worth = []
-    for track, there in zip(found, taken, strict=True):
+    free = []
+    for track in found:
         off = np.asarray(track.aside(web.shares[k])) - due
         chi = off @ inverse @ off / max(len(off) / 2, 1)
         chi += ((track.end - track.start) / turned) ** 2
-        worth.append(WORTH * (track.covered - NONE) - 0.5 * chi - TAKEN * there)
+        free.append(WORTH * (track.covered - NONE) - 0.5 * chi)
+    worth = [one - TAKEN * there for one, there in zip(free, taken, strict=True)]
     best = int(np.argmax(worth))
     if worth[best] <= 0:
         return Choice(None, -worth[best], None)
@@ -216,7 +195,7 @@ def _chosen(
     aside = [
         (found[n].start - one.start, found[n].end - one.end)
         for n in others
-        if worth[n] > worth[best] - DOUBT
+        if free[n] > worth[best] - DOUBT
     ]
     doubt = max(aside, key=lambda ends: max(map(abs, ends)), default=None)
     return Choice(one, min(margin, worth[best]), doubt)

@@ -25,10 +25,10 @@ STATIONS = (12, 90)
 """Places of a track at which pencil is looked for: at least and at most; about one a millimetre."""
 COVERED = 0.35
 """A track with less pencil is no line, as a share: a dashed line has a half and more; lettering has a fifth."""
-MANY = 8
+MANY = 12
 """So many tracks are kept of a line, the best."""
-APART = 0.8
-"""Tracks are one line of pencil if neither end is farther from the other's, mm."""
+APART, ONE = 0.8, 0.5
+"""Tracks are one line of pencil if neither end is farther from the other's, mm: as they are found, as axes."""
 WINDOW = 0.6
 """From the axis of a line to where its darkness ends, mm: half a thick line, and the camera's blur."""
 FLOOR = 0.03
@@ -61,7 +61,12 @@ def tracks(flat: Flat, line: Line, shift: complex) -> tuple[Track, ...]:
     axis = line.start + shift + line.way * line.length * share
     pencil = flat.pencil(axis[:, None] + 1j * line.way * aside)
     sums = _summed(pencil, share, turn, half)
-    return _best(sums, turn, half)
+    found = list[Track]()
+    for one in _best(sums, turn, half):
+        track = refined(flat, line, shift, one)
+        if all(max(abs(track.start - t.start), abs(track.end - t.end)) > ONE for t in found):
+            found.append(track)
+    return tuple(found)
 
 
 def _summed(pencil: Greys, share: Reals, turn: int, half: int) -> Greys:
@@ -75,31 +80,30 @@ def _summed(pencil: Greys, share: Reals, turn: int, half: int) -> Greys:
     return sums
 
 
-def _best(sums: Greys, turn: int, half: int) -> tuple[Track, ...]:
+def _best(sums: Greys, turn: int, half: int) -> list[Track]:
     found = list[Track]()
-    order = np.argsort(-sums, axis=None)[:4000]
-    for k in order:
+    for k in np.argsort(-sums, axis=None)[:4000]:
         i, j = divmod(int(k), sums.shape[1])
         if sums[i, j] < COVERED or len(found) == MANY:
             break
         start, end = ASIDE * (j - half - (i - turn)), ASIDE * (j - half + (i - turn))
         if all(max(abs(start - t.start), abs(end - t.end)) > APART for t in found):
             found.append(Track(start, end, float(sums[i, j])))
-    return tuple(found)
+    return found
 
 
 def refined(flat: Flat, line: Line, shift: complex, track: Track) -> Track:
     """Return the axis of a line of pencil, by the centroids of its darkness; as it was where too little is seen."""
-    count = int(np.clip(line.length * 2, 16, 240))
+    count = int(np.clip(line.length * 1.5, 16, 120))
     share = (np.arange(count) + 0.5) / count
     axis = line.start + shift + line.way * line.length * share
-    window = np.linspace(-WINDOW, WINDOW, 13)
+    window = np.linspace(-WINDOW, WINDOW, 9)
     start, end, error, seen = track.start, track.end, track.error, np.zeros(count, dtype=bool)
     for _ in range(3):
         centre = start + (end - start) * share
         dark = flat.darkness(axis[:, None] + 1j * line.way * (centre[:, None] + window))
         whole = dark.sum(axis=1)
-        seen = dark.max(axis=1) > flat.level / 2
+        seen = dark[:, 2:-2].max(axis=1) > flat.level
         if seen.sum() < 6:
             return track
         off = centre + (dark * window).sum(axis=1) / np.where(whole > 0, whole, 1.0)
@@ -125,7 +129,7 @@ def _straight(share: Reals, off: Reals, seen: Reals, length: float) -> tuple[flo
         slope = (weights * (share - middle) * (off - mean)).sum() / max(spread, 1e-9)
         base = mean - slope * middle
         rest = abs(off - base - slope * share)
-        scatter = 1.4826 * float(np.median(rest[seen.astype(bool)])) + FLOOR
+        scatter = 1.4826 * float(np.median(rest[seen])) + FLOOR
         weights = seen * np.maximum(1 - (rest / (4.7 * scatter)) ** 2, 0.0) ** 2
     independent = max(length / 3.0 * float((weights > 0).mean()), 1.0)
     return base, base + slope, 2.0 * scatter / np.sqrt(independent)

@@ -24,9 +24,13 @@ ACROSS = 0.4
 """And beside it."""
 LIKE = 0.45
 """Signs are seen at a place where the pencil is as much more on them than beside them, 0 ... 1."""
-CLEAR = 0.07
-"""And as much more than at any other place farther than `APART`."""
+TELLING = 0.5
+"""Of what of a sign tells where it is along a line, as much more."""
+CLEAR = 0.12
+"""And so much more than at any other place farther than `APART`."""
 APART = 1.0
+DOUBLE = 2.0
+"""Of two points that should be so near to each other, mm, pencil does not tell which is which."""
 UNSEEN, UNSURE, SEEN = "unseen", "unsure", "seen"
 
 
@@ -60,14 +64,14 @@ class Cross(NamedTuple):
 def crossing(view: View, fit: Fit, k: int) -> Cross:
     """Return where the lines of a place meet."""
     rows, asides, errors = [], [], []
-    for line, track in zip(view.lines, fit.tracks, strict=True):
+    for n, (line, track) in enumerate(zip(view.lines, fit.tracks, strict=True)):
         if track is None or k not in line.places:
             continue
         share = ((view.places[k].at - line.start) / line.way).real / line.length
         left = 1j * line.way
         rows.append([left.real, left.imag])
         asides.append(float(track.aside(share)))
-        errors.append(_error(track, share))
+        errors.append(_error(track, share, fit.doubt[n]))
     if not rows:
         return Cross(complex(fit.moved[k]), 1.0, np.inf, 0.0, 0)
     ways, off, weight = np.array(rows), np.array(asides), 1 / np.array(errors) ** 2
@@ -84,9 +88,13 @@ def crossing(view: View, fit: Fit, k: int) -> Cross:
     return Cross(complex(*moved), complex(*worst), error, misfit, len(rows))
 
 
-def _error(track: Track, share: float) -> float:
-    """Return how far a line may be aside at a share of its length, mm: least in its middle."""
-    return float(track.error * np.sqrt(0.25 + 3 * (share - 0.5) ** 2))
+def _error(track: Track, share: float, doubt: tuple[float, float] | None) -> float:
+    """Return how far a line may be aside at a share of its length, mm: least in its middle.
+
+    ``doubt``: how far aside, at its ends, another one is that may be the right one.
+    """
+    other = 0.0 if doubt is None else abs(doubt[0] + (doubt[1] - doubt[0]) * share)
+    return float(np.hypot(track.error * np.sqrt(0.25 + 3 * (share - 0.5) ** 2), other))
 
 
 def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs) -> Spot:
@@ -95,23 +103,30 @@ def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs
     if not cross.lines:
         return Spot(at, np.inf, UNSEEN)
     sign = signs.of(k)
+    double = signs.double(k)
     if cross.error <= SURE:
         like = float(sign.like(flat, np.array([at]))[0])
-        seen = cross.misfit <= MISFIT and like > LIKE
+        seen = cross.misfit <= MISFIT and like > LIKE and not double
         return Spot(at, cross.error, SEEN if seen else UNSURE)
+    if double:
+        return Spot(at, cross.error, UNSURE)
     return _along(flat, sign, at, cross)
 
 
 def _along(flat: Flat, sign: Sign, at: complex, cross: Cross) -> Spot:
-    """Return the place along a line where its signs are seen best."""
-    along = np.arange(-SEARCH, SEARCH + 1e-9, 0.2)
-    like = sign.like(flat, at + cross.way * along)
+    """Return the place along a line where its signs are seen best; a line that only passes tells none."""
+    reach = min(SEARCH, 3.0 * cross.error + 0.5)
+    along = np.arange(-reach, reach + 1e-9, 0.1)
+    telling = sign.along(cross.way, APART)
+    if telling is None:
+        return Spot(at, np.inf, UNSEEN)
+    like = telling.like(flat, at + cross.way * along)
     best = int(np.argmax(like))
-    other = like[abs(along - along[best]) > APART].max()
-    clear = like[best] > LIKE and like[best] - other > CLEAR
-    return Spot(
-        complex(at + cross.way * _peak(along, like, best)), 0.25, SEEN if clear else UNSURE
-    )
+    other = like[abs(along - along[best]) > APART].max(initial=0.0)
+    clear = like[best] > TELLING and like[best] - other > CLEAR
+    found = complex(at + cross.way * _peak(along, like, best))
+    clear &= cross.misfit <= MISFIT and float(sign.like(flat, np.array([found]))[0]) > LIKE
+    return Spot(found, 0.25, SEEN if clear else UNSURE)
 
 
 def _peak(along: Reals, like: Reals, best: int) -> float:
@@ -128,6 +143,12 @@ class Signs:
 
     def __init__(self, view: View, fit: Fit, shift: complex) -> None:
         self.view, self.fit, self.shift = view, fit, shift
+
+    def double(self, k: int) -> bool:
+        """Whether another point should stand so near to a place that either might be taken for the other."""
+        places = self.view.places
+        near = (n for n in range(len(places)) if abs(places[n].at - places[k].at) < DOUBLE)
+        return any(n != k and self.view.of[n] in (None, self.view.of[k]) for n in near)
 
     def of(self, k: int) -> Sign:
         """Return the sign at a place."""

@@ -13,19 +13,24 @@ REACH = 5.0
 """What is farther from the point is no part of its sign, mm."""
 STEP = 0.25
 """Ink is looked at so densely, mm."""
-BESIDE = 0.9
+BESIDE = 0.7
 """Paper is looked at no nearer to any ink, mm."""
-GRID = 0.6
+GRID = 0.3
 """And so densely, mm."""
-MOST = 160
+HALF = 0.35
+"""Half the width of pencil, mm."""
+LEAST = 3
+"""So many places of ink, and of paper, tell where a sign is."""
+MOST = 900
 """So many places of either are looked at, at most."""
 
 
 class Sign(NamedTuple):
-    """Places about a point (complex, mm) where its ink is, and where there is none."""
+    """Places about a point (complex, mm) where its ink is, and where there is none; the straight pieces of ink."""
 
     ink: Complexes
     paper: Complexes
+    pieces: Complexes
 
     @classmethod
     def made(cls, pieces: Complexes, others: Complexes) -> Sign:
@@ -41,7 +46,23 @@ class Sign(NamedTuple):
         for some in (pieces, others):
             if len(some):
                 paper = paper[_distance(paper, some) > BESIDE]
-        return cls(_some(inked), _some(paper))
+        return cls(_some(inked), _some(paper), pieces)
+
+    def along(self, way: complex, apart: float) -> Sign | None:
+        """Return what of it tells where it is along a direction: what is not alike a little before or behind.
+
+        None where too little does: a line only passes there.
+        """
+        if not len(self.ink) or not len(self.paper):
+            return None
+        ink = np.zeros(len(self.ink), dtype=bool)
+        paper = np.zeros(len(self.paper), dtype=bool)
+        for move in (-apart * way, apart * way):
+            ink |= _distance(self.ink + move, self.pieces) > HALF
+            paper |= _distance(self.paper + move, self.pieces) < HALF
+        if min(ink.sum(), paper.sum()) < LEAST:
+            return None
+        return Sign(self.ink[ink], self.paper[paper], self.pieces)
 
     def like(self, flat: Flat, at: Complexes) -> Reals:
         """Return how much more pencil there is on its ink than beside it at places of the sheet, −1 ... 1."""
