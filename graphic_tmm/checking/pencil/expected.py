@@ -156,14 +156,13 @@ class Stood:
         groups: dict[tuple[complex, ...], list[Mark]] = {}
         for mark in _points(work, plan):
             if mark in reading:
-                value = reading[mark][0]
-                spots = [complex(value[k if len(value) > 1 else 0]) for k in places]
-                groups.setdefault(tuple(np.round(spots, 4).tolist()), []).append(mark)
+                groups.setdefault(tuple(np.round(reading[mark][0], 4).tolist()), []).append(mark)
         for spots, marks in groups.items():
             names = [mark.key[1] for mark in marks if mark.slot in self.steps]
-            fixed = np.ptp(np.real(spots)) + np.ptp(np.imag(spots)) < 1e-3
+            fixed = len(names) < len(marks) or (len(spots) > 1 and np.ptp(np.real(spots)) + np.ptp(np.imag(spots)) < 1e-3)
             by: dict[int | None, int] = {}
-            for k, spot in zip(places, spots, strict=True):
+            for k in places:
+                spot = spots[k if len(spots) > 1 else 0]
                 called = tuple((plan, name, work.names[row[k]]) for name in names)
                 if not cmath.isfinite(spot):
                     continue
@@ -176,8 +175,8 @@ class Stood:
                     by[None] = pole if at_pole else self._put(Place(origin + spot, ()), None, mark)
                 one = self.places[by[None]]
                 self.places[by[None]] = one._replace(names=(*one.names, *called))
-            for mark in marks:
-                self.by_slot.setdefault(mark.slot, {}).update(by)
+            for one_of in marks:
+                self.by_slot.setdefault(one_of.slot, {}).update(by)
 
     def _put(self, place: Place, k: int | None, mark: tuple[Mark, int, complex] | None) -> int:
         self.places.append(place)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -10,7 +9,7 @@ import numpy as np
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import View
-from graphic_tmm.checking.pencil.fitting import Fit, Web
+from graphic_tmm.checking.pencil.fitting import Fit
 from graphic_tmm.checking.pencil.lines import Track
 from graphic_tmm.checking.pencil.signs import Sign
 
@@ -145,8 +144,13 @@ class Signs:
         self.view, self.fit, self.shift = view, fit, shift
 
     def double(self, k: int) -> bool:
-        """Whether another point should stand so near to a place that either might be taken for the other."""
+        """Whether another point should stand so near to a place that either might be taken for the other.
+
+        Where vectors of no length end at a pole it is still the pole, which lines of all others show.
+        """
         places = self.view.places
+        if self.view.of[k] is None:
+            return False
         near = (n for n in range(len(places)) if abs(places[n].at - places[k].at) < DOUBLE)
         return any(n != k and self.view.of[n] in (None, self.view.of[k]) for n in near)
 
@@ -159,7 +163,3 @@ class Signs:
         return Sign.made(self.view.ink[k] - at, np.array(others, dtype=np.complex128).reshape(-1, 2))
 
 
-
-def refit(view: View, fit: Fit, tracks: Sequence[Track | None]) -> Fit:
-    """Return a fit with refined lines."""
-    return Fit(tuple(tracks), Web(view).solved(tracks).places, fit.doubt)
