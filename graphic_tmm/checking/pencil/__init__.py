@@ -1,1 +1,1 @@
-"""From the flat photograph of a sheet to readings: the pencil lines near each expected one, and where they meet."""
+"""From the flat photograph of a sheet to readings: pencil lines near the expected ones, and where they meet."""

@@ -25,7 +25,7 @@ PITCH = 5.0
 BLOCK = 40.0
 """Rows of squares are sought in stretches so long, mm: hardly a pencil line fills half of one."""
 RULED = 0.01
-"""A ruling that is darker than the paper by this share at least: less is lost in the noise, and does no harm."""
+"""A ruling is darker than the paper by this share at least: less is lost in the noise, and does no harm."""
 NOISES = 5.0
 """Pencil is so many times darker than what the grain of the paper scatters; one dot in 10⁶ is by chance."""
 FAINTEST = 0.06
@@ -40,8 +40,8 @@ Greys = NDArray[np.float32]
 class Flat:
     """A sheet seen straight from above: ``dark`` (rows, columns), shares of the paper, the uppermost row first.
 
-    ``area``: the rectangle of the sheet that it shows, mm; ``dots`` to the mm. ``level``: the darkness of pencil that
-    is surely seen.
+    ``area``: the rectangle of the sheet that it shows, mm; ``dots`` to the mm. ``level``: how dark pencil is
+    that is surely seen.
     """
 
     def __init__(self, image: NDArray[np.uint8], area: Box, dots: float) -> None:
@@ -52,8 +52,10 @@ class Flat:
         self.level = max(NOISES * grain, FAINTEST)
 
     def pencil(self, places: Complexes) -> Greys:
-        """Return how surely there is pencil at places of the sheet (mm, any shape), 0 ... 1: of the nearest dot."""
-        return np.minimum(self._nearest(places) * np.float32(1.0 / self.level), np.float32(1.0))
+        """Return how surely there is pencil at places (mm, any shape), 0 ... 1: of the nearest dot."""
+        sure: Greys = self._nearest(places) * np.float32(1.0 / self.level)
+        np.minimum(sure, np.float32(1.0), out=sure)
+        return sure
 
     def _nearest(self, places: Complexes) -> Greys:
         rows, columns = self.dark.shape
@@ -70,8 +72,10 @@ class Flat:
         rows, columns = (-(-count // step) for count in self.dark.shape)
         padded = np.zeros((rows * step, columns * step), dtype=bool)
         padded[: self.dark.shape[0], : self.dark.shape[1]] = self.dark > self.level
-        found = padded.reshape(rows, step, columns, step).any(axis=(1, 3)).astype(np.uint8)
-        return _spread(found, 1, np.maximum)
+        found: NDArray[np.uint8] = np.asarray(
+            padded.reshape(rows, step, columns, step).any(axis=(1, 3)), dtype=np.uint8
+        )
+        return np.asarray(_spread(found, 1, np.maximum), dtype=np.uint8)
 
     def near(self, places: Complexes) -> Greys:
         """Return whether there is pencil near places of the sheet (mm, any shape): 0 or 1."""
@@ -83,7 +87,7 @@ class Flat:
         return found.astype(np.float32)
 
     def darkness(self, places: Complexes) -> Greys:
-        """Return the darkness at places of the sheet (mm, any shape), linear between the four dots about each."""
+        """Return the darkness at places (mm, any shape), linear between the four dots about each."""
         rows, columns = self.dark.shape
         x = np.clip((places.real - self.area.left) * self.dots - 0.5, 0, columns - 1.001)
         y = np.clip((self.area.top - places.imag) * self.dots - 0.5, 0, rows - 1.001)
@@ -92,16 +96,14 @@ class Flat:
         dark = self.dark
         upper = dark[i, j] * (1 - u) + dark[i, j + 1] * u
         lower = dark[i + 1, j] * (1 - u) + dark[i + 1, j + 1] * u
-        found: Greys = upper * (1 - v) + lower * v
-        return found
+        return np.asarray(upper * (1 - v) + lower * v, dtype=np.float32)
 
 
 def _darkness(image: NDArray[np.uint8], dots: float) -> tuple[Greys, float]:
-    """Return how much darker than the paper about it each dot is, as a share, and how far the grain scatters it.
+    """Return how much darker than the paper about it each dot is, as a share, and the scatter of grain.
 
-    Of the colour where it is least.
-
-    Pencil is grey: what is coloured (a ruling in blue) is hardly darker in one of its colours.
+    Of the colour where it is least: pencil is grey, but what is coloured (a ruling in blue) is hardly darker
+    in one of its colours.
     """
     colours = image if image.ndim == 3 else image[..., None]
     least: Any = None
@@ -113,10 +115,12 @@ def _darkness(image: NDArray[np.uint8], dots: float) -> tuple[Greys, float]:
         dark /= np.maximum(paper, np.uint8(DIM))
         least = dark if least is None else np.minimum(least, dark, out=least)
     some = least[::7, ::7]
-    paper = float(np.median(some))
+    middle = float(np.median(some))
     # of what is lighter than most: what is darker may be pencil
-    grain = 1.4826 * float(np.median(paper - some[some < paper])) if (some < paper).any() else 0.0
-    least -= np.float32(paper)
+    grain = (
+        1.4826 * float(np.median(middle - some[some < middle])) if (some < middle).any() else 0.0
+    )
+    least -= np.float32(middle)
     return np.maximum(least, 0.0, out=least), grain
 
 

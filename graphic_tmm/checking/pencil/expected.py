@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -15,7 +16,8 @@ import numpy as np
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Complexes, Line as Drawable, Point, Reals
+from graphic_tmm.board.values import Complexes, Point, Reals
+from graphic_tmm.board.values import Line as Drawable
 from graphic_tmm.checking.cells import pointed
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
@@ -43,7 +45,7 @@ LINES = ("", "link", "guide")
 
 
 class Place(NamedTuple):
-    """A place of a view, mm on the sheet, and the points that stand there by construction; none: a pole, a pivot."""
+    """A place of a view, mm on the sheet, and the points that stand there; none: a pole, a pivot."""
 
     at: complex
     names: tuple[Name, ...]
@@ -76,8 +78,8 @@ class View(NamedTuple):
     """A view of a sheet: its places and lines; the place (index) of each pole, by plan and position.
 
     ``ink``: by place the straight pieces, (pieces, 2), of the signs there: lines that end, heads, rings, nicks.
-    ``of``: by place the position (index) that it belongs to, None for all. ``astray``: how far drawings of a hand
-    have each place from where it should be, (drawings, places), mm.
+    ``of``: by place the position (index) that it belongs to, None for all. ``astray``: how far drawings of a
+    hand have each place from where it should be, (drawings, places), mm.
     """
 
     name: str
@@ -90,7 +92,7 @@ class View(NamedTuple):
 
 
 def views(made: DrawnScene, sheet: Sheet, hand: Hand) -> tuple[View, ...]:
-    """Return what a sheet of a scene should show of its plans whose points can be read, if a ``hand`` draws it."""
+    """Return what a sheet should show of the plans whose points can be read, if a ``hand`` draws it."""
     work, plans = made.mechanism, pointed()
     if work is None:
         return ()
@@ -159,20 +161,22 @@ class Stood:
                 groups.setdefault(tuple(np.round(reading[mark][0], 4).tolist()), []).append(mark)
         for spots, marks in groups.items():
             names = [mark.key[1] for mark in marks if mark.slot in self.steps]
-            fixed = len(names) < len(marks) or (len(spots) > 1 and np.ptp(np.real(spots)) + np.ptp(np.imag(spots)) < 1e-3)
+            fixed = len(names) < len(marks) or (
+                len(spots) > 1 and np.ptp(np.real(spots)) + np.ptp(np.imag(spots)) < 1e-3
+            )
             by: dict[int | None, int] = {}
             for k in places:
                 spot = spots[k if len(spots) > 1 else 0]
                 called = tuple((plan, name, work.names[row[k]]) for name in names)
                 if not cmath.isfinite(spot):
                     continue
-                mark = (marks[0], row[k], spot)
+                of = (marks[0], row[k], spot)
                 if not fixed:
-                    by[k] = self._put(Place(origin + spot, called), k, mark)
+                    by[k] = self._put(Place(origin + spot, called), k, of)
                     continue
                 if None not in by:
                     at_pole = abs(spot) < 1e-3
-                    by[None] = pole if at_pole else self._put(Place(origin + spot, ()), None, mark)
+                    by[None] = pole if at_pole else self._put(Place(origin + spot, ()), None, of)
                 one = self.places[by[None]]
                 self.places[by[None]] = one._replace(names=(*one.names, *called))
             for one_of in marks:
@@ -185,7 +189,7 @@ class Stood:
         return len(self.places) - 1
 
     def astray(self, drawn: Reading) -> Complexes:
-        """Return how far drawings have each place from where it should be, (drawings, places), mm; 0 for none."""
+        """Return how far drawings have each place from its due, (drawings, places), mm; 0 for none."""
         found = np.zeros((DRAWINGS, len(self.places)), dtype=np.complex128)
         for n, one in enumerate(self._marks):
             if one is not None and one[0] in drawn:
@@ -245,7 +249,7 @@ def _segments(drawing: Drawing, k: int | None) -> Iterator[Segment]:
 def _pieces(stroke: Stroke) -> list[tuple[complex, complex]]:
     """Return the straight pieces of a stroke."""
     path = (*stroke.path, stroke.path[0]) if stroke.closed else stroke.path
-    pairs = zip(path, path[1:], strict=False)
+    pairs = pairwise(path)
     return [(complex(*a[:2]), complex(*b[:2])) for a, b in pairs if abs(a[2]) < 1e-9]
 
 
@@ -306,7 +310,7 @@ def _chords(stroke: Stroke) -> list[tuple[complex, complex]]:
     """Return the pieces of a stroke, arcs as eight chords each."""
     path = (*stroke.path, stroke.path[0]) if stroke.closed else stroke.path
     found = []
-    for one, other in zip(path, path[1:], strict=False):
+    for one, other in pairwise(path):
         a, b, bulge = complex(*one[:2]), complex(*other[:2]), one[2]
         if abs(bulge) < 1e-9 or a == b:
             found.append((a, b))
@@ -314,5 +318,5 @@ def _chords(stroke: Stroke) -> list[tuple[complex, complex]]:
         half = 2 * np.arctan(bulge)
         centre = (a + b) / 2 + 1j * (b - a) / 2 / np.tan(half)
         arc = centre + (a - centre) * np.exp(2j * half * np.linspace(0, 1, 9))
-        found += [(complex(p), complex(q)) for p, q in zip(arc, arc[1:], strict=False)]
+        found += [(complex(p), complex(q)) for p, q in pairwise(arc)]
     return found

@@ -1,9 +1,9 @@
 """Which line of pencil is which of a view: one choice for all lines, so that they meet where points can be.
 
-A student's points are off by millimetres, but neighbours together: a line that was drawn from a point begins where
-that point was found. Each place of a view has an unknown displacement, small, and like those of the places that
-lines join it with; each line of pencil chosen says how far the places on it are aside. The choice and the
-displacements are found in turn, ever more narrowly.
+A student's points are off by millimetres, but neighbours together: a line that was drawn from a point begins
+where that point was found. Each place of a view has an unknown displacement, small, and like those of the
+places that it was drawn from; each line of pencil chosen says how far the places on it are aside. The
+choice and the displacements are found in turn.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ class Web:
         self.rivals = [[k for k in count if _rival(one, view.lines[k])] for one in view.lines]
 
     def solved(self, chosen: Sequence[Track | None]) -> Solved:
-        """Return the displacements that the lines chosen tell, (2 · all), and how they scatter, (2 · all, 2 · all)."""
+        """Return the displacements that the lines chosen tell, and their scatter."""
         normal, right = self.base.copy(), np.zeros(len(self.base))
         for k, track in enumerate(chosen):
             if track is not None:
@@ -71,11 +71,11 @@ class Web:
                 weight = _weight(track)
                 normal[np.ix_(at, at)] += weight * rows.T @ rows
                 right[at] += weight * rows.T @ np.asarray(track.aside(self.shares[k]))
-        scatter = np.linalg.inv(normal)
+        scatter = np.asarray(np.linalg.inv(normal), dtype=np.float64)
         return Solved(scatter @ right, scatter)
 
     def without(self, k: int, told: Solved, track: Track | None) -> tuple[Reals, Reals]:
-        """Return how far the places of a line are aside by all other lines, (places,), and how that scatters."""
+        """Return how far a line's places are aside by all other lines, (places,), and how that scatters."""
         at, rows = self._rows(k)
         due = rows @ told.moved[at]
         spread = rows @ told.scatter[np.ix_(at, at)] @ rows.T
@@ -97,9 +97,9 @@ class Web:
 
 
 def _told_by(astray: Complexes) -> Reals:
-    """Return what the drawings of a hand tell of displacements before anything is seen: the inverse of their scatter.
+    """Return what drawings of a hand tell of displacements at first: the inverse of their scatter.
 
-    ``astray``: (drawings, places). Another hand errs more, and each place for itself; the plan as a whole is aside.
+    ``astray``: (drawings, places). Another hand errs more, each place for itself; the plan as a whole is aside.
     """
     parts = np.stack([astray.real, astray.imag], axis=-1).reshape(len(astray), -1)
     scatter = MORE**2 * parts.T @ parts / len(parts) + OWN**2 * np.eye(parts.shape[1])
@@ -134,7 +134,7 @@ def _rival(line: Line, other: Line) -> bool:
 
 
 class Choice(NamedTuple):
-    """What of a line's tracks is best: None, if none is worth it; by how much, and how far aside the next best is."""
+    """The best of a line's tracks (None: none is worth it), by how much, how far aside the next best is."""
 
     track: Track | None
     margin: float
@@ -188,7 +188,7 @@ def _chosen(
     worth = [one - TAKEN * there for one, there in zip(free, taken, strict=True)]
     best = int(np.argmax(worth))
     if worth[best] <= 0:
-        return Choice(None, -worth[best], None)
+        return Choice(None, -float(worth[best]), None)
     others = [n for n in range(len(worth)) if n != best]
     margin = worth[best] - max((worth[n] for n in others), default=0.0)
     one = found[best]
@@ -198,12 +198,10 @@ def _chosen(
         if free[n] > worth[best] - DOUBT
     ]
     doubt = max(aside, key=lambda ends: max(map(abs, ends)), default=None)
-    return Choice(one, min(margin, worth[best]), doubt)
+    return Choice(one, float(min(margin, worth[best])), doubt)
 
 
-def _taken(
-    web: Web, k: int, found: Sequence[Track], chosen: Sequence[Track | None]
-) -> list[bool]:
+def _taken(web: Web, k: int, found: Sequence[Track], chosen: Sequence[Track | None]) -> list[bool]:
     """Return of tracks whether another line, that should be elsewhere, has chosen the same pencil."""
     line = web.view.lines[k]
     mine = np.array([_ends(line, track) for track in found])

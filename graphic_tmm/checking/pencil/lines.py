@@ -1,7 +1,7 @@
 """Pencil lines near an expected one: tracks on which there is pencil nearly all along, then the axis of one.
 
-A track is told by how far it is aside of the expected line at its two ends. The pencil is summed along every track
-of a band; its axis is then the centroid of the darkness across it, much finer than a dot.
+A track is told by how far it is aside of the expected line at its two ends. The pencil is summed along every
+track of a band; its axis is then the centroid of the darkness across it, much finer than a dot.
 """
 
 from __future__ import annotations
@@ -15,8 +15,7 @@ from graphic_tmm.checking.pencil.darkness import Flat, Greys
 from graphic_tmm.checking.pencil.expected import Line
 
 BAND = 5.0
-"""Pencil is sought as far aside of the expected line, mm: of the sheets of a student (`hands.py`) nine in ten points are
-nearer."""
+"""Pencil is sought as far aside of the expected line, mm: of a student's points nine in ten are nearer."""
 TURN = np.tan(np.radians(6.0))
 """And turned from it as far."""
 ASIDE = 0.25
@@ -36,7 +35,7 @@ FLOOR = 0.03
 
 
 class Track(NamedTuple):
-    """A line of pencil by an expected one: how far aside (to the left) at its start and its end, mm; its pencil.
+    """A line of pencil by an expected one: how far aside (to the left) at its start and its end, mm.
 
     ``covered``: 0 ... 1. ``error``: how far its axis may be off at either end, mm (one standard deviation).
     """
@@ -70,7 +69,7 @@ def tracks(flat: Flat, line: Line, shift: complex) -> tuple[Track, ...]:
 
 
 def _summed(pencil: Greys, share: Reals, turn: int, half: int) -> Greys:
-    """Return the mean pencil of tracks (turns, asides): turned about their middle, an end aside by a step a turn."""
+    """Return the mean pencil of tracks (turns, asides), turned about their middle."""
     rows = np.arange(len(share))
     sums = np.empty((2 * turn + 1, 2 * half + 1), dtype=np.float32)
     columns = np.arange(2 * half + 1) + turn
@@ -93,7 +92,7 @@ def _best(sums: Greys, turn: int, half: int) -> list[Track]:
 
 
 def refined(flat: Flat, line: Line, shift: complex, track: Track) -> Track:
-    """Return the axis of a line of pencil, by the centroids of its darkness; as it was where too little is seen."""
+    """Return the axis of a line of pencil, by centroids of darkness; as it was if too little is seen."""
     count = int(np.clip(line.length * 1.5, 16, 120))
     share = (np.arange(count) + 0.5) / count
     axis = line.start + shift + line.way * line.length * share

@@ -1,4 +1,4 @@
-"""Where a view stands on the sheet of a student: its lines laid over the pencil, moved until most of them lie on it."""
+"""Where a view stands on a student's sheet: moved until most of its lines lie on pencil."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import View
 
 REACH = 8.0
-"""A view is sought as far from where it should stand, mm: a student measures it off the frame, or puts it by eye."""
+"""A view is sought as far from where it should stand, mm: a student measures that off the frame, or guesses."""
 STEPS = (1.0, 0.25)
 """At first in such steps, mm, then about the best of them more finely."""
 MOST = 600
@@ -17,11 +17,11 @@ FAR = 0.02
 """What a millimetre of moving costs, as a share of cover: of two places alike the nearer one."""
 
 
-def placed(flat: Flat, view: View, shift: complex = 0j, reach: float = REACH) -> tuple[complex, float]:
-    """Return by how much a view is moved beside ``shift``, mm, and what share of its lines is then on pencil."""
-    some = [
-        line.start + line.way * np.arange(0.0, line.length, 1.0) for line in view.lines
-    ]
+def placed(
+    flat: Flat, view: View, shift: complex = 0j, reach: float = REACH
+) -> tuple[complex, float]:
+    """Return by how much a view is moved, mm, beside ``shift``, and the share of its lines on pencil."""
+    some = [line.start + line.way * np.arange(0.0, line.length, 1.0) for line in view.lines]
     if not some:
         return shift, 0.0
     ink = np.concatenate(some)

@@ -1,4 +1,4 @@
-"""Where the points of a view stand in pencil: crossings of lines, ends and signs along a line, and how sure each is."""
+"""Where the points of a view stand in pencil: crossings, ends and signs along a line; how sure each is."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.values import Complexes, Reals
+from graphic_tmm.board.values import Reals
 from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import View
 from graphic_tmm.checking.pencil.fitting import Fit
@@ -14,7 +14,7 @@ from graphic_tmm.checking.pencil.lines import Track
 from graphic_tmm.checking.pencil.signs import Sign
 
 SURE = 0.3
-"""A crossing whose place is known worse, mm (one standard deviation), is none: the lines are nearly parallel."""
+"""A crossing known worse, mm (one standard deviation), is none: its lines are nearly parallel."""
 MISFIT = 0.7
 """Lines that pass the place where they should meet farther, mm, do not meet there."""
 SEARCH = 5.0
@@ -42,13 +42,13 @@ class Spot(NamedTuple):
 
 
 def spots(flat: Flat, view: View, fit: Fit, shift: complex) -> tuple[Spot, ...]:
-    """Return where the places of a view stand; ``fit``: its lines, refined, beside the view moved by ``shift``."""
+    """Return where the places of a view stand; ``fit``: its lines, the view moved by ``shift``."""
     signs = Signs(view, fit, shift)
     return tuple(_spot(flat, view, fit, shift, k, signs) for k in range(len(view.places)))
 
 
 class Cross(NamedTuple):
-    """What lines tell of a place: its displacement, mm, the direction in which that is known worst, and how badly.
+    """What lines tell of a place: its displacement, mm, in which direction it is known worst, how badly.
 
     ``misfit``: how far a line passes it; ``lines``: how many there are.
     """
@@ -104,7 +104,7 @@ def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs
     sign = signs.of(k)
     double = signs.double(k)
     if cross.error <= SURE:
-        like = float(sign.like(flat, np.array([at]))[0])
+        like = float(sign.like(flat, np.array([at], dtype=np.complex128))[0])
         seen = cross.misfit <= MISFIT and like > LIKE and not double
         return Spot(at, cross.error, SEEN if seen else UNSURE)
     if double:
@@ -119,12 +119,15 @@ def _along(flat: Flat, sign: Sign, at: complex, cross: Cross) -> Spot:
     telling = sign.along(cross.way, APART)
     if telling is None:
         return Spot(at, np.inf, UNSEEN)
-    like = telling.like(flat, at + cross.way * along)
+    like = telling.like(flat, np.asarray(at + cross.way * along, dtype=np.complex128))
     best = int(np.argmax(like))
     other = like[abs(along - along[best]) > APART].max(initial=0.0)
     clear = like[best] > TELLING and like[best] - other > CLEAR
     found = complex(at + cross.way * _peak(along, like, best))
-    clear &= cross.misfit <= MISFIT and float(sign.like(flat, np.array([found]))[0]) > LIKE
+    clear &= (
+        cross.misfit <= MISFIT
+        and float(sign.like(flat, np.array([found], dtype=np.complex128))[0]) > LIKE
+    )
     return Spot(found, 0.25, SEEN if clear else UNSURE)
 
 
@@ -160,6 +163,6 @@ class Signs:
         others = [
             (line.start - at, line.end - at) for line in self.view.lines if k not in line.places
         ]
-        return Sign.made(self.view.ink[k] - at, np.array(others, dtype=np.complex128).reshape(-1, 2))
-
-
+        return Sign.made(
+            self.view.ink[k] - at, np.array(others, dtype=np.complex128).reshape(-1, 2)
+        )

@@ -1,6 +1,6 @@
 """From the flat photograph of a sheet to its points: every plan placed, its lines followed, its points told.
 
-A point that was seen is a reading; one of which that is not sure, and one that was not seen, are asked for by name.
+A point that was seen is a reading; one that is not sure, and one that was not seen, are asked for by name.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ Pole = tuple[str, str]
 
 
 class Point(NamedTuple):
-    """A point of a plan in pencil: plan, letter, position; where, mm on the sheet; from its pole; how sure that is.
+    """A point of a plan in pencil: its name; where, mm on the sheet and from its pole; how sure that is.
 
-    ``how``: one of `SEEN`, `UNSURE`, `UNSEEN`. ``due``: where it should stand on the sheet, the plan as it was placed.
+    ``how``: one of `SEEN`, `UNSURE`, `UNSEEN`. ``due``: where it should stand in the plan as placed.
     """
 
     name: Name
@@ -47,7 +47,7 @@ class Found(NamedTuple):
 
 
 def read_plans(flat: Flat, views: Sequence[View], clicked: Mapping[Pole, complex]) -> Found:
-    """Return what the views of a sheet show; ``clicked``: where poles stand, mm on the sheet, if somebody said so."""
+    """Return what the views of a sheet show; ``clicked``: where poles stand, mm on the sheet."""
     points: list[Point] = []
     missing: list[Pole] = []
     for view in views:
@@ -55,7 +55,9 @@ def read_plans(flat: Flat, views: Sequence[View], clicked: Mapping[Pole, complex
         for pole, at in clicked.items():
             if pole in view.poles:
                 begin, reach = at - view.places[view.poles[pole]].at, CLICKED
-        shift, cover = placed(flat, view, begin) if reach is None else placed(flat, view, begin, reach)
+        shift, cover = (
+            placed(flat, view, begin) if reach is None else placed(flat, view, begin, reach)
+        )
         if cover < THERE:
             missing += view.poles
             continue
@@ -77,7 +79,7 @@ def _told(view: View, seen: Sequence[Spot], shift: complex) -> Iterator[Point]:
 
 
 def readings(points: Iterable[Point]) -> tuple[Taken, ...]:
-    """Return the points that were seen as readings, to a hundredth of a millimetre, numbered as lines of a file."""
+    """Return the points that were seen as readings, to 0.01 mm, numbered as lines of a file."""
     found = sorted(
         (one for one in points if one.how == SEEN), key=lambda one: (one.name[0], one.name[2])
     )
@@ -90,6 +92,13 @@ def readings(points: Iterable[Point]) -> tuple[Taken, ...]:
 
 def asked(found: Found) -> tuple[str, ...]:
     """Return what the photograph does not tell, a sentence for every plan and position."""
+    if found.missing and not found.points:
+        return (
+            said(
+                "no plan of this sheet is seen in the photograph: is it upright, and is it this sheet "
+                "(--sheet)?"
+            ),
+        )
     by: dict[Pole, dict[str, list[str]]] = {}
     for one in found.points:
         plan, letter, position = one.name
@@ -115,13 +124,19 @@ def asked(found: Found) -> tuple[str, ...]:
                     points=", ".join(unseen),
                 )
             )
-    told += [
-        said(
-            "{plan}, position {position}: this plan is not seen in the photograph; if it stands elsewhere on the "
-            "sheet, click its pole: --pole {plan}:{position}=x,y",
+    return (*told, *_missing(found.missing))
+
+
+def _missing(poles: Iterable[Pole]) -> Iterator[str]:
+    """Yield a sentence for every plan that is not there, at all its positions."""
+    by: dict[str, list[str]] = {}
+    for plan, position in poles:
+        by.setdefault(plan, []).append(position)
+    for plan, positions in by.items():
+        yield said(
+            "{plan}, position {positions}: not seen in the photograph; if it stands elsewhere on the "
+            "sheet, click its pole: --pole {plan}:{first}=x,y",
             plan=plan,
-            position=position,
+            positions=", ".join(positions),
+            first=positions[0],
         )
-        for plan, position in found.missing
-    ]
-    return tuple(told)

@@ -1,4 +1,4 @@
-"""What stands at a point: lines that end or cross there, the head of a vector, a ring; and how alike pencil is to it."""
+"""What stands at a point: lines that end or cross, a head, a ring; and how alike pencil is to it."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MOST = 900
 
 
 class Sign(NamedTuple):
-    """Places about a point (complex, mm) where its ink is, and where there is none; the straight pieces of ink."""
+    """Places about a point (complex, mm) where its ink is, where there is none; its straight pieces."""
 
     ink: Complexes
     paper: Complexes
@@ -35,9 +35,7 @@ class Sign(NamedTuple):
     @classmethod
     def made(cls, pieces: Complexes, others: Complexes) -> Sign:
         """Return the sign of straight ``pieces`` (pieces, 2) about 0; ``others``: what may be ink beside it."""
-        ink = [
-            a + (b - a) * np.linspace(0, 1, max(int(abs(b - a) / STEP), 2)) for a, b in pieces
-        ]
+        ink = [a + (b - a) * np.linspace(0, 1, max(int(abs(b - a) / STEP), 2)) for a, b in pieces]
         inked = np.concatenate(ink) if ink else np.empty(0, dtype=np.complex128)
         inked = inked[abs(inked) < REACH]
         axis = np.arange(-REACH, REACH + 1e-9, GRID)
