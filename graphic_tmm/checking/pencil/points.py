@@ -13,6 +13,8 @@ from graphic_tmm.checking.pencil.fitting import Fit
 from graphic_tmm.checking.pencil.lines import Track
 from graphic_tmm.checking.pencil.signs import Sign
 
+RULED = 0.08
+"""A line is known no better, mm: it is bent by the ruler's edge, the lens, the paper."""
 SURE = 0.3
 """A crossing known worse, mm (one standard deviation), is none: its lines are nearly parallel."""
 MISFIT = 0.7
@@ -93,7 +95,8 @@ def _error(track: Track, share: float, doubt: tuple[float, float] | None) -> flo
     ``doubt``: how far aside, at its ends, another one is that may be the right one.
     """
     other = 0.0 if doubt is None else abs(doubt[0] + (doubt[1] - doubt[0]) * share)
-    return float(np.hypot(track.error * np.sqrt(0.25 + 3 * (share - 0.5) ** 2), other))
+    error = track.error * np.sqrt(0.25 + 3 * (share - 0.5) ** 2)
+    return float(np.sqrt(error**2 + RULED**2 + other**2))
 
 
 def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs) -> Spot:
