@@ -161,9 +161,8 @@ class Stood:
                 groups.setdefault(tuple(np.round(reading[mark][0], 4).tolist()), []).append(mark)
         for spots, marks in groups.items():
             names = [mark.key[1] for mark in marks if mark.slot in self.steps]
-            fixed = len(names) < len(marks) or (
-                len(spots) > 1 and np.ptp(np.real(spots)) + np.ptp(np.imag(spots)) < 1e-3
-            )
+            still = np.ptp(np.real(spots)) + np.ptp(np.imag(spots)) < 1e-3
+            fixed = len(names) < len(marks) or (reading.positions > 1 and bool(still))
             by: dict[int | None, int] = {}
             for k in places:
                 spot = spots[k if len(spots) > 1 else 0]

@@ -13,6 +13,8 @@ from graphic_tmm.checking.pencil.fitting import Fit
 from graphic_tmm.checking.pencil.lines import Track
 from graphic_tmm.checking.pencil.signs import Sign
 
+RULED = 0.08
+"""A line is known no better, mm: it is bent by the ruler's edge, the lens, the paper."""
 SURE = 0.3
 """A crossing known worse, mm (one standard deviation), is none: its lines are nearly parallel."""
 MISFIT = 0.7
@@ -21,10 +23,14 @@ SEARCH = 5.0
 """Along a line its end is sought as far, mm."""
 ACROSS = 0.4
 """And beside it."""
-LIKE = 0.45
+LIKE = 0.5
 """Signs are seen at a place where the pencil is as much more on them than beside them, 0 ... 1."""
 TELLING = 0.5
 """Of what of a sign tells where it is along a line, as much more."""
+BETTER, ABOUT = 0.12, 2.5
+"""Nor may they be seen so much better anywhere as near, mm."""
+MOVED = 2.0
+"""What tells where a sign is along a line is what changes if it is moved so far, mm."""
 CLEAR = 0.12
 """And so much more than at any other place farther than `APART`."""
 APART = 1.0
@@ -50,7 +56,8 @@ def spots(flat: Flat, view: View, fit: Fit, shift: complex) -> tuple[Spot, ...]:
 class Cross(NamedTuple):
     """What lines tell of a place: its displacement, mm, in which direction it is known worst, how badly.
 
-    ``misfit``: how far a line passes it; ``lines``: how many there are.
+    ``misfit``: how far a line passes it; ``lines``: how many there are; ``doubted``: it is known so badly because
+    another line may be the right one.
     """
 
     moved: complex
@@ -58,11 +65,12 @@ class Cross(NamedTuple):
     error: float
     misfit: float
     lines: int
+    doubted: bool
 
 
 def crossing(view: View, fit: Fit, k: int) -> Cross:
     """Return where the lines of a place meet."""
-    rows, asides, errors = [], [], []
+    rows, asides, errors, clear = [], [], [], []
     for n, (line, track) in enumerate(zip(view.lines, fit.tracks, strict=True)):
         if track is None or k not in line.places:
             continue
@@ -71,8 +79,9 @@ def crossing(view: View, fit: Fit, k: int) -> Cross:
         rows.append([left.real, left.imag])
         asides.append(float(track.aside(share)))
         errors.append(_error(track, share, fit.doubt[n]))
+        clear.append(_error(track, share, None))
     if not rows:
-        return Cross(complex(fit.moved[k]), 1.0, np.inf, 0.0, 0)
+        return Cross(complex(fit.moved[k]), 1.0, np.inf, 0.0, 0, False)
     ways, off, weight = np.array(rows), np.array(asides), 1 / np.array(errors) ** 2
     normal = (ways * weight[:, None]).T @ ways
     before = np.array([fit.moved[k].real, fit.moved[k].imag])
@@ -84,7 +93,9 @@ def crossing(view: View, fit: Fit, k: int) -> Cross:
         step = step - worst * (worst @ step)
     moved = before + step
     misfit = float(abs(off - ways @ moved).max())
-    return Cross(complex(*moved), complex(*worst), error, misfit, len(rows))
+    best = (ways / np.array(clear)[:, None] ** 2).T @ ways
+    doubted = error > SURE >= 1 / np.sqrt(max(float(np.linalg.eigvalsh(best)[0]), 1e-6))
+    return Cross(complex(*moved), complex(*worst), error, misfit, len(rows), bool(doubted))
 
 
 def _error(track: Track, share: float, doubt: tuple[float, float] | None) -> float:
@@ -93,7 +104,8 @@ def _error(track: Track, share: float, doubt: tuple[float, float] | None) -> flo
     ``doubt``: how far aside, at its ends, another one is that may be the right one.
     """
     other = 0.0 if doubt is None else abs(doubt[0] + (doubt[1] - doubt[0]) * share)
-    return float(np.hypot(track.error * np.sqrt(0.25 + 3 * (share - 0.5) ** 2), other))
+    error = track.error * np.sqrt(0.25 + 3 * (share - 0.5) ** 2)
+    return float(np.sqrt(error**2 + RULED**2 + other**2))
 
 
 def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs) -> Spot:
@@ -104,10 +116,9 @@ def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs
     sign = signs.of(k)
     double = signs.double(k)
     if cross.error <= SURE:
-        like = float(sign.like(flat, np.array([at], dtype=np.complex128))[0])
-        seen = cross.misfit <= MISFIT and like > LIKE and not double
+        seen = cross.misfit <= MISFIT and not double and _alike(flat, sign, at)
         return Spot(at, cross.error, SEEN if seen else UNSURE)
-    if double:
+    if double or cross.doubted:
         return Spot(at, cross.error, UNSURE)
     return _along(flat, sign, at, cross)
 
@@ -116,7 +127,7 @@ def _along(flat: Flat, sign: Sign, at: complex, cross: Cross) -> Spot:
     """Return the place along a line where its signs are seen best; a line that only passes tells none."""
     reach = min(SEARCH, 3.0 * cross.error + 0.5)
     along = np.arange(-reach, reach + 1e-9, 0.1)
-    telling = sign.along(cross.way, APART)
+    telling = sign.along(cross.way, MOVED)
     if telling is None:
         return Spot(at, np.inf, UNSEEN)
     like = telling.like(flat, np.asarray(at + cross.way * along, dtype=np.complex128))
@@ -124,11 +135,16 @@ def _along(flat: Flat, sign: Sign, at: complex, cross: Cross) -> Spot:
     other = like[abs(along - along[best]) > APART].max(initial=0.0)
     clear = like[best] > TELLING and like[best] - other > CLEAR
     found = complex(at + cross.way * _peak(along, like, best))
-    clear &= (
-        cross.misfit <= MISFIT
-        and float(sign.like(flat, np.array([found], dtype=np.complex128))[0]) > LIKE
-    )
+    clear &= cross.misfit <= MISFIT and _alike(flat, sign, found)
     return Spot(found, 0.25, SEEN if clear else UNSURE)
+
+
+def _alike(flat: Flat, sign: Sign, at: complex) -> bool:
+    """Whether a sign is seen at a place, and nowhere about it much better."""
+    axis = np.arange(-ABOUT, ABOUT + 1e-9, 0.5)
+    near = np.concatenate([[at], (at + axis[:, None] + 1j * axis).ravel()])
+    like = sign.like(flat, near)
+    return bool(like[0] > LIKE and like[0] > like.max() - BETTER)
 
 
 def _peak(along: Reals, like: Reals, best: int) -> float:
