@@ -2,10 +2,10 @@
 
     python tests/benchmarks/photographs.py --count 60 --whole 6
 
-A frame is found if its corners stand within a millimetre of the truth; named wrongly, if it was taken for sure
-and they do not. A point is found if it is given as seen; its error is that of its place from the pole of its plan,
-mm on the sheet. ``--whole``: so many photographs are also given to the command, alone in a process, for its
-seconds and its memory. ``--failures FILE``: what was not found or is wrong, with the photograph's number.
+A frame is found if its corners stand within a millimetre of the truth; wrong, if it was taken for sure and they
+do not. A point is found if it is given as seen; its error is that of its place from the pole of its plan, mm on
+the sheet. ``--whole``: so many photographs are also given to the command, alone in a process, for its seconds
+and its memory. ``--failures FILE``: what was not found or is wrong, with the photograph's number.
 """
 
 from __future__ import annotations

@@ -24,10 +24,6 @@ BROAD = 15
 """Dots (odd): what is narrower is a line, what is broader is shade. Main lines of an A4 that fills the picture
 have six, with their blur ten."""
 
-SOFT = 4.0
-"""Dots: how far what is about a dot is smoothed, so that a step of brightness is a line, too: an edge of the
-paper."""
-
 COLOURED = 0.5
 """So much of the difference between the colours is taken off their least darkness. Pencil has none; of blue
 squares (0.5, 0.35, 0.15 of red, green and blue) nothing is left, though JPEG smooths colours."""
@@ -38,6 +34,10 @@ SHORTEST = 12.0
 SHARES = np.linspace(-0.03, 0.03, 13)
 """The lenses that are tried: beyond, a telephone bows no lines (0.02 is promised). Steps of 0.005 leave half of
 one, two dots of bow: within what a line may be off."""
+
+CLEARER = 1.05
+"""A lens is believed if segments lie in lines so much better than without it; a few lines alone may fall into
+other rows of the table by chance, and are not farther off by that than a line may be."""
 
 SLANTS, WIDE = 360, 3.0
 """Of the table of lines that tells how well a lens lets segments lie in them: directions, and dots to a row."""
@@ -111,7 +111,6 @@ def smaller(image: NDArray[np.uint8]) -> Small:
     size = (columns // factor, rows // factor)
     small = cv2.resize(image[:rows, :columns], size, interpolation=cv2.INTER_AREA)
     about = cv2.morphologyEx(small, cv2.MORPH_CLOSE, np.ones((BROAD, BROAD), np.uint8))
-    about = cv2.GaussianBlur(about, (0, 0), SOFT)
     shares = cv2.divide(small, np.maximum(about, 20), scale=255.0)
     least, most = shares.min(axis=2), shares.max(axis=2)
     colour = cv2.multiply(cv2.subtract(most, least), np.ones_like(most), scale=COLOURED)
@@ -178,7 +177,8 @@ def _share(found: Complexes, lens: Lens) -> float:
         table = np.bincount(at * rows + row, abs(way), SLANTS * rows).reshape(SLANTS, rows)
         table = table + np.roll(table, 1, axis=0) + np.roll(table, 1, axis=1)
         peaks.append(float((table**2).sum()))
-    return float(SHARES[int(np.argmax(peaks))])
+    best = int(np.argmax(peaks))
+    return float(SHARES[best]) if peaks[best] > CLEARER * peaks[len(SHARES) // 2] else 0.0
 
 
 def _alike(grey: NDArray[np.uint8], places: Complexes, way: complex, off: float) -> bool:
