@@ -24,7 +24,7 @@ STATIONS = (12, 90)
 """Places of a track at which pencil is looked for: at least and at most; about one a millimetre."""
 COVERED = 0.35
 """A track with less pencil is no line, as a share: a dashed line has a half and more; lettering has a fifth."""
-MANY = 12
+MANY = 10
 """So many tracks are kept of a line, the best."""
 APART, ONE = 0.8, 0.5
 """Tracks are one line of pencil if neither end is farther from the other's, mm: as they are found, as axes."""
@@ -98,7 +98,7 @@ def refined(flat: Flat, line: Line, shift: complex, track: Track) -> Track:
     axis = line.start + shift + line.way * line.length * share
     window = np.linspace(-WINDOW, WINDOW, 9)
     start, end, error, seen = track.start, track.end, track.error, np.zeros(count, dtype=bool)
-    for _ in range(3):
+    for _ in range(2):
         centre = start + (end - start) * share
         dark = flat.darkness(axis[:, None] + 1j * line.way * (centre[:, None] + window))
         whole = dark.sum(axis=1)
@@ -117,8 +117,8 @@ def _straight(share: Reals, off: Reals, seen: Reals, length: float) -> tuple[flo
     """
     weights = seen.astype(np.float64)
     slope, base = 0.0, 0.0
-    scatter = FLOOR
-    for _ in range(6):
+    scatter, half = FLOOR, int(seen.sum()) // 2
+    for _ in range(4):
         whole = weights.sum()
         if whole < 1e-9:
             break
@@ -128,7 +128,7 @@ def _straight(share: Reals, off: Reals, seen: Reals, length: float) -> tuple[flo
         slope = (weights * (share - middle) * (off - mean)).sum() / max(spread, 1e-9)
         base = mean - slope * middle
         rest = abs(off - base - slope * share)
-        scatter = 1.4826 * float(np.median(rest[seen])) + FLOOR
+        scatter = 1.4826 * float(np.partition(rest[seen], half)[half]) + FLOOR
         weights = seen * np.maximum(1 - (rest / (4.7 * scatter)) ** 2, 0.0) ** 2
     independent = max(length / 3.0 * float((weights > 0).mean()), 1.0)
     return base, base + slope, 2.0 * scatter / np.sqrt(independent)

@@ -29,7 +29,7 @@ TELLING = 0.5
 """Of what of a sign tells where it is along a line, as much more."""
 BETTER, ABOUT = 0.12, 2.5
 """Nor may they be seen so much better anywhere as near, mm."""
-MOVED = 2.0
+MOVED = 1.0
 """What tells where a sign is along a line is what changes if it is moved so far, mm."""
 CLEAR = 0.12
 """And so much more than at any other place farther than `APART`."""
@@ -56,8 +56,8 @@ def spots(flat: Flat, view: View, fit: Fit, shift: complex) -> tuple[Spot, ...]:
 class Cross(NamedTuple):
     """What lines tell of a place: its displacement, mm, in which direction it is known worst, how badly.
 
-    ``misfit``: how far a line passes it; ``lines``: how many there are; ``doubted``: it is known so badly because
-    another line may be the right one.
+    ``misfit``: how far a line passes it; ``lines``: how many there are; ``doubted``: it is known so badly
+    because another line may be the right one.
     """
 
     moved: complex
@@ -135,7 +135,8 @@ def _along(flat: Flat, sign: Sign, at: complex, cross: Cross) -> Spot:
     other = like[abs(along - along[best]) > APART].max(initial=0.0)
     clear = like[best] > TELLING and like[best] - other > CLEAR
     found = complex(at + cross.way * _peak(along, like, best))
-    clear &= cross.misfit <= MISFIT and _alike(flat, sign, found)
+    clear &= cross.misfit <= MISFIT
+    clear &= float(sign.like(flat, np.array([found], dtype=np.complex128))[0]) > LIKE
     return Spot(found, 0.25, SEEN if clear else UNSURE)
 
 
