@@ -24,6 +24,10 @@ BROAD = 15
 """Dots (odd): what is narrower is a line, what is broader is shade. Main lines of an A4 that fills the picture
 have six, with their blur ten."""
 
+SOFT = 4.0
+"""Dots: what is about a dot is smoothed so far. An edge of the paper is then dark beside, too: where a line of
+the frame is too pale to be found, that edge is, and tells where the frame is."""
+
 COLOURED = 0.5
 """So much of the difference between the colours is taken off their least darkness. Pencil has none; of blue
 squares (0.5, 0.35, 0.15 of red, green and blue) nothing is left, though JPEG smooths colours."""
@@ -111,6 +115,7 @@ def smaller(image: NDArray[np.uint8]) -> Small:
     size = (columns // factor, rows // factor)
     small = cv2.resize(image[:rows, :columns], size, interpolation=cv2.INTER_AREA)
     about = cv2.morphologyEx(small, cv2.MORPH_CLOSE, np.ones((BROAD, BROAD), np.uint8))
+    about = cv2.GaussianBlur(about, (0, 0), SOFT)
     shares = cv2.divide(small, np.maximum(about, 20), scale=255.0)
     least, most = shares.min(axis=2), shares.max(axis=2)
     colour = cv2.multiply(cv2.subtract(most, least), np.ones_like(most), scale=COLOURED)

@@ -42,15 +42,6 @@ def test_blue_squares_are_not_dark() -> None:
     assert smaller(grey).dark.max() > 40
 
 
-def test_an_edge_of_the_paper_is_no_line() -> None:
-    image = picture([[300 + 100j, 300 + 1100j]])
-    image = image.copy()
-    image[:, 900:] = (80, 70, 60)
-    found = long_lines(smaller(image), 4.0)
-    assert len(found.feet) == 1
-    assert abs(found.feet.real - 300) < 1.5
-
-
 @pytest.mark.parametrize("share", [-0.01, 0.0, 0.02])
 def test_the_lens_is_told_by_what_it_bows(share: float) -> None:
     camera = Camera(columns=SIZE[0], rows=SIZE[1], lens=share)
