@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
 
 from graphic_tmm.checking.overlay import overlay_sheet
 from graphic_tmm.checking.records import Report
@@ -12,6 +15,15 @@ from graphic_tmm.language.said import said
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make, sheets
 
+if TYPE_CHECKING:
+    from graphic_tmm.checking.photo.flatten import Photo
+    from graphic_tmm.drawn import DrawnScene
+    from graphic_tmm.paper.drawing import Drawing, Sheet
+
+DOTS = 8e6
+"""A flattened picture has no more dots: on an A1 four to the mm, as many as a telephone's camera gives."""
+FINEST = 8
+"""And no more to the mm: a thin line of pencil is then two dots wide."""
 _REMEDY = said("name another file with --overlay")
 
 
@@ -19,33 +31,37 @@ def overlay(scene: Scene, report: Report, file: str, enlarge: float) -> Path:
     """Write the exact plans thin under the points that were read; deviations ``enlarge`` times as large."""
     from graphic_tmm.paper.write.svg import svg
 
-    path = _drawing(file)
+    path = drawing_file(file)
     text = svg(overlay_sheet(make(scene, exact=True), report, enlarge))
     (written,) = write(path.parent, {path.name: text}, remedy=_REMEDY)
     return written
 
 
-def underlay(
-    scene: Scene, photo: str, corners: str, file: str, number: int = 1
-) -> tuple[tuple[Path, ...], tuple[str, ...]]:
-    """Write a sheet's photograph, flattened, and over it the exact sheet, thin and coloured, true to the mm.
+class Laid(NamedTuple):
+    """A photograph and the sheet that it shows, of a scene as drawn there; ``number``: of the sheet, from 1."""
 
-    ``number``: of the sheet, from 1. Return the files, and what the photograph is warned about. The picture
-    has the drawing's name with "-flat": not the photograph's, which may stand beside it.
+    made: DrawnScene
+    sheet: Sheet
+    number: int
+    flat: Photo
+
+
+def laid(scene: Scene, photo: str, corners: str, number: int = 1) -> Laid:
+    """Return a sheet's photograph, flattened to the sheet's true millimetres.
+
+    ``corners``: of the frame as they were typed, "" to find it. ``number``: of the sheet, from 1.
 
     Raises
     ------
     SheetError
-        If there is no such sheet, the corners are none, the photograph cannot be flattened, or a file cannot be
-        written.
+        If there is no such sheet, the corners are none, no frame is found, or the photograph cannot be
+        flattened.
     """
-    from graphic_tmm.checking.photo.flatten import flatten, png
-    from graphic_tmm.paper.frame.frame import drawing_area
-    from graphic_tmm.paper.write.svg import Under, svg
+    from graphic_tmm.checking.photo.flatten import flatten
+    from graphic_tmm.checking.photo.ruling import ruled
 
-    path = _drawing(file)
-    clicked = _corners(corners)
-    drawn = sheets(scene)[1]
+    clicked = _corners(corners) if corners else None
+    made, drawn = sheets(scene)
     if number > len(drawn):
         raise SheetError(
             said(
@@ -55,16 +71,38 @@ def underlay(
             )
         )
     sheet = drawn[number - 1]
-    left, bottom, right, top = drawing_area(sheet.format, scene.language, number == 1).inner
-    paper = (0.0, 0.0, sheet.width, sheet.height)
-    flat = flatten(Path(photo), clicked, (left, bottom, right, top), area=paper)
+    lines = ruled(sheet, number == 1)
+    dots = min(math.floor(math.sqrt(DOTS / (sheet.width * sheet.height))), FINEST)
+    flat = flatten(
+        Path(photo), clicked or lines, lines.frame, area=lines.paper, dots_per_mm=float(dots)
+    )
+    return Laid(made, sheet, number, flat)
+
+
+def underlay(shown: Laid, file: str, upon: Sequence[Drawing] = ()) -> tuple[Path, ...]:
+    """Write a sheet's photograph, the exact sheet over it, thin and coloured, and what is to be ``upon`` it.
+
+    Return the files. The picture has the drawing's name with "-flat": not the photograph's, which may stand
+    beside it.
+
+    Raises
+    ------
+    SheetError
+        If a file cannot be written.
+    """
+    from graphic_tmm.checking.photo.flatten import png
+    from graphic_tmm.paper.write.svg import Under, svg
+
+    path = drawing_file(file)
     picture = f"{path.stem}-flat.png"
+    sheet = shown.sheet._replace(drawings=(*shown.sheet.drawings, *upon))
     text = svg(sheet, under=Under(picture))
-    files: dict[str, str | bytes] = {path.name: text, picture: png(flat)}
-    return write(path.parent, files, remedy=_REMEDY), flat.warnings
+    files: dict[str, str | bytes] = {path.name: text, picture: png(shown.flat)}
+    return write(path.parent, files, remedy=_REMEDY)
 
 
-def _drawing(file: str) -> Path:
+def drawing_file(file: str) -> Path:
+    """Return where a drawing is to be written; raises SheetError if that is no name of an SVG file."""
     path = Path(file)
     if path.suffix.lower() != ".svg":
         raise SheetError(

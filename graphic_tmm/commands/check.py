@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
@@ -101,7 +101,7 @@ if TYPE_CHECKING:
     help=said("How many times larger the overlay shows deviations."),
 )
 @click.option(
-    "--photo", help=said("A photograph of the sheet, to be laid under it (with --corners).")
+    "--photo", help=said("A photograph of the sheet, to be laid under it; its frame is found.")
 )
 @click.option(
     "--sheet",
@@ -109,7 +109,23 @@ if TYPE_CHECKING:
     help=said("Which sheet the photograph shows (with --photo); default: the first."),
 )
 @click.option(
-    "--corners", help=said("The corners of the frame in the photograph: x,y x,y x,y x,y (dots).")
+    "--corners",
+    help=said(
+        "The corners of the frame in the photograph, if it is not found: x,y x,y x,y x,y (dots)."
+    ),
+)
+@click.option(
+    "--pole",
+    "poles",
+    multiple=True,
+    help=said(
+        "Where the pole of a plan is in the photograph, if it stands elsewhere on the sheet: "
+        "velocities:3=x,y (dots)."
+    ),
+)
+@click.option(
+    "--readings-out",
+    help=said("CSV file for the points seen in the photograph, to be corrected and checked."),
 )
 @click.option(
     "-f",
@@ -137,24 +153,27 @@ def check(
     photo: str | None,
     corners: str | None,
     sheet: int | None,
+    poles: tuple[str, ...],
+    readings_out: str | None,
     form: str,
 ) -> None:
     """Compare READINGS of a hand-made drawing (a CSV file) with SCENE; status 1 if something is wrong."""
     if not template:
-        _refuse_half_asked(scene, readings, photo, sheet, corners)
+        _refuse_half_asked(scene, readings, photo, (sheet, corners, poles or None, readings_out))
         _refuse_untemplated(short or bool(only), position, output)
     task = read_scene(scene, lettered=True)
     if template:
         write_template(task, short, only, position or "", output)
         return
-    report = None
-    if readings is not None:
+    by = _By(hand, points, trials, (doubtful, wrong))
+    if photo is not None:
+        wanted = _Wanted(photo, corners or "", overlay or "photo.svg", sheet or 1)
+        report, written = _of_photo(task, readings, wanted, poles, readings_out, by)
+    else:
+        assert readings is not None
         with waiting(said("drawing by the hand, to tell what is usual")):
-            report = _judged(task, readings, hand, points, trials, (doubtful, wrong))
-    with waiting(said("drawing the plans")):
-        if photo is not None:
-            written = _underlaid(task, photo, corners or "", overlay or "photo.svg", sheet or 1)
-        else:
+            report = _judged(task, readings, by)
+        with waiting(said("drawing the plans")):
             written = _overlaid(task, report, overlay, enlarge)
     for path in written:
         click.echo(str(path), err=report is not None)  # a report has the other stream to itself
@@ -165,15 +184,39 @@ def check(
         raise SystemExit(WRONG)
 
 
+class _By(NamedTuple):
+    """By what is judged; ``beyond``: where doubt begins, and wrong."""
+
+    hand: str
+    points: str
+    trials: int
+    beyond: tuple[float, float]
+
+
+class _Wanted(NamedTuple):
+    """Of a photograph: its file, the corners as typed, the drawing to be written, which sheet it shows."""
+
+    photo: str
+    corners: str
+    file: str
+    number: int
+
+
 def _refuse_half_asked(
-    scene: str, readings: str | None, photo: str | None, sheet: int | None, corners: str | None
+    scene: str, readings: str | None, photo: str | None, of_photo: tuple[object, ...]
 ) -> None:
-    if photo is None and (sheet is not None or corners is not None):
-        raise click.UsageError(said("--sheet and --corners go with a photograph: add --photo FILE"))
+    if photo is None and any(one is not None for one in of_photo):
+        raise click.UsageError(
+            said(
+                "--sheet, --corners, --pole and --readings-out go with a photograph: add --photo FILE"
+            )
+        )
     if scene == readings == "-":
         raise click.UsageError(said("one of SCENE and READINGS can be standard input, not both"))
     if readings is None and photo is None:
-        raise click.UsageError(said("name the file of READINGS, or ask for --template"))
+        raise click.UsageError(
+            said("name the file of READINGS, show a photograph (--photo), or ask for --template")
+        )
 
 
 def _refuse_untemplated(short: bool, position: str | None, output: str | None) -> None:
@@ -181,42 +224,72 @@ def _refuse_untemplated(short: bool, position: str | None, output: str | None) -
         raise click.UsageError(said("--short, --only, --position and -o go with --template"))
 
 
-def _judged(
-    scene: Scene,
-    readings: str,
-    hand: str,
-    points: str,
-    trials: int,
-    beyond: tuple[float, float],
-) -> Report:
-    """Return the report on a file of readings; ``beyond``: where doubt begins, and wrong."""
+def _judged(scene: Scene, readings: str, by: _By) -> Report:
+    """Return the report on a file of readings."""
     from graphic_tmm.checking.check import check
     from graphic_tmm.checking.judging.scatter import Limits
     from graphic_tmm.checking.readings.read import read_readings
 
-    taken, limits = read_readings(Path(readings)), Limits(*beyond)
+    taken, limits = read_readings(Path(readings)), Limits(*by.beyond)
     return check(
-        scene, taken, hand=hand, points=points, trials=trials, limits=limits, source=readings
+        scene,
+        taken,
+        hand=by.hand,
+        points=by.points,
+        trials=by.trials,
+        limits=limits,
+        source=readings,
     )
 
 
-def _underlaid(scene: Scene, photo: str, corners: str, file: str, number: int) -> tuple[Path, ...]:
-    """Write a photograph under its sheet; say what makes it doubtful; return the files."""
-    from graphic_tmm.checking.pictures import underlay
+def _of_photo(
+    scene: Scene,
+    readings: str | None,
+    wanted: _Wanted,
+    poles: tuple[str, ...],
+    readings_out: str | None,
+    by: _By,
+) -> tuple[Report | None, tuple[Path, ...]]:
+    """Write a photograph under its sheet; return a report on its readings or those given, and the files.
 
-    written, warnings = underlay(scene, photo, corners, file, number)
-    for warning in warnings:
+    Said is what makes the photograph doubtful.
+    """
+    from graphic_tmm.checking.judging.scatter import Limits
+    from graphic_tmm.checking.photographed import (
+        judged,
+        photographed,
+        points_drawing,
+        poles_of,
+        write_seen,
+    )
+    from graphic_tmm.checking.pictures import drawing_file, laid, underlay
+
+    drawing_file(wanted.file)
+    clicked = poles_of(poles)
+    with waiting(said("drawing the plans")):
+        shown = laid(scene, wanted.photo, wanted.corners, wanted.number)
+    for warning in shown.flat.warnings:
         tell(said("warning: {text}", text=warning))
-    return written
+    if readings is not None:
+        with waiting(said("drawing by the hand, to tell what is usual")):
+            report = _judged(scene, readings, by)
+        return report, underlay(shown, wanted.file)
+    with waiting(said("following the lines in the photograph")):
+        seen = photographed(shown, clicked, by.hand)
+    if seen is None:
+        return None, underlay(shown, wanted.file)
+    written = () if readings_out is None else write_seen(readings_out, seen, scene.language)
+    with waiting(said("drawing by the hand, to tell what is usual")):
+        limits, source = Limits(*by.beyond), readings_out or wanted.photo
+        report = judged(scene, seen, hand=by.hand, trials=by.trials, limits=limits, source=source)
+    return report, (*underlay(shown, wanted.file, (points_drawing(seen, report),)), *written)
 
 
-def _overlaid(
-    scene: Scene, report: Report | None, file: str | None, enlarge: float
-) -> tuple[Path, ...]:
+def _overlaid(scene: Scene, report: Report, file: str | None, enlarge: float) -> tuple[Path, ...]:
     """Write the points that were read over their plans, where that is asked for; return the file."""
     from graphic_tmm.checking.pictures import overlay
 
-    return () if report is None or file is None else (overlay(scene, report, file, enlarge),)
+    return () if file is None else (overlay(scene, report, file, enlarge),)
 
 
 def _told(report: Report, form: str) -> str | list[Any]:

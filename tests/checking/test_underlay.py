@@ -102,9 +102,10 @@ def test_the_photograph_is_seen_and_the_ink_fits_it(
     out = tmp_path / "under 'it' \"1\" & план.svg"
     options = ("--photo", photo, "--corners", corners(), "--sheet", 2, "--overlay", out)
     done = check(scene, *options)
-    assert (done.exit_code, done.stderr) == (0, ""), done.output
     flat = tmp_path / "under 'it' \"1\" & план-flat.png"
-    assert done.stdout == f"{out}\n{flat}\n"
+    assert (done.exit_code, done.stderr) == (0, f"{out}\n{flat}\n"), done.output
+    assert "fine" in done.stdout
+    assert "wrong" not in done.stdout
     text = out.read_text(encoding="utf-8")
     seen = rendered(text, tmp_path, MM).astype(np.int16)
     picture = np.asarray(image.open(flat).convert("RGB")).astype(np.int16)
@@ -168,7 +169,15 @@ def test_what_cannot_be_laid_under_is_told(
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
 
 
-@pytest.mark.parametrize("option", [("--sheet", "1"), ("--corners", "1,2 3,4 5,6 7,8")])
+@pytest.mark.parametrize(
+    "option",
+    [
+        ("--sheet", "1"),
+        ("--corners", "1,2 3,4 5,6 7,8"),
+        ("--pole", "velocities:1=2,3"),
+        ("--readings-out", "seen.csv"),
+    ],
+)
 def test_what_goes_with_a_photograph_is_not_passed_over_without_one(
     option: tuple[str, str],
 ) -> None:

@@ -30,7 +30,7 @@ class Camera(NamedTuple):
 
     ``lens``: radial distortion at the half width of the photograph, as a share; ``sag``: how far the sheet
     lies off its table where it is farthest, mm: curled about its upright middle line, or a ``dome``;
-    ``middle``: the point of the sheet that the camera looks at, mm.
+    ``middle``: the point of the sheet that the camera looks at, mm; ``size``: of the sheet, mm.
     """
 
     tilt: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -42,6 +42,7 @@ class Camera(NamedTuple):
     sag: float = 0.0
     dome: bool = False
     middle: tuple[float, float] = (WIDTH / 2, HEIGHT / 2)
+    size: tuple[float, float] = (WIDTH, HEIGHT)
 
     @property
     def turn(self) -> np.ndarray:
@@ -71,7 +72,7 @@ class Camera(NamedTuple):
 
     def _lifted(self, points: np.ndarray) -> np.ndarray:
         """From points of the sheet to those of the table that they hide, mm."""
-        across, up = 2 * points.real / WIDTH - 1, 2 * points.imag / HEIGHT - 1
+        across, up = 2 * points.real / self.size[0] - 1, 2 * points.imag / self.size[1] - 1
         high = self.sag * (1 - across**2) * ((1 - up**2) if self.dome else 1)
         x, y, above = -self.turn.T @ self.place
         return (points - complex(x, y)) * high / (above - high)

@@ -1,8 +1,9 @@
 """A photograph of a hand-made sheet, its perspective removed, at true millimetres.
 
 A drawing frame is a rectangle of known size: its four corners fix the projection of the sheet into the
-photograph. The corners are clicked and refined to the frame's lines; how the lens bows these is taken
-out, and how straight they then are tells whether the sheet was flat. Needs Pillow (extra ``photo``).
+photograph. The corners are clicked, or found by what is ruled on the sheet, and refined to the frame's lines;
+how the lens bows these is taken out, and how straight they then are tells whether the sheet was flat. Needs
+Pillow, and OpenCV where nobody clicks (extra ``photo``).
 """
 
 from __future__ import annotations
@@ -17,7 +18,8 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.checking.photo.curl import Curl
-from graphic_tmm.checking.photo.frame_lines import REACH, refine
+from graphic_tmm.checking.photo.found import frame_found
+from graphic_tmm.checking.photo.frame_lines import REACH, Lines, refine
 from graphic_tmm.checking.photo.lens import Lens, pinhole
 from graphic_tmm.checking.photo.perspective import (
     Corners,
@@ -29,6 +31,7 @@ from graphic_tmm.checking.photo.perspective import (
     vertices,
 )
 from graphic_tmm.checking.photo.picture import MOST, pillow, read
+from graphic_tmm.checking.photo.ruling import Ruled
 from graphic_tmm.checking.photo.shot import Shot
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import joined, said
@@ -70,7 +73,7 @@ class Photo(NamedTuple):
 
 def flatten(
     path: str | Path,
-    corners: Corners,
+    corners: Corners | Ruled,
     frame: tuple[float, float, float, float],
     *,
     dots_per_mm: float = 4.0,
@@ -80,7 +83,8 @@ def flatten(
     """Return the photograph in a file without its perspective.
 
     ``corners`` (4, 2): where the frame's corners are seen, x and y in pixels from the centre of the
-    first, y downward, in any order, the photograph upright as a viewer shows it. ``frame``: left, bottom,
+    first, y downward, in any order, the photograph upright as a viewer shows it; or what is ruled on the sheet:
+    then the frame is found, the sheet either way up. ``frame``: left, bottom,
     right and top of the frame on the sheet, mm (from the paper's lower left corner, y upward).
     ``area``: what of the sheet is wanted, mm; if left out the whole paper, whose right and upper margins
     are as wide as the lower one. ``refined=False`` leaves the corners where they were given.
@@ -89,21 +93,26 @@ def flatten(
     ------
     SheetError
         If Pillow is missing, the file is no photograph of at most 100 megapixels or is damaged, the
-        corners are not four corners of a convex quadrilateral within it, the rectangles are empty, or
-        the picture wanted has no dots or more than 100 million.
+        corners are not four corners of a convex quadrilateral within it, no frame is found or it is not
+        sure which it is, the rectangles are empty, or the picture wanted has no dots or more than 100 million.
     """
     box = _rectangle("frame", frame)
     wanted = _rectangle("area", area) if area is not None else _paper(box)
     whole, rows, columns = _raster(wanted, dots_per_mm)
-    clicked = ordered(corners)
+    known = isinstance(corners, Ruled)
+    clicked = vertices(box) if isinstance(corners, Ruled) else ordered(corners)
     image = read(path)
-    _within(clicked, image)
-    found = refine(image, box, clicked) if refined else None
+    found: Lines | None = None
+    if isinstance(corners, Ruled):
+        found = frame_found(image, corners).lines
+    else:
+        _within(clicked, image)
+        found = refine(image, box, clicked) if refined else None
     marks = clicked if found is None else found.corners
     lens = pinhole(image) if found is None else found.lens
     curl = Curl(box) if found is None else found.curl
     matrix = homography(box, lens.straight(marks))
-    notes = [_turned(box, marks)]
+    notes = [] if known else [_turned(box, marks)]
     if found is not None:
         notes += [_missing(found.missing), _bowed(found.bowed), _bent(found.residual)]
     return Photo(

@@ -114,14 +114,17 @@ class Edge(NamedTuple):
 _UNSEEN = Edge(0.0, 0.0, np.nan, np.empty(0, np.complex128), np.empty(0))
 
 
-def refine(image: NDArray[np.uint8], box: Box, corners: Complexes) -> Lines:
+def refine(
+    image: NDArray[np.uint8], box: Box, corners: Complexes, known: Lens | None = None
+) -> Lines:
     """Return the frame ``box`` (mm) found near ``corners`` (4,), px, in ``image`` (rows, columns, 3).
 
     Neighbouring lines meet in the corners. It is done again, so that the strips then lie along the lines,
-    bowed as the lens bows them; an edge that shows no line stays where it was clicked.
+    bowed as the lens bows them; an edge that shows no line stays where it was clicked. ``known``: the lens that
+    it begins with, a pinhole where nobody knows.
     """
     feet = vertices(box)
-    straighter, less = pinhole(image), Curl(box)
+    straighter, less = known or pinhole(image), Curl(box)
     for sight in range(SIGHTS):
         lens, curl = straighter, less
         shot = Shot(image, homography(box, lens.straight(corners)), lens, curl)

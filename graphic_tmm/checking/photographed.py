@@ -1,0 +1,149 @@
+"""A check from a photograph: points that are seen in it are judged; what is not seen is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+from graphic_tmm.board.hand import HANDS
+from graphic_tmm.checking.check import check
+from graphic_tmm.checking.judging.scatter import Limits
+from graphic_tmm.checking.pencil.darkness import Flat
+from graphic_tmm.checking.pencil.expected import views
+from graphic_tmm.checking.pencil.points import SEEN, UNSEEN
+from graphic_tmm.checking.pencil.reading import Found, Pole, asked, read_plans, readings
+from graphic_tmm.checking.photo.shot import Shot
+from graphic_tmm.checking.pictures import Laid
+from graphic_tmm.checking.readings.read import write_readings
+from graphic_tmm.checking.records import Judged, Report, Taken
+from graphic_tmm.errors import SheetError
+from graphic_tmm.files import write
+from graphic_tmm.language.said import said
+from graphic_tmm.paper.drawing import Drawing, Label, Stroke, circle, line
+from graphic_tmm.scene.records import Scene
+
+CROSS, RING = 1.6, 1.6
+"""Half of the cross at a point that was seen, the radius of the ring about one that is not sure, mm."""
+LETTERS = 2.5
+"""The size of the letters beside them, mm."""
+
+
+class Photographed(NamedTuple):
+    """What a photograph gave: the points of its plans, the readings of those that were seen."""
+
+    found: Found
+    taken: tuple[Taken, ...]
+
+
+def poles_of(given: Iterable[str]) -> dict[Pole, complex]:
+    """Return the poles that somebody clicked, px of the photograph, by plan and position.
+
+    Raises
+    ------
+    SheetError
+        If one is not written as ``velocities:3=1200,840``.
+    """
+    found: dict[Pole, complex] = {}
+    for text in given:
+        name, _, place = text.rpartition("=")
+        plan, _, position = name.partition(":")
+        try:
+            x, y = (float(part) for part in place.split(","))
+        except ValueError:
+            x = y = float("nan")
+        if not (plan and position and abs(x) + abs(y) < float("inf")):
+            raise SheetError(
+                said(
+                    "--pole: write plan, position and where its pole is in the photograph, "
+                    '"velocities:3=1200,840"'
+                )
+            )
+        found[plan, position] = complex(x, y)
+    return found
+
+
+def photographed(shown: Laid, clicked: Mapping[Pole, complex], hand: str) -> Photographed | None:
+    """Return what a flattened photograph shows of the plans of its sheet; None if there are none on it.
+
+    ``clicked``: poles in the photograph, px; ``hand``: of whose size errors may be.
+
+    Raises
+    ------
+    SheetError
+        If a pole is clicked of a plan that this sheet does not have.
+    """
+    due = views(shown.made, shown.sheet, HANDS[hand])
+    poles = {pole for view in due for pole in view.poles}
+    for plan, position in clicked:
+        if (plan, position) not in poles:
+            raise SheetError(
+                said(
+                    "--pole: there is no plan {plan}, position {position} on sheet {number}",
+                    plan=plan,
+                    position=position,
+                    number=shown.number,
+                )
+            )
+    if not due:
+        return None
+    photo = shown.flat
+    shot = Shot(photo.image, photo.homography, photo.lens, photo.curl)
+    places = {pole: complex(shot.sheet(at)) for pole, at in clicked.items()}
+    dots = photo.image.shape[1] / (photo.area.right - photo.area.left)
+    found = read_plans(Flat(photo.image, photo.area, dots), due, places)
+    return Photographed(found, readings(found.points))
+
+
+def judged(
+    scene: Scene, seen: Photographed, *, hand: str, trials: int, limits: Limits, source: str
+) -> Report:
+    """Return the report on what a photograph shows; its notes ask for what it does not."""
+    report = check(
+        scene, seen.taken, hand=hand, points="photo", trials=trials, limits=limits, source=source
+    )
+    return report._replace(notes=(*report.notes, *asked(seen.found)))
+
+
+def write_seen(file: str, seen: Photographed, language: str) -> tuple[Path, ...]:
+    """Write the points that were seen as a file of readings, to be corrected by hand and checked."""
+    path = Path(file)
+    text = write_readings(seen.taken, language=language)
+    return write(
+        path.parent, {path.name: text}, remedy=said("name another file with --readings-out")
+    )
+
+
+def points_drawing(seen: Photographed, report: Report) -> Drawing:
+    """Return a cross at each point that was seen, with its letter and error, a ring at one that is not sure."""
+    by = {one.taken.key: one for one in report.readings}
+    strokes: list[Stroke] = []
+    labels: list[Label] = []
+    for one in seen.found.points:
+        plan, letter, position = one.name
+        if one.how == SEEN:
+            arms = (1 + 1j, 1 - 1j)
+            drawn = [line("thin", one.at - CROSS * way, one.at + CROSS * way) for way in arms]
+            error = _error(by.get((plan, letter, position)))
+            told = f"{letter}: {error}" if error else letter
+        elif one.how == UNSEEN:
+            continue
+        else:
+            drawn, told = [circle("thin", one.at, RING)], f"{letter}?"
+        strokes += [stroke._replace(title=told) for stroke in drawn]
+        labels.append(Label(_plain(told), one.at + (1 - 1j) * CROSS, LETTERS))
+    return Drawing("photographed", said("Points seen"), tuple(strokes), tuple(labels))
+
+
+def _error(one: Judged | None) -> str:
+    """Return the error that a step made itself, or the deviation, as it is written beside a point."""
+    if one is None:
+        return ""
+    return f"{abs(one.deviation if one.own is None else one.own):.1f}"
+
+
+def _plain(text: str) -> str:
+    """Return a text as lettering writes it."""
+    from graphic_tmm.paper.lettering.letters import escape
+
+    return escape(text)
