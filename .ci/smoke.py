@@ -44,6 +44,10 @@ def main(program: str, home: Path) -> None:
     page = run(program, "check", home / "mine", home / "readings.csv", "-f", "html", "--trials", 50)
     assert page.startswith("<!DOCTYPE html>")
     assert page.count("<tr") == 1 + len(lines)
+    short = home / "short.xlsx"
+    written = run(program, "check", home / "mine", "--template", "--short", "-o", short)
+    assert written.split() == [str(short), str(home / "short.svg")]
+    assert json.loads(run(program, "check", home / "mine", short, "-f", "json"))["readings"] == []
     photo = ("--photo", home / "engine.png", "--corners", ENDS, "--overlay", home / "under.svg")
     assert "under-flat.png" in run(program, "check", "engine", *photo)
     run(program, "accuracy", "cam", "--trials", 10, "--no-time", "-o", home)

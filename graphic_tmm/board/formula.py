@@ -16,8 +16,8 @@ from __future__ import annotations
 
 import linecache
 import sys
-from collections.abc import Callable
-from typing import Any, NamedTuple, get_type_hints, overload
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple, cast, get_type_hints, overload
 
 import numpy as np
 
@@ -126,13 +126,23 @@ def _written(function: Callable[..., Any], made: Formula) -> Any:
         body = f"np.where({_source(made.condition)}, {body}, np.nan)"
     source = f"def {made.name}({', '.join(made.arguments)}):\n    return {body}\n"
     file = f"<formula {function.__module__}.{made.name}>"
-    space = {name: known.run for name, known in FUNCTIONS.items() if known.run} | {"np": np}
-    exec(compile(source, file, "exec"), space)
+    run = _compiled(made.name, source, file)
     linecache.cache[file] = (len(source), None, source.splitlines(True), file)
-    run: Any = space[made.name]
     run.__doc__, run.__module__ = function.__doc__, function.__module__
     run.__annotations__ = function.__annotations__
     return run
+
+
+def computed(name: str, arguments: Sequence[str], tree: Node) -> Callable[..., Any]:
+    """Return the function that computes a tree, as it is made of a formula; of angles in degrees."""
+    source = f"def {name}({', '.join(arguments)}):\n    return {_source(tree)}\n"
+    return cast("Callable[..., Any]", _compiled(name, source, f"<formula of {name}>"))
+
+
+def _compiled(name: str, source: str, file: str) -> Any:
+    space = {name: known.run for name, known in FUNCTIONS.items() if known.run} | {"np": np}
+    exec(compile(source, file, "exec"), space)
+    return space[name]
 
 
 _SIGNS = {"−": "-", "·": "*", "^": "**", "≠": "!=", "≥": ">=", "≤": "<=", "=": "=="}

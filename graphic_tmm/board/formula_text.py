@@ -74,6 +74,44 @@ def names_of(node: Node) -> frozenset[str]:
     return frozenset().union(*(names_of(part) for part in node.parts))
 
 
+def text_of(node: Node) -> str:
+    """Return a tree as a text again, its names in braces; brackets stand where it needs them."""
+    return _text(node)
+
+
+_BINDS = {"+": 1, "−": 1, "±": 1, "·": 2, "/": 2, "neg": 2, "^": 4}
+_SUPERSCRIPT = {figure: sign for sign, figure in _POWERS.items()}
+
+
+def _text(node: Node, within: int = 0) -> str:
+    binds = _BINDS.get(node.head, 5)
+    if node.head in _SIGNS_BETWEEN:
+        one, other = _text(node.parts[0], binds), _text(node.parts[1], binds + 1)
+        between = f" {node.head} " if binds == 1 else node.head
+        found = f"{one}{between}{other}"
+    elif node.head == "neg":
+        found = f"−{_text(node.parts[0], binds + 1)}"
+    elif node.head == "^":
+        power = node.parts[1]
+        raised = _SUPERSCRIPT.get(power.word) if power.head == "figure" else None
+        found = _text(node.parts[0], binds + 1) + (raised or f"^{_text(power, binds + 1)}")
+    elif node.head in ("radians", "degrees"):
+        return _text(node.parts[0], within)
+    elif node.parts:
+        sign = next((s for s, (_, head) in BRACKETS.items() if head == node.head), "")
+        inner = ", ".join(map(_text, node.parts))
+        named = "√" if node.head == "sqrt" else node.head
+        return f"{sign}{inner}{BRACKETS[sign][0]}" if sign else f"{named}({inner})"
+    elif node.head == "name":
+        return f"{{{node.word}}}"
+    else:
+        return {"π": "π", "°": f"{node.word}°"}.get(node.head, node.word)
+    return f"({found})" if binds < within else found
+
+
+_SIGNS_BETWEEN = ("+", "−", "±", "·", "/")
+
+
 def _put(node: Node, name: str, meaning: Node) -> Node:
     if node == Node("name", (), name):
         return meaning

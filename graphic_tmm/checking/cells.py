@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import NamedTuple, TypeVar
 
 from graphic_tmm.board.values import Complexes, Point, Reals
 from graphic_tmm.chapter import chapters
@@ -15,6 +15,7 @@ from graphic_tmm.readers.columns import (
 )
 from graphic_tmm.readers.table import positions_of, scene_columns, scene_results
 
+T = TypeVar("T")
 Key = tuple[str, str, str]
 """Plan, segment, position ("" for a result)."""
 RESULTS = "results"
@@ -46,8 +47,24 @@ def position_names(made: DrawnScene) -> tuple[str, ...]:
     )
 
 
-def cells(made: DrawnScene) -> dict[Key, Cell]:
-    """Return every figure that a scene has."""
+def cells(made: DrawnScene) -> Mapping[Key, Cell]:
+    """Return every figure that a scene has; of a scene as drawn they are found once."""
+    return _kept(made, "cells", _cells)
+
+
+def _kept(made: DrawnScene, name: str, find: Callable[[DrawnScene], T]) -> T:
+    """Return what is found of a scene; it is kept beside its first board, while the others are the same."""
+    if not made.boards:
+        return find(made)
+    cache, now = made.boards[0].cache, tuple(map(id, made.boards))
+    if cache.get(name, ((), None))[0] != now:
+        # with the boards themselves, so that no other can be at their place
+        cache[name] = now, made.boards, find(made)
+    found: T = cache[name][-1]
+    return found
+
+
+def _cells(made: DrawnScene) -> Mapping[Key, Cell]:
     found: dict[Key, Cell] = {}
     for names, column in _columns(made):
         for name, mm, value in zip(names, *column.told, strict=True):
@@ -94,8 +111,15 @@ def longest(
     return reach | most
 
 
-def points(made: DrawnScene) -> dict[Key, complex]:
-    """Return where every point of a mechanism's plans stands, mm from the pole (or the crank's pivot)."""
+def points(made: DrawnScene) -> Mapping[Key, complex]:
+    """Return where every point of a mechanism's plans stands, mm from the pole (or the crank's pivot).
+
+    Of a scene as drawn they are found once.
+    """
+    return _kept(made, "points", _points)
+
+
+def _points(made: DrawnScene) -> Mapping[Key, complex]:
     found = ((key, complex(row[0])) for key, row in spots(made).items())
     return {key: spot for key, spot in found if cmath.isfinite(spot)}
 
@@ -120,4 +144,4 @@ def spots(made: DrawnScene) -> dict[Key, Complexes]:
 def cells_and_points(made: DrawnScene) -> dict[Key, Cell]:
     """Return every figure that a scene has, and every point of its plans."""
     spots = {key: Cell(None, None, "mm", spot) for key, spot in points(made).items()}
-    return spots | cells(made)
+    return {**spots, **cells(made)}

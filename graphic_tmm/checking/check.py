@@ -6,11 +6,15 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells
+from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
-from graphic_tmm.checking.judging.yardstick import Yardstick, yardstick
+from graphic_tmm.checking.judging.yardstick import Yardsticks
 from graphic_tmm.checking.known import known
-from graphic_tmm.checking.mistakes.likely import Alternatives, likely
+from graphic_tmm.checking.lessons.lessons import Teacher
+from graphic_tmm.checking.mutations.diagnosis import diagnosed
+from graphic_tmm.checking.mutations.mistakes import Mistakes
+from graphic_tmm.checking.mutations.telling import told
 from graphic_tmm.checking.records import Report, Taken
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scenes import scene_name
@@ -56,22 +60,21 @@ def checks(
 ) -> Iterator[Report]:
     """Yield the reports on the readings of many drawings of a scene, each with its source.
 
-    The hand draws once for all drawings of which the same figures were read. Otherwise as `check`.
+    The hand draws once for all of them. Otherwise as `check`.
     """
     made = make(scene, exact=True)
-    others = Alternatives(made)
+    mistakes, teacher = Mistakes(made), Teacher(made)
     drawing = HANDS[hand]._replace(trials=trials, seed=scene.seed)
-    known_by: dict[frozenset[object], Yardstick] = {}
+    yardsticks = Yardsticks(made, drawing, limits, points)
     for source, readings in drawings:
         rows, notes = known(made, readings, source)
-        read = frozenset(row.at for row in rows)
-        if read not in known_by:
-            known_by[read] = yardstick(made, rows, drawing, limits, points)
-        by = known_by[read]
+        by = yardsticks.of(rows)
         judged = judge(made, rows, by)
-        found = likely(others, judged, by.spread, scene.language)
+        compared = Comparison(made, [part for taken in rows for part in taken.parts()], by)
+        found = told(diagnosed(mistakes, compared, judged), compared, scene.language)
+        lessons = teacher.lessons(judged, found, by.reader)
         name = scene_name(scene.source)
-        yield Report(name, scene.title, scene.language, hand, judged, found, notes)
+        yield Report(name, scene.title, scene.language, hand, judged, found, notes, lessons)
 
 
 def figures(scene: Scene) -> int:

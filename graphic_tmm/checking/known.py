@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, points
+from graphic_tmm.checking.readings.mending import mended
 from graphic_tmm.checking.readings.read import TOLD
 from graphic_tmm.checking.readings.units import taken_figure
 from graphic_tmm.checking.records import Taken
@@ -17,7 +18,9 @@ from graphic_tmm.language.said import said
 def known(
     made: DrawnScene, readings: Sequence[Taken], source: str
 ) -> tuple[tuple[Taken, ...], tuple[str, ...]]:
-    """Return the readings whose figures are known, and a note on each of the others.
+    """Return the readings whose figures are known, by the names of the scene, and notes.
+
+    Of names that were typed otherwise what is meant is told, and each reading whose figure is not known.
 
     Raises
     ------
@@ -25,19 +28,21 @@ def known(
         If readings name what the scene does not have; the first 20 of them at once.
     """
     due, spots = cells(made), points(made)
-    faults: list[Fault] = []
-    kept, notes = [], []
-    for taken in readings:
-        parts = [part for part in taken.parts() if not _lost(part, due, spots)]
-        if len(parts) < len(list(taken.parts())):
+    rows = [part for taken in readings for part in taken.parts()]
+    named, told, unclear = mended(made, rows, due, spots)
+    faults, notes = list(unclear), dict.fromkeys(told)
+    doubted = {fault.line for fault in unclear}
+    kept = []
+    for taken in named:
+        if _lost(taken, due, spots):
             words = WORDS[made.scene.language]["not sure"]
             place = f" ({taken.position})" if taken.position else ""
-            notes.append(words.format(line=taken.line, segment=f"{taken.segment}{place}"))
-        for part in parts:
-            says = "" if part.pointed and part.key in spots else _unknown(part, due)
-            if says:
-                faults.append(Fault("", taken.line, says))
-        kept += parts
+            notes[words.format(line=taken.line, segment=f"{taken.segment}{place}")] = None
+            continue
+        there = taken.line in doubted or (taken.pointed and taken.key in spots)
+        if says := "" if there else _unknown(taken, due):
+            faults.append(Fault("", taken.line, says))
+        kept.append(taken)
     if faults:
         raise SceneError(source, tuple(faults[:TOLD]))
     return tuple(kept), tuple(notes)

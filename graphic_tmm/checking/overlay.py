@@ -50,7 +50,7 @@ def overlay_sheet(made: DrawnScene, report: Report, enlarge: float) -> Sheet:
     for (plan, position), read in by_plan.items():
         title = f"{words.get(plan, plan)}, {words['position']} {escape(position)}"
         upon = [stroke for one in read for stroke in _read(one, exact[one.taken.key], enlarge)]
-        views.append(captioned(_plan(made, plan, position, upon, title), title))
+        views.append(captioned(plan_view(made, plan, position, upon, title), title))
     size, laid = _laid(views, report.language)
     edge = frame(
         size, language=report.language, first=True, number=1, count=1, fields={"name": report.title}
@@ -74,7 +74,7 @@ def _laid(views: Sequence[Drawing], language: str) -> tuple[str, tuple[Drawing, 
     )
 
 
-def _plan(
+def plan_view(
     made: DrawnScene, plan: str, position: str, upon: Sequence[Stroke], title: str
 ) -> Drawing:
     """Return the exact plan in one position, all of it thin, with what was read drawn upon it."""

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import NamedTuple
+
+from graphic_tmm.paper.drawing import Drawing
 
 FINE, DOUBTFUL, WRONG = "fine", "doubtful", "wrong"
 VERDICTS = (FINE, DOUBTFUL, WRONG)
@@ -82,6 +85,8 @@ class Judged(NamedTuple):
     the hand's own drawings are farther off (0 … 1, small for a reading that the hand would hardly make);
     ``step``: which step of its plan is blamed, "" for none; ``own``: the error that this step made itself, mm
     (None of a rate). ``follows``: the earlier reading whose deviation it has, though it is right itself.
+    ``times``: how many times what the hand is usually off it is, as it was made or else as it is, with its sign
+    (of a point without one); NaN where that is not known.
     """
 
     taken: Taken
@@ -95,6 +100,7 @@ class Judged(NamedTuple):
     step: str = ""
     own: float | None = None
     follows: Taken | None = None
+    times: float = math.nan
 
 
 MISTAKE, SLIP, INSTRUMENT, UNKNOWN, UNSEEN = "mistake", "slip", "instrument", "unknown", "unseen"
@@ -127,8 +133,54 @@ class Likely(NamedTuple):
     chance: float = 0.0
 
 
+class Picture(NamedTuple):
+    """A plan as it is due in one position, mm from its pole, and what was found there.
+
+    ``due``, ``found``: a point, or the two ends of a segment; none where it is not known. ``of``: the slots of
+    the marks whose ink is meant. ``named``: the point that each label of the drawing names.
+    """
+
+    drawing: Drawing
+    due: tuple[complex, ...] = ()
+    found: tuple[complex, ...] = ()
+    of: tuple[int, ...] = ()
+    named: tuple[complex, ...] = ()
+
+
+class Lesson(NamedTuple):
+    """What a step of the construction is, for who did it wrongly.
+
+    ``step``: as `Judged` names it, in its ``plan``, there drawn in a ``view`` of the log; ``letter``: of what
+    it leaves, as people write it. ``says`` what is done, ``why``, and how it is calculated in one ``position``:
+    with the ``own`` numbers of the drawing where they were read, else with the exact ones. ``shown``: the
+    reading that is off the most. ``names``: which of the report's mistakes (by number, from 0) were made in it.
+    ``segment``: the figure of a table that it leaves, where readings of that blame no step themselves.
+    ``drawn``: of what is measured, the sentences of the steps that drew it, each with its number. ``shows``:
+    the later reading in which a mistake shows that was made in the step.
+    """
+
+    plan: str
+    step: str
+    letter: str
+    says: str
+    why: str = ""
+    calculation: str = ""
+    position: str = ""
+    own: bool = False
+    shown: Judged | None = None
+    picture: Picture | None = None
+    names: tuple[int, ...] = ()
+    segment: str = ""
+    view: str = ""
+    drawn: tuple[str, ...] = ()
+    shows: Judged | None = None
+
+
 class Report(NamedTuple):
-    """A check: the scene, the hand, every reading judged, the mistakes that would explain the wrong ones."""
+    """A check: the scene, the hand, every reading judged, the mistakes that would explain the wrong ones.
+
+    ``lessons``: on the steps that readings or mistakes blame, in the order of the log.
+    """
 
     scene: str
     title: str
@@ -137,6 +189,7 @@ class Report(NamedTuple):
     readings: tuple[Judged, ...]
     mistakes: tuple[Likely, ...]
     notes: tuple[str, ...] = ()
+    lessons: tuple[Lesson, ...] = ()
 
     @property
     def wrong(self) -> int:

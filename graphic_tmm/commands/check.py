@@ -13,6 +13,7 @@ from graphic_tmm.commands.shared.progress import waiting
 from graphic_tmm.commands.shared.scenes import SceneName, read_scene
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import show, tell
+from graphic_tmm.commands.shared.templates import write_template
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
@@ -25,6 +26,31 @@ if TYPE_CHECKING:
 @click.argument("readings", required=False)
 @click.option(
     "--template", is_flag=True, help=said("Print a CSV file to be filled in, and check nothing.")
+)
+@click.option(
+    "--short",
+    is_flag=True,
+    help=said("With --template: only what is measured on the plans of one position, explained."),
+)
+@click.option(
+    "--only",
+    multiple=True,
+    metavar="PLAN[:SEGMENT,...]",
+    help=said(
+        "With --template: only these plans, or segments and points of a plan; several times."
+    ),
+)
+@click.option(
+    "--position",
+    help=said("With --template: of which position; default: where the most plans are drawn."),
+)
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(dir_okay=False),
+    help=said(
+        "With --template: the file, .csv or .xlsx; a short one has a picture of its letters."
+    ),
 )
 @click.option(
     "--hand",
@@ -110,6 +136,10 @@ def check(
     scene: str,
     readings: str | None,
     template: bool,
+    short: bool,
+    only: tuple[str, ...],
+    position: str | None,
+    output: str | None,
     hand: str,
     points: str,
     doubtful: float,
@@ -125,15 +155,12 @@ def check(
     form: str,
 ) -> None:
     """Compare READINGS of a hand-made drawing (a CSV file) with SCENE; status 1 if something is wrong."""
-    from graphic_tmm.checking.template import template_of
-
     if not template:
         _refuse_half_asked(scene, readings, photo, (sheet, corners, poles or None, readings_out))
+        _refuse_untemplated(short or bool(only), position, output)
     task = read_scene(scene, lettered=True)
     if template:
-        with waiting(said("drawing the plans")):
-            text = template_of(task)
-        click.echo(text, nl=False)
+        write_template(task, short, only, position or "", output)
         return
     by = _By(hand, points, trials, (doubtful, wrong))
     if photo is not None:
@@ -187,6 +214,11 @@ def _refuse_half_asked(
         raise click.UsageError(
             said("name the file of READINGS, show a photograph (--photo), or ask for --template")
         )
+
+
+def _refuse_untemplated(short: bool, position: str | None, output: str | None) -> None:
+    if short or position is not None or output is not None:
+        raise click.UsageError(said("--short, --only, --position and -o go with --template"))
 
 
 def _judged(scene: Scene, readings: str, by: _By) -> Report:

@@ -1,4 +1,4 @@
-"""What checking tells: `python tests/benchmarks/hands.py --trials 10000`. Honest drawings, mistakes, slips.
+"""What checking tells: `python tests/benchmarks/hands.py --trials 10000`. Honest drawings, slips.
 
 Every stream is fresh: no drawing here is one that the limits of a verdict were drawn from.
 """
@@ -7,8 +7,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from itertools import islice, product
@@ -19,14 +18,12 @@ TESTS = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(TESTS / "checking"), str(TESTS), str(TESTS.parent)]
 
 from support.gallery import SHEETS, exact  # noqa: E402
-from support.trials import Blamed, Honest, Planted, blamed, honest, planted  # noqa: E402
+from support.trials import Blamed, Honest, blamed, honest  # noqa: E402
 
 from graphic_tmm.checking.cells import cells  # noqa: E402
 
 HANDS = ("student", "careful")
-PART = ", one "
-"""What the label of a mistake says that befalls one position or one reading only."""
-Found = TypeVar("Found", Honest, Mapping[str, Planted], Blamed)
+Found = TypeVar("Found", Honest, Blamed)
 
 
 def scenes() -> list[str]:
@@ -57,26 +54,6 @@ def _honest_row(name: str, hand: str, one: Honest) -> str:
     return f"| {name} | {hand} | {one.readings} | {doubtful} | {one.drawings} | {broken} |"
 
 
-def planted_table(found: Iterable[Mapping[str, Planted]]) -> Iterator[str]:
-    """Yield the table of planted mistakes."""
-    total: dict[str, Planted] = defaultdict(Planted)
-    scenes_of: dict[str, int] = defaultdict(int)
-    for row in found:
-        for label, one in row.items():
-            total[label] += one
-            scenes_of[label] += 1
-    yield "| mistake planted | scenes | drawings | first | some named | in one part: drawings | first | some |"
-    yield "|---|---:|---:|---:|---:|---:|---:|---:|"
-    for label in sorted(label for label in total if PART not in label):
-        part = next((one for other, one in total.items() if other.startswith(label + PART)), None)
-        cells = [f"{label} | {scenes_of[label]}", *_named(total[label])]
-        yield f"| {' | '.join(cells + _named(part or Planted()))} |"
-
-
-def _named(one: Planted) -> list[str]:
-    return [str(one.seen), percent(one.first, one.seen), percent(one.some, one.seen)]
-
-
 def blamed_table(found: Iterable[tuple[str, Blamed]]) -> Iterator[str]:
     """Yield the table of rays that were turned."""
     yield "| scene | drawings | that ray blamed | something blamed |"
@@ -97,9 +74,6 @@ def _blamed_row(name: str, one: Blamed) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--trials", type=int, default=10_000, help="honest drawings in all")
-    parser.add_argument(
-        "--plants", type=int, default=4, help="drawings with each mistake and scene"
-    )
     parser.add_argument("--slips", type=int, default=2, help="drawings with each ray turned")
     parser.add_argument("--scene", action="append", help="only these")
     parser.add_argument("--jobs", type=int, default=2)
@@ -109,7 +83,6 @@ def main() -> None:
     with ProcessPoolExecutor(given.jobs) as pool:
         run: Callable[..., Iterator[Found]] = partial(pool.map, chunksize=1)
         slips = run(partial(blamed, trials=given.slips), names)
-        plants = run(partial(planted, trials=given.plants), names)
         drawn = run(partial(honest, trials=each), *zip(*product(names, HANDS), strict=True))
         tables = (
             honest_table(
@@ -117,7 +90,6 @@ def main() -> None:
                 for name in names
                 for hand, one in zip(HANDS, islice(drawn, len(HANDS)), strict=True)
             ),
-            planted_table(plants),
             blamed_table(zip(names, slips, strict=True)),
         )
         for table in tables:

@@ -135,12 +135,12 @@ READINGS = {
     "half a point": (HEAD + "velocities,1,b,,,,5\n", [":2: y", "needs both x and y"]),
     "no name": (HEAD + "velocities,1,,5\n", [":2: segment", "the cell is empty"]),
     "twice": (HEAD + "velocities,1,pb,5\nvelocities,1,pb,6\n", [":3: mm", "keep one of the two"]),
-    "no such plan": (HEAD + "velocity,1,pb,5\n", [":2", "velocity"]),
+    "no such plan": (HEAD + "rates,1,pb,5\n", [":2", "rates"]),
     "no such position": (HEAD + "velocities,99,pb,5\n", [":2", "99"]),
     "no such segment": (HEAD + "velocities,1,pz,5\n", [":2", "pz"]),
     "a picture": ("\x89PNG\0", ["this is not a text; save the table as CSV"]),
-    "a workbook": ("PK\x03\x04\0\0", ["a workbook or an archive", "save the sheet as CSV"]),
-    "too long": ("#" * 8_000_001, ["too large", "at most 8 MB; name a CSV file"]),
+    "a workbook": ("PK\x03\x04\0\0", ["no xlsx workbook", "save the sheet as CSV"]),
+    "too long": ("#" * 8_000_001, ["too large", "at most 8 MB; name a CSV or xlsx file"]),
 }
 
 

@@ -27,6 +27,7 @@ COMMANDS: dict[str, tuple[tuple[str, ...], int]] = {
     "table of trials": (("table", "-f", "json", *HANDS, "--trials", "20"), 1),
     "steps": (("steps",), 3),
     "template": (("check", "--template"), 1),
+    "short template": (("check", "--template", "--short"), 1),
     "check": (("check", "-f", "json", "--trials", "20"), 3),
     "minutes": (("accuracy", "-f", "json", "--trials", "10", "--no-time", "--minutes"), 1),
     "options": ((), 3),

@@ -32,6 +32,8 @@ RUSSIAN_BY_NATURE = {
     "chapters/lettering/specimen.py": "a specimen shows Cyrillic letters, and puts Ё behind Е",
     "checking/readings/csv_cells.py": "input: titles typed with Cyrillic letters that look like x and y, мм",
     "checking/readings/figures.py": "input: мм behind a figure",
+    "checking/readings/names.py": "input: words and endings of names of plans",
+    "checking/readings/spelling.py": "input: Cyrillic letters by shape and sound",
     "scene/quantities.py": "input: units as Russian task sheets write them",
     "scene/values.py": "input: Russian synonyms of choices",
     "scene/letters.py": "input: letters of points may be Cyrillic; which of them look alike",

@@ -9,7 +9,16 @@ from typing import Any
 
 from rich.console import Console
 
-from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Likely, Report, Taken
+from graphic_tmm.checking.records import (
+    DOUBTFUL,
+    FINE,
+    WRONG,
+    Judged,
+    Lesson,
+    Likely,
+    Report,
+    Taken,
+)
 from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.json import json_report
 from graphic_tmm.checking.report.markdown import markdown_report
@@ -79,8 +88,14 @@ def hostile(text: str, language: str = "en") -> Report:
     taken = Taken(text, text, text, value=1.0, unit=text, line=2)
     bad = Judged(taken, 1.0, 2.0, -1.0, 50.0, 0.0, WRONG, unit=text, step=text, own=-1.0)
     more = (bad, bad._replace(taken=taken._replace(line=3), verdict=FINE))
-    mistake = Likely(text, text, (2,), 1, 0.1, (text, text))
-    return Report(text, text, language, text, more, (mistake,), (text,))
+    doubted = bad._replace(taken=taken._replace(line=4), verdict=DOUBTFUL)
+    mistake = Likely(text, text, (2,), 1, 0.1, (text, text), family=text, chance=0.7)
+    second = mistake._replace(
+        lines=(3,), like=(), plan=text, segment=text, position=text, step=text
+    )
+    lesson = Lesson(text, text, text, text, text, text, text, True, bad, drawn=(text,))
+    found, notes = (mistake, second), (text,)
+    return Report(text, text, language, text, (*more, doubted), found, notes, (lesson,))
 
 
 def explaining(*lines: int, name: str = "ω/r for ω·r", like: tuple[str, ...] = ()) -> Likely:

@@ -1,11 +1,10 @@
-"""Drawings by the hundred: honest ones, ones with a mistake planted, ones with one ray that slipped.
+"""Drawings by the hundred: honest ones, ones with one ray that slipped.
 
 The tests run some hundreds, `python tests/benchmarks/hands.py` runs ten thousand.
 """
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import cache
@@ -23,15 +22,13 @@ from graphic_tmm.checking.check import TRIALS
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardstick, yardstick
-from graphic_tmm.checking.mistakes.alterations import Figures
-from graphic_tmm.checking.mistakes.catalogue import CATALOGUE, EVERYWHERE, READING
-from graphic_tmm.checking.mistakes.likely import Alternatives, likely
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.studio import drawings
 from support.boards import parts
 from support.gallery import exact
 
+Figures = Mapping[Key, Cell]
 FRESH = 1 << 20
 """A seed that no yardstick is drawn with."""
 SLIP = 4.0
@@ -70,10 +67,6 @@ def usual(
     return yardstick(exact(name), rows, drawing, Limits(), points)
 
 
-WRITTEN = frozenset(mistake.name for mistake in CATALOGUE if mistake.reach == READING)
-"""Mistakes of single figures: made when what was read is written down."""
-
-
 class Honest(NamedTuple):
     """How many readings there were, how many doubtful; how many drawings, how many with a wrong reading."""
 
@@ -93,116 +86,6 @@ def honest(name: str, hand: str, trials: int, seed: int = FRESH) -> Honest:
         doubtful += sum(one.verdict == DOUBTFUL for one in judged)
         broken += any(one.verdict == WRONG for one in judged)
     return Honest(count, doubtful, trials, broken)
-
-
-class Planted(NamedTuple):
-    """Drawings in which a mistake moved a reading beyond the limit; in how many it was named first, or any."""
-
-    seen: int = 0
-    first: int = 0
-    some: int = 0
-
-    def __add__(self, other: Planted) -> Planted:  # type: ignore[override]
-        return Planted(*(a + b for a, b in zip(self, other, strict=True)))
-
-
-def planted(name: str, trials: int, seed: int = FRESH, only: str = "") -> Mapping[str, Planted]:
-    """Plant every mistake there is, or one, in honest student drawings; return by mistake what was named."""
-    due = cells_and_points(exact(name))
-    hand = HANDS["student"]._replace(trials=trials, seed=seed)
-    slipped = [cells_and_points(drawn) for drawn in drawings(exact(name), hand)]
-    found: dict[str, Planted] = defaultdict(Planted)
-    others = Alternatives(exact(name))
-    for label, called, figures in plants(name):
-        if only and called != only:
-            continue
-        valued = all(cell.mm == due[key].mm for key, cell in figures.items() if key in due)
-        by = usual(name, "student", pointed=True, valued=valued)
-        for drawn in slipped:
-            rows = readings(_noisy(figures, drawn, due, called in WRITTEN), due, valued=valued)
-            judged = judge(exact(name), rows, by)
-            if not any(one.verdict == WRONG for one in judged):
-                continue
-            told = likely(others, judged, by.spread, "en")
-            named = bool(told) and called in (told[0].name, *told[0].like)
-            found[label] += Planted(1, named, bool(told))
-    return found
-
-
-def plants(name: str) -> Iterator[tuple[str, str, Figures]]:
-    """Yield mistakes as planted: what is planted, how it should be named, the figures it leads to.
-
-    Each of the catalogue in the whole drawing; those that may befall one position or one reading, there only;
-    a segment measured for another; a pole distance taken for another.
-    """
-    due = cells_and_points(exact(name))
-    for mistake in CATALOGUE:
-        for figures in mistake.figures(exact(name)):
-            yield mistake.name, mistake.name, figures
-            only = _only(mistake.reach, due, figures)
-            if only:
-                yield f"{mistake.name}, one {mistake.reach}", mistake.name, due | only
-    yield from _other_segment(due)
-    poled = {key: _times(cell, key) for key, cell in due.items() if key[0] == "diagrams"}
-    if poled:
-        yield "pole distance", "wrong scale or pole distance", due | poled
-
-
-def _only(reach: str, due: Figures, figures: Figures) -> dict[Key, Cell]:
-    """Return the figures of the middle one of the positions, or of the readings, that a mistake changes."""
-    changed = [key for key, cell in figures.items() if cell != due.get(key)]
-    if reach == EVERYWHERE or not changed:
-        return {}
-    if reach == READING:
-        key = changed[len(changed) // 2]
-        return {key: figures[key]}
-    places = list(dict.fromkeys(key[2] for key in changed))
-    place = places[len(places) // 2]
-    return {key: figures[key] for key in changed if key[2] == place}
-
-
-def _other_segment(due: Figures) -> Iterator[tuple[str, str, Figures]]:
-    """In every plan the segment after it is measured for one segment, at the middle position."""
-    for plan in ("velocities", "accelerations"):
-        drawn = [key for key, cell in due.items() if key[0] == plan and cell.mm is not None]
-        places = list(dict.fromkeys(key[2] for key in drawn))
-        at = [key for key in drawn if places and key[2] == places[len(places) // 2]]
-        if len(at) > 1:
-            swapped = {at[0]: due[at[-1]]}
-            yield "another segment", "another segment", due | swapped
-
-
-def _times(cell: Cell, key: Key) -> Cell:
-    """V is 1.6 times too large, a 1.6 times as often as V: H was taken for another."""
-    factor = {"V": 1.6, "a": 1.6}.get(key[1], 1.0)
-    mm, value = (None if x is None else x * factor for x in (cell.mm, cell.value))
-    return cell._replace(mm=mm, value=value)
-
-
-def _noisy(figures: Figures, drawn: Figures, due: Figures, written: bool) -> dict[Key, Cell]:
-    """What a hand reads whose figures are those of a mistake: with its own deviations from what is due.
-
-    ``written``: what was read is written down wrongly, and its deviation with it.
-    """
-
-    def plus(a: Any, b: Any, c: Any) -> Any:
-        if a is None or b is None or c is None:
-            return None
-        return a + (b - c) * (abs(a / c) if written and c else 1.0)
-
-    found = {}
-    for key, cell in due.items():
-        own, slipped = figures.get(key), drawn.get(key)
-        if own is not None and slipped is not None:
-            parts = zip(
-                (own.mm, own.value, own.spot),
-                (slipped.mm, slipped.value, slipped.spot),
-                (cell.mm, cell.value, cell.spot),
-                strict=True,
-            )
-            mm, value, spot = (plus(*part) for part in parts)
-            found[key] = Cell(mm, value, cell.unit, spot)
-    return found
 
 
 class Blamed(NamedTuple):

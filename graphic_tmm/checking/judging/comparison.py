@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.board.values import Length, Number
+from graphic_tmm.board.values import Length, Number, Point
 from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, longest, points
+from graphic_tmm.checking.judging.equivalents import Off, offs, ways_of
 from graphic_tmm.checking.judging.own_errors import Grain, Run, apart, exact, read_of, run
 from graphic_tmm.checking.judging.step_scatter import share_of_slip
 from graphic_tmm.checking.judging.taken_marks import as_marks, scale_of, steps_of
@@ -60,12 +61,43 @@ class Comparison:
     def run(self) -> Run:
         """The log run with what was read."""
         if self.made.mechanism is None:
-            return Run({}, {})
+            return Run({}, {}, {})
         return run(self.made.mechanism, *self.found)
 
     def step(self, taken: Taken) -> Step | None:
         """Return the step that a reading is of; None where it is no length, point or rate of a plan."""
         return self.steps.get((taken.plan, taken.segment))
+
+    def step_of(self, mark: Mark) -> Step | None:
+        """Return the step that leaves a mark that can be read."""
+        return self._by_marks.get(mark)
+
+    @cached_property
+    def _by_marks(self) -> Mapping[Mark, Step]:
+        return {step.it: step for step in self.steps.values()}
+
+    def larger(self, view: str, place: int) -> float:
+        """Return how many times as large as due the longest of what was read of a view is; 1 at the least.
+
+        A ray that reaches farther is farther off by the same swing of the hand.
+        """
+        return max(1.0, self._larger.get((view, place), 1.0))
+
+    @cached_property
+    def _larger(self) -> Mapping[tuple[str, int], float]:
+        found: dict[tuple[str, int], tuple[float, float]] = {}
+        for mark, row in self.found[0].items():
+            if mark.kind not in (Length, Point) or self.made.mechanism is None:
+                continue
+            due = np.abs(np.broadcast_to(exact(self.made.mechanism, mark), row.shape))[0]
+            for place in np.flatnonzero(~np.isnan(row[0])):
+                read, right = found.get((mark.view, int(place)), (0.0, 0.0))
+                known = float(np.nan_to_num(due[place]))
+                found[mark.view, int(place)] = (
+                    max(read, abs(complex(row[0, place]))),
+                    max(right, known),
+                )
+        return {at: read / right for at, (read, right) in found.items() if right > 0.0}
 
     def calculated(self, taken: Taken) -> bool:
         """Whether a reading is a length that its step calculates, written as calculated."""
@@ -117,6 +149,29 @@ class Comparison:
         if not any(np.isfinite(error) for _, error, _ in told):
             return ()
         return tuple((by, float(np.nan_to_num(error)), grain) for by, error, grain in told)
+
+    def otherwise(self, taken: Taken) -> Iterator[tuple[Off, ...]]:
+        """Yield how far a point is off where each other construction of it leads, with the hand's sizes."""
+        step, place = self.step(taken), self.place(taken)
+        if step is None or place < 0 or not taken.pointed:
+            return
+        reader, values = self.by.reader, self.run.values
+        due = complex(_single(self.run.due[step.it], place))
+        for way in ways_of(step, self.lines):
+            yield offs(
+                way,
+                taken.spot,
+                due,
+                lambda mark: _single(values[mark.slot], place),
+                reader.hand,
+                self.share * reader.pointing,
+            )
+
+    @cached_property
+    def lines(self) -> Mapping[Mark, Step]:
+        """The steps of the log, by their marks."""
+        assert self.made.mechanism is not None
+        return {step.it: step for step in self.made.mechanism.construction.steps}
 
     @cached_property
     def share(self) -> float:
@@ -188,6 +243,14 @@ class Comparison:
         due = np.where(np.isnan(self.found[0][mark]), np.nan, due)
         due = np.abs(due) if mark.kind is Length else due
         return run(self.made.mechanism, {**self.found[0], mark: due}, {})
+
+
+def _single(value: Any, place: int) -> Any:
+    """Return a value at a position: of a line or an arc each of its parts."""
+    if isinstance(value, tuple):
+        return type(value)(*(_single(part, place) for part in value))
+    flat = np.ravel(value)
+    return flat[place if flat.size > 1 else 0]
 
 
 def _at(row: Any, place: int) -> float:

@@ -13,14 +13,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.findings import step_number
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Number
 from graphic_tmm.checking.judging.comparison import Comparison
+from graphic_tmm.checking.judging.equivalents import pair
 from graphic_tmm.checking.judging.own_errors import apart
 from graphic_tmm.checking.judging.reader import GIVEN
 from graphic_tmm.checking.judging.scatter import Scatter, times_off
 from graphic_tmm.checking.judging.slips import counted
+from graphic_tmm.checking.judging.taken_marks import step_name
 from graphic_tmm.checking.judging.yardstick import Yardstick
 from graphic_tmm.checking.readings.units import due_figure, half_of, taken_figure
 from graphic_tmm.checking.records import FINE, VERDICTS, Judged, Taken
@@ -55,6 +56,7 @@ class _Own(NamedTuple):
     counted: float
     step: Step | None
     error: float
+    times: float = math.nan
 
 
 def judge(made: DrawnScene, readings: Sequence[Taken], by: Yardstick) -> tuple[Judged, ...]:
@@ -102,10 +104,16 @@ def _judged(drawing: Comparison, taken: Taken, verdicts: Mapping[Taken, str]) ->
         quantile=quantile,
         verdict=verdict,
         unit="mm" if taken.in_mm else drawing.due[taken.key].unit,
-        step=_named(drawing, blamed) if verdict != FINE else "",
+        step=step_name(drawing.made.mechanism, blamed) if verdict != FINE else "",
         own=error,
         follows=follows,
+        times=_times(seen, off) if own is None else own.times,
     )
+
+
+def _times(seen: Scatter, off: _Off) -> float:
+    """Return how many times what the hand is usually off a deviation is, with its sign."""
+    return math.copysign(off.counted, off.signed) / seen.rms if seen.rms > 0.0 else math.nan
 
 
 def _off(drawing: Comparison, taken: Taken) -> _Off:
@@ -142,7 +150,25 @@ def _own(drawing: Comparison, taken: Taken) -> _Own | None:
         lost = drawing.by.reader.lost(taken.last, drawing.share)
         errors = tuple((one, error, lost) for one, error, _ in errors)
     times, by, error = steps.worst(errors, drawing.share if taken.pointed else 1.0)
-    return _Own(steps.scatter, times, by, error)
+    own = _Own(steps.scatter, times, by, error, math.copysign(times, error))
+    return _mildest(drawing, taken, own) if taken.pointed else own
+
+
+def _mildest(drawing: Comparison, taken: Taken, own: _Own) -> _Own:
+    """Return the mildest of what a point is off by the log's construction and by others that are as right."""
+    verdict = own.scatter.verdict(own.counted)
+    if verdict == FINE:
+        return own
+    limits = pair(drawing.by.limits)
+    grain = drawing.by.reader.lost(taken.last, drawing.share)
+    for way in drawing.otherwise(taken):
+        times, error = max(
+            ((counted(one.error, grain) / one.size, one.error) for one in way),
+            default=(math.inf, 0.0),
+        )
+        if not _milder(verdict, limits.verdict(times)):
+            own, verdict = _Own(limits, times, own.step, error, times), limits.verdict(times)
+    return own
 
 
 def _agreed(drawing: Comparison, taken: Taken, length: Taken) -> _Own | None:
@@ -211,10 +237,3 @@ def _percent(drawing: Comparison, taken: Taken, off: _Off) -> float:
 def _milder(one: str, other: str) -> bool:
     """Whether the first verdict is not more severe than the second."""
     return VERDICTS.index(one) <= VERDICTS.index(other)
-
-
-def _named(drawing: Comparison, step: Step | None) -> str:
-    """Return a step as a report names it: its number in its plan, its letter; empty for none."""
-    if step is None or drawing.made.mechanism is None:
-        return ""
-    return f"{step_number(drawing.made.mechanism.construction, step)} {step.it.name}"

@@ -7,7 +7,7 @@ that was read the point that the log marked: a later step starts from what was f
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -21,7 +21,7 @@ from graphic_tmm.board.values import given as as_value
 from graphic_tmm.checking.judging import slips
 from graphic_tmm.drawn import Drawn
 
-MET = (meet, cut, cross)
+MET = frozenset(op.name for op in (meet, cut, cross))
 """Operations that mark where two lines or arcs meet."""
 Found = Mapping[Mark, Any]
 """What was read of marks: arrays (trial, position), of a point x + iy; NaN where it was not read."""
@@ -64,7 +64,7 @@ class Part(NamedTuple):
 
 def parts_of(step: Step, lines: Mapping[Mark, Step]) -> tuple[Part, ...]:
     """Return what the point of a step may be off; ``lines``: the steps of the log by their marks."""
-    if step.op in MET:
+    if step.op.name in MET:
         on = {Line: "line", Arc: "arc"}
         found = [
             Part(on[mark.kind], lines.get(mark) or step, k)
@@ -74,24 +74,31 @@ def parts_of(step: Step, lines: Mapping[Mark, Step]) -> tuple[Part, ...]:
         if Side in step.op.takes:
             found.append(Part("met", step, step.op.takes.index(Side)))
         return tuple(found)
-    if step.op is lay_off:
+    if step.op.name == lay_off.name:
         return Part("line", lines.get(step.uses[0]) or step, 0), Part("laid", step, 1)
     return (Part("place", step, -1),)
 
 
 class Run(NamedTuple):
-    """A log run with what was read: the errors by mark, and what each mark that was read should have been."""
+    """A log run with what was read: the errors by mark, and what each mark that was read should have been.
+
+    ``values``: what every step used and left, by the slot of its mark.
+    """
 
     errors: Mapping[Mark, tuple[Own, ...]]
     due: Mapping[Mark, Any]
+    values: Mapping[int, Any]
 
 
-def run(work: Drawn, found: Found, grain: Mapping[Mark, Grain]) -> Run:
+def run(
+    work: Drawn, found: Found, grain: Mapping[Mark, Grain], wanted: Container[Mark] | None = None
+) -> Run:
     """Run the log of a scene with what was read in the place of what it measured, calculated and marked.
 
-    ``grain``: how far each figure that was read may be from what was meant, by rounding alone.
+    ``grain``: how far each figure that was read may be from what was meant, by rounding alone. ``wanted``: of
+    which marks the errors are told; None for all that were read.
     """
-    return run_log(work.construction, work.given, found, grain, partial(exact, work))
+    return run_log(work.construction, work.given, found, grain, partial(exact, work), wanted)
 
 
 def run_log(
@@ -100,6 +107,7 @@ def run_log(
     found: Found,
     grain: Mapping[Mark, Grain],
     exact: Callable[[Mark], Any],
+    wanted: Container[Mark] | None = None,
 ) -> Run:
     """Run a log with what was read in the place of what it measured, calculated and marked.
 
@@ -113,6 +121,8 @@ def run_log(
         How far each figure that was read may be from what was meant, by rounding alone.
     exact
         What the exact hand has of a mark.
+    wanted
+        Of which marks the errors are told; None for all that were read.
     """
     values: dict[int, Any] = {
         mark.slot: as_value(given[mark], mark.kind) for mark in log.given if mark in given
@@ -126,17 +136,19 @@ def run_log(
             value = _of(step)(*drawn)
             if (read := found.get(step.it)) is not None:
                 due[step.it] = value
-                if step.it.kind is Point:
-                    parts = _parts(exact, lines, step, read, value, values, due)
+                told = wanted is None or step.it in wanted
+                if told and step.it.kind is Point:
+                    parts = errors_at(exact, lines, step, read, value, values, due)
                     whole = grain[step.it].read if step.it in grain else 0.0
                     errors[step.it] = tuple(part._replace(grain=whole) for part in parts)
-                else:
+                elif told:
                     error = apart(read, value)
                     errors[step.it] = (Own(step, error, error, _grain(step, value, drawn, grain)),)
+                if step.it.kind is not Point:
                     read = slips.directed(read, value)
                 value = np.where(np.isnan(read), value, read)
             values[step.it.slot] = value
-    return Run(errors, due)
+    return Run(errors, due, values)
 
 
 def apart(found: Any, due: Any) -> Any:
@@ -197,7 +209,7 @@ def exact(work: Drawn, mark: Mark) -> Any:
     return row
 
 
-def _parts(
+def errors_at(
     exact: Callable[[Mark], Any],
     lines: Mapping[Mark, Step],
     step: Step,

@@ -68,6 +68,15 @@ def sample(
     return Sample(_whole(rows), _whole(stand), _whole(drawn))
 
 
+def joined(one: Sample, other: Sample) -> Sample:
+    """Return what two samples of the same drawings have."""
+    return Sample(
+        {**one.figures, **other.figures},
+        {**one.spots, **other.spots},
+        {**one.marks, **other.marks},
+    )
+
+
 def _whole(blocks: Mapping[T, list[Any]]) -> dict[T, Any]:
     return {name: np.concatenate(rows) for name, rows in blocks.items()}
 

@@ -42,17 +42,22 @@ class Limits(NamedTuple):
     beyond: float = 1.2
 
 
+NOTHING = np.empty(0)
+
+
 class Scatter(NamedTuple):
     """How far the hand's drawings are off a figure: sorted deviations, the limits that follow.
 
     ``times``: a figure so many times too large or too small (as a logarithm) is not the hand's, though it
-    may scatter by more than the figure itself.
+    may scatter by more than the figure itself. ``drawn``: the deviations with their signs, drawing by drawing;
+    none where some drawings do not have the figure.
     """
 
     sorted: np.ndarray
     doubtful: float
     wrong: float
     times: float = np.inf
+    drawn: np.ndarray = NOTHING
 
     @property
     def rms(self) -> float:
@@ -91,7 +96,8 @@ def scatter(
     for key in wanted:
         if key in stand:
             read = by.pointed(drawn.spots[key][:, None], "|".join(key))
-            at[key, True] = limited(np.sort(np.abs(read[:, 0] - stand[key])), limits)
+            off = np.abs(read[:, 0] - stand[key])
+            at[key, True] = limited(np.sort(off), limits)._replace(drawn=_whole(off, by))
     return at
 
 
@@ -119,9 +125,15 @@ def limited_figure(
     goal = _figure(due, in_mm)
     assert goal is not None
     figures = _read(figures, goal, key, due, by, in_mm)
-    found = limited(np.sort(np.abs(apart(figures, goal))), limits)
+    off = np.asarray(apart(figures, goal))
+    found = limited(np.sort(np.abs(off)), limits)._replace(drawn=_whole(off, by))
     near = figures.size > 0 and float(np.max(times_off(figures, goal))) <= NEAR
     return found._replace(times=ABSURD) if near else found
+
+
+def _whole(deviations: np.ndarray, by: Reader) -> np.ndarray:
+    """Return deviations of all drawings; of a figure that some do not have, or that is alike in all, none."""
+    return deviations.astype(np.float32) if deviations.size == by.hand.trials else NOTHING
 
 
 def _read(figures: Reals, goal: float, key: Key, due: Cell, by: Reader, in_mm: bool) -> Reals:

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from graphic_tmm.board.geometry import along, wedge
+from graphic_tmm.board.geometry import along, unit, wedge
 from graphic_tmm.board.values import Arc, Line
 
 WHOLE = 1e-6
@@ -45,6 +45,29 @@ def off_meeting(found: Any, due: Any, other: Any) -> Any:
     return np.where(np.abs(found - other) < off, off, 0.0)
 
 
+def off_ray(found: Any, due: Any, centre: Any) -> Any:
+    """Return how far a point is off the ray that goes from a centre through its place, mm."""
+    way = found - centre
+    ray = unit(due - centre)
+    return np.where(along(way, ray) < 0.0, np.abs(way), np.abs(wedge(ray, way)))
+
+
+def off_opening(found: Any, due: Any, centre: Any) -> Any:
+    """Return how far a point is off the arc about a centre through its place, mm."""
+    return np.abs(np.abs(found - centre) - np.abs(due - centre))
+
+
+def sine_between(due: Any, first: Any, second: Any) -> Any:
+    """Return the sine of the angle at which the ways from two centres to a point meet, without its sign."""
+    return np.abs(wedge(unit(due - first), unit(due - second)))
+
+
+def reflected(due: Any, first: Any, second: Any) -> Any:
+    """Return the other point that is as far from two centres."""
+    base = unit(second - first)
+    return due - 2.0 * wedge(base, due - first) * (1j * base)
+
+
 def nearer(one: Any, other: Any) -> Any:
     """Return the lesser of two distances; the one that is known."""
     return np.fmin(one, other)
@@ -71,6 +94,26 @@ def sized(blunt: float, sharp: float, share: float) -> float:
     ``blunt``: with all of it, ``sharp``: with none.
     """
     return math.sqrt(sharp * sharp + share * share * max(blunt * blunt - sharp * sharp, 0.0))
+
+
+def swung(far: float, swing: float) -> float:
+    """Return how far off a ray a hand is, mm: it turns it by ``swing`` degrees, the point is so ``far``."""
+    return math.radians(swing) * far
+
+
+def opened(share: float, compass: float, reading: float, half: float) -> float:
+    """Return how far off an arc a hand is, mm.
+
+    Its opening is known (``share`` 0), or this share of a length that is read with a slip of ``reading`` off a
+    ruler of so many mm ``half`` a division (whose rounding has this by √3 as its root mean square).
+    """
+    rounded = half / math.sqrt(3.0)
+    return math.hypot(compass, share * math.hypot(reading, rounded))
+
+
+def found_within(slip: float, prick: float, pointing: float) -> float:
+    """Return how far off a line or arc a point is found that itself slips, is pricked and then read, mm."""
+    return math.hypot(slip, math.hypot(prick, pointing))
 
 
 def severity(deviation: float, times: float, doubtful: float, wrong: float, absurd: float) -> int:
@@ -122,11 +165,18 @@ FUNCTIONS = (
     off_place,
     off_length,
     off_meeting,
+    off_ray,
+    off_opening,
+    sine_between,
+    reflected,
     nearer,
     excess,
     directed,
     counted,
     sized,
+    swung,
+    opened,
+    found_within,
     severity,
     times_off,
     unblurred,

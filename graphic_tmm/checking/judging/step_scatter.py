@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,10 +11,9 @@ import numpy as np
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Length, Point, Reals
 from graphic_tmm.checking.judging import slips
-from graphic_tmm.checking.judging.own_errors import Found, Own, Run, run
+from graphic_tmm.checking.judging.own_errors import Found, Own, Run
 from graphic_tmm.checking.judging.reader import Reader
 from graphic_tmm.checking.judging.scatter import Limits, Scatter, limited
-from graphic_tmm.drawn import Drawn
 
 LEAST = 1e-9
 """Errors of a step are never taken for smaller than this, mm: what is divided by it is then no number
@@ -40,7 +38,8 @@ class StepScatter(NamedTuple):
 
     ``sharp``: the same, if coordinates were read without a slip. ``scatter``: of the largest error measured
     by its size; ``most``: what `MOST` of the errors, so measured, are below. ``steady``: which of the
-    errors are counted for that: not those that a hand makes now and then.
+    errors are counted for that: not those that a hand makes now and then. ``drawn``: the largest error of each
+    drawing, by its size, with its sign.
     """
 
     sizes: tuple[float, ...]
@@ -48,6 +47,7 @@ class StepScatter(NamedTuple):
     scatter: Scatter
     most: float
     steady: tuple[bool, ...]
+    drawn: Reals
 
     def at(self, share: float) -> tuple[float, ...]:
         """Return the sizes if coordinates were read with this share of the slip that was counted upon."""
@@ -97,16 +97,6 @@ def share_of_slip(seen: Sequence[tuple[StepScatter, Sequence[float]]]) -> float:
     return 1.0
 
 
-def step_scatters(
-    work: Drawn, found: Found, drawn: Found, by: Reader, limits: Limits
-) -> dict[tuple[Mark, int], StepScatter]:
-    """Return how far off the hand's own steps are, by mark and position (its index), where they were read.
-
-    ``drawn``: the numbers of the same marks in the hand's drawings.
-    """
-    return scatters_of(work.construction, partial(run, work, grain={}), found, drawn, by, limits)
-
-
 def scatters_of(
     log: Construction,
     run: Callable[[Found], Run],
@@ -115,24 +105,31 @@ def scatters_of(
     by: Reader,
     limits: Limits,
 ) -> dict[tuple[Mark, int], StepScatter]:
-    """Return the same of any row of positions; ``run``: its log run with what was read."""
+    """Return how far off the hand's own steps are, by mark and position (its index), where they were read.
+
+    ``run``: the log run with what was read; ``drawn``: the numbers of the same marks in the hand's drawings.
+    """
     steps = {step.it: step for step in log.steps}
     blunt, sharp = (
         run(
-            {mark: _read(steps[mark], drawn[mark], there, who) for mark, there in found.items()}
+            {
+                mark: where_read(as_read(steps[mark], drawn[mark], who), there)
+                for mark, there in found.items()
+            }
         ).errors
         for who in (by, by.sharp)
     )
     return {
-        (mark, int(place)): _step_scatter(blunt[mark], sharp[mark], int(place), limits)
+        (mark, int(place)): step_scatter(blunt[mark], sharp[mark], int(place), limits)
         for mark, there in found.items()
         for place in np.flatnonzero(~np.isnan(there[0]))
     }
 
 
-def _step_scatter(
+def step_scatter(
     errors: Sequence[Own], sharp: Sequence[Own], place: int, limits: Limits
 ) -> StepScatter:
+    """Return how large the errors of a hand are at one position; ``sharp``: coordinates read without a slip."""
     sizes, least = (tuple(_size(own, place) for own in some) for some in (errors, sharp))
     times = [
         np.nan_to_num(np.abs(own.error[:, place])) / size
@@ -140,7 +137,11 @@ def _step_scatter(
     ]
     steady = tuple(own.sized_by is own.error for own in errors)
     most = np.quantile([row for row, counts in zip(times, steady, strict=True) if counts], MOST)
-    return StepScatter(sizes, least, _limited(np.array(times), limits), float(most), steady)
+    scatter = _limited(np.array(times), limits)
+    drawn = np.max(times, axis=0)
+    if len(errors) == 1:
+        drawn = np.copysign(drawn, np.nan_to_num(errors[0].error[:, place]))
+    return StepScatter(sizes, least, scatter, float(most), steady, drawn.astype(np.float32))
 
 
 def _limited(times: Reals, limits: Limits) -> Scatter:
@@ -160,11 +161,16 @@ def _at(values: Reals, place: int) -> Reals:
     return row[np.isfinite(row)]
 
 
-def _read(step: Step, drawn: Any, there: Any, by: Reader) -> Any:
-    """Return what the hand would read of a step's mark, (trial, position); NaN where it was not read."""
+def as_read(step: Step, drawn: Any, by: Reader) -> Any:
+    """Return what the hand would read of a step's mark, (trial, position)."""
     row, key = drawn, "|".join(step.it.key)
     if step.it.kind is Point:
         row = by.pointed(row, key)
     elif step.it.kind is Length:
         row = np.abs(row) if step.op.reads else by.measured(np.abs(row), key)
+    return row
+
+
+def where_read(row: Any, there: Any) -> Any:
+    """Return what the hand would read, NaN where it was not read: where it is NaN ``there``."""
     return np.where(np.isnan(there), np.nan, row)

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from graphic_tmm.board.findings import step_number
 from graphic_tmm.board.naming import (
     segment_name,
 )
@@ -38,6 +39,13 @@ def steps_of(work: Drawn | None) -> dict[tuple[str, str], Step]:
             if mark in steps and mark.kind is Number:
                 found[key] = steps[mark]
     return found
+
+
+def step_name(work: Drawn | None, step: Step | None) -> str:
+    """Return a step as a report names it: its number in its plan, its letter; empty for none."""
+    if step is None or work is None:
+        return ""
+    return f"{step_number(work.construction, step)} {step.it.name}"
 
 
 def scale_of(work: Drawn, plan: str) -> float:

@@ -1,20 +1,27 @@
-"""By what readings are judged: a hand's own drawings of the same scene."""
+"""By what readings are judged: a hand's own drawings of the same scene, drawn once for all its readings."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from graphic_tmm.board.hand import Hand
-from graphic_tmm.board.record import Mark
-from graphic_tmm.checking.cells import Key, cells
+from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.checking.cells import Key, cells, points
+from graphic_tmm.checking.judging.own_scatters import OwnScatters
 from graphic_tmm.checking.judging.reader import Reader, reader
-from graphic_tmm.checking.judging.sample import sample
+from graphic_tmm.checking.judging.sample import Sample, joined, sample
 from graphic_tmm.checking.judging.scatter import Limits, Scatter, scatter
-from graphic_tmm.checking.judging.step_scatter import StepScatter, step_scatters
+from graphic_tmm.checking.judging.step_scatter import StepScatter
 from graphic_tmm.checking.judging.taken_marks import as_marks, steps_of
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import DrawnScene
+
+KEPT = 4_000_000
+"""So many numbers of a hand's drawings are kept at the most (32 MB): all that can be read of a scene with 10
+positions is 0.1 to 1.2 million in 400 drawings. Of a larger one what was read is drawn, and drawn again for
+other figures; how they scatter is kept."""
 
 
 class Yardstick(NamedTuple):
@@ -24,6 +31,89 @@ class Yardstick(NamedTuple):
     limits: Limits
     spread: Mapping[tuple[Key, bool], Scatter]
     steps: Mapping[tuple[Mark, int], StepScatter]
+
+
+class Yardsticks:
+    """The yardsticks of a scene: its drawings by a hand are drawn once, whatever is then read of others.
+
+    What is found out of a figure, or of a step's own errors where certain marks before it were read, is kept.
+    """
+
+    def __init__(
+        self, made: DrawnScene, hand: Hand, limits: Limits, points_by: str = "paper"
+    ) -> None:
+        """Take a scene as the exact hand draws it; for the rest see `yardstick`."""
+        self.made, self.limits = made, limits
+        self.reader = reader(made.scene, hand, points_by)
+        self.steps: Mapping[tuple[str, str], Step] = steps_of(made.mechanism)
+        self._drawn = Sample({}, {}, {})
+        self._spread: dict[tuple[Key, bool], Scatter] = {}
+        self._none: set[tuple[Key, bool]] = set()
+        self._own = None
+        if made.mechanism is not None:
+            self._own = OwnScatters(made.mechanism, self.reader, limits)
+
+    def of(self, readings: Sequence[Taken]) -> Yardstick:
+        """Return by what readings of these figures are judged."""
+        rows = [part for taken in readings for part in taken.parts()]
+        asked = dict.fromkeys(taken.at for taken in rows)
+        found: Mapping[Mark, Any] = {}
+        work = self.made.mechanism
+        if work is not None:
+            found, _ = as_marks(work, self.steps, rows, cells(self.made), self.reader)
+        self._draw(asked, found)
+        self._measure([at for at in asked if at not in self._spread and at not in self._none])
+        spread = {at: self._spread[at] for at in asked if at in self._spread}
+        own: Mapping[tuple[Mark, int], StepScatter] = {}
+        if self._own is not None and found:
+            own = self._own.of(found, self._drawn.marks)
+        if not self._little:
+            self._drawn = Sample({}, {}, {})
+            if self._own is not None:
+                self._own.forget()
+        return Yardstick(self.reader, self.limits, spread, own)
+
+    def _draw(self, asked: Collection[tuple[Key, bool]], marks: Mapping[Mark, Any]) -> None:
+        """Have drawings with these figures and marks: all of their kind, if that is little."""
+        drawn = self._drawn
+        missing = [mark for mark in marks if mark not in drawn.marks]
+        if not self._little and self._own is not None:
+            missing = missing if self._own.lacks(marks) else []
+        new = [at for at in asked if at not in self._spread and at not in self._none]
+        new = [at for at in new if at not in drawn.figures and at[0] not in drawn.spots]
+        if not (new or missing):
+            return
+        if self._little:
+            kinds = {mark.kind for mark in missing}
+            missing = [step.it for step in self.steps.values() if step.it.kind in kinds]
+            spots = points(self.made)
+            if any(key in spots for key, _ in new):
+                new += [(key, True) for key in spots]
+            if any(key not in spots for key, _ in new):
+                new += [(key, in_mm) for key in cells(self.made) for in_mm in (True, False)]
+        more = sample(self.made, self.reader.hand, _by_figure(new), dict.fromkeys(missing))
+        self._drawn = joined(drawn, more)
+
+    @cached_property
+    def _little(self) -> bool:
+        """Whether all that can be read in the hand's drawings is so few numbers that they are kept."""
+        work = self.made.mechanism
+        row = 0 if work is None else len(work.names)
+        figures = 2 * len(cells(self.made)) + 2 * len(points(self.made))
+        return self.reader.hand.trials * (figures + 2 * row * len(self.steps)) <= KEPT
+
+    def _measure(self, new: Sequence[tuple[Key, bool]]) -> None:
+        """Find how these figures scatter; of some there is none."""
+        self._spread |= scatter(self.made, self._drawn, self.reader, _by_figure(new), self.limits)
+        self._none |= {at for at in new if at not in self._spread}
+
+
+def _by_figure(asked: Collection[tuple[Key, bool]]) -> dict[Key, set[bool]]:
+    """Return, by figure, whether it is asked for in mm, as a quantity, or both."""
+    wanted: dict[Key, set[bool]] = {}
+    for key, in_mm in asked:
+        wanted.setdefault(key, set()).add(in_mm)
+    return wanted
 
 
 def yardstick(
@@ -44,16 +134,4 @@ def yardstick(
     points
         How points were read, one of ``POINTS``.
     """
-    by = reader(made.scene, hand, points)
-    wanted: dict[Key, set[bool]] = {}
-    rows = [part for taken in readings for part in taken.parts()]
-    for taken in rows:
-        wanted.setdefault(taken.key, set()).add(taken.in_mm)
-    found: dict[Mark, Any] = {}
-    if made.mechanism is not None:
-        found, _ = as_marks(made.mechanism, steps_of(made.mechanism), rows, cells(made), by)
-    drawn = sample(made, hand=by.hand, wanted=wanted, marks=found)
-    own: dict[tuple[Mark, int], StepScatter] = {}
-    if made.mechanism is not None and found:
-        own = step_scatters(made.mechanism, found, drawn.marks, by, limits)
-    return Yardstick(by, limits, scatter(made, drawn, by, wanted, limits), own)
+    return Yardsticks(made, hand, limits, points).of(readings)

@@ -9,8 +9,10 @@ import unicodedata
 from collections.abc import Iterator, Mapping
 from functools import cache
 from itertools import chain
+from types import MappingProxyType
 from typing import NamedTuple
 
+from graphic_tmm.checking.readings.figures import SHEET
 from graphic_tmm.language.catalogue import languages, speaking
 from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.language.said import said
@@ -32,7 +34,8 @@ _LOOKED, _LONGEST = 50, 30
 """So many titles are looked through for one misspelt, if they have no more than so many letters."""
 _LOOK_ALIKE = {"х": "x", "у": "y"}
 """Cyrillic letters that look like the names of columns."""
-_IN_MM = re.compile(r"^([xyху])[\s,(\[]+(?:mm|мм)[)\]]?$")
+_MEASURED = re.compile(r"(?:([xyху]|mm|length|длина)[\s,:(\[]+)?([^\W\d_]+)\.?[)\]]?")
+"""A title of lengths, with the unit of the paper in which they are."""
 _SEPARATOR_LINE = re.compile(r'"?sep=.?"?', re.IGNORECASE)
 
 
@@ -70,7 +73,8 @@ class Row(NamedTuple):
 class Head(NamedTuple):
     """The first row: the separator, the titles as typed, and the place of each column by its name.
 
-    ``twice``: titles of columns named once more; ``wrong``: why the row cannot be split, or "".
+    ``twice``: titles of columns named once more; ``wrong``: why the row cannot be split, or "". ``units``: of
+    columns of lengths, the mm of their unit.
     """
 
     line: int
@@ -79,6 +83,7 @@ class Head(NamedTuple):
     places: Mapping[str, int]
     twice: tuple[str, ...] = ()
     wrong: str = ""
+    units: Mapping[str, float] = MappingProxyType({})
 
     @property
     def columns(self) -> tuple[int, ...]:
@@ -104,7 +109,7 @@ class Head(NamedTuple):
         """Return the title that was probably meant for a column that is missing; "" if none."""
         looked = [title for title in self.titles[:_LOOKED] if len(title) <= _LONGEST]
         known = [title for title, meant in _names().items() if meant == name]
-        unknown = [title for title in looked if _folded(title) not in _names()]
+        unknown = [title for title in looked if not _column(title)[0]]
         return next(filter(None, (near(one, unknown, 0.8) for one in known)), "")
 
 
@@ -114,7 +119,7 @@ def table(text: str) -> tuple[Head, Iterator[Row]] | None:
     Of the separators that one is taken which makes most of the first row columns that are known.
     """
     found = [
-        (_head(first, separator), following)
+        (head_of(first, separator), following)
         for separator in SEPARATORS
         for following in (rows(text, separator),)
         for first in (_first(following),)
@@ -149,21 +154,32 @@ def _first(following: Iterator[Row]) -> Row | None:
     return None
 
 
-def _head(row: Row, separator: str) -> Head:
+def head_of(row: Row, separator: str) -> Head:
+    """Return the first row of a table."""
     titles = [" ".join(cell.split()) for cell in row.cells]
     while titles and not titles[-1]:
         titles.pop()
     places: dict[str, int] = {}
-    twice = []
+    twice, units = [], {}
     for place, title in enumerate(titles):
-        name = _names().get(_folded(title))
+        name, unit = _column(title)
         if name in places:
             twice.append(title)
-        elif name is not None:
-            places[name] = place
-    return Head(row.line, separator, tuple(titles), places, tuple(twice), row.wrong)
+        elif name:
+            places[name], units[name] = place, unit
+    return Head(row.line, separator, tuple(titles), places, tuple(twice), row.wrong, units)
+
+
+def _column(title: str) -> tuple[str, float]:
+    """Return the column that a title names, and the mm of its unit; "" if none: "x (cm)", "длина, мм"."""
+    folded = _folded(title)
+    name = _names().get(folded, "")
+    found = _MEASURED.fullmatch(folded)
+    if name or found is None or found[2] not in SHEET:
+        return name, 1.0
+    return _names().get(found[1] or "", "mm"), SHEET[found[2]]
 
 
 def _folded(title: str) -> str:
-    """Return a title in the form of `HEADS`; "x, mm" and "x (мм)" are x."""
-    return _IN_MM.sub(r"\1", unicodedata.normalize("NFKC", title).casefold().strip())
+    """Return a title in the form of `HEADS`."""
+    return unicodedata.normalize("NFKC", title).casefold().strip()

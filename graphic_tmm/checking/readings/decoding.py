@@ -11,7 +11,7 @@ from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.files import Kind, read
 from graphic_tmm.language.said import said
 
-READINGS = Kind(said("a file of readings"), said("name a CSV file of readings"), 8_000_000)
+READINGS = Kind(said("a file of readings"), said("name a CSV or xlsx file of readings"), 8_000_000)
 _BOMS = (
     (codecs.BOM_UTF8, "utf-8"),
     (codecs.BOM_UTF32_LE, "utf-32-le"),  # before UTF-16, whose mark is its beginning
@@ -19,7 +19,6 @@ _BOMS = (
     (codecs.BOM_UTF16_LE, "utf-16-le"),
     (codecs.BOM_UTF16_BE, "utf-16-be"),
 )
-_WORKBOOK = b"PK\x03\x04"
 _CONTROL = re.compile("[\x00-\x08\x0e-\x1f\x7f]")
 _NO_TEXT = said("this is not a text; save the table as CSV with the encoding UTF-8")
 
@@ -32,13 +31,11 @@ def text_of(file: Path) -> str:
     SceneError
         If it cannot be read (as `files.read`), or is not a text.
     """
-    data = read(file, READINGS)
-    if data.startswith(_WORKBOOK):
-        _refuse(file, said("this is a workbook or an archive, not a text; save the sheet as CSV"))
-    return _decoded(file, data)
+    return decoded(file, read(file, READINGS))
 
 
-def _decoded(file: Path, data: bytes) -> str:
+def decoded(file: Path, data: bytes) -> str:
+    """Return the text of the bytes of a file; raises as `text_of` if they are none."""
     for encoding in _encodings(data):
         try:
             text = codecs.decode(data, encoding).lstrip("\ufeff").rstrip("\x1a")

@@ -8,7 +8,12 @@ import re
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.quantities import LARGEST, NUMBER, UNITS, plain
 
-MM = ("mm", "мм", "mm.", "мм.")
+SHEET = {
+    **dict.fromkeys(("mm", "мм"), 1.0),
+    **dict.fromkeys(("cm", "см"), 10.0),
+    **dict.fromkeys(("in", "inch", "inches", "дюйм", "дюймы", "дюйма", "дюймов", '"', "″"), 25.4),
+}
+"""Units in which paper is measured, mm."""
 BARE = ("1", "-", "–", "—")
 """Ways to write that a value has no unit; an empty cell may as well be one forgotten."""
 _FIGURE = re.compile(rf"([+-]?{NUMBER})\s*(.*)", re.DOTALL)
@@ -16,6 +21,7 @@ _PLAIN = re.compile(r"[+-]?[0-9]{1,12}(?:\.[0-9]{1,20})?")
 _COMMA = re.compile(r"[+-]?[0-9]*,[0-9]+(?:[eE][+-]?[0-9]+)?")
 _THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}")
 _LAST = re.compile(r"[0-9]*[.,]?([0-9]*)(?:[eE]([+-]?[0-9]{1,6}))?")
+_DATE = re.compile(r"\d{4}-\d\d-\d\d(?: .*)?|\d{1,2}\.\d{1,2}\.\d{4}|\d\d:\d\d:\d\d.*")
 _SHORTEST = 40
 """Of a cell that a message quotes so many characters are shown."""
 
@@ -30,15 +36,17 @@ def decimal_comma(cell: str) -> bool:
     return "," in text and bool(_COMMA.fullmatch(text)) and not _THOUSANDS.fullmatch(text)
 
 
-def millimetres(cell: str, *, commas: bool) -> float:
-    """Return the millimetres of a cell that is not empty.
+def millimetres(cell: str, *, commas: bool, usual: float = 1.0) -> tuple[float, float]:
+    """Return the millimetres of a cell that is not empty, and how many mm a unit of its figure is.
 
     Parameters
     ----------
     cell : str
-        As typed; the unit mm may follow.
+        As typed; mm, cm or inches may follow.
     commas : bool
         Whether a comma in the file is known to be the decimal sign; else "1,234" is refused.
+    usual : float
+        The unit of a cell that has none, mm: that of its column.
 
     Raises
     ------
@@ -46,14 +54,15 @@ def millimetres(cell: str, *, commas: bool) -> float:
         With a sentence that says what is wrong and what to write.
     """
     number, rest = _figure(cell, commas, said("millimetres, such as 17.5"))
-    if rest and rest.casefold() not in MM:
+    unit = SHEET.get(rest.casefold().rstrip("."), 0.0) if rest else usual
+    if not unit:
         raise ValueError(
             said(
                 '"{cell}" is not a number of millimetres; write it in mm, such as 17.5',
                 cell=_short(cell),
             )
         )
-    return number
+    return number * unit, unit
 
 
 def value_of(cell: str, unit: str, *, commas: bool) -> tuple[float | None, str]:
@@ -111,6 +120,16 @@ def _figure(cell: str, commas: bool, wanted: str) -> tuple[float, str]:
     simple = cell.replace(",", ".") if commas else cell
     if _PLAIN.fullmatch(simple):  # as almost every cell is, in files of any length
         return float(simple), ""
+    if cell.startswith("="):
+        says = said('"{cell}" is a formula without a result; write the figure', cell=_short(cell))
+        raise ValueError(says)
+    if _DATE.fullmatch(cell):
+        says = said(
+            '"{cell}" is a date: the spreadsheet made it of a number; format the cell as text and '
+            "write the number again",
+            cell=_short(cell),
+        )
+        raise ValueError(says)
     match = _FIGURE.fullmatch(_straight(cell))
     if match is None:
         raise ValueError(
@@ -122,7 +141,7 @@ def _figure(cell: str, commas: bool, wanted: str) -> tuple[float, str]:
         )
     digits, rest = match.groups()
     rest = rest.strip()
-    if rest and not (rest[0].isalpha() or rest[0] in "°%(") and plain(rest) not in UNITS:
+    if rest and not (rest[0].isalpha() or rest[0] in '°%("″') and plain(rest) not in UNITS:
         raise ValueError(
             said(
                 '"{cell}" is not one number; write it in one piece, such as 1234.5',

@@ -1,18 +1,21 @@
-"""Readings of a hand-made drawing: a CSV file as people and spreadsheets write it, and back."""
+"""Readings of a hand-made drawing: a file as people and spreadsheets write it, and back."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple, NoReturn
 
 from graphic_tmm.checking.readings.csv_cells import HEADS, SEPARATORS, Head, Row, table
-from graphic_tmm.checking.readings.decoding import text_of
+from graphic_tmm.checking.readings.decoding import READINGS, decoded
 from graphic_tmm.checking.readings.digits import meant
 from graphic_tmm.checking.readings.figures import decimal_comma, half_unit, millimetres, value_of
+from graphic_tmm.checking.readings.twice import twice
+from graphic_tmm.checking.readings.workbook import OLD, START, sheet_table
 from graphic_tmm.checking.readings.writing import template, write_readings
 from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.errors import Fault, SceneError, first_of
+from graphic_tmm.files import read
 from graphic_tmm.language.said import joined, said
 
 __all__ = ["read_readings", "template", "write_readings"]
@@ -21,7 +24,6 @@ TOLD = 20
 """So many faults of a file are told; how many more there are is counted."""
 _WANTED = ("plan", "position", "segment")
 _FIGURES = ("mm", "value", "x", "y")
-_KINDS = tuple((name, Taken._fields.index(name)) for name in ("mm", "value", "x"))
 _FOR = {
     "plan": said('add it; its cells name the plan, such as velocities, or "results"'),
     "position": said("add it; its cells name the position, and are empty for results"),
@@ -48,17 +50,18 @@ class _Cells(NamedTuple):
 
 
 def read_readings(path: Path | str) -> tuple[Taken, ...]:
-    """Read the readings of a CSV file, in the order of its rows.
+    """Read the readings of a CSV file or a workbook (xlsx), in the order of its rows.
 
     Its first row names the columns, in any order, in English or Russian: plan, position, segment, and mm,
-    or value and unit, or x and y (mm). Further columns mean nothing here. Cells are separated by commas,
-    semicolons or tabs; the decimal sign is a point or a comma; rows without a figure, blank lines and
-    comments (#) are left out. A unit "1" or a dash makes a bare number; its unit is "" in ``Taken``.
+    or value and unit, or x and y (mm); lengths may be in cm or inches, where a title or a cell says so.
+    Further columns mean nothing here. Cells are separated by commas, semicolons or tabs; the decimal sign is
+    a point or a comma; rows without a figure, blank lines and comments (#) are left out. A unit "1" or a dash
+    makes a bare number; its unit is "" in ``Taken``.
 
     Parameters
     ----------
     path : Path or str
-        The file, in UTF-8, UTF-16 or Windows-1251.
+        The file, in UTF-8, UTF-16 or Windows-1251, or xlsx.
 
     Returns
     -------
@@ -71,8 +74,7 @@ def read_readings(path: Path | str) -> tuple[Taken, ...]:
         With the file's faults, the first 20 of them, each with its column and line, and how many more.
     """
     file = Path(path)
-    text = text_of(file)
-    found = table(text)
+    found = _table(file, read(file, READINGS))
     if found is None:
         _refuse(
             file,
@@ -94,6 +96,16 @@ def read_readings(path: Path | str) -> tuple[Taken, ...]:
     return _taken(file, head, following)
 
 
+def _table(file: Path, data: bytes) -> tuple[Head, Iterator[Row]] | None:
+    """Return the row of titles and the others of a text or a workbook; None if it is empty."""
+    if data.startswith(START):
+        return sheet_table(file, data)
+    if data.startswith(OLD):
+        says = said("an old workbook, or one with a password; save the sheet as CSV or xlsx")
+        _refuse(file, [Fault("", 0, says)])
+    return table(decoded(file, data))
+
+
 def _taken(file: Path, head: Head, rows: Iterable[Row]) -> tuple[Taken, ...]:
     faults: list[Fault] = []
     columns = head.columns
@@ -101,7 +113,7 @@ def _taken(file: Path, head: Head, rows: Iterable[Row]) -> tuple[Taken, ...]:
     cells = [one for one in found if one is not None and one.measured]
     commas = head.separator == ";" or head.with_comma or _comma_seen(cells)
     taken = [_reading(one, head, commas, faults) for one in cells]
-    _find_twice(taken, head, faults)
+    faults += twice(taken, head.title)
     if faults:
         _refuse(file, sorted(faults, key=lambda fault: fault.line))
     return meant(taken)
@@ -200,13 +212,17 @@ def _reading(one: _Cells, head: Head, commas: bool, faults: list[Fault]) -> Take
             faults.append(
                 Fault(head.title(name), line, said("the cell is empty, and the row has a figure"))
             )
-    numbers: list[float | None] = []
-    for name, cell in (("mm", one.mm), ("x", one.x), ("y", one.y)):
+    lengths = {"mm": one.mm, "x": one.x, "y": one.y}
+    numbers: dict[str, float] = {}
+    halves = {"value": half_unit(one.value)}
+    for name, cell in lengths.items():
         try:
-            numbers.append(millimetres(cell, commas=commas) if cell else None)
+            if cell:
+                usual = head.units.get(name, 1.0)
+                numbers[name], unit_mm = millimetres(cell, commas=commas, usual=usual)
+                halves[name] = unit_mm * half_unit(cell)
         except ValueError as error:
             faults.append(Fault(head.title(name), line, error.args[0]))
-            numbers.append(None)
     try:
         value, unit = value_of(one.value, one.unit, commas=commas)
     except ValueError as error:
@@ -217,30 +233,9 @@ def _reading(one: _Cells, head: Head, commas: bool, faults: list[Fault]) -> Take
         faults.append(
             Fault(head.title(empty), line, said("a point needs both x and y; this is empty"))
         )
-    mm, x, y = numbers
-    last = Last(*map(half_unit, (one.mm, one.value, one.x, one.y)))
+    mm, x, y = map(numbers.get, lengths)
+    last = Last(**halves)
     return Taken(one.plan, one.position, one.segment, mm, value, unit, x, y, line, last)
-
-
-def _find_twice(taken: Sequence[Taken], head: Head, faults: list[Fault]) -> None:
-    """Add a fault for each reading that an earlier row has given already."""
-    seen: dict[tuple[str, str, str, str], int] = {}
-    for one in taken:
-        for name, field in _KINDS:
-            if one[field] is None:
-                continue
-            earlier = seen.setdefault((*one[:3], name), one.line)
-            if earlier != one.line:
-                place = said(' at position "{position}"', position=one.position)
-                says = said(
-                    '"{segment}" of "{plan}"{place} stands in line {line} already; keep one of the '
-                    "two",
-                    segment=one.segment,
-                    plan=one.plan,
-                    place=place if one.position else "",
-                    line=earlier,
-                )
-                faults.append(Fault(head.title(name), one.line, says))
 
 
 def _refuse(file: Path, faults: Sequence[Fault]) -> NoReturn:

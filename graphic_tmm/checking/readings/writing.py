@@ -1,11 +1,13 @@
-"""Readings written down as CSV, and a template of all that a scene lets one measure."""
+"""Readings written down as CSV or as a workbook, and a template of all that a scene lets one measure."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from pathlib import PurePath
 
 from graphic_tmm.checking.cells import RESULTS
 from graphic_tmm.checking.readings.csv_cells import heads
+from graphic_tmm.checking.readings.workbook_writing import workbook
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import Results
 from graphic_tmm.language.numbers import decimal_sign
@@ -27,7 +29,30 @@ def write_readings(rows: Iterable[Taken], *, language: str = "en") -> str:
         "en": separated by commas, decimal points; "ru": Russian titles, semicolons, decimal commas, and a
         byte order mark, as spreadsheets set to Russian want them.
     """
-    return _text((_row(one, language) for one in rows), language)
+    return _text((_row(one) for one in rows), language)
+
+
+def file_of(
+    name: str, rows: Iterable[Taken], *, language: str, told: Sequence[str] = ()
+) -> str | bytes:
+    """Return readings as the file that its name asks for: a workbook for ``.xlsx``, else CSV.
+
+    ``told``: lines for people, comments of a CSV file and a sheet of their own in a workbook.
+
+    Raises
+    ------
+    SheetError
+        If a workbook is asked for and openpyxl is missing.
+    """
+    cells = (_row(one) for one in rows)
+    if is_workbook(name):
+        return workbook(cells, language=language, told=told)
+    return _text(cells, language, told)
+
+
+def is_workbook(name: str) -> bool:
+    """Whether a file is a workbook by its name."""
+    return PurePath(name).suffix.lower() == ".xlsx"
 
 
 def template(
@@ -37,7 +62,16 @@ def template(
     *,
     language: str = "en",
 ) -> str:
-    """Return a CSV file to be filled in: a row for all that can be measured, its figures empty.
+    """Return a CSV file to be filled in; see `asked`; ``language``: as in ``write_readings``."""
+    return write_readings(asked(columns, names, points), language=language)
+
+
+def asked(
+    columns: Sequence[Column],
+    names: Sequence[str],
+    points: Sequence[tuple[str, str]] = (),
+) -> list[Taken]:
+    """Return a row for all that can be measured, its figures empty.
 
     Parameters
     ----------
@@ -49,22 +83,20 @@ def template(
     points : sequence of (plan, letter)
         Points of plans, with a row for each position at which a column of that plan holds a figure; for every
         position if the plan has no columns, and one without position if there are no positions.
-    language : str
-        As in ``write_readings``.
     """
     places: dict[str, set[int]] = {}
-    asked: list[Taken] = []
+    found: list[Taken] = []
     for column in columns:
         given = _given(column)
         places.setdefault(column.plan, set()).update(given)
         unit = column.unit or "1"
         positions = [""] if column.plan == RESULTS else [name for name, _ in column.at] or names
-        asked += [Taken(column.plan, positions[k], column.segment, unit=unit) for k in given]
+        found += [Taken(column.plan, positions[k], column.segment, unit=unit) for k in given]
     for plan, letter in points:
         drawn = sorted(places.get(plan, range(len(names))))
         positions = [names[k] for k in drawn] if names else [""]
-        asked += [Taken(plan, position, letter) for position in positions]
-    return _text((_row(one, language) for one in asked), language)
+        found += [Taken(plan, position, letter) for position in positions]
+    return found
 
 
 def result_columns(results: Results) -> tuple[Column, ...]:
@@ -80,23 +112,26 @@ def _given(column: Column) -> list[int]:
     return [k for k, pair in enumerate(pairs) if pair != (None, None)]
 
 
-def _row(one: Taken, language: str) -> Iterator[str]:
-    point = decimal_sign(language)
+def _row(one: Taken) -> tuple[str | float | None, ...]:
     unit = one.unit if one.value is None else one.unit or "1"
-    cells = (one.mm, one.value, unit, one.x, one.y)
-    yield from (one.plan, one.position, one.segment)
-    for cell in cells:
-        if isinstance(cell, str):
-            yield cell
-        else:
-            yield "" if cell is None else repr(float(cell)).replace(".", point)
+    return (one.plan, one.position, one.segment, one.mm, one.value, unit, one.x, one.y)
 
 
-def _text(rows: Iterable[Iterable[str]], language: str) -> str:
-    separator, start = SIGNS[decimal_sign(language)]
-    table = (heads(language), *rows)
-    lines = (separator.join(_quoted(cell, separator) for cell in row) for row in table)
-    return start + "".join(f"{line}\n" for line in lines)
+def _text(
+    rows: Iterable[Iterable[str | float | None]], language: str, told: Iterable[str] = ()
+) -> str:
+    point = decimal_sign(language)
+    separator, start = SIGNS[point]
+    comments = (f"# {' '.join(text.split())}" for text in told)
+    table: Iterator[Iterable[str | float | None]] = iter((heads(language), *rows))
+    lines = (separator.join(_cell(cell, separator, point) for cell in row) for row in table)
+    return start + "".join(f"{line}\n" for line in (*comments, *lines))
+
+
+def _cell(cell: str | float | None, separator: str, point: str) -> str:
+    if isinstance(cell, str):
+        return _quoted(cell, separator)
+    return "" if cell is None else _quoted(repr(float(cell)).replace(".", point), separator)
 
 
 def _quoted(cell: str, separator: str) -> str:

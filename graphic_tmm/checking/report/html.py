@@ -5,27 +5,64 @@ The page is ``templates/page.html``, its style ``templates/style.css``.
 
 from __future__ import annotations
 
-from graphic_tmm.checking.records import Report
+from typing import TYPE_CHECKING
+
+from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report
 from graphic_tmm.checking.report import rows
 from graphic_tmm.checking.report.chart import COLOURS, chart
+from graphic_tmm.checking.report.findings import finding_rows, headline, summary
+from graphic_tmm.checking.report.parts import (
+    Part,
+    doubtful_parts,
+    fine_grids,
+    fine_ones,
+    grids,
+    legend,
+    wrong_parts,
+)
 from graphic_tmm.checking.report.rendering import render
-from graphic_tmm.checking.report.words import WORDS
+from graphic_tmm.checking.report.small_plan import small_plan
+from graphic_tmm.checking.report.words import WORDS, plan_name
+
+if TYPE_CHECKING:
+    from markupsafe import Markup
 
 
 def html_report(report: Report) -> str:
-    """Return the report as a page of HTML: summary, a chart and a table a plan, mistakes, notes.
+    """Return the report as a page of HTML.
 
-    Nothing outside the page is named in it, no script is in it, and all text of others is escaped.
+    What matters first; then a section a wrong step, with its small plan, and what is doubtful; folded what is
+    fine and a chart a plan; notes. Nothing outside the page is named in it, no script is in it, and all text of
+    others is escaped.
     """
     language = report.language
-    tables = [
-        (rows.reading_grid(plan, readings, language), chart(plan, readings, language))
+    charts = [
+        (plan_name(plan, language), drawn)
         for plan, readings in rows.by_plan(report.readings).items()
+        if (drawn := chart(plan, readings, language))
     ]
-    if (mistakes := rows.mistake_grid(report)) is not None:
-        tables.append((mistakes, ""))
-    words = WORDS[language]
+    groups = ((WRONG, wrong_parts(report)), (DOUBTFUL, doubtful_parts(report)))
+    fine = fine_ones(report)
     page = render(
-        "page.html", report=report, rows=rows, words=words, colours=COLOURS, tables=tables
+        "page.html",
+        report=report,
+        rows=rows,
+        words=WORDS[language],
+        colours=COLOURS,
+        worst=rows.worst(report),
+        headline=headline(report),
+        findings=finding_rows(report),
+        summary=summary(report),
+        groups=[(rows.SIGNS[verdict], verdict, parts) for verdict, parts in groups],
+        plan=_plan,
+        fine=f"{rows.SIGNS[FINE]} {fine}" if fine else "",
+        fine_grids=fine_grids(report),
+        charts=charts,
+        legend=legend(report, grids(report)),
     )
     return str(page)
+
+
+def _plan(part: Part) -> Markup:
+    assert part.picture is not None
+    return small_plan(part.picture, part.caption)

@@ -7,8 +7,9 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from graphic_tmm.checking.records import Judged, Likely, Report
-from graphic_tmm.checking.report.rows import counts, explained, unexplained
+from graphic_tmm.checking.records import Judged, Lesson, Likely, Report
+from graphic_tmm.checking.report.findings import explained, unexplained
+from graphic_tmm.checking.report.rows import counts
 
 
 def json_report(report: Report) -> str:
@@ -18,8 +19,11 @@ def json_report(report: Report) -> str:
     where it was given as a quantity the mm are null and value, due_value, deviation_value and unit follow; x
     and y (mm) where a point was read; own_error_mm where a step is blamed with its own error; follows_from, the
     segment of the earlier reading (follows_from_line) whose deviation it has; line of the file.
-    ``mistakes``: {name, says, like, lines, explains, wrong, rest}. ``unexplained``: how many of the wrong
-    readings no mistake explains. Figures have 12 significant digits; one that is not finite is null.
+    ``mistakes``: {name, says, like, kind, family, plan, segment, position, step, chance, lines, explains,
+    wrong, rest}. ``unexplained``: how many of the wrong readings no mistake explains. ``lessons``, of the steps
+    that are blamed: {plan, step, letter, says, why, drawn, position, calculation,
+    own_numbers}. Figures have 12
+    significant digits; one that is not finite is null.
     Text is whole, what is not printable in it as \\u escapes.
     """
     head = {"scene": report.scene, "title": report.title, "hand": report.hand}
@@ -27,6 +31,7 @@ def json_report(report: Report) -> str:
     lines.append(f' "counts": {_dumped(counts(report))},')
     lines += _rows("readings", [_reading(one) for one in report.readings])
     lines += _rows("mistakes", [_mistake(report, one) for one in report.mistakes])
+    lines += _rows("lessons", [_lesson(one) for one in report.lessons])
     lines.append(f' "unexplained": {len(unexplained(report))},')
     lines.append(f' "notes": {_dumped(list(report.notes))}')
     return "\n".join(["{", *lines, "}"]) + "\n"
@@ -67,10 +72,31 @@ def _mistake(report: Report, one: Likely) -> dict[str, Any]:
         "name": one.name,
         "says": one.says,
         "like": list(one.like),
+        "kind": one.kind,
+        "family": one.family,
+        "plan": one.plan,
+        "segment": one.segment,
+        "position": one.position,
+        "step": one.step,
+        "chance": tidy(one.chance),
         "lines": list(one.lines),
         "explains": explained(report, one),
         "wrong": one.wrong,
         "rest": tidy(one.rest),
+    }
+
+
+def _lesson(one: Lesson) -> dict[str, Any]:
+    return {
+        "plan": one.plan,
+        "step": one.step,
+        "letter": one.letter,
+        "says": one.says,
+        "why": one.why,
+        "drawn": list(one.drawn),
+        "position": one.position,
+        "calculation": one.calculation,
+        "own_numbers": one.own,
     }
 
 

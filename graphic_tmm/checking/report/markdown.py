@@ -1,4 +1,4 @@
-"""A report as Markdown: headings, pipe tables, a list of notes; all text of others is escaped.
+"""A report as Markdown: headings, pipe tables, small plans, lists; all text of others is escaped.
 
 Written without a template: what a line of Markdown escapes depends on where in the line it stands, and the
 whole is shorter than the template and its filters would be.
@@ -9,8 +9,18 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from graphic_tmm.checking.records import Report
-from graphic_tmm.checking.report.rows import FIGURES, Grid, grids, notes, summary, title, who
+from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report
+from graphic_tmm.checking.report.findings import finding_rows, headline, summary
+from graphic_tmm.checking.report.parts import (
+    doubtful_parts,
+    fine_grids,
+    fine_ones,
+    grids,
+    legend,
+    wrong_parts,
+)
+from graphic_tmm.checking.report.rows import FIGURES, SIGNS, Grid, notes, title, who
+from graphic_tmm.checking.report.small_plan import small_plan
 from graphic_tmm.checking.report.words import WORDS
 
 ENTITIES = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", "|": "&#124;"})
@@ -21,14 +31,30 @@ OPENING = re.compile(r"^(\d*)([-+.)])(?=[\s-]|$)")
 
 
 def markdown_report(report: Report) -> str:
-    """Return the report as Markdown: headings, pipe tables, a list of notes; all text of others is escaped."""
+    """Return the report as Markdown; all text of others is escaped.
+
+    What matters first, then the wrong steps with their lessons, what is doubtful, what is fine (folded), notes.
+    """
     words = WORDS[report.language]
-    blocks = [f"# {marked(title(report))}", opened(summary(report)), opened(who(report))]
-    for grid in grids(report):
-        blocks += [f"## {marked(grid.title)}", _pipes(grid, words)]
-    blocks += [marked(words["legend"])] if report.readings else []
-    if told := notes(report):
-        blocks += [f"## {words['notes']}", "\n".join(f"- {opened(note)}" for note in told)]
+    blocks = [f"# {marked(title(report))}", f"**{marked(headline(report))}**"]
+    if found := finding_rows(report):
+        blocks.append("\n".join(f"- {opened(row)}" for row in found))
+    blocks += [opened(text) for text in (summary(report), who(report)) if text]
+    for sign, parts in ((WRONG, wrong_parts(report)), (DOUBTFUL, doubtful_parts(report))):
+        for part in parts:
+            blocks += [f"## {SIGNS[sign]} {marked(part.heading)}", *map(opened, part.told)]
+            if part.picture is not None:
+                blocks.append(str(small_plan(part.picture, part.caption)).rstrip())
+                blocks.append(opened(part.caption))
+            blocks += [_pipes(part.grid, words)] if part.grid is not None else []
+    if told := fine_ones(report):
+        blocks.append(f"<details><summary>{SIGNS[FINE]} {marked(told)}</summary>")
+        for grid in fine_grids(report):
+            blocks += [f"### {marked(grid.title)}", _pipes(grid, words)]
+        blocks.append("</details>")
+    blocks += [marked(told)] if (told := legend(report, grids(report))) else []
+    if listed := notes(report):
+        blocks += [f"## {words['notes']}", "\n".join(f"- {opened(note)}" for note in listed)]
     return "\n\n".join(blocks) + "\n"
 
 

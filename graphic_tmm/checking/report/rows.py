@@ -3,33 +3,32 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
-from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Judged, Likely, Report
+from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Judged, Report
 from graphic_tmm.checking.report.words import (
     HANDS,
     LONGEST_SENTENCE,
     WORDS,
-    plan_name,
     shown,
     unit_name,
 )
-from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import fixed, number
 
 SIGNS = {FINE: "●", DOUBTFUL: "▲", WRONG: "✖"}
 """Verdicts are told by a shape as well as by a colour."""
 LARGE = 1e6
 """From here on a figure is written with a power of ten."""
-NAMED = 3
-"""So many mistakes stand in the summary; the table has all of them."""
+NOISE = 1e-12
+"""A deviation below this share of its figure is none: numbers of the machine agree no better."""
 RUNS = 12
 """So many runs of lines are listed; the JSON has all of them."""
-FIGURES = frozenset({"line", "found", "due", "deviation", "percent", "farther", "own", "rest"})
+FIGURES = frozenset({"line", "found", "due", "deviation", "percent", "farther", "own"})
 """Columns of figures, set to the right."""
-OPTIONAL = frozenset({"line", "position", "unit", "step", "own", "follows", "lines"})
-"""Columns left out where nothing stands in them."""
+OPTIONAL = frozenset({"line", "position", "unit", "percent", "step", "own", "follows"})
+"""Columns left out where nothing stands in them, or a dash."""
 
 
 class Grid(NamedTuple):
@@ -55,25 +54,6 @@ def who(report: Report) -> str:
     )
 
 
-def summary(report: Report) -> str:
-    """Return the line on top: how many are fine, doubtful, wrong; what explains the wrong ones, if anything."""
-    words = WORDS[report.language]
-    if not report.readings:
-        return words["none"]
-    said = [words["counts"].format(all=len(report.readings), **counts(report))]
-    left = unexplained(report)
-    if not report.wrong:
-        said.append(words["all right"])
-    elif len(left) == report.wrong:
-        said.append(words["unexplained"])
-    else:
-        said.append(words["explained"].format(mistakes=_mistakes(report)))
-        lines = runs([one.taken.line for one in left])
-        at = words["at lines"].format(lines=lines) if lines else ""
-        said += [words["left over"].format(count=len(left), lines=at)] if left else []
-    return " ".join(said)
-
-
 def counts(report: Report) -> dict[str, int]:
     """Return how many readings there are of each verdict."""
     return {key: sum(one.verdict == key for one in report.readings) for key in VERDICTS}
@@ -85,19 +65,6 @@ def worst(report: Report) -> str:
     return next((verdict for verdict in reversed(VERDICTS) if verdict in found), "")
 
 
-def explained(report: Report, mistake: Likely) -> int:
-    """Return how many of the wrong readings a mistake explains."""
-    lines = set(mistake.lines)
-    return sum(one.verdict == WRONG and one.taken.line in lines for one in report.readings)
-
-
-def unexplained(report: Report) -> tuple[Judged, ...]:
-    """Return the wrong readings that no mistake of the report explains."""
-    lines = {line for mistake in report.mistakes for line in mistake.lines}
-    wrong = (one for one in report.readings if one.verdict == WRONG)
-    return tuple(one for one in wrong if one.taken.line not in lines)
-
-
 def by_plan(readings: Sequence[Judged]) -> dict[str, list[Judged]]:
     """Return the readings of each plan, plans and readings in the order in which they come."""
     plans: dict[str, list[Judged]] = {}
@@ -106,34 +73,19 @@ def by_plan(readings: Sequence[Judged]) -> dict[str, list[Judged]]:
     return plans
 
 
-def grids(report: Report) -> tuple[Grid, ...]:
-    """Return the tables of a report: of each plan, then of the likely mistakes."""
-    plans = by_plan(report.readings).items()
-    found = [reading_grid(plan, rows, report.language) for plan, rows in plans]
-    mistakes = mistake_grid(report)
-    return (*found, mistakes) if mistakes is not None else tuple(found)
-
-
-def reading_grid(plan: str, readings: Sequence[Judged], language: str) -> Grid:
-    """Return the table of the readings of one plan."""
+def reading_grid(
+    readings: Sequence[Judged], language: str, title: str, without: Collection[str] = ()
+) -> Grid:
+    """Return the table of some readings; ``without``: columns that are left out."""
     rows = [_reading(one, language) for one in readings]
-    return _grid(plan_name(plan, language), rows, [one.verdict for one in readings])
-
-
-def mistake_grid(report: Report) -> Grid | None:
-    """Return the table of likely mistakes; None if there are none."""
-    words = WORDS[report.language]
-    rows = [
-        {
-            "mistake": _named(one, report.language),
-            "says": shown(one.says, LONGEST_SENTENCE),
-            "count": f"{explained(report, one)} / {report.wrong}",
-            "rest": fixed(100 * one.rest, 0, report.language),
-            "lines": runs(one.lines),
-        }
-        for one in report.mistakes
-    ]
-    return _grid(words["mistakes"], rows, [""] * len(rows)) if rows else None
+    columns = tuple(
+        key
+        for key in rows[0]
+        if key not in without
+        and (key not in OPTIONAL or any(row[key] not in ("", "—") for row in rows))
+    )
+    cells = tuple(tuple(row[key] for key in columns) for row in rows)
+    return Grid(title, columns, cells, tuple(one.verdict for one in readings))
 
 
 def notes(report: Report) -> tuple[str, ...]:
@@ -185,7 +137,8 @@ def _reading(one: Judged, language: str) -> dict[str, str]:
     def told(value: float) -> str:
         return figure(value, 2, language) if drawn else number(value, language)
 
-    off = signed(one.deviation, 2, language) if drawn else told(one.deviation)
+    deviation = 0.0 if abs(one.deviation) <= NOISE * abs(one.due) else one.deviation
+    off = signed(deviation, 2, language) if drawn else told(deviation)
     return {
         "line": str(taken.line) if taken.line else "",
         "position": shown(taken.position),
@@ -193,11 +146,10 @@ def _reading(one: Judged, language: str) -> dict[str, str]:
         "found": told(one.found),
         "due": told(one.due),
         "unit": "" if drawn else unit_name(one.unit, language),
-        "deviation": off if drawn or not one.deviation > 0 else f"+{off}",
+        "deviation": off if drawn or not deviation > 0 else f"+{off}",
         "percent": figure(one.percent, 1, language),
         "farther": _share(one.quantile, language),
-        "verdict": verdict_name(one.verdict, language),
-        "step": shown(one.step),
+        "step": shown(plain(one.step)),
         "own": "" if one.own is None else signed(one.own, 2, language),
         "follows": _source(one, language),
     }
@@ -224,27 +176,3 @@ def _share(share: float, language: str) -> str:
     if 0 < share < 0.0005:
         return f"< {fixed(0.1, 1, language)}"
     return fixed(100 * share, 1, language)
-
-
-def _grid(heading: str, rows: Sequence[dict[str, str]], verdicts: Sequence[str]) -> Grid:
-    columns = tuple(key for key in rows[0] if key not in OPTIONAL or any(row[key] for row in rows))
-    cells = tuple(tuple(row[key] for key in columns) for row in rows)
-    return Grid(heading, columns, cells, tuple(verdicts))
-
-
-def _named(mistake: Likely, language: str) -> str:
-    speech = speaking(language)
-    name = shown(speech(mistake.name))
-    like = ", ".join(shown(speech(other)) for other in mistake.like)
-    return WORDS[language]["the same"].format(name=name, like=like) if like else name
-
-
-def _mistakes(report: Report) -> str:
-    words, told = WORDS[report.language], []
-    useful = [(one, explained(report, one)) for one in report.mistakes]
-    useful = [(one, count) for one, count in useful if count]
-    for one, count in useful[:NAMED]:
-        name = _named(one, report.language)
-        told.append(words["explains"].format(name=name, count=count, wrong=report.wrong))
-    rest = len(useful) - NAMED
-    return "; ".join([*told, words["more"].format(count=rest)] if rest > 0 else told)

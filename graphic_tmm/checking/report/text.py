@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
-from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Report
-from graphic_tmm.checking.report.rows import FIGURES, Grid, grids, notes, summary, title, who, worst
+from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report
+from graphic_tmm.checking.report.findings import finding_rows, headline, summary
+from graphic_tmm.checking.report.parts import doubtful_parts, fine_ones, legend, wrong_parts
+from graphic_tmm.checking.report.rows import FIGURES, SIGNS, Grid, notes, title, who, worst
 from graphic_tmm.checking.report.words import WORDS
 
 STYLES = {FINE: "green", DOUBTFUL: "yellow", WRONG: "bold red", "": ""}
@@ -14,41 +16,43 @@ STYLES = {FINE: "green", DOUBTFUL: "yellow", WRONG: "bold red", "": ""}
 
 LISTED = 500
 """So many rows of a table are printed on a terminal."""
-RANKS = {verdict: rank for rank, verdict in enumerate(("", *VERDICTS))}
 
 
 def text_report(report: Report) -> list[Any]:
-    """Return what rich prints of a report on a terminal, in order: the summary first, then tables and notes.
+    """Return what rich prints of a report on a terminal, in order.
 
-    Of more than `LISTED` readings of a plan the worst are listed, and it is said how many are not; the other
-    forms of the report have all of them.
+    What matters first, the wrong steps with their lessons, what is doubtful; of what is fine how much. Of more
+    than `LISTED` readings of a part the first are listed, and it is said how many are not; the other forms of
+    the report have all of them.
     """
     from rich.text import Text
 
     words = WORDS[report.language]
     made: list[Any] = [
         Text(title(report), style="bold"),
-        Text(summary(report), style=STYLES[worst(report)]),
-        Text(who(report)),
-        Text(""),
+        Text(headline(report), style=STYLES[worst(report)]),
     ]
-    for grid in grids(report):
-        made.append(Fitting(_worst(grid), words))
-        if (left := len(grid.rows) - LISTED) > 0:
-            made.append(Text(words["not listed"].format(count=left)))
-        made.append(Text(""))
-    made += [Text(words["legend"], style="dim")] if report.readings else []
+    made += [Text(f"• {row}") for row in finding_rows(report)]
+    made += [Text(text) for text in (summary(report), who(report)) if text]
+    parts = [(WRONG, part) for part in wrong_parts(report)]
+    parts += [(DOUBTFUL, part) for part in doubtful_parts(report)]
+    for verdict, part in parts:
+        made += [Text(""), Text(f"{SIGNS[verdict]} {part.heading}", style=STYLES[verdict])]
+        made += [Text(text) for text in part.told]
+        if part.grid is not None:
+            made.append(Fitting(_first(part.grid), words))
+            if (left := len(part.grid.rows) - LISTED) > 0:
+                made.append(Text(words["not listed"].format(count=left)))
+    if told := fine_ones(report):
+        made += [Text(""), Text(f"{SIGNS[FINE]} {told}", style=STYLES[FINE])]
+    if told := legend(report, [part.grid for _, part in parts if part.grid is not None]):
+        made += [Text(""), Text(told, style="dim")]
     return [*made, *(Text(f"• {note}") for note in notes(report))]
 
 
-def _worst(grid: Grid) -> Grid:
-    """Return the table with no more rows than a terminal is given: those of the worst verdicts, in order."""
-    if len(grid.rows) <= LISTED:
-        return grid
-    order = sorted(range(len(grid.rows)), key=lambda k: -RANKS[grid.verdicts[k]])
-    kept = sorted(order[:LISTED])
-    rows, verdicts = tuple(grid.rows[k] for k in kept), tuple(grid.verdicts[k] for k in kept)
-    return grid._replace(rows=rows, verdicts=verdicts)
+def _first(grid: Grid) -> Grid:
+    """Return the table with no more rows than a terminal is given."""
+    return grid._replace(rows=grid.rows[:LISTED], verdicts=grid.verdicts[:LISTED])
 
 
 class Fitting(NamedTuple):
@@ -68,8 +72,6 @@ def _table(grid: Grid, words: Mapping[str, str], room: int) -> Any:
     from rich.text import Text
 
     out = Table(
-        title=Text(grid.title, style="bold"),
-        title_justify="left",
         box=SIMPLE_HEAD,
         show_edge=False,
         padding=0,
@@ -88,8 +90,8 @@ def _table(grid: Grid, words: Mapping[str, str], room: int) -> Any:
 
 
 def _whole(grid: Grid, words: Mapping[str, str], room: int) -> set[str]:
-    """Return the columns that are not folded: figures and verdicts, if the terminal has room for them."""
-    whole = {key for key in grid.columns if key in FIGURES or key == "verdict"}
+    """Return the columns that are not folded: figures, if the terminal has room for them."""
+    whole = {key for key in grid.columns if key in FIGURES}
     for column, key in enumerate(grid.columns):
         cells = [row[column] for row in grid.rows] if key in whole else []
         room -= 1 + max(map(len, [*words[key].split(), *cells]))

@@ -32,14 +32,25 @@ TEXTS: dict[str, str] = {
     "who": said("Scene: {scene}. Hand: {hand}."),
     "counts": said("Readings: {all}. Fine {fine}, doubtful {doubtful}, wrong {wrong}."),
     "none": said("There are no readings."),
-    "all right": said("Nothing is wrong."),
-    "explained": said("The wrong ones are explained by: {mistakes}."),
-    "explains": said("{name} ({count} of {wrong})"),
-    "the same": said("{name} (the same: {like})"),
-    "more": said("{count} more"),
-    "left over": said("Not explained: {count}{lines}."),
-    "at lines": said(" (lines of the file: {lines})"),
-    "unexplained": said("No known mistake explains the wrong ones."),
+    "all right": said(
+        "Nothing is wrong: every reading agrees with the exact drawing as well as a hand can draw."
+    ),
+    "look again": said("Nothing is wrong, but look once more at what is doubtful."),
+    "mistake": said("Most likely: {says}."),
+    "perhaps": said("Perhaps, but the readings do not say it for sure: {says}."),
+    "alike": said("One of these, and the readings do not tell which: {says}."),
+    "instrument": said("There is no mistake in the construction: {says}."),
+    "unseen": said("These readings cannot tell: {says}."),
+    "begin at": said("No known mistake explains what is wrong; begin with {segment} ({plan})."),
+    "begin": said(
+        "No known mistake explains what is wrong; begin with {letter} ({plan}, step {number})."
+    ),
+    "explains": said("explains {count} of {wrong} wrong readings"),
+    "leaves": said("leaves {rest} % of their deviations"),
+    "at lines": said("lines of the file: {lines}"),
+    "sure": said("sure to {percent} %"),
+    "more": said("Less likely, and not told here: {count}."),
+    "left over": said("Not explained: {count} ({lines})."),
     "fine": said("fine"),
     "doubtful": said("doubtful"),
     "wrong": said("wrong"),
@@ -52,36 +63,49 @@ TEXTS: dict[str, str] = {
     "deviation": said("off by"),
     "percent": said("% of plan"),
     "farther": said("farther, %"),
-    "verdict": said("verdict"),
     "step": said("step"),
     "own": said("own, mm"),
     "follows": said("follows from"),
     "follows from": said("{segment}"),
     "follows from line": said("{segment} (line {line})"),
     "not sure": said("Line {line}: {segment} is not judged: no digit of the figure due is sure."),
-    "mistakes": said("Likely mistakes"),
-    "mistake": said("mistake"),
-    "says": said("what was done"),
-    "count": said("wrong ones"),
-    "rest": said("left, %"),
-    "lines": said("lines"),
+    "found wrong": said("{plan}, step {number}: {letter}"),
+    "for that": said("{plan}: wrong for the same reason"),
+    "wrong ones": said("{plan}: wrong"),
+    "doubtful ones": said("{plan}: doubtful, look once more"),
+    "fine ones": said("Fine: {count}"),
+    "at": said("position {position}"),
+    "drawn so": said("It is drawn so: {steps}"),
+    "own numbers": said("From your own numbers"),
+    "due numbers": said("It should be"),
+    "yours": said("You have {found}."),
+    "yours for": said("You have {found}; due is {due}."),
+    "it shows": said("It shows in {segment}: you have {found}; due is {due}."),
+    "off itself": said("This step itself puts your point {segment} {off} mm off."),
+    "off": said("Your point {segment} is {off} mm away from where it is due."),
+    "drawn": said("The plan in position {position}: due in green, yours in red"),
     "notes": said("Notes"),
     "not listed": said(
         "{count} more are not listed here, none of them worse; Markdown, JSON and HTML have all."
     ),
     "chart": said("Deviations in % of the longest vector of the plan"),
     "beyond": said("an arrow: beyond the axis"),
-    "legend": said(
-        "Line: of the file. Found, due and off by are in mm where no unit stands. "
-        "% of plan: of its longest vector. "
-        "Farther: so many of the hand's own drawings are farther off. Step: where the error was made. "
-        "Own: the error that this step made itself. "
-        "Follows from: the earlier reading whose deviation it has, though it is found from it rightly. "
-        "Left: what the mistake leaves of the deviations that it explains."
-    ),
 }
 """What a report says, by the names that its writers have for it."""
 WORDS = Tongues(TEXTS)
+LEGENDS: dict[str, str] = {
+    "line": said("Line: of the file."),
+    "found": said("Found, due and off by are in mm where no unit stands."),
+    "percent": said("% of plan: of its longest vector."),
+    "farther": said("Farther: so many of the hand's own drawings are farther off."),
+    "step": said("Step: where the error was made."),
+    "own": said("Own: the error that this step made itself."),
+    "follows": said(
+        "Follows from: the earlier reading whose deviation it has, though it is found from it rightly."
+    ),
+}
+"""What the columns of a report's tables mean, in their order."""
+LEGEND = Tongues(LEGENDS)
 
 
 def shown(text: str, most: int = LONGEST) -> str:

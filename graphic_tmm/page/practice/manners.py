@@ -9,7 +9,7 @@ from typing import Any
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.check import TRIALS
-from graphic_tmm.checking.judging import step_scatter
+from graphic_tmm.checking.judging import equivalents, step_scatter
 from graphic_tmm.checking.judging.reader import reader
 from graphic_tmm.checking.judging.scatter import Limits, Scatter
 from graphic_tmm.checking.judging.step_scatter import StepScatter
@@ -32,12 +32,18 @@ MANNERS = {"plan": "screen", "points": "photo"}
 def reader_of(scene: Scene) -> dict[str, Any]:
     """Return who reads a drawing, and how a judgement is made."""
     by = reader(scene, HANDS[HAND], "screen")
+    both = equivalents.pair(Limits())
     return {
         "half": by.half,
         "reading": by.hand.reading,
+        "swing": by.hand.swing,
+        "compass": by.hand.compass,
+        "prick": by.hand.prick,
         "digits": by.hand.digits,
         "finest": by.finest,
         "wrong": Limits().wrong,
+        "pair": {"doubtful": both.doubtful, "wrong": both.wrong},
+        "sine": equivalents.LEAST_SINE,
         "shares": list(step_scatter.SHARES),
         "few": step_scatter.FEW,
         "most": step_scatter.MOST,

@@ -17,6 +17,7 @@ from graphic_tmm.board.source import defaults
 from graphic_tmm.board.values import KINDS, Number, Side
 from graphic_tmm.checking.cells import cells, longest, points
 from graphic_tmm.checking.judging import slips
+from graphic_tmm.checking.judging.equivalents import ways_of
 from graphic_tmm.checking.judging.own_errors import parts_of
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
@@ -131,7 +132,16 @@ class Packing:
             found["read"] = {"as": kind, "name": plan, "key": name, "unit": of}
             if kind == "point":
                 found["parts"] = [[p.kind, p.by.it.slot, p.use] for p in parts_of(step, self.lines)]
+                found |= self.ways(step)
         return found
+
+    def ways(self, step: Step) -> dict[str, Any]:
+        """Return the other ways in which the point of a step can be found, where there are any."""
+        ways = [
+            [[limb.kind, limb.centre.slot, *(mark.slot for mark in limb.of)] for limb in way]
+            for way in ways_of(step, self.lines)
+        ]
+        return {"ways": ways} if ways else {}
 
     def told(self, step: Step) -> dict[str, Any]:
         """Return what is said of a step: what is done, why, by which formula, with which instruments."""

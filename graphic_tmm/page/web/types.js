@@ -49,8 +49,10 @@
  *   plain text, its kind, its plan (index in `plans`), its unit, whether it is the scale factor of a plan
  * @typedef {["line" | "arc" | "met" | "laid" | "place", number, number]} Part what a point may be off: of which
  *   kind, the mark of the step that is blamed, the number of the mark among what the point's step uses
+ * @typedef {["ray" | "arc", number, ...number[]]} Limb one of two conditions that fix a point in another way than its
+ *   step's: of which kind, about which mark, by a length measured between which two (checking/judging/equivalents.py)
  * @typedef {{it: number, op: string, uses: number[], choice?: number[], choices?: string[], measures?: boolean,
- *   parts?: Part[], read?: Reading, text?: Run[], why?: Run[], formula?: string, tool?: string, hand?: string, sides?: [string, string]}} PracticeStep
+ *   parts?: Part[], ways?: [Limb, Limb][], read?: Reading, text?: Run[], why?: Run[], formula?: string, tool?: string, hand?: string, sides?: [string, string]}} PracticeStep
  *   `choice`: by `choices`, their names; `measures`: it reads what is drawn; `read`: what `check` reads of it, by which name; without it nothing does. `text`, `why`: its sentence and reason;
  *   `formula`: with letters alone; `tool`: the instruments in words, `hand`: their letters in geometrography;
  *   `sides`: what +1 and −1 of its side, or of its choice, are called. Only steps of practice have these
@@ -69,9 +71,10 @@
  * @typedef {{pointing: number, own: Record<string, OwnLimit>, with: Record<string, Record<string, OwnLimit>>,
  *   total: Record<string, TotalLimit>}} Manner how a drawing is read, and the limits of the hand then; `with`: where
  *   points of other plans before that one are read too, by the numbers of these
- * @typedef {{half: number, reading: number, digits: number, finest: number, wrong: number,
+ * @typedef {{half: number, reading: number, swing: number, compass: number, prick: number, digits: number, finest: number,
+ *   wrong: number, pair: {doubtful: number, wrong: number}, sine: number,
  *   shares: number[], few: number, most: number, sure: number}} Reader who reads: half a division of the ruler, the
- *   slip of reading, the digits of a calculation, the finest ruler; and how it is judged (checking/judging)
+ *   slips of reading (mm), of a ray (°), of an opening and a point (mm), the digits of a calculation, the finest ruler; and how it is judged (checking/judging)
  * @typedef {{hand: string, names: string[], plans: string[], titles: string[], marks: Record<string, PracticeMark>,
  *   given: Record<string, number | number[] | (number | null)[]>, steps: PracticeStep[], tasks: Task[], at: number[][],
  *   reader: Reader, manners: Record<string, Manner>}} Practice

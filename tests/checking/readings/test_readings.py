@@ -264,7 +264,7 @@ WRONG = {
     "1e999": ("v,1,pb,1e999,,,,", "mm", "too large"),
     "a huge number": (f"v,1,pb,{'9' * 400},,,,", "mm", "too large"),
     "beyond all measure": ("v,1,pb,1e13,,,,", "mm", "too large"),
-    "centimetres": ("v,1,pb,12 cm,,,,", "mm", "write it in mm"),
+    "metres": ("v,1,pb,0.12 m,,,,", "mm", "write it in mm"),
     "two numbers": ("v,1,pb,12 13,,,,", "mm", "one piece"),
     "groups of thousands": ('v,1,pb,"1.234,5",,,,', "mm", "one piece"),
     "a fraction": ("v,1,pb,1/2,,,,", "mm", "one piece"),

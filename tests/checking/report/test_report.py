@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from support.gallery import ROOT
 from support.reports import FORMS, HOSTILE, LANGUAGES, engine, judged, loaded, report
 
-from graphic_tmm.checking.records import WRONG
+from graphic_tmm.checking.records import DOUBTFUL, WRONG
 from graphic_tmm.checking.report import (
     markdown as report_markdown,
 )
@@ -28,8 +28,8 @@ from graphic_tmm.checking.report import (
 )
 from graphic_tmm.checking.report.json import json_report
 from graphic_tmm.checking.report.markdown import markdown_report
-from graphic_tmm.checking.report.rows import grids
-from graphic_tmm.checking.report.words import WORDS, shown
+from graphic_tmm.checking.report.parts import grids
+from graphic_tmm.checking.report.words import LEGEND, WORDS, shown
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -41,7 +41,7 @@ def test_an_empty_report_is_told_in_every_form(language: str) -> None:
 
 
 def test_small_shares_large_figures_and_signs() -> None:
-    one = judged(found=2e9, quantile=1e-5, verdict=WRONG, own=0.004)
+    one = judged(found=2e9, quantile=1e-5, verdict=DOUBTFUL, own=0.004)
     (row,) = grids(report(one))[0].rows
     assert "2·10⁹" in row
     assert "+2·10⁹" in row
@@ -52,11 +52,12 @@ def test_small_shares_large_figures_and_signs() -> None:
 
 
 def test_the_languages_have_words_for_the_same_things() -> None:
-    russian, english = WORDS["ru"], WORDS["en"]
-    assert list(russian) == list(english)
-    for key, text in english.items():
-        assert not re.search("[А-Яа-яё]", text), key
-        assert fields(text) == fields(russian[key]), key
+    for words in (WORDS, LEGEND):
+        russian, english = words["ru"], words["en"]
+        assert list(russian) == list(english)
+        for key, text in english.items():
+            assert not re.search("[А-Яа-яё]", text), key
+            assert fields(text) == fields(russian[key]), key
     for made in (engine("ru"), report(judged(verdict=WRONG), language="ru")):
         text = markdown_report(made).replace("engine", "").replace("student", "")
         for word in ("fine", "wrong", "doubtful", "plan", "Readings"):

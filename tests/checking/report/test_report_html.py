@@ -8,16 +8,21 @@ from html.parser import HTMLParser
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from support.reports import HOSTILE, LANGUAGES, engine, hostile
+from support.lessons_told import lessons, plan_of_velocities, row
+from support.reports import HOSTILE, LANGUAGES, engine, hostile, report
 
+from graphic_tmm.checking.report.findings import finding_rows, headline, summary
 from graphic_tmm.checking.report.html import html_report
-from graphic_tmm.checking.report.rows import grids, notes, summary, title, who
+from graphic_tmm.checking.report.parts import doubtful_parts, fine_grids, grids, wrong_parts
+from graphic_tmm.checking.report.rows import notes, title, who
+from graphic_tmm.checking.report.words import shown
 
 TAGS = {"html", "head", "meta", "title", "style", "body", "h1", "h2", "p", "span", "ul", "li"}
+TAGS |= {"h3", "section", "details", "summary", "rect", "circle"}
 TAGS |= {"table", "thead", "tbody", "tr", "th", "td", "svg", "g", "path", "text"}
 NAMES = {"lang", "charset", "content", "http-equiv", "name", "class", "scope", "role", "aria-label"}
 NAMES |= {"width", "height", "viewbox", "d", "fill", "stroke", "stroke-width", "x", "y"}
-NAMES |= {"font-size", "text-anchor"}
+NAMES |= {"font-size", "text-anchor", "stroke-linecap", "stroke-opacity", "cx", "cy", "r"}
 
 
 class Page(HTMLParser):
@@ -71,8 +76,16 @@ def test_a_page_reads_back_as_the_words_that_went_in(language: str, text: str) -
     assert [row for row in page.rows if row] == rows
     assert page.said("h1") == [title(made)]
     assert page.said("title")[0] == title(made)
-    assert page.said("li") == list(notes(made))
-    assert page.said("p")[:2] == [summary(made), who(made)]
+    assert page.said("li") == [*finding_rows(made), *notes(made)]
+    assert page.said("p")[:3] == [headline(made), summary(made), who(made)]
+    parts = [*wrong_parts(made), *doubtful_parts(made)]
+    told = [text for part in parts for text in part.told]
+    assert len(told) == (4 if shown(text) else 1)  # what is done, why, how it is drawn, the numbers
+    assert page.said("p")[3 : 3 + len(told)] == told
+    assert [heading[2:] for heading in page.said("h2")[:-1]] == [part.heading for part in parts]
+    assert (
+        page.said("h3") == [grid.title for grid in fine_grids(made)] * 2
+    )  # the readings, their chart
     assert all(line.isprintable() for line in out.split("\n"))
     out.encode("utf-8")
 
@@ -96,3 +109,13 @@ def test_a_page_is_for_a4_with_heads_on_every_page() -> None:
     assert "@page { size: A4;" in out
     assert "thead { display: table-header-group; }" in out
     assert "print-color-adjust: exact" in out
+
+
+def test_a_page_with_a_small_plan_names_nothing_outside_itself() -> None:
+    due = plan_of_velocities(1)["pb"]
+    blamed = row("velocities", "1", "pb", abs(due), "10 pb", mm=33.0)
+    out = html_report(report(blamed)._replace(lessons=lessons(blamed)))
+    assert out.count('<svg class="plan"') == 1
+    page = Page(out)
+    assert "http" not in out.replace("http-equiv", "")
+    assert page.rows[-1][:2] == ["2", "1"]  # its reading stands below: line and position

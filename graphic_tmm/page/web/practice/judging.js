@@ -1,4 +1,5 @@
 import { BOARD } from "./board.js";
+import { mildest } from "./equivalents.js";
 import { limitAt, seenOf, shareOfSlip, sizeAt, withOthers } from "./limits.js";
 
 /**
@@ -196,7 +197,7 @@ export class Judging {
     const times = errors.map(({ error, grain }, k) => BOARD.slips.counted(error, grain) / sizeAt(limit, k, share));
     const worst = times.indexOf(Math.max(...times));
     const { error, slot } = errors[worst] ?? first;
-    return { counted: times[worst] ?? 0, doubtful: limit.d, wrong: limit.w, error, by: slot };
+    return mildest(this, row, { counted: times[worst] ?? 0, doubtful: limit.d, wrong: limit.w, error, by: slot });
   }
 
   /**

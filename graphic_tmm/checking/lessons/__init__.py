@@ -1,0 +1,1 @@
+"""Lessons: the steps that readings blame, told from the log with the drawing's own numbers; small plans."""

@@ -1,0 +1,171 @@
+"""The steps of a scene as a report names them, and the numbers that a drawing has of them."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.naming import segment_name
+from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Side
+from graphic_tmm.board.values import given as as_value
+from graphic_tmm.checking.cells import cells
+from graphic_tmm.checking.judging.own_errors import exact, run
+from graphic_tmm.checking.judging.reader import Reader
+from graphic_tmm.checking.judging.taken_marks import as_marks, steps_of
+from graphic_tmm.checking.records import Likely, Taken
+from graphic_tmm.drawn import Drawn, DrawnScene
+
+NOTHING = 1e-9
+"""A length below so many mm is none: numbers of the machine agree to some 1e-12 of a plan."""
+
+PLAIN = frozenset({Point, Length, Angle, Number, Side})
+"""Marks that are numbers; lines and arcs are told by their letters."""
+
+
+@dataclass(frozen=True, eq=False)
+class Told:
+    """A step, as a report names it (its number in its plan, its letter), and the board it is drawn on."""
+
+    board: Drawn
+    step: Step
+    label: str
+
+
+class Steps:
+    """The steps of a scene by plan and by what they are called."""
+
+    def __init__(self, made: DrawnScene) -> None:
+        self.made = made
+        self.cells = cells(made)
+        self.readable = steps_of(made.mechanism)
+        self.in_turn: list[Told] = []
+        self._by_label: dict[tuple[str, str], Told] = {}
+        self._by_letter: dict[tuple[str, str], Told] = {}
+        for board in made.boards:
+            count: defaultdict[str, int] = defaultdict(int)
+            for step in board.construction.steps:
+                mark = step.it
+                count[mark.view] += 1
+                told = Told(board, step, f"{count[mark.view]} {mark.name}")
+                self.in_turn.append(told)
+                self._by_label.setdefault((mark.view, told.label), told)
+                for name in (mark.letter, mark.name, segment_name(mark.letter)):
+                    self._by_letter.setdefault((mark.view, name), told)
+        self._by_mark = {(told.board.board, told.step.it): told for told in self.in_turn}
+
+    def labelled(self, plan: str, label: str) -> Told | None:
+        """Return the step of a plan that a report calls so: 5 n_{ab}; of another plan, if only that has it."""
+        if (plan, label) in self._by_label:
+            return self._by_label[plan, label]
+        others = [told for (_, name), told in self._by_label.items() if name == label]
+        return others[0] if len(others) == 1 else None
+
+    def drawn_by(self, told: Told) -> list[Told]:
+        """Return the steps of the same plan that drew what a step measures: the points, and their lines."""
+        if not told.step.op.reads:
+            return []
+        wanted, view = list[Told](), told.step.it.view
+        for end in told.step.uses:
+            by = self._by_mark.get((told.board.board, end))
+            if end.kind is Point and by is not None and by.step.it.view == view:
+                lines = [self._by_mark.get((told.board.board, mark)) for mark in by.step.uses]
+                there = [one for one in lines if one is not None and one.step.it.view == view]
+                wanted += [*(one for one in there if one.step.it.kind in (Line, Arc)), by]
+        return sorted(dict.fromkeys(wanted), key=lambda one: one.step.it.slot)
+
+    def of(self, finding: Likely) -> Told | None:
+        """Return the step that a finding was made in; None where it is not of a single one.
+
+        Its plan and segment may be those where it shows: the step is then the last of its letter before that.
+        """
+        seen = self._named(finding.plan, finding.segment)
+        if not finding.step:
+            return seen
+        found = self._named(finding.plan, finding.step)
+        if found is not None:
+            return found
+        there = [one for one in self.in_turn if finding.step in (one.step.it.letter, one.label)]
+        before = [one for one in there if seen is None or self._before(one, seen)]
+        return before[-1] if before else seen
+
+    def _named(self, plan: str, name: str) -> Told | None:
+        """Return the step of a plan by its label, its letter, or the segment that a reading is of."""
+        if not name:
+            return None
+        found = self._by_label.get((plan, name)) or self._by_letter.get((plan, name))
+        step = self.readable.get((plan, name))
+        if found is not None or step is None or self.made.mechanism is None:
+            return found
+        return self._by_mark.get((self.made.mechanism.board, step.it))
+
+    def _before(self, one: Told, other: Told) -> bool:
+        return one.board is other.board and one.step.it.slot < other.step.it.slot
+
+
+class Numbers:
+    """What a drawing has of each mark: as it was read, as it follows from that, else as it is due."""
+
+    def __init__(self, steps: Steps, rows: Sequence[Taken], by: Reader) -> None:
+        self._found: Mapping[Mark, Any] = {}
+        self._due: Mapping[Mark, Any] = {}
+        self._values: Mapping[int, Any] = {}
+        self._work = work = steps.made.mechanism
+        if work is not None:
+            self._found, grain = as_marks(work, steps.readable, rows, steps.cells, by)
+            found = run(work, self._found, grain)
+            self._due, self._values = found.due, found.values
+
+    def own(self, told: Told, place: int) -> bool:
+        """Whether something was read in a position (index) that a step starts from."""
+        if told.board is not self._work:
+            return False
+        log = {step.it: step for step in told.board.construction.steps}
+        ahead, seen = list(told.step.uses), set[Mark]()
+        while ahead:
+            mark = ahead.pop()
+            if mark in seen:
+                continue
+            seen.add(mark)
+            if mark in self._found and not np.isnan(_at(self._found[mark], place)):
+                return True
+            ahead += log[mark].uses if mark in log else ()
+        return False
+
+    def reading(self, told: Told, place: int) -> tuple[Reading, int]:
+        """Return the numbers by which a step is told in a position (index), and its index in them.
+
+        It is done right: with what the drawing has, else as the protocol of the exact drawing tells it.
+        """
+        board, step = told.board, told.step
+        view = step.it.view
+        exactly, row = board.of(view), board.row(view)
+        there = exactly is not None and all(mark in exactly for mark in (step.it, *step.uses))
+        if exactly is not None and there and place in row and not self.own(told, place):
+            return exactly, row.index(place) if view in board.project.rows else place
+        marks = [mark for mark in (*step.uses, step.it) if mark.kind in PLAIN]
+        values = {mark.slot: self._value(board, mark) for mark in marks}
+        if board is self._work and step.it in self._due:
+            values[step.it.slot] = self._due[step.it]
+        for mark in marks:
+            if mark.kind is Length:
+                length = values[mark.slot]
+                values[mark.slot] = np.where(np.abs(length) < NOTHING, 0.0, length)
+        return Reading(values, len(board.names)), place
+
+    def _value(self, board: Drawn, mark: Mark) -> Any:
+        if board is self._work and mark.slot in self._values:
+            return self._values[mark.slot]
+        if mark in board.given:
+            return as_value(board.given[mark], mark.kind)
+        return exact(board, mark)
+
+
+def _at(row: Any, place: int) -> Any:
+    flat = np.ravel(row)
+    return flat[place if flat.size > 1 else 0]

@@ -1,0 +1,54 @@
+"""How likely a reading is that is so far off: a hand's normal error, now and then a larger one, rarely any.
+
+Of a hundred readings one is off by a few times what is usual, and one by anything: by what orders of magnitude
+nobody knows beforehand.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+ODD, ANY = 0.01, 0.01
+"""The share of readings that a hand's slips spread more widely, and of those that are anything."""
+WIDER = 3.0
+"""So many times wider are the former: a Cauchy distribution."""
+MAGNITUDES = float(np.log(1e6))
+"""What is anything is so over some six orders of magnitude (natural logarithm)."""
+BEYOND = 4.0
+"""Farther off than so many standard deviations a reading is not explained: one of 16,000 is by chance."""
+LEAST_MM, LEAST_SHARE, OF_CHANGE = 0.35, 0.005, 0.02
+"""No error is told more finely than this: mm on the paper (a pencil line is so wide), of the figure, of what a
+mistake moves it by (a longer line swings farther)."""
+
+FARTHEST = 1e9
+"""What moves farther is nowhere: its square is still a number of the machine."""
+
+
+def log_density(error: Any, size: Any, figure: Any) -> Array:
+    """Return the logarithm of the density of an error, of that standard deviation, of such a figure."""
+    off = np.abs(error)
+    normal = np.exp(-0.5 * (off / size) ** 2) / (size * np.sqrt(2.0 * np.pi))
+    wide = 1.0 / (np.pi * WIDER * size * (1.0 + (off / (WIDER * size)) ** 2))
+    found = (1.0 - ODD - ANY) * normal + ODD * wide + ANY * broad(off, size, figure)
+    return np.asarray(np.log(found))
+
+
+def broad(off: Any, size: Any, figure: Any) -> Array:
+    """Return the density of an error of which nothing is known but the figure's own magnitude."""
+    whole = np.maximum(np.abs(figure), 10.0 * size)
+    return np.asarray(0.25 / whole + 0.25 / ((off + size) * MAGNITUDES))
+
+
+def size_of(scatter: Any, figure: Any, mm: Any, change: Any = 0.0) -> Array:
+    """Return the standard deviation by which an error is measured.
+
+    ``scatter``: the hand's; ``figure``: what is read; ``mm``: what a millimetre is in its unit (0 of what
+    is not measured); ``change``: by how much a mistake moves it.
+    """
+    moved = OF_CHANGE * np.minimum(np.abs(change), FARTHEST)
+    least = LEAST_MM * mm, LEAST_SHARE * np.abs(figure), moved
+    return np.asarray(np.sqrt(scatter**2 + sum(one**2 for one in least)))

@@ -1,0 +1,340 @@
+"""From judged readings to what happened: the right mistake, or none.
+
+Hypotheses are weighed by all readings; a name is given where it is sure, and passes an absolute gate:
+posteriors only compare, and the best of bad explanations is none.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Container, Iterator, Mapping, Sequence
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.checking.cells import Key
+from graphic_tmm.checking.judging.comparison import Comparison
+from graphic_tmm.checking.mutations import changed
+from graphic_tmm.checking.mutations.evidence import Board, Readings, of_mutations, of_variations
+from graphic_tmm.checking.mutations.fitting import fitted
+from graphic_tmm.checking.mutations.hypotheses import (
+    NO_MISTAKE,
+    SOMETHING,
+    UNEXPLAINED,
+    Hypothesis,
+    groups,
+    of_board,
+    of_table,
+)
+from graphic_tmm.checking.mutations.mistakes import NONE, Mistakes, Offered
+from graphic_tmm.checking.mutations.mutation import FAMILIES, Mutation
+from graphic_tmm.checking.mutations.names import usual
+from graphic_tmm.checking.mutations.tables import Table, copied, variations
+from graphic_tmm.checking.records import FINE, WRONG, Judged, Taken
+
+SURE, UNSURE = 0.8, 0.79
+"""A name is given where it is as sure as this; a perhaps is never as sure."""
+FIRST = 3
+"""So many explanations are tried as the first of two mistakes."""
+VISIBLE = 0.5
+"""A mistake must move some reading that is not fine by this share of what a hand scatters by, with no
+reading put in: else it explains noise."""
+REPEATED = 2
+"""So many doubtful readings of one segment may be a mistake: by chance of 2 % each they are one in 2500."""
+CLEAR = 8.0
+"""A second mistake beside one that explains nearly all must explain so much more (natural logarithm)."""
+LIKELY = 0.5
+"""A mistake is told as a perhaps if it is at least so likely among the mistakes that we know."""
+DIRECT = 0.75
+"""So much more usual is a mistake at the very step whose reading is off."""
+PERHAPS = 0.1
+"""Less sure than this nothing is told, not even as a perhaps."""
+MOST = 3
+"""So many groups of one step and family may be told as one of them."""
+KEPT = 300
+"""So many hypotheses are told apart."""
+
+
+class Diagnosis(NamedTuple):
+    """What happened: groups of hypotheses that no reading tells apart, the plausible first, how sure each is.
+
+    ``unknown``: the step that is farthest off where no name is given; None where there is one.
+    """
+
+    named: tuple[tuple[tuple[Hypothesis, ...], float], ...]
+    unknown: Step | None
+    wrong: tuple[Judged, ...]
+    readings: Readings | None = None
+    doubtful: tuple[Judged, ...] = ()
+
+
+def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged]) -> Diagnosis:
+    """Return what happened to a drawing."""
+    wrong = tuple(one for one in judged if one.verdict == WRONG)
+    if not wrong and not _repeated(judged):
+        return Diagnosis((), None, ())
+    readings = Readings(drawing)
+    least = _least(drawing, judged)
+    found: list[Hypothesis] = []
+    rest = _Rest()
+    for number, offered in enumerate(mistakes.boards):
+        found += _of_board(readings, offered, number, least, rest)
+    table = mistakes.boards[0].base
+    found += _of_table(readings, table)
+    said = _said(readings, mistakes, least, found, rest)
+    if not said and wrong:
+        perhaps = _perhaps(readings, found, rest)
+        said = () if perhaps is None else (perhaps,)
+    doubtful = tuple(one for one in judged if one.verdict != FINE)
+    whole = len(said) > 1 or (bool(said) and _acceptable(readings, said[0][0][0]))
+    certain = whole and said[0][1] >= SURE
+    wronged = {one.taken.key for one in doubtful}
+    off = {mark for (mark, _), taken in readings.by_mark.items() if taken.key in wronged}
+    said = tuple((tuple(sorted(group, key=partial(plausible, off=off))), at) for group, at in said)
+    return Diagnosis(said, None if certain else rest.step, wrong, readings, doubtful)
+
+
+def _said(
+    readings: Readings,
+    mistakes: Mistakes,
+    least: Mapping[tuple[Key, bool], float],
+    found: Sequence[Hypothesis],
+    rest: _Rest,
+) -> tuple[tuple[tuple[Hypothesis, ...], float], ...]:
+    """Return what is sure: one mistake, two, or one beside which something is off at one position."""
+    named = _best([one for one in found if _acceptable(readings, one)], rest)
+    if named is None or named[0][0].beyond >= REPEATED:
+        pair = _two(readings, mistakes, least, found, rest)
+        if pair is not None:
+            first, second = pair[0][0][0], pair[1][0][0]
+            if float(second.gain.sum()) > CLEAR and first.beyond - second.beyond >= REPEATED:
+                return pair
+    if named is None:
+        named = _best([one for one in found if _but_one(readings, one)], rest)
+    return () if named is None else (named,)
+
+
+def _but_one(readings: Readings, one: Hypothesis) -> bool:
+    """Whether a hypothesis passes the gate but for one position, at which something else may be off."""
+    most, worst = int(UNEXPLAINED * readings.count), int(np.argmax(one.far))
+    elsewhere = np.delete(one.gain, worst)
+    return (
+        one.lost == 0
+        and one.elsewhere <= most
+        and int((elsewhere > 1.0).sum()) >= REPEATED
+        and float(elsewhere.sum()) > CLEAR
+        and not one.instrument
+    )
+
+
+def _repeated(judged: Sequence[Judged]) -> bool:
+    """Whether one segment is doubtful so often that a hand's slips are hardly the reason."""
+    doubtful = [one.taken for one in judged if one.verdict != FINE]
+    segments = Counter((one.plan, one.segment) for one in doubtful)
+    places = Counter((one.plan, one.position) for one in doubtful)
+    return any(n >= REPEATED for n in segments.values()) or any(
+        n > REPEATED for n in places.values()
+    )
+
+
+class _Rest:
+    """What is not a name: no mistake at all, or something at a step that we do not know."""
+
+    def __init__(self) -> None:
+        self.scores = [float(np.log(NO_MISTAKE))]
+        self.step: Step | None = None
+        self.off = 0.0
+
+
+def _least(drawing: Comparison, judged: Sequence[Judged]) -> dict[tuple[Key, bool], float]:
+    """Return by how much a mistake must move each reading that is not fine."""
+    return {
+        one.taken.at: VISIBLE * drawing.by.spread[one.taken.at].rms
+        for one in judged
+        if one.verdict != FINE and one.taken.at in drawing.by.spread
+    }
+
+
+def _of_board(
+    readings: Readings,
+    offered: Offered,
+    number: int,
+    least: Mapping[tuple[Key, bool], float],
+    rest: _Rest,
+) -> Iterator[Hypothesis]:
+    rows = offered.moving(least)
+    some = [offered.mutations[k] for k in rows]
+    evidence, told = of_mutations(readings, offered.base, some, offered.plain, rows)
+    if told is not None:
+        steps = {step.it: step for step in offered.base.log.steps}
+        gains = {mark: told.unknown[mark] - told.base[mark] for mark in told.base}
+        prior = float(np.log(SOMETHING / max(1, len(gains))))
+        for mark, gain in gains.items():
+            rest.scores.append(prior + float(np.maximum(gain, 0.0).sum()))
+            if (far := float(told.off[mark].max())) > rest.off:
+                rest.off, rest.step = far, steps[mark]
+    yield from of_board(number, some, evidence, offered.shares)
+    if number == 0 or offered.made.mechanism is None:
+        free, told_free = fitted(readings, offered, offered.base, least)
+        if free:
+            yield from of_board(number, free, told_free, {"given": len(offered.free)}, fitted=True)
+
+
+def _of_table(readings: Readings, base: Board) -> Iterator[Hypothesis]:
+    drawing = readings.drawing
+    names = drawing.made.mechanism.names if drawing.made.mechanism is not None else ()
+    table = Table(drawing.rows, names or tuple(dict.fromkeys(t.position for t in drawing.rows)))
+
+    def off(k: int) -> complex:
+        taken = drawing.rows[k]
+        return taken.spot - drawing.spots.get(taken.key, taken.spot)
+
+    def apart(k: int, j: int) -> bool:
+        one, other = drawing.rows[k], drawing.rows[j]
+        if one.pointed:
+            return abs(drawing.spots[one.key] - drawing.spots[other.key]) > 1.0
+        due, before = (_due(drawing, taken) for taken in (one, other))
+        return abs(due - before) > 3.0 * drawing.by.spread[one.at].rms + 0.01 * abs(due)
+
+    scales = {
+        one.symbol: one.value for board in drawing.made.boards for one in board.scales.values()
+    }
+    varied = variations(table, drawing.scale, off, scales, apart)
+    some = [table.same(), *varied, *copied(table, apart)]
+    yield from of_table(some, of_variations(readings, base, some))
+
+
+def _due(drawing: Comparison, taken: Taken) -> float:
+    cell = drawing.due[taken.key]
+    return float((cell.mm if taken.mm is not None else cell.value) or 0.0)
+
+
+def _acceptable(readings: Readings, one: Hypothesis) -> bool:
+    """Whether a hypothesis passes the gate: it leaves few readings unexplained and draws all that was read."""
+    most = int(UNEXPLAINED * readings.count)
+    return one.lost == 0 and one.beyond <= most and float(one.gain.sum()) > 0.0
+
+
+def _best(allowed: list[Hypothesis], rest: _Rest) -> tuple[tuple[Hypothesis, ...], float] | None:
+    """Return the group of hypotheses that is sure, with how sure it is; None where none is."""
+    if not allowed:
+        return None
+    allowed.sort(key=lambda one: -one.score)
+    whole = float(np.logaddexp.reduce([*rest.scores, *(one.score for one in allowed)]))
+    return _sure(groups(allowed[:KEPT]), whole)
+
+
+def _sure(
+    found: Sequence[Sequence[Hypothesis]], whole: float
+) -> tuple[tuple[Hypothesis, ...], float] | None:
+    """Return the best group if it is sure; else it with up to two more of the same step and family."""
+    first = found[0]
+    alike = [one for one in found if at_step(one[0]) == at_step(first[0])][:MOST]
+    told: list[Hypothesis] = []
+    for group in alike:
+        told += sorted(group, key=plausible)
+        sure = float(np.exp(np.logaddexp.reduce([one.score for one in told]) - whole))
+        if sure >= SURE:
+            return tuple(told), sure
+    return None
+
+
+def _perhaps(
+    readings: Readings, found: Sequence[Hypothesis], rest: _Rest
+) -> tuple[tuple[Hypothesis, ...], float] | None:
+    """Return the likeliest mistake where it is not sure that it is one of those that we know."""
+    allowed = [one for one in found if _acceptable(readings, one) and not one.instrument]
+    if not allowed:
+        return None
+    allowed.sort(key=lambda one: -one.score)
+    known = float(np.logaddexp.reduce([one.score for one in allowed]))
+    whole = float(np.logaddexp.reduce([*rest.scores, known]))
+    group = groups(allowed[:KEPT])[0]
+    mine = float(np.logaddexp.reduce([one.score for one in group]))
+    if float(np.exp(mine - known)) < LIKELY or float(np.exp(mine - whole)) < PERHAPS:
+        return None
+    return tuple(sorted(group, key=plausible)), min(float(np.exp(mine - whole)), UNSURE)
+
+
+def at_step(one: Hypothesis) -> tuple[object, ...]:
+    """Return what is said of where and of what kind a mistake is."""
+    what = one.what
+    if not isinstance(what, Mutation):
+        return (what.family, what.kind, what.plan, what.segment)
+    return (what.family, what.at.it if what.at is not None else what.was)
+
+
+def plausible(one: Hypothesis, off: Container[Mark] = ()) -> tuple[float, ...]:
+    """Return the place of a hypothesis among those that no reading tells apart: the usual ones first.
+
+    ``off``: marks whose readings are off; what is off itself is rather wrong than what it was found from.
+    """
+    what = one.what
+    if not isinstance(what, Mutation):
+        return (what.cost - 0.5, 0.0, 0.0, 0.0)
+    odd = what.usual + (1.0 if what.wide else 0.0) - (1.0 if usual(what) else 0.0)
+    odd -= DIRECT if what.at is not None and what.at.it in off else 0.0
+    at = 0.0 if one.place is None else 1.0
+    return (odd, at, float(FAMILIES.index(what.family)), float(min(what.slots, default=0)))
+
+
+def _two(
+    readings: Readings,
+    mistakes: Mistakes,
+    least: Mapping[tuple[Key, bool], float],
+    found: Sequence[Hypothesis],
+    rest: _Rest,
+) -> tuple[tuple[tuple[Hypothesis, ...], float], ...] | None:
+    """Return two mistakes made at once: a second round on top of the best explanations of a first."""
+    single = [*rest.scores, *(one.score for one in found if _acceptable(readings, one))]
+    best: tuple[float, float, tuple[Hypothesis, ...], tuple[Hypothesis, ...]] | None = None
+    firsts = [one for one in found if one.lost == 0 and float(one.gain.sum()) > 0.0]
+    firsts = sorted((one for one in firsts if isinstance(one.what, Mutation)), key=_score)
+    for group in groups(firsts[:KEPT])[:FIRST]:
+        first = min(group, key=plausible)
+        assert isinstance(first.what, Mutation)
+        offered = mistakes.boards[first.board]
+        log, given = changed.made(offered.base.log, offered.base.given, first.what, first.place)
+        base = Board(offered.board, log, given)
+        allowed = [
+            one
+            for one in _second(readings, offered, base, first, least)
+            if _acceptable(readings, one)
+        ]
+        if not allowed:
+            continue
+        second = groups(sorted(allowed, key=_score)[:KEPT])[0]
+        score = float(np.logaddexp.reduce([one.score for one in second]))
+        whole = float(np.logaddexp.reduce([*single, *(one.score for one in allowed)]))
+        if best is None or score > best[0]:
+            pair = tuple(sorted(group, key=plausible)), tuple(sorted(second, key=plausible))
+            best = score, float(np.exp(score - whole)), *pair
+    if best is None or best[1] < SURE:
+        return None
+    return (best[2], best[1]), (best[3], best[1])
+
+
+def _score(one: Hypothesis) -> float:
+    return -one.score
+
+
+def _second(
+    readings: Readings,
+    offered: Offered,
+    base: Board,
+    first: Hypothesis,
+    least: Mapping[tuple[Key, bool], float],
+) -> list[Hypothesis]:
+    """Return hypotheses of a second mistake, scored with the first."""
+    rows = offered.moving(least)
+    slots = first.what.slots if isinstance(first.what, Mutation) else frozenset()
+    some = [one for one in (offered.mutations[k] for k in rows) if not one.slots & slots]
+    some = some if some and some[0] is NONE else [NONE, *some]
+    plain = offered.run(some, base)
+    evidence, _ = of_mutations(readings, base, some, plain, np.arange(len(some)))
+    return [
+        one._replace(score=one.score + first.score, gain=one.gain)
+        for one in of_board(first.board, some, evidence, offered.shares)
+    ]

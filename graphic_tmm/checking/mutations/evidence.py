@@ -1,0 +1,188 @@
+"""Hypotheses weighed: each by all readings, fine ones too, against the drawing as it should be."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.values import Point
+from graphic_tmm.checking.cells import Key
+from graphic_tmm.checking.judging.comparison import Comparison
+from graphic_tmm.checking.mutations import columns
+from graphic_tmm.checking.mutations.density import BEYOND
+from graphic_tmm.checking.mutations.entries import Own, Told, entry_of, weighed
+from graphic_tmm.checking.mutations.execution import Beside, executed
+from graphic_tmm.checking.mutations.figures import figures_of
+from graphic_tmm.checking.mutations.mutation import Mutation
+from graphic_tmm.checking.mutations.tables import Variation
+from graphic_tmm.checking.records import Taken
+from graphic_tmm.drawn import Drawn
+
+Array = NDArray[np.float64]
+Given = Mapping[Mark, object]
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """What hypotheses gain on the base, (hypothesis, position and, last, what has none of the mechanism's).
+
+    ``beyond``, ``lost``: how many readings each leaves unexplained, and how many it cannot draw.
+    """
+
+    gain: Array
+    beyond: Array
+    lost: Array
+
+
+@dataclass(frozen=True)
+class Board:
+    """A log as it is taken to be drawn, and what is given."""
+
+    board: Drawn
+    log: Construction
+    given: Given
+
+    @cached_property
+    def marks(self) -> tuple[Mark, ...]:
+        """Everything that it makes."""
+        return tuple(step.it for step in self.log.steps)
+
+
+class Readings:
+    """The readings of a drawing, ready to be weighed: those of marks, and those of tables."""
+
+    def __init__(self, drawing: Comparison) -> None:
+        self.drawing = drawing
+        self.found = dict(drawing.found[0])
+        last: dict[tuple[Mark, int], int] = {}
+        # links that turn alike share a mark: of what was read of it the last is the one that was taken
+        rows = enumerate(drawing.rows)
+        for k, taken in sorted(rows, key=lambda row: row[1].mm is not None):
+            step, place = drawing.step(taken), drawing.place(taken)
+            known = step is not None and (step.it, place) in drawing.by.steps
+            if known and step is not None and drawing.stands(taken, step, place):
+                last[step.it, place] = k
+        self.marked = {k: at for at, k in sorted(last.items(), key=lambda row: row[1])}
+        marked = [drawing.rows[k] for k in self.marked]
+        self.columns = columns.readings(drawing, marked)
+        self.keys = tuple(dict.fromkeys(one.at for one in self.columns))
+
+    @property
+    def count(self) -> int:
+        """How many readings there are."""
+        return len(self.marked) + len(self.columns)
+
+    @property
+    def places(self) -> int:
+        """How many positions the mechanism has."""
+        work = self.drawing.made.mechanism
+        return len(work.names) if work is not None else 0
+
+    @cached_property
+    def by_mark(self) -> Mapping[tuple[Mark, int], Taken]:
+        """The reading of a mark at a position."""
+        return {at: self.drawing.rows[k] for k, at in self.marked.items()}
+
+    def figures(self, board: Drawn, beside: Beside, rows: Any) -> dict[tuple[Key, bool], Any]:
+        """Return what tables say in some rows."""
+        if not self.keys:
+            return {}
+        return figures_of(self.drawing.made, board, beside, rows, self.keys)
+
+
+def of_mutations(
+    readings: Readings,
+    base: Board,
+    mutations: Sequence[Mutation],
+    plain: Beside,
+    rows: NDArray[np.intp],
+    scatters: Mapping[Mark, Array] | None = None,
+) -> tuple[Evidence, Any]:
+    """Return the evidence for mutations of a board; ``plain``: they executed without readings, in ``rows``."""
+    places, count = readings.places, len(mutations)
+    work = readings.drawing.made.mechanism
+    ways = [readings.figures(base.board, plain, rows)]
+    gain, beyond, lost = (np.zeros((count, places + 1)) for _ in range(3))
+    told = None
+    if work is not None and base.board is work and readings.found:
+        wanted = base.marks if readings.keys else ()
+        told = weighed(
+            readings.drawing,
+            readings.found,
+            base.log,
+            base.given,
+            mutations,
+            scatters,
+            wanted,
+        )
+        gain[:, :places] += told.gain
+        beyond[:, :places] += told.beyond
+        lost[:, :places] += told.lost
+        if readings.keys:
+            ways.append(readings.figures(base.board, told.beside, np.arange(count)))
+    for total, more in zip(
+        (gain, beyond, lost), columns.told(readings.columns, ways, count, places), strict=True
+    ):
+        total += more
+    return Evidence(gain, beyond, lost), told
+
+
+def of_variations(readings: Readings, base: Board, some: Sequence[Variation]) -> Evidence:
+    """Return the evidence for readings written down otherwise."""
+    places, count = readings.places, len(some)
+    gain, beyond, lost = (np.zeros((count, places + 1)) for _ in range(3))
+    if readings.found and readings.drawing.made.mechanism is not None:
+        _of_marks(readings, base, some, gain, beyond)
+    index = {id(taken): k for k, taken in enumerate(readings.drawing.rows)}
+    by_row = {id(one.taken): one for one in readings.columns}
+    for one in readings.columns:
+        k = index[id(one.taken)]
+        read = np.full(count, np.nan, dtype=complex)
+        for h, way in enumerate(some):
+            source = int(way.source[k])
+            if source < 0:
+                continue
+            other = by_row.get(id(readings.drawing.rows[source]))
+            if other is not None:
+                read[h] = way.factor[k] * other.found + way.plus[k]
+        base_told, _, _ = one.told(np.asarray(one.due))
+        likely, far, gone = one.told(np.asarray(one.due), read)
+        gain[:, one.place] += np.where(gone > 0, one.unknown, likely) - base_told
+        beyond[:, one.place] += far > BEYOND
+    return Evidence(gain, beyond, lost)
+
+
+def _of_marks(
+    readings: Readings, base: Board, some: Sequence[Variation], gain: Array, beyond: Array
+) -> None:
+    drawing, count, places = readings.drawing, len(some), readings.places
+    found: dict[Mark, Any] = {
+        mark: np.full((count, places), np.nan, dtype=row.dtype)
+        for mark, row in readings.found.items()
+    }
+    read = {k: readings.found[mark][0, place] for k, (mark, place) in readings.marked.items()}
+    for k, (mark, place) in readings.marked.items():
+        for h, way in enumerate(some):
+            source = int(way.source[k])
+            if source in read:
+                value = way.factor[k] * read[source] + way.plus[k]
+                found[mark][h, place] = value if mark.kind is Point else value.real
+    own = Own(drawing, found, base.log)
+    executed(base.log, base.given, (), found, own.seen)
+    right = Own(drawing, readings.found, base.log)
+    executed(base.log, base.given, (), readings.found, right.seen)
+    for mark, errors in own.base.items():
+        due = right.base[mark]
+        entry = entry_of(drawing, mark, due[:, 0], readings.found[mark][0], None)
+        if entry is None:
+            continue
+        told = Told(entry)
+        likely, far, gone = told.rows(np.broadcast_to(errors, (errors.shape[0], count, places)))
+        gain[:, :places] += np.where(gone > 0, told.unknown, likely) - told.likely
+        beyond[:, :places] += far > BEYOND

@@ -1,0 +1,135 @@
+"""What is given, taken amiss: everything that is calculated or drawn with it goes on with the wrong one.
+
+Two lengths exchanged, a crank turned the other way or counted from elsewhere, turns a minute for rad/s, a
+length misread. How much a given was misread by is free: it is found from the readings.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+
+from graphic_tmm.board import roles
+from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.values import Angle, Length, Number
+from graphic_tmm.checking.mutations.grammar import BY_UNIT, POWERS_OF_TEN
+from graphic_tmm.checking.mutations.mutation import (
+    CRANK,
+    EXCHANGED,
+    FACTOR,
+    GIVEN,
+    SENSE,
+    WRONG_END,
+    Amiss,
+    Mutation,
+)
+from graphic_tmm.checking.mutations.words import (
+    COUNTED,
+    EXCHANGED_GIVEN,
+    GIVEN_TIMES,
+    OPPOSITE_GIVEN,
+    OTHER_END,
+    OTHER_WAY,
+)
+
+Given = Mapping[Mark, object]
+SENSED = ("1/s", "1/s²", "N", "N·m")
+"""Units of what has a sense; a length has one only where it is a coordinate, and below zero."""
+
+
+def mistaken(log: Construction, given: Given) -> Iterator[Mutation]:
+    """Yield what becomes of a log if what is given is taken amiss; what is free is in `free`."""
+    for marks in _named(log, given).values():
+        yield from _of(marks, given[marks[0]])
+    yield from _exchanged(log, given)
+
+
+def free(log: Construction, given: Given) -> tuple[tuple[Mark, ...], ...]:
+    """Return what may have been misread: lengths, masses, speeds, none of them 0; not scale factors.
+
+    Each as the marks that stand for it in the plans where it is calculated with.
+    """
+    return tuple(
+        tuple(marks)
+        for marks in _named(log, given).values()
+        if marks[0].role != roles.CRANK_ANGLE and np.all(np.asarray(given[marks[0]]) != 0.0)
+    )
+
+
+def _named(log: Construction, given: Given) -> dict[tuple[str, str], list[Mark]]:
+    """Return the marks of quantities that are given, by letter and unit; the angles of the crank, too."""
+    found: dict[tuple[str, str], list[Mark]] = {}
+    for mark in log.given:
+        angle = mark.role == roles.CRANK_ANGLE
+        size = mark.kind in (Number, Length) and bool(mark.unit) and not mark.unit.endswith("/mm")
+        size = size or (mark.kind is Angle and bool(mark.name))
+        if mark in given and (angle or (size and _single(given[mark]))):
+            found.setdefault((mark.name, mark.unit), []).append(mark)
+    return found
+
+
+def _from_other_end(
+    one: Sequence[Mark], other: Sequence[Mark], first: float, second: float
+) -> Iterator[Mutation]:
+    """Yield the shorter of two lengths of a link as if it were counted from the other end of the longer."""
+    short, long = (one, other) if abs(first) < abs(second) else (other, one)
+    begins = (re.match(r"l_\{?(\D)", marks[0].name) for marks in (short, long))
+    letters = [found[1] if found else "" for found in begins]
+    if letters[0] and letters[0] == letters[1]:
+        whole = max(first, second, key=abs)
+        yield _all(WRONG_END, OTHER_END, short, -1.0, whole, now=long[0])
+
+
+def _single(value: object) -> bool:
+    return not isinstance(value, tuple) and np.size(np.asarray(value)) == 1
+
+
+def misread(marks: Sequence[Mark], factor: float) -> Mutation:
+    """Return the mutation of a given that was taken so many times as large."""
+    return _all(GIVEN, GIVEN_TIMES, marks, factor, times=factor, usual=2.0)
+
+
+def _all(
+    family: str, says: str, marks: Sequence[Mark], factor: float, plus: float = 0.0, **told: Any
+) -> Mutation:
+    amiss = {mark.slot: Amiss(mark, factor, plus) for mark in marks}
+    return Mutation(family, says, {}, amiss, was=marks[0], **told)
+
+
+def _of(marks: Sequence[Mark], value: object) -> Iterator[Mutation]:
+    if marks[0].role == roles.CRANK_ANGLE:
+        yield _all(CRANK, OTHER_WAY, marks, -1.0)
+        for plus in (180.0, 90.0, -90.0, *_interval(value)):
+            yield _all(CRANK, COUNTED, marks, 1.0, plus, times=plus)
+        return
+    if marks[0].unit in SENSED or np.all(np.asarray(value) < 0.0):
+        yield _all(SENSE, OPPOSITE_GIVEN, marks, -1.0)
+    for factor in (2.0, 0.5, *POWERS_OF_TEN, *BY_UNIT.get(marks[0].unit, ())):
+        yield _all(FACTOR, GIVEN_TIMES, marks, factor, times=factor)
+
+
+def _interval(value: object) -> tuple[float, ...]:
+    """Return by how far positions are apart, forwards and backwards, degrees: one number further or too few."""
+    row = np.ravel(np.asarray(value, dtype=np.float64))
+    steps = np.diff(row)
+    step = float(np.median(steps)) if steps.size else 0.0
+    return (step, -step) if step else ()
+
+
+def _exchanged(log: Construction, given: Given) -> Iterator[Mutation]:
+    for one, other in combinations(free(log, given), 2):
+        if one[0].unit != other[0].unit:
+            continue
+        first, second = (np.asarray(given[marks[0]]) for marks in (one, other))
+        if np.abs(first) == np.abs(second):
+            continue
+        amiss = {mark.slot: Amiss(other[0]) for mark in one}
+        amiss |= {mark.slot: Amiss(one[0]) for mark in other}
+        yield from _from_other_end(
+            one, other, float(np.ravel(first)[0]), float(np.ravel(second)[0])
+        )
+        yield Mutation(EXCHANGED, EXCHANGED_GIVEN, {}, amiss, was=one[0], now=other[0])

@@ -1,0 +1,350 @@
+"""The grammar of mistakes: what a student may do instead of each step, read off its operation and its marks.
+
+A new operation brings its mistakes with it: another mark of the same kind for each that it uses, the marks
+of two arguments exchanged, the other sense, the other meeting; a formula brings what its text can be made
+into. What a step may be mistaken for hangs on kinds, units, views and roles alone.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from graphic_tmm.board import roles
+from graphic_tmm.board.grammar import Operation
+from graphic_tmm.board.operations.instruments import (
+    lay_off,
+    measure_along,
+    parallel,
+    similar,
+    square,
+)
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Side
+from graphic_tmm.checking.mutations import words
+from graphic_tmm.checking.mutations.formulas import is_product, otherwise, with_sense
+from graphic_tmm.checking.mutations.mutation import (
+    DIRECTION,
+    FACTOR,
+    LEFT_OUT,
+    MEETING,
+    MIRRORED,
+    POWER,
+    PREVIOUS,
+    SCALE,
+    SENSE,
+    WRONG_END,
+    Change,
+    Mutation,
+)
+
+Key = tuple[Any, ...]
+"""By what mutations of several steps are of one kind: made everywhere, they are one mistake."""
+POWERS_OF_TEN = (10.0, 0.1, 100.0, 0.01, 1000.0, 0.001)
+BY_UNIT: Mapping[str, tuple[float, ...]] = {
+    "1/s": (np.pi / 30.0, 30.0 / np.pi, np.pi / 180.0, 180.0 / np.pi, 2.0 * np.pi, 0.5 / np.pi),
+    "1/s²": (np.pi / 180.0, 180.0 / np.pi),
+    "°": (np.pi / 180.0, 180.0 / np.pi),
+    "N": (9.81, 1.0 / 9.81),
+    "N·m": (9.81, 1.0 / 9.81),
+}
+"""Factors that units are mistaken by: turns a minute, degrees, kilograms of force."""
+UNUSUAL = 3.0
+"""A mark squared that is not, or a scale factor doubled, is this much less usual than what is left out."""
+
+
+def mutations(log: Construction, wanted: Iterable[Step] | None = None) -> Iterator[Mutation]:
+    """Yield the mutations of the steps of a log: each step's own, then those that every step of a kind has.
+
+    ``wanted``: steps to mutate; None for all.
+    """
+    scope = _Scope(log)
+    together: dict[Key, list[Mutation]] = defaultdict(list)
+    for step in log.steps if wanted is None else wanted:
+        for key, one in _of(step, scope):
+            yield one
+            if key:
+                together[key].append(one)
+    for some in together.values():
+        plans: dict[str, list[Mutation]] = defaultdict(list)
+        for one in some:
+            plans[one.at.it.view if one.at is not None else ""].append(one)
+        every = [some] if len(plans) > 1 else []
+        for alike in (*every, *plans.values()):
+            if len(alike) > 1:
+                changes = {slot: change for one in alike for slot, change in one.changes.items()}
+                yield alike[0]._replace(changes=changes, wide=True)
+
+
+def late(log: Construction) -> Construction:
+    """Return a log whose readings of the ruler are taken as late as they can be: when the plan stands.
+
+    Another point may be taken for the right one then, if only it does not hang on what is measured.
+    """
+    waiting = list(log.steps)
+    known = {mark.slot for mark in log.given}
+    found: list[Step] = []
+    while waiting:
+        held: list[Step] = []
+        for step in waiting:
+            ready = all(mark.slot in known for mark in step.uses)
+            if ready and not step.op.reads:
+                known.add(step.it.slot)
+                found.append(step)
+            else:
+                held.append(step)
+        read = [s for s in held if s.op.reads and all(m.slot in known for m in s.uses)]
+        known |= {step.it.slot for step in read}
+        found += read
+        taken = {step.it.slot for step in read}
+        waiting = [step for step in held if step.it.slot not in taken]
+    return log._replace(steps=tuple(found))
+
+
+class _Scope:
+    """What marks there are of a kind, view by view, as the log makes them."""
+
+    def __init__(self, log: Construction) -> None:
+        self.steps = {step.it.slot: step for step in log.steps}
+        self.of: dict[tuple[Any, str], list[Mark]] = defaultdict(list)
+        self.alike: dict[str, list[Mark]] = defaultdict(list)
+        for mark in (*log.given, *(step.it for step in log.steps)):
+            self.of[mark.kind, mark.view].append(mark)
+            if mark.kind is Number and mark.unit:
+                self.alike[mark.unit].append(mark)
+        self.scales = [mark for mark in log.given if _is_scale(mark)]
+        made = {step.it.slot: k for k, step in enumerate(log.steps)}
+        self.turn = {mark.slot: made.get(mark.slot, -1) for row in self.of.values() for mark in row}
+
+    def others(self, mark: Mark, it: Mark) -> list[Mark]:
+        """Return the marks that may be taken for one where another is made; those that are there before."""
+        before, view = self.turn[it.slot], it.view
+        if mark.kind is Number:
+            found = self.alike[mark.unit] if mark.unit else []
+        else:
+            found = self.of[mark.kind, mark.view]
+            if mark.kind is Line and view != mark.view:
+                found = [*found, *self.of[mark.kind, view]]
+        return [one for one in found if self.turn[one.slot] < before and one.slot != mark.slot]
+
+    def step(self, mark: Mark) -> Step | None:
+        return self.steps.get(mark.slot)
+
+
+def _is_scale(mark: Mark) -> bool:
+    return mark.kind is Number and mark.unit.endswith("/mm")
+
+
+def _of(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+    for read in (_operands, _before, _exchanged, _directions, _meetings, _formulas, _factors):
+        yield from read(step, scope)
+
+
+def _one(step: Step, family: str, says: str, change: Change, **told: Any) -> Mutation:
+    return Mutation(family, says, {step.it.slot: change}, {}, step, **told)
+
+
+def _with(step: Step, k: int, mark: Mark) -> Step:
+    return step._replace(uses=(*step.uses[:k], mark, *step.uses[k + 1 :]))
+
+
+def _operands(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+    """Another mark of the same kind is taken."""
+    for k, was in enumerate(step.uses):
+        if was.kind not in (Point, Line, Length, Number, Angle, Arc):
+            continue
+        family, says = words.operand(step, k, scale=_is_scale(was))
+        for now in scope.others(was, step.it):
+            if now in step.uses and was.kind is Point and len(step.uses) <= 3:
+                continue
+            other = Change(_with(step, k, now))
+            if step.op is measure_along and was.kind is Point:
+                apart = step._replace(op=_apart(step.op), uses=(*other.step.uses, *step.uses[:2]))
+                other = Change(apart)
+            if is_product(step.op) and was.kind in (Length, Number):
+                uses = (*other.step.uses, *step.uses)
+                other = Change(step._replace(op=with_sense(step.op, step.op), uses=uses))
+            usual = 1.0 if now.view == was.view else UNUSUAL
+            yield (), _one(step, family, says, other, was=was, now=now, usual=usual)
+
+
+def _before(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+    """What it uses is that of the position before."""
+    if step.op.across:
+        return
+    for k, was in enumerate(step.uses):
+        if was.kind in (Line, Length):
+            made = scope.step(was)
+            if made is not None:
+                usual = 1.0 if was.kind is Line else UNUSUAL
+                told = {"was": was, "usual": usual}
+                yield (), _one(step, PREVIOUS, words.BEFORE, Change(step, before=k), **told)
+
+
+def _exchanged(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+    """Two marks of one kind are taken for one another."""
+    if step.op is similar or step.op.across or step.op.formula:
+        pairs: Iterable[tuple[int, int]] = ((0, 1), (2, 3)) if step.op is similar else ()
+    elif step.it.kind is Line and step.op.takes.count(Point) == 2:
+        first, second = (k for k, kind in enumerate(step.op.takes) if kind is Point)
+        pairs = ((first, second),)
+    else:
+        pairs = ()
+    for j, k in pairs:
+        uses = list(step.uses)
+        uses[j], uses[k] = uses[k], uses[j]
+        change = Change(step._replace(uses=tuple(uses)))
+        family = WRONG_END if step.op is similar else SENSE
+        key = (family, step.op.name, j) if step.it.role != roles.INERTIA else (roles.INERTIA,)
+        says = words.LETTERS if step.op is similar else words.SENSE
+        yield key, _one(step, family, says, change, was=step.uses[j], now=step.uses[k])
+    if step.op is similar:
+        change = Change(step._replace(op=_mirrored(step.op)))
+        yield (MIRRORED, "similar"), _one(step, MIRRORED, words.MIRRORED, change)
+
+
+@cache
+def _apart(op: Operation) -> Operation:
+    """Return the operation of measuring another distance than that along a line, with the sense of that."""
+
+    def run(start: Any, end: Any, on: Any, first: Any, last: Any) -> Any:
+        return np.abs(end - start) * np.sign(op.run(first, last, on))
+
+    return op._replace(run=run)
+
+
+@cache
+def _mirrored(op: Operation) -> Operation:
+    def run(base_a: Any, base_b: Any, A: Any, B: Any, S: Any) -> Any:
+        return base_a + (base_b - base_a) * np.conj((S - A) / (B - A))
+
+    return op._replace(run=run)
+
+
+def _directions(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+    """A parallel is drawn for a square and the other way round; the sense is the other one."""
+    if "sense" in step.choice:
+        sense = step.choice["sense"]
+        turned = Change(step._replace(choice={**step.choice, "sense": -sense}))
+        normal = step.it.role == roles.NORMAL
+        family = WRONG_END if normal else SENSE
+        key: Key = (family, step.it.role) if normal else ()
+        says = words.WRONG_END if normal else words.SENSE
+        yield key, _one(step, family, says, turned)
+    if step.op in (parallel, square):
+        other = square if step.op is parallel else parallel
+        says = words.SQUARE if other is square else words.PARALLEL
+        for sense in (1, -1):
+            change = Change(step._replace(op=other, choice={"sense": sense}))
+            yield (), _one(step, DIRECTION, says, change, was=step.uses[1])
+    if "quarters" in step.choice:
+        for quarters in (1, 2, 3):
+            change = Change(
+                step._replace(choice={"quarters": (step.choice["quarters"] + quarters) % 4})
+            )
+            yield (DIRECTION, step.op.name, quarters), _one(step, DIRECTION, words.TURNED, change)
+    if step.it.kind is Line and step.op not in (parallel, square):
+        for quarters in (1, 2, 3):
+            change = Change(step._replace(op=_turned(step.op, quarters)))
+            yield (), _one(step, DIRECTION, words.TURNED, change, usual=UNUSUAL)
+    if step.op is lay_off:
+        for factor in (2.0, 0.5):
+            change = Change(step._replace(op=_times(step.op, factor)))
+            told = {"was": step.uses[1], "times": factor}
+            yield (), _one(step, FACTOR, words.LAID_TIMES, change, **told)
+        change = Change(step._replace(op=_backwards(step.op)))
+        says = words.SENSE if step.uses[0].role != roles.NORMAL else words.WRONG_END
+        yield (), _one(step, SENSE, says, change, was=step.uses[1])
+        nothing = Change(step._replace(op=_not_at_all(step.op)))
+        told = {"was": step.uses[1], "usual": 1.5}
+        yield (), _one(step, LEFT_OUT, words.LEFT_OUT, nothing, **told)
+
+
+@cache
+def _turned(op: Operation, quarters: int) -> Operation:
+    def run(*values: Any, **choice: Any) -> Any:
+        line = op.run(*values, **choice)
+        return Line(line.at, line.along * 1j**quarters)
+
+    return op._replace(run=run)
+
+
+@cache
+def _times(op: Operation, factor: float) -> Operation:
+    return op._replace(run=lambda on, length: op.run(on, factor * length))
+
+
+@cache
+def _backwards(op: Operation) -> Operation:
+    return op._replace(run=lambda on, length: op.run(on, -length))
+
+
+@cache
+def _not_at_all(op: Operation) -> Operation:
+    return op._replace(run=lambda on, length: op.run(on, 0.0 * length))
+
+
+def _meetings(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+    """Of two meetings the other one is marked."""
+    for k, kind in enumerate(step.op.takes):
+        if kind is Side:
+            change = Change(step._replace(op=_other_side(step.op, k)))
+            yield (), _one(step, MEETING, words.MEETING, change)
+
+
+@cache
+def _other_side(op: Operation, side: int) -> Operation:
+    run: Callable[..., Any] = op.run
+    return op._replace(run=lambda *v, **c: run(*v[:side], -v[side], *v[side + 1 :], **c))
+
+
+def _formulas(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+    """It is calculated by another formula."""
+    by = dict(zip(step.op.arguments, step.uses, strict=True))
+    for one in otherwise(step.op):
+        marks = [by[name] for name in one.touched]
+        only_scales = bool(marks) and all(map(_is_scale, marks))
+        family = SCALE if only_scales else one.family
+        squared = one.op.formula.count("²") > step.op.formula.count("²")
+        odd = family == LEFT_OUT and len(one.touched) > 1
+        turned = only_scales or (any(map(_is_scale, marks)) and family == POWER)
+        usual = UNUSUAL if squared or odd or turned else 1.0
+        change = Change(step._replace(op=one.op))
+        if is_product(step.op) and one.family != SENSE:
+            change = Change(step._replace(op=with_sense(one.op, step.op)))
+        key = (family, step.op.name, one.op.formula)
+        told = {"formula": one.op.formula, "usual": usual}
+        yield key, _one(step, family, words.FORMULA, change, **told)
+    scales = [(k, m) for k, m in enumerate(step.uses) if _is_scale(m)]
+    for k, was in scales:
+        for now in scope.scales:
+            if now.unit != was.unit and now.name != was.name and step.op.formula:
+                change = Change(_with(step, k, now))
+                yield (), _one(step, SCALE, words.SCALE, change, was=was, now=now)
+
+
+def _factors(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+    """What is calculated is so many times too large; nothing of it is left; its sign is the other one."""
+    if step.it.kind not in (Length, Number) or not step.op.formula or step.op.across:
+        return
+    unit = step.it.unit
+    for factor in (2.0, 0.5, *POWERS_OF_TEN, *BY_UNIT.get(unit, ())):
+        usual = 1.0 if factor in (2.0, 0.5) else 2.0
+        change = Change(step, factor=factor)
+        of = (FACTOR, step.op.name, factor)
+        yield of, _one(step, FACTOR, words.FACTOR, change, times=factor, usual=usual)
+    yield (LEFT_OUT, step.op.name), _one(step, LEFT_OUT, words.LEFT_OUT, Change(step, factor=0.0))
+    key: Key = (roles.INERTIA,) if step.it.role == roles.INERTIA else (SENSE, step.op.name)
+    yield key, _one(step, SENSE, words.SENSE, Change(step, factor=-1.0))
+
+
+def count(some: Sequence[Mutation]) -> dict[str, int]:
+    """Return how many mutations there are of each family."""
+    found: dict[str, int] = defaultdict(int)
+    for one in some:
+        found[one.family] += 1
+    return dict(found)

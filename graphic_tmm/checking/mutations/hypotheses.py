@@ -1,0 +1,145 @@
+"""Hypotheses: nothing beyond the hand, an instrument, a mistake of a family, something that we do not know."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from graphic_tmm.checking.mutations.evidence import Evidence
+from graphic_tmm.checking.mutations.mutation import FAMILIES, PREVIOUS, Mutation
+from graphic_tmm.checking.mutations.tables import Variation
+from graphic_tmm.checking.records import INSTRUMENT
+
+Array = NDArray[np.float64]
+NO_MISTAKE, SOMETHING, INSTRUMENTS, KNOWN = 0.6, 0.1, 0.05, 0.25
+"""What is expected beforehand: most drawings hold no mistake; of the others the known ones are most."""
+EVERYWHERE = 0.75
+"""A mistake is made wherever it can be in three of four drawings, else in one position; what is taken from the
+position before rather once."""
+FITTED = 4.5
+"""What a free number costs that is found from the readings: it may be any of some hundred (logarithm)."""
+UNEXPLAINED = 0.03
+"""No name is given that leaves a larger share of the readings beyond what a hand does."""
+ALIKE = 0.5
+"""Mistakes whose likelihoods differ by no more at any position (natural logarithm) no reading tells apart."""
+
+
+class Hypothesis(NamedTuple):
+    """A hypothesis weighed: what is mutated (or how the table was written), where, what speaks for it.
+
+    ``place``: at one position only (its index); ``score``: the logarithm of how likely it is beforehand and
+    by the readings, that of no mistake being `NO_MISTAKE`'s; ``gain``: (position,) of the readings;
+    ``beyond``, ``lost``: how many readings it leaves unexplained, how many it cannot draw.
+    """
+
+    what: Mutation | Variation
+    board: int
+    place: int | None
+    score: float
+    gain: Array
+    beyond: int
+    lost: int
+    far: Array
+
+    @property
+    def elsewhere(self) -> int:
+        """How many readings it leaves unexplained but in the worst position: there may be a slip beside it."""
+        return self.beyond - int(self.far.max(initial=0.0))
+
+    @property
+    def instrument(self) -> bool:
+        """Whether it is no mistake, but an instrument that is off."""
+        return isinstance(self.what, Variation) and self.what.kind == INSTRUMENT
+
+
+def of_board(
+    board: int,
+    some: Sequence[Mutation],
+    evidence: Evidence,
+    shares: Mapping[str, float],
+    *,
+    fitted: bool = False,
+) -> Iterator[Hypothesis]:
+    """Yield the hypotheses that mutations make, everywhere and at one position; the first row is the base."""
+    for row, one in enumerate(some):
+        if not one.family:
+            continue
+        share = KNOWN / len(FAMILIES) / (shares.get(one.family, 1.0) or 1.0) / one.usual
+        prior = float(np.log(share)) - (FITTED if fitted else 0.0)
+        yield from _scoped(one, board, row, prior, evidence)
+
+
+def of_table(some: Sequence[Variation], evidence: Evidence) -> Iterator[Hypothesis]:
+    """Yield the hypotheses that a table written down otherwise makes; the first row is the base."""
+    off = sum(one.kind == INSTRUMENT for one in some) or 1
+    cost = sum(1.0 / one.cost for one in some[1:] if one.kind != INSTRUMENT) or 1.0
+    for row, one in enumerate(some):
+        if row == 0:
+            continue
+        known = KNOWN / len(FAMILIES) / cost / one.cost
+        prior = INSTRUMENTS / off if one.kind == INSTRUMENT else known
+        total = float(evidence.gain[row].sum())
+        yield Hypothesis(
+            one,
+            -1,
+            None,
+            float(np.log(prior)) + total,
+            evidence.gain[row],
+            int(evidence.beyond[row].sum()),
+            0,
+            evidence.beyond[row],
+        )
+
+
+def _scoped(
+    one: Mutation, board: int, row: int, prior: float, evidence: Evidence
+) -> Iterator[Hypothesis]:
+    gain, beyond, lost = evidence.gain[row], evidence.beyond, evidence.lost[row]
+    total = float(gain.sum())
+    everywhere = 1.0 - EVERYWHERE if one.family == PREVIOUS else EVERYWHERE
+    yield Hypothesis(
+        one,
+        board,
+        None,
+        prior + float(np.log(everywhere)) + total,
+        gain,
+        int(beyond[row].sum()),
+        int(lost.sum()),
+        beyond[row],
+    )
+    places = np.flatnonzero(gain[:-1])
+    if places.size < 2 or not one.changes:
+        return
+    place = int(places[np.argmax(gain[places])])
+    single = np.zeros_like(gain)
+    single[place] = gain[place]
+    one_of = float(np.log((1.0 - everywhere) / places.size))
+    far = beyond[0].copy()
+    far[place] = beyond[row, place]
+    score = prior + one_of + float(gain[place])
+    yield Hypothesis(one, board, place, score, single, int(far.sum()), int(lost[place]), far)
+
+
+def groups(some: Sequence[Hypothesis]) -> list[list[Hypothesis]]:
+    """Return hypotheses that no reading tells apart together, the best group first."""
+    found: list[list[Hypothesis]] = []
+    for one in sorted(some, key=lambda h: -h.score):
+        for group in found:
+            if same(group[0], one):
+                group.append(one)
+                break
+        else:
+            found.append([one])
+    return found
+
+
+def same(one: Hypothesis, other: Hypothesis) -> bool:
+    """Whether no reading tells two hypotheses apart."""
+    return bool(
+        one.beyond == other.beyond
+        and one.instrument == other.instrument
+        and np.all(np.abs(one.gain - other.gain) <= ALIKE)
+    )

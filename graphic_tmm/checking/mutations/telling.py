@@ -1,0 +1,204 @@
+"""What is told of a diagnosis: each finding by its name and a sentence on this very step, with its letters."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from graphic_tmm.board.findings import step_number
+from graphic_tmm.board.naming import segment_name
+from graphic_tmm.board.record import Mark
+from graphic_tmm.captions import view_name
+from graphic_tmm.checking.judging.comparison import Comparison
+from graphic_tmm.checking.mutations.diagnosis import SURE, Diagnosis
+from graphic_tmm.checking.mutations.hypotheses import Hypothesis
+from graphic_tmm.checking.mutations.mutation import Mutation
+from graphic_tmm.checking.mutations.names import BY_FAMILY, INSTRUMENT, name_of
+from graphic_tmm.checking.mutations.shown import explained, shown_at
+from graphic_tmm.checking.mutations.tables import Variation
+from graphic_tmm.checking.records import (
+    INSTRUMENT as OFF,
+)
+from graphic_tmm.checking.records import MISTAKE, SLIP, UNKNOWN, Judged, Likely
+from graphic_tmm.language.catalogue import Speech, speaking
+from graphic_tmm.language.names import spoken
+from graphic_tmm.language.numbers import number
+from graphic_tmm.language.said import said
+from graphic_tmm.readers.sentences import letters_of
+
+ON_STEP = said("{plan}, step {step}: {told}")
+AT_POSITION = said("{told}, at position {position} only")
+EVERY = said("{told}; in every such step")
+UNKNOWN_NAME = said("no known mistake")
+UNKNOWN_SAYS = said("no known mistake explains what is wrong: look at {plan}, step {step}: {it}")
+UNKNOWN_BARE = said("no known mistake explains what is wrong")
+SLIP_NAME = said("slip of a reading")
+SLIP_SAYS = said("only {segment} is off: this reading was read or written down amiss")
+SLIP_TEN = said("only {segment} is off: its decimal point has perhaps slipped")
+MOST = 3
+"""So many mistakes at the most are told of those that no reading tells apart."""
+TENFOLD = 0.05
+"""So near (as a share) to ten or a hundred times too much a reading is perhaps a slipped decimal point."""
+
+
+def told(diagnosis: Diagnosis, drawing: Comparison, language: str) -> tuple[Likely, ...]:
+    """Return what is told of a diagnosis, the surest first."""
+    speech = speaking(language)
+    roots = [one for one in diagnosis.wrong if one.follows is None]
+    alone = len({one.taken.key for one in roots}) == 1
+    sure = [row for row in diagnosis.named if row[1] >= SURE]
+    if alone and not sure and _tenfold(roots[0]):
+        return (_slip(roots, speech),)
+    found = [_named(group, chance, diagnosis, drawing, speech) for group, chance in diagnosis.named]
+    if (found and (diagnosis.unknown is None or not sure)) or not diagnosis.wrong:
+        return tuple(found)
+    rest = _slip(roots, speech) if alone else _unknown(diagnosis, drawing, speech)
+    return (*found, rest)
+
+
+def _named(
+    group: Sequence[Hypothesis],
+    sure: float,
+    diagnosis: Diagnosis,
+    drawing: Comparison,
+    speech: Speech,
+) -> Likely:
+    first, wrong = group[0], diagnosis.wrong
+    says = list(dict.fromkeys(_says(one, drawing, speech) for one in group))
+    lines = explained(first, diagnosis, drawing)
+    what = first.what
+    names = drawing.made.mechanism.names if drawing.made.mechanism is not None else ()
+    position = names[first.place] if first.place is not None else ""
+    if isinstance(what, Variation):
+        name = INSTRUMENT if what.kind == OFF else BY_FAMILY[what.family]
+        return Likely(
+            speech(name),
+            says[0],
+            lines,
+            len(wrong),
+            0.0,
+            tuple(says[1:MOST]),
+            what.kind,
+            what.family,
+            what.plan,
+            what.segment,
+            what.position,
+            "",
+            sure,
+        )
+    mark = what.at.it if what.at is not None else what.was
+    plan, segment = shown_at(first, diagnosis, drawing)
+    return Likely(
+        speech(name_of(what)),
+        says[0],
+        lines,
+        len(wrong),
+        0.0,
+        tuple(says[1:MOST]),
+        MISTAKE,
+        what.family,
+        plan,
+        segment,
+        position,
+        mark.letter if mark is not None and plan else "",
+        sure,
+    )
+
+
+def _says(one: Hypothesis, drawing: Comparison, speech: Speech) -> str:
+    """Return the sentence of a hypothesis."""
+    what, language = one.what, speech.language
+    if isinstance(what, Variation):
+        words = {k: _word(v, speech) for k, v in what.told.items()}
+        return speech(what.says, **words)
+    log = drawing.made.boards[one.board].construction
+    sentence = _sentence(what, language, speech)
+    if what.at is not None:
+        sentence = speech(
+            ON_STEP,
+            plan=view_name(what.at.it.view, language),
+            step=step_number(log, what.at),
+            told=sentence,
+        )
+    if what.wide:
+        sentence = speech(EVERY, told=sentence)
+    if one.place is not None and drawing.made.mechanism is not None:
+        position = drawing.made.mechanism.names[one.place]
+        sentence = speech(AT_POSITION, told=sentence, position=position)
+    return sentence
+
+
+def _word(value: object, speech: Speech) -> str:
+    if isinstance(value, (int, float)):
+        return number(float(value), speech.language)
+    return speech(str(value)) if isinstance(value, str) else str(value)
+
+
+def _sentence(what: Mutation, language: str, speech: Speech) -> str:
+    words = {"times": number(what.times, language), "was": "", "now": "", "it": "", "formula": ""}
+    for name, mark in (("was", what.was), ("now", what.now)):
+        if mark is not None:
+            words[name] = _called(mark, language)
+    if what.at is not None:
+        words["it"] = _called(what.at.it, language)
+        if what.formula:
+            letters = letters_of(what.at, lambda mark: _called(mark, language))
+            words["formula"] = what.formula.format(**letters)
+    return speech(what.says, **words)
+
+
+def _called(mark: Mark, language: str) -> str:
+    return spoken(mark, language) or view_name(mark.view, language)
+
+
+def _slip(wrong: Sequence[Judged], speech: Speech) -> Likely:
+    one = wrong[0]
+    tenfold = _tenfold(one)
+    says = speech(SLIP_TEN if tenfold else SLIP_SAYS, segment=one.taken.segment)
+    lines = tuple(dict.fromkeys(each.taken.line for each in wrong))
+    return Likely(
+        speech(SLIP_NAME),
+        says,
+        lines,
+        len(wrong),
+        0.0,
+        kind=SLIP,
+        family="table" if tenfold else "",
+        plan=one.taken.plan,
+        segment=one.taken.segment,
+        position=one.taken.position,
+        step=one.step,
+        chance=1.0,
+    )
+
+
+def _tenfold(one: Judged) -> bool:
+    """Whether a reading is ten or a hundred times too large or too small."""
+    times = abs(one.found / one.due) if one.due else 1.0
+    return any(abs(times / ten - 1.0) < TENFOLD for ten in (10.0, 0.1, 100.0, 0.01))
+
+
+def _unknown(diagnosis: Diagnosis, drawing: Comparison, speech: Speech) -> Likely:
+    lines = tuple(one.taken.line for one in diagnosis.wrong)
+    step, language = diagnosis.unknown, speech.language
+    name, count = speech(UNKNOWN_NAME), len(diagnosis.wrong)
+    if step is None or drawing.made.mechanism is None:
+        one = diagnosis.wrong[0].taken
+        says = speech(UNKNOWN_BARE)
+        return Likely(name, says, (), count, 1.0, kind=UNKNOWN, plan=one.plan, segment=one.segment)
+    says = speech(
+        UNKNOWN_SAYS,
+        plan=view_name(step.it.view, language),
+        step=step_number(drawing.made.mechanism.construction, step),
+        it=_called(step.it, language),
+    )
+    return Likely(
+        name,
+        says,
+        lines[:0],
+        count,
+        1.0,
+        kind=UNKNOWN,
+        plan=step.it.view,
+        segment=segment_name(step.it.letter),
+        step=step.it.letter,
+    )

@@ -1,0 +1,178 @@
+"""Readings by the names of their scene: what was typed otherwise is mended, and told where it may matter."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from graphic_tmm.captions import view_name
+from graphic_tmm.checking.cells import Cell, Key, pointed
+from graphic_tmm.checking.readings.names import (
+    SILENT,
+    Aliases,
+    Meant,
+    meant,
+    plan_meant,
+    position_meant,
+    segments_of,
+)
+from graphic_tmm.checking.readings.poles import from_poles
+from graphic_tmm.checking.readings.twice import twice
+from graphic_tmm.checking.readings.writing import result_columns
+from graphic_tmm.checking.records import Taken
+from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.errors import Fault
+from graphic_tmm.language.catalogue import Speech, speaking
+from graphic_tmm.language.said import Said, joined, said
+from graphic_tmm.readers.table import scene_columns, scene_results
+
+_LISTED = 6
+"""So many lines are listed in a note."""
+_HOW = {
+    "turned": said('"{typed}" was read as {meant}, of the same length ({plan}; line {lines})'),
+    "case": said('"{typed}" was read as {meant} ({plan}; line {lines})'),
+    "look-alikes": said(
+        '"{typed}" was read as {meant}: it has Cyrillic letters that look like others ({plan}; '
+        "line {lines})"
+    ),
+    "lost": said(
+        '"{typed}" was read as {meant}: letters were lost where the file was saved; save it as '
+        "UTF-8 or xlsx ({plan}; line {lines})"
+    ),
+    "pole": said(
+        '"{typed}" was read as {meant}: the pole of this plan is π ({plan}; line {lines})'
+    ),
+}
+"""What is said of a name that was mended, by how it was found."""
+
+
+class Names(NamedTuple):
+    """What a scene calls things: its plans, and by plan the segments, points, positions and pole (a letter)."""
+
+    plans: tuple[str, ...]
+    segments: Mapping[str, Aliases]
+    points: Mapping[str, Aliases]
+    positions: Mapping[str, tuple[str, ...]]
+    poles: Mapping[str, str]
+
+
+class Mend(NamedTuple):
+    """A name that was mended: its plan, as it was typed, what it means, and how it was found."""
+
+    plan: str
+    typed: str
+    meant: str
+    how: str
+
+
+def mended(
+    made: DrawnScene,
+    parts: Sequence[Taken],
+    due: Mapping[Key, Cell],
+    spots: Mapping[Key, complex],
+) -> tuple[tuple[Taken, ...], tuple[str, ...], tuple[Fault, ...]]:
+    """Return readings by the names of their scene, notes on what was mended, and what may mean several things.
+
+    Names that mean nothing stay as they were typed.
+
+    Parameters
+    ----------
+    parts : sequence of Taken
+        Each of one kind of figure: mm, a value, or x and y.
+    due, spots : mapping
+        The figures and the points of the scene, as `cells.cells` and `cells.points` find them.
+    """
+    if all((part.key in spots) if part.pointed else (part.key in due) for part in parts):
+        return tuple(parts), (), ()
+    names = names_of(made, due, spots)
+    lines: dict[Mend, list[int]] = {}
+    faults: list[Fault] = []
+    found = []
+    for part in parts:
+        one, mends, fault = _mended(part, names)
+        for mend in mends:
+            lines.setdefault(mend, []).append(part.line)
+        if fault:
+            faults.append(Fault("", part.line, fault))
+        found.append(one)
+    speech = speaking(made.scene.language)
+    kept, shifts = from_poles(found, names.poles, names.points, speech)
+    faults += twice(found)
+    notes = [_note(mend, at, speech) for mend, at in lines.items() if mend.how not in SILENT]
+    return kept, (*notes, *shifts), tuple(faults)
+
+
+def names_of(made: DrawnScene, due: Mapping[Key, Cell], spots: Mapping[Key, complex]) -> Names:
+    """Return what a scene calls its figures and points."""
+    positions: dict[str, dict[str, None]] = {}
+    for plan, _, name in (*due, *spots):
+        positions.setdefault(plan, {})[name] = None
+    poles, work = {}, made.mechanism
+    for plan in pointed() if work is not None else ():
+        view = work.construction.view(plan) if work is not None else None
+        if view is not None and view.pole is not None:
+            poles[plan] = view.pole.name
+    letters: dict[str, dict[str, frozenset[str]]] = {}
+    for plan, letter, _ in spots:
+        letters.setdefault(plan, {})[letter] = frozenset()
+    columns = (*scene_columns(made), *result_columns(scene_results(made)))
+    there = {plan: tuple(names) for plan, names in positions.items()}
+    return Names(tuple(there), segments_of(columns), letters, there, poles)
+
+
+def _mended(part: Taken, names: Names) -> tuple[Taken, list[Mend], str]:
+    """Return a reading by the names of its scene, how they were found, and what cannot be told, or ""."""
+    plan = plan_meant(part.plan, names.plans)
+    if not plan.one:
+        return part, [], _either(part.plan, plan, said("a plan")) if plan.names else ""
+    one, mends = part._replace(plan=plan.one), _mends(part.plan, plan, plan.one)
+    segment = _named(part, plan.one, names)
+    if len(segment.names) > 1:
+        return one, mends, _either(part.segment, segment, said("plan {plan}", plan=plan.one))
+    if segment.one:
+        one = one._replace(segment=segment.one)
+        mends += _mends(part.segment, segment, plan.one)
+    everywhere = tuple(dict.fromkeys(name for row in names.positions.values() for name in row))
+    here = names.positions[plan.one]
+    position = position_meant(part.position, here)
+    if not position.names:
+        position = position_meant(part.position, everywhere)
+    if len(position.names) > 1:
+        return one, mends, _either(part.position, position, said("plan {plan}", plan=plan.one))
+    if position.names:
+        one = one._replace(position=position.one)
+        mends += _mends(part.position, position, plan.one)
+    return one, mends, ""
+
+
+def _named(part: Taken, plan: str, names: Names) -> Meant:
+    """Return which segment, or which point, or which pole is meant."""
+    pole = names.poles.get(plan)
+    poles = {pole: frozenset(("0",) if pole == "O" else ())} if pole else {}
+    if part.pointed:
+        letters = names.points.get(plan, {})
+        found = meant(part.segment, letters)
+        return found if found.names else meant(part.segment, poles)
+    found = meant(part.segment, names.segments.get(plan, {}))
+    return found if found.names or part.mm != 0.0 else meant(part.segment, poles)
+
+
+def _mends(typed: str, found: Meant, plan: str) -> list[Mend]:
+    return [Mend(plan, typed, found.one, found.how)] if found.how else []
+
+
+def _either(typed: str, found: Meant, where: Said) -> Said:
+    listed = joined(said(" or "), found.names)
+    return said(
+        '"{typed}" may mean {listed} ({where}); write which',
+        typed=typed,
+        listed=listed,
+        where=where,
+    )
+
+
+def _note(mend: Mend, lines: Sequence[int], speech: Speech) -> str:
+    at = sorted(set(lines))
+    told = ", ".join(map(str, at[:_LISTED])) + (", ..." if len(at) > _LISTED else "")
+    plan = view_name(mend.plan, speech.language)
+    return speech(_HOW[mend.how], typed=mend.typed, meant=mend.meant, plan=plan, lines=told)

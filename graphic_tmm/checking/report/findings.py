@@ -1,0 +1,136 @@
+"""What the readings tell, in sentences: what matters first, then every finding with how sure it is."""
+
+from __future__ import annotations
+
+from graphic_tmm.captions import view_name
+from graphic_tmm.checking.records import (
+    DOUBTFUL,
+    MISTAKE,
+    SLIP,
+    UNKNOWN,
+    WRONG,
+    Judged,
+    Lesson,
+    Likely,
+    Report,
+)
+from graphic_tmm.checking.report.rows import counts, runs
+from graphic_tmm.checking.report.words import LONGEST_SENTENCE, WORDS, plan_name, shown
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import fixed
+
+NAMED = 5
+"""So many findings are told; the JSON has all of them."""
+LEAST_LEFT = 0.005
+"""What rounds to 0 % is nothing left."""
+ENOUGH = 0.8
+"""From here on a mistake is named; below it may be: of names so sure 19 of 20 are to be right."""
+SURE = 0.995
+"""From here on a finding is said to be sure to 99 %: it is never said to be certain."""
+
+
+def headline(report: Report) -> str:
+    """Return what matters, in one sentence."""
+    words = WORDS[report.language]
+    if not report.readings:
+        return words["none"]
+    if report.mistakes:
+        return finding(report.mistakes[0], report.language)
+    if report.wrong:
+        return _begin(report)
+    doubtful = any(one.verdict == DOUBTFUL for one in report.readings)
+    return words["look again" if doubtful else "all right"]
+
+
+def summary(report: Report) -> str:
+    """Return how many readings are fine, doubtful, wrong; how many of these no finding explains."""
+    words = WORDS[report.language]
+    if not report.readings:
+        return ""
+    said = [words["counts"].format(all=len(report.readings), **counts(report))]
+    left = unexplained(report)
+    if 0 < len(left) < report.wrong:
+        lines = runs([one.taken.line for one in left])
+        told = words["left over"].format(count=len(left), lines=words["at lines"])
+        said.append(told.format(lines=lines) if lines else told.partition(" (")[0] + ".")
+    return " ".join(said)
+
+
+def finding(one: Likely, language: str) -> str:
+    """Return a finding as a sentence; what a slip or something unknown says is a sentence by itself."""
+    speech, words = speaking(language), WORDS[language]
+    says = [one.says or speech(one.name), *map(speech, one.like)]
+    told = "; ".join(filter(None, (shown(text, LONGEST_SENTENCE).rstrip(".") for text in says)))
+    if one.kind in (SLIP, UNKNOWN):
+        return f"{told[:1].upper()}{told[1:]}."
+    kind = one.kind if one.kind in words else MISTAKE
+    if kind == MISTAKE and one.like:
+        kind = "alike"
+    elif kind == MISTAKE and not sure(one):
+        kind = "perhaps"
+    return words[kind].format(says=told)
+
+
+def sure(one: Likely) -> bool:
+    """Whether a finding is as good as sure, or nobody has told how sure it is."""
+    return one.chance <= 0.0 or one.chance >= ENOUGH
+
+
+def finding_rows(report: Report) -> tuple[str, ...]:
+    """Return what the headline leaves: of the first finding its details, of the others all."""
+    found = []
+    for k, one in enumerate(report.mistakes[:NAMED]):
+        told = [] if k == 0 else [finding(one, report.language)]
+        more = details(report, one)
+        told += [more[:1].upper() + more[1:] + "."] if more else []
+        found += [" ".join(told)] if told else []
+    if (left := len(report.mistakes) - NAMED) > 0:
+        found.append(WORDS[report.language]["more"].format(count=left))
+    return tuple(found)
+
+
+def details(report: Report, one: Likely) -> str:
+    """Return what a finding explains, how sure it is: for who asks; "" if nothing is to be told."""
+    words, language = WORDS[report.language], report.language
+    told = []
+    if count := explained(report, one):
+        told.append(words["explains"].format(count=count, wrong=report.wrong))
+        if one.rest >= LEAST_LEFT:
+            told.append(words["leaves"].format(rest=fixed(100 * one.rest, 0, language)))
+    if lines := runs(one.lines):
+        told.append(words["at lines"].format(lines=lines))
+    if one.chance > 0.0:
+        percent = fixed(100 * min(one.chance, SURE), 0, language) if one.chance < SURE else "99"
+        told.append(words["sure"].format(percent=percent))
+    return "; ".join(told)
+
+
+def explained(report: Report, mistake: Likely) -> int:
+    """Return how many of the wrong readings a mistake explains."""
+    lines = set(mistake.lines)
+    return sum(one.verdict == WRONG and one.taken.line in lines for one in report.readings)
+
+
+def unexplained(report: Report) -> tuple[Judged, ...]:
+    """Return the wrong readings that no mistake of the report explains."""
+    lines = {line for mistake in report.mistakes for line in mistake.lines}
+    wrong = (one for one in report.readings if one.verdict == WRONG)
+    return tuple(one for one in wrong if one.taken.line not in lines)
+
+
+def where(lesson: Lesson, language: str) -> dict[str, str]:
+    """Return the words that tell a step: the view it is drawn in, its number, its letter."""
+    number = shown(lesson.step.partition(" ")[0])
+    view = shown(view_name(lesson.view, language)) or plan_name(lesson.plan, language)
+    return {"plan": view, "number": number, "letter": shown(lesson.letter)}
+
+
+def _begin(report: Report) -> str:
+    """Return that no known mistake explains the wrong readings, and what is first to be looked at."""
+    words = WORDS[report.language]
+    wrong = [one for one in report.readings if one.verdict == WRONG]
+    if report.lessons:
+        return words["begin"].format(**where(report.lessons[0], report.language))
+    return words["begin at"].format(
+        segment=shown(wrong[0].taken.segment), plan=plan_name(wrong[0].taken.plan, report.language)
+    )

@@ -1,0 +1,199 @@
+"""What matters first: a sentence for every kind of finding, in both languages, and how sure it is."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from support.reports import LANGUAGES, explaining, judged, loaded, printed, report
+
+from graphic_tmm.checking.records import (
+    DOUBTFUL,
+    INSTRUMENT,
+    MISTAKE,
+    SLIP,
+    UNKNOWN,
+    UNSEEN,
+    WRONG,
+    Lesson,
+    Likely,
+)
+from graphic_tmm.checking.report.findings import details, finding, finding_rows, headline, summary
+from graphic_tmm.checking.report.html import html_report
+from graphic_tmm.checking.report.json import json_report
+from graphic_tmm.checking.report.markdown import markdown_report
+from graphic_tmm.checking.report.parts import doubtful_parts, wrong_parts
+
+WHOLE = (SLIP, UNKNOWN)
+"""What says a whole sentence of its own."""
+KINDS = (MISTAKE, SLIP, INSTRUMENT, UNKNOWN, UNSEEN)
+SAYS = "шаг 10: n_ba3 вычислено с BC"
+
+
+def likely(kind: str = MISTAKE, *, like: tuple[str, ...] = (), chance: float = 0.0) -> Likely:
+    return Likely("name", SAYS, (2, 3), 3, 0.04, like, kind, chance=chance)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_kind_has_a_sentence_of_its_own(language: str) -> None:
+    told = [finding(likely(kind), language) for kind in KINDS if kind not in WHOLE]
+    told.append(finding(likely(chance=0.79), language))
+    told.append(finding(likely(like=("other", "third.")), language))
+    assert len(set(told)) == len(KINDS) - len(WHOLE) + 2
+    assert finding(likely(chance=0.8), language) == told[0]
+    for text in told:
+        assert SAYS in text
+        assert text.endswith(".")
+        assert not re.search(r"[{}]|\.\.", text)
+        own = text.replace(SAYS, "").replace("other", "").replace("third", "")
+        assert bool(re.search("[А-Яа-я]", own)) is (language == "ru")
+        assert bool(re.search("[A-Za-z]", own)) is (language == "en")
+    assert f"{SAYS}; other; third." in told[-1]
+
+
+@pytest.mark.parametrize("kind", [SLIP, UNKNOWN])
+def test_a_slip_and_what_is_unknown_are_told_by_their_own_sentence(kind: str) -> None:
+    one = likely(kind)._replace(says="only pb is off")
+    assert finding(one, "en") == finding(one, "ru") == "Only pb is off."
+
+
+def test_an_instrument_is_no_mistake() -> None:
+    assert finding(likely(INSTRUMENT), "en").startswith("There is no mistake in the construction")
+    assert finding(likely(INSTRUMENT), "ru").startswith("Ошибки в построении нет")
+
+
+def test_a_finding_without_a_sentence_is_told_by_its_name() -> None:
+    assert finding(explaining(2)._replace(says=""), "ru") == (
+        "Скорее всего, дело вот в чём: ω/r вместо ω·r."
+    )
+
+
+@pytest.mark.parametrize(
+    ("chance", "told"), [(0.934, "93"), (0.5, "50"), (0.9999, "99"), (1.0, "99"), (0.996, "99")]
+)
+def test_how_sure_it_is_is_told_and_never_certain(chance: float, told: str) -> None:
+    made = report(judged(verdict=WRONG))
+    assert f"sure to {told} %" in details(made, likely(chance=chance))
+    assert "sure" not in details(made, likely())
+
+
+def test_the_details_count_what_is_explained() -> None:
+    made = report(*(judged(line=k, verdict=WRONG) for k in (2, 3, 7)), mistakes=[likely()])
+    assert finding_rows(made) == (
+        "Explains 2 of 3 wrong readings; leaves 4 % of their deviations; lines of the file: 2–3.",
+    )
+    assert (
+        summary(made)
+        == "Readings: 3. Fine 0, doubtful 0, wrong 3. Not explained: 1 (lines of the file: 7)."
+    )
+    assert "Not explained" not in summary(made._replace(mistakes=()))
+
+
+def test_of_many_findings_some_are_told_and_the_others_counted() -> None:
+    made = report(judged(verdict=WRONG), mistakes=[likely(kind) for kind in KINDS + KINDS])
+    assert len(finding_rows(made)) == 6
+    assert finding_rows(made)[-1].endswith(": 5.")
+    assert len(loaded(json_report(made))["mistakes"]) == 10
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_what_matters_is_said_first_in_every_form(language: str) -> None:
+    wrong, doubtful = judged(verdict=WRONG), judged(verdict=DOUBTFUL)
+    lesson = Lesson("velocities", "7 pb", "pb", "Measure pb.")
+    blamed = wrong._replace(step="7 pb")
+    reports = [
+        report(wrong, language=language, mistakes=[likely()]),
+        report(blamed, language=language)._replace(lessons=(lesson,)),
+        report(wrong, language=language),
+        report(doubtful, language=language),
+        report(judged(), language=language),
+        report(language=language),
+    ]
+    heads = [headline(made) for made in reports]
+    assert len(set(heads)) == len(heads)
+    assert "pb" in heads[1]
+    assert "7" in heads[1]
+    for made, head in zip(reports, heads, strict=True):
+        for text in (markdown_report(made), html_report(made), printed(made, 400)):
+            assert head in text
+            assert summary(made) in text
+            if made.readings and text.count("17.47") + text.count("17,47"):
+                assert text.index(head) < re.search("17[.,]47", text).start()  # type: ignore[union-attr]
+
+
+def test_json_has_every_field_of_a_finding_and_of_a_lesson() -> None:
+    found = Likely("n", "s", (2,), 1, 0.1, ("l",), SLIP, "f", "velocities", "pb", "3", "7 pb", 0.25)
+    lesson = Lesson("velocities", "7 pb", "pb", "Measure pb.", "For it.", "pb = 2", "3", True)
+    made = loaded(
+        json_report(report(judged(verdict=WRONG), mistakes=[found])._replace(lessons=(lesson,)))
+    )
+    assert made["mistakes"] == [
+        {"name": "n", "says": "s", "like": ["l"], "kind": "slip", "family": "f", "plan": "velocities",
+         "segment": "pb", "position": "3", "step": "7 pb", "chance": 0.25, "lines": [2], "explains": 1,
+         "wrong": 1, "rest": 0.1}
+    ]  # fmt: skip
+    assert made["lessons"] == [
+        {"plan": "velocities", "step": "7 pb", "letter": "pb", "says": "Measure pb.", "why": "For it.",
+         "drawn": [], "position": "3", "calculation": "pb = 2", "own_numbers": True}
+    ]  # fmt: skip
+
+
+def lesson_of(step: str, **more: object) -> Lesson:
+    return Lesson("velocities", step, step.partition(" ")[2], f"Do {step}.")._replace(**more)  # type: ignore[arg-type]
+
+
+def test_what_follows_from_a_named_mistake_has_no_lesson_of_its_own() -> None:
+    rows = [
+        judged(line=2, verdict=WRONG, step="3 ab"),
+        judged(line=3, verdict=WRONG, step="7 pb"),
+        judged(line=4, verdict=WRONG, step="9 pc"),
+    ]
+    lessons = (
+        lesson_of("3 ab"),
+        lesson_of("7 pb"),
+        lesson_of("8 n", names=(0,)),
+        lesson_of("9 pc"),
+    )
+    found = likely()._replace(lines=(2, 3), step="8 n")
+    made = report(*rows, mistakes=[found])._replace(lessons=lessons)
+    first, other, follows = wrong_parts(made)
+    assert first.heading.endswith("step 8: n")
+    assert first.grid is None
+    assert other.heading.endswith("step 9: pc")
+    assert follows.heading.endswith("wrong for the same reason")
+    assert follows.grid is not None
+    assert [cells[0] for cells in follows.grid.rows] == ["2", "3"]
+    for other in (found._replace(kind=UNKNOWN), found._replace(chance=0.5)):
+        unsure = made._replace(mistakes=(other,))
+        assert [part.heading[-2:] for part in wrong_parts(unsure)] == [" n", "ab", "pb", "pc"]
+
+
+def test_every_reading_stands_in_just_one_part() -> None:
+    rows = [judged(line=k, verdict=WRONG, step=("7 pb", "", "8 x")[k % 3]) for k in range(1, 10)]
+    rows += [judged(line=k, verdict=DOUBTFUL) for k in (10, 11)]
+    table = judged("R12", line=12, verdict=WRONG)
+    lessons = (lesson_of("7 pb"), lesson_of("2 R_{12}", segment="R12"))
+    made = report(*rows, table)._replace(lessons=lessons)
+    parts = (*wrong_parts(made), *doubtful_parts(made))
+    lines = [int(cells[0]) for part in parts if part.grid is not None for cells in part.grid.rows]
+    assert sorted(lines) == list(range(1, 13))
+    (forces,) = (part for part in parts if part.heading.endswith("R_{12}"))
+    assert forces.grid is not None
+    assert [cells[0] for cells in forces.grid.rows] == ["12"]
+
+
+def test_a_lesson_says_in_which_reading_a_mistake_shows() -> None:
+    seen = judged("ab", found=33.0, due=57.8, verdict=WRONG)
+    lesson = lesson_of("8 (AB)", position="3", shows=seen)
+    (part, _) = wrong_parts(report(seen)._replace(lessons=(lesson,)))
+    assert part.told[-1] == "Position 3. It shows in ab: you have 33.0 mm; due is 57.8 mm."
+
+
+def test_what_is_calculated_in_another_unit_than_it_was_read_has_both_figures() -> None:
+    def told(unit: str) -> str:
+        seen = judged("ab", found=3.0, due=5.0, verdict=WRONG)._replace(unit=unit)
+        lesson = lesson_of("2 ab", calculation="ab = 2·4 = 8 mm", shown=seen)
+        return wrong_parts(report()._replace(lessons=(lesson,)))[0].told[-1]
+
+    assert told("mm") == "It should be: ab = 2·4 = 8 mm. You have 3.0 mm."
+    assert told("m/s") == "It should be: ab = 2·4 = 8 mm. You have 3 m/s; due is 5 m/s."

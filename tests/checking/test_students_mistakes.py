@@ -1,0 +1,44 @@
+"""What the check says of a student's drawings, a small share of tests/benchmarks/mistakes.py."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import pytest
+from support.students.drawings import HANDS, honest, planted
+from support.students.early import EARLY
+from support.students.measuring import Outcome, outcomes
+
+from graphic_tmm.checking.records import FINE
+
+SCENES, MODES = ("sc", "rpr", "fsc"), ("mm", "quantities")
+
+
+@cache
+def checked() -> tuple[Outcome, ...]:
+    """One drawing of each kind of mistake, on three mechanisms in turn; those that show it."""
+    with TemporaryDirectory() as folder:
+        drawings = planted(EARLY, len(EARLY), 61_000, SCENES, MODES)
+        shown = [one for one in drawings if one.truths[0].shown]
+        return tuple(outcomes(shown, Path(folder), EARLY))
+
+
+@pytest.mark.slow
+def test_mistakes_are_seen() -> None:
+    """Some reading is not fine in nearly all drawings with a mistake, whether or not it gets a name."""
+    found = checked()
+    seen = [one for one in found if any(row.verdict != FINE for row in one.report.readings)]
+    print(f"{len(seen)} of {len(found)} seen")
+    assert len(found) >= 40
+    assert len(seen) >= 0.95 * len(found)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("hand", HANDS)
+def test_honest_drawings_get_no_name(hand: str, tmp_path: Path) -> None:
+    """Not by a hand as it is taken for, nor by bad instruments."""
+    found = list(outcomes(list(honest(hand, 4, 62_000, ("sc", "rpr"), MODES)), tmp_path))
+    assert len(found) == 4
+    assert not [one for one in found if one.named]
