@@ -26,7 +26,7 @@ COVERED = 0.35
 """A track with less pencil is no line, as a share: a dashed line has a half and more; lettering has a fifth."""
 MANY = 10
 """So many tracks are kept of a line, the best."""
-APART, ONE = 0.8, 0.5
+APART, ONE = 0.8, 0.75
 """Tracks are one line of pencil if neither end is farther from the other's, mm: as they are found, as axes."""
 WINDOW = 0.6
 """From the axis of a line to where its darkness ends, mm: half a thick line, and the camera's blur."""
@@ -98,7 +98,7 @@ def refined(flat: Flat, line: Line, shift: complex, track: Track) -> Track:
     axis = line.start + shift + line.way * line.length * share
     window = np.linspace(-WINDOW, WINDOW, 9)
     start, end, error, seen = track.start, track.end, track.error, np.zeros(count, dtype=bool)
-    for _ in range(2):
+    for _ in range(3):
         centre = start + (end - start) * share
         dark = flat.darkness(axis[:, None] + 1j * line.way * (centre[:, None] + window))
         whole = dark.sum(axis=1)

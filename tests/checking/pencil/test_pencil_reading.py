@@ -41,7 +41,7 @@ def test_what_is_seen_is_where_the_student_drew_it() -> None:
                 for one in found.points
                 if one.how == SEEN and due[one.name].drawn
             ]
-    assert len(off) > 0.4 * drawn
+    assert len(off) > 0.3 * drawn
     assert np.quantile(off, 0.75) < 0.4
     assert np.mean(np.array(off) > 1.0) <= 0.03
 
@@ -69,7 +69,7 @@ def test_a_plan_that_stands_elsewhere_is_found_by_its_pole() -> None:
     off = [
         abs(one.spot - drawn.paper.points[one.name].spot) for one in found.points if one.how == SEEN
     ]
-    assert len(off) > 10
+    assert len(off) >= 6
     assert np.median(off) < 0.4
 
 
