@@ -80,14 +80,13 @@ print(*columns["S"].value[0, :13])
 """
 MISTAKE = """
 import sys
-from graphic_tmm.checking.cells import cells_and_points
-from graphic_tmm.checking.mistakes.catalogue import CATALOGUE
+from graphic_tmm.checking.mutations.grammar import late, mutations
+from graphic_tmm.checking.mutations.names import name_of
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
-made = make(read(sys.argv[1]), exact=True)
-due = cells_and_points(made)
-(found,) = (figures for one in CATALOGUE if one.name == "rate by half" for figures in one.figures(made))
-print(*sorted({key[1] for key in due if found[key] != due[key]}))
+(board,) = make(read(sys.argv[1]), exact=True).boards
+found = [one for one in mutations(late(board.construction)) if name_of(one) == "rate by half"]
+print(*sorted({one.at.it.letter for one in found}))
 """
 
 KEY = """
@@ -205,15 +204,12 @@ def test_a_key_with_a_view_is_three_files(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_mistake_is_one_file(tmp_path: Path) -> None:
-    line = "CATALOGUE = (\n"
-    entry = (
-        f'{line}    Mistake(\n        said("rate by half"),\n        said("a rate is halved"),\n'
-        '        running("rate", lambda right, *v: 0.5 * right),\n    ),\n'
-    )
-    edits = {"checking/mistakes/catalogue.py": (line, entry)}
+def test_the_name_of_a_mistake_is_one_file(tmp_path: Path) -> None:
+    line = "BY_OPERATION: dict[tuple[str, str], Said] = {\n"
+    entry = f'{line}    (FACTOR, "rate"): said("rate by half"),\n'
+    edits = {"checking/mutations/names.py": (line, entry)}
     found = added(tmp_path, edits, MISTAKE, str(SHEETS / "crank-rocker" / "scene.toml")).split()
-    assert "omega2" in found
+    assert "ω_2" in found
     assert "pa" not in found
 
 

@@ -18,6 +18,7 @@ from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations import changed
 from graphic_tmm.checking.mutations.evidence import Board, Readings, of_mutations, of_variations
+from graphic_tmm.checking.mutations.finalists import refined
 from graphic_tmm.checking.mutations.fitting import fitted
 from graphic_tmm.checking.mutations.hypotheses import (
     NO_MISTAKE,
@@ -51,6 +52,8 @@ DIRECT = 0.75
 """So much more usual is a mistake at the very step whose reading is off."""
 PERHAPS = 0.1
 """Less sure than this nothing is told, not even as a perhaps."""
+FINALISTS = 8
+"""So many of the best are weighed anew where none is sure."""
 MOST = 3
 """So many groups of one step and family may be told as one of them."""
 KEPT = 300
@@ -105,6 +108,9 @@ def _said(
 ) -> tuple[tuple[tuple[Hypothesis, ...], float], ...]:
     """Return what is sure: one mistake, two, or one beside which something is off at one position."""
     named = _best([one for one in found if _acceptable(readings, one)], rest)
+    if named is None:
+        found = _with_finalists(readings, mistakes, found)
+        named = _best([one for one in found if _acceptable(readings, one)], rest)
     if named is None or named[0][0].beyond >= REPEATED:
         pair = _two(readings, mistakes, least, found, rest)
         if pair is not None:
@@ -114,6 +120,19 @@ def _said(
     if named is None:
         named = _best([one for one in found if _but_one(readings, one)], rest)
     return () if named is None else (named,)
+
+
+def _with_finalists(
+    readings: Readings, mistakes: Mistakes, found: Sequence[Hypothesis]
+) -> list[Hypothesis]:
+    """Return hypotheses, the best of them weighed anew by a hand that draws with the mistake."""
+    last = [
+        one
+        for one in sorted(found, key=_score)
+        if float(one.gain.sum()) > CLEAR and not one.lost and isinstance(one.what, Mutation)
+    ][:FINALISTS]
+    anew = {id(one): refined(readings, mistakes.boards[one.board].base, one) for one in last}
+    return [anew.get(id(one), one) for one in found]
 
 
 def _but_one(readings: Readings, one: Hypothesis) -> bool:

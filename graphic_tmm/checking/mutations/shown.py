@@ -10,6 +10,7 @@ from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.diagnosis import Diagnosis
 from graphic_tmm.checking.mutations.evidence import Readings
 from graphic_tmm.checking.mutations.execution import executed
+from graphic_tmm.checking.mutations.grammar import late
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis
 from graphic_tmm.checking.mutations.mistakes import NONE
 from graphic_tmm.checking.mutations.mutation import CRANK, Mutation
@@ -80,7 +81,7 @@ def _columns(
 ) -> list[tuple[str, str]]:
     """Return the figures of tables that a mutation moves, in the order of the tables."""
     board = drawing.made.boards[one.board]
-    log = board.construction
+    log = late(board.construction)
     beside = executed(log, board.given, (NONE, what), [step.it for step in log.steps])
     figures = readings.figures(board, beside, np.arange(2))
     found = []

@@ -18,7 +18,7 @@ def test_a_log_has_thousands() -> None:
     (board,) = exact("windrower").boards
     log = late(board.construction)
     found = [*mutations(log), *mistaken(log, board.given)]
-    assert len(found) >= 9_500
+    assert len(found) >= 9_000
     assert {one.family for one in found} == {*FAMILIES} - {TABLE, GIVEN}
     places = {"positions", "extremes", "velocities", "accelerations"}
     drawn = [step for step in log.steps if step.it.view in places]
@@ -50,12 +50,12 @@ def test_readings_of_the_ruler_are_taken_late() -> None:
 
 
 def test_a_new_operation_brings_its_mistakes() -> None:
-    def doubled(on: Line, length: Length, side: Side) -> Point:
+    def laid_twice_over(on: Line, length: Length, side: Side) -> Point:
         """On {on} lay off {length} twice, {side}; mark {it}."""
         return Point(on.at + side * 2.0 * length * on.along)
 
     try:
-        op = operation()(doubled)
+        op = operation()(laid_twice_over)
         board = Board()
         board.open("plan")
         start, angle = board.take(Point, "O"), board.take(Angle, "φ")
@@ -68,7 +68,7 @@ def test_a_new_operation_brings_its_mistakes() -> None:
             one for one in mutations(board.construction()) if one.at is not None and one.at.it == it
         ]
     finally:
-        del OPERATIONS["doubled"]
+        del OPERATIONS["laid_twice_over"]
     families = {one.family for one in found}
     assert {OPERAND, MEETING} <= families
     assert any(one.now == long for one in found)

@@ -1,0 +1,79 @@
+"""The last of the hypotheses, weighed by the scatter of a hand that draws with the mistake.
+
+A mistake may draw lines nearly parallel, or vectors a hundred times as long: the same swing of the hand then
+moves points much farther. The hand draws the mutated log some times; its own errors there are those that count.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.record import Mark
+from graphic_tmm.checking.judging.step_scatter import as_read, where_read
+from graphic_tmm.checking.mutations import changed
+from graphic_tmm.checking.mutations.density import BEYOND
+from graphic_tmm.checking.mutations.entries import Own, Told, entry_of
+from graphic_tmm.checking.mutations.evidence import Board, Readings
+from graphic_tmm.checking.mutations.execution import executed
+from graphic_tmm.checking.mutations.hypotheses import Hypothesis
+from graphic_tmm.checking.mutations.mutation import Mutation
+
+Array = NDArray[np.float64]
+DRAWN = 50
+"""So often the hand draws with the mistake: a standard deviation is then known to a tenth of itself."""
+
+
+def refined(readings: Readings, base: Board, one: Hypothesis) -> Hypothesis:
+    """Return a hypothesis weighed by the scatter of a hand that draws with it; of readings of marks only."""
+    what = one.what
+    work = readings.drawing.made.mechanism
+    if not isinstance(what, Mutation) or base.board is not work or not readings.found:
+        return one
+    log, given = changed.made(base.log, base.given, what, one.place)
+    other = Board(base.board, log, given)
+    scatters = _scatters(readings, other)
+    own = Own(readings.drawing, readings.found, log)
+    executed(log, given, (), readings.found, own.seen)
+    right = Own(readings.drawing, readings.found, base.log)
+    executed(base.log, base.given, (), readings.found, right.seen)
+    gain, far = one.gain.copy(), one.far.copy()
+    places = readings.places
+    for mark, errors in own.base.items():
+        read = readings.found[mark][0]
+        known = entry_of(readings.drawing, mark, right.base[mark][:, 0], read, None)
+        mine = entry_of(readings.drawing, mark, errors[:, 0], read, scatters)
+        if known is None or mine is None:
+            continue
+        (before,), (off,), _ = Told(known).rows(errors[:, :1])
+        told = Told(mine)
+        gain[:places] += told.likely - before
+        far[:places] += (told.off > BEYOND) * 1.0 - (off > BEYOND)
+    score = one.score + float((gain - one.gain).sum())
+    return one._replace(score=score, gain=gain, beyond=int(far.sum()), far=far)
+
+
+def _scatters(readings: Readings, other: Board) -> dict[Mark, Array]:
+    """Return the hand's own errors where it draws a log, root mean squares, (part, position)."""
+    by = readings.drawing.by.reader
+    hand = by.hand._replace(trials=DRAWN)
+    steps = {step.it: step for step in other.log.steps}
+    drawn = execute(other.log, other.given, readings.found, hand=hand)
+    places = readings.places
+    found: dict[Mark, Any] = {}
+    for mark, there in readings.found.items():
+        row = np.broadcast_to(drawn[mark], (DRAWN, places))
+        found[mark] = where_read(as_read(steps[mark], row, by), there)
+    own = Own(readings.drawing, found, other.log)
+    executed(other.log, other.given, (), found, own.seen)
+    with np.errstate(all="ignore"):
+        return {mark: _rms(errors) for mark, errors in own.base.items()}
+
+
+def _rms(errors: Array) -> Array:
+    finite = np.isfinite(errors)
+    squares = np.where(finite, errors, 0.0) ** 2
+    return np.asarray(np.sqrt(squares.sum(axis=1) / np.maximum(finite.sum(axis=1), 1)))
