@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells
-from graphic_tmm.checking.judging.comparison import Comparison
+from graphic_tmm.checking.judging.comparison import Comparison, worse_of
 from graphic_tmm.checking.judging.groups import groups
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
@@ -71,7 +71,8 @@ def checks(
         rows, notes = known(made, readings, source)
         by = yardsticks.of(rows)
         judged = judge(made, rows, by)
-        compared = Comparison(made, [part for taken in rows for part in taken.parts()], by)
+        parts = [part for taken in rows for part in taken.parts()]
+        compared = Comparison(made, parts, by, worse_of([one.times for one in judged]))
         found = told(diagnosed(mistakes, compared, judged), compared, scene.language)
         found = found or groups(made, judged, by)
         lessons = teacher.lessons(judged, found, by.reader)

@@ -21,14 +21,30 @@ from graphic_tmm.checking.readings.units import taken_figure
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import DrawnScene
 
+MOST_USUAL, FEW, MUCH_WORSE = 1.6, 20, 1.6
+"""Of a hand's own errors four of five are below 1.3 times the usual one (of the larger of two: 1.6). Fewer readings
+tell nothing of it; and no hand is taken for more than so many times worse, else a mistake would hide."""
+
+
+def worse_of(times: Sequence[float]) -> float:
+    """Return how many times worse than usual a hand is; ``times``: its errors in usual ones."""
+    known = np.abs([one for one in times if np.isfinite(one)])
+    if known.size < FEW:
+        return 1.0
+    return float(np.clip(np.quantile(known, 0.8) / MOST_USUAL, 1.0, MUCH_WORSE))
+
 
 @dataclass(frozen=True)
 class Comparison:
-    """A scene drawn exactly, with the readings of a drawing; ``rows``: one kind of figure each."""
+    """A scene drawn exactly, with the readings of a drawing; ``rows``: one kind of figure each.
+
+    ``worse``: so many times farther off than usual this hand is found to be; see `worse_of`.
+    """
 
     made: DrawnScene
     rows: Sequence[Taken]
     by: Yardstick
+    worse: float = 1.0
 
     @cached_property
     def due(self) -> Mapping[Key, Cell]:
@@ -81,7 +97,7 @@ class Comparison:
 
         A ray that reaches farther is farther off by the same swing of the hand.
         """
-        return max(1.0, self._larger.get((view, place), 1.0))
+        return self.worse * max(1.0, self._larger.get((view, place), 1.0))
 
     @cached_property
     def _larger(self) -> Mapping[tuple[str, int], float]:

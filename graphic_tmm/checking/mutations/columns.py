@@ -81,7 +81,7 @@ def readings(drawing: Comparison, marked: Sequence[Taken]) -> list[Reading]:
         if taken in known or limit is None or not limit.sorted.size:
             continue
         place = names.index(taken.position) if taken.position in names else len(names)
-        scatter = limit.rms
+        scatter = drawing.worse * limit.rms
         if taken.pointed:
             found.append(Reading(taken, taken.spot, drawing.spots[taken.key], scatter, 1.0, place))
             continue

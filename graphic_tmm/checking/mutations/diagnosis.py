@@ -48,6 +48,8 @@ CLEAR = 8.0
 """A second mistake beside one that explains nearly all must explain so much more (natural logarithm)."""
 LIKELY = 0.5
 """A mistake is told as a perhaps if it is at least so likely among the mistakes that we know."""
+CERTAIN = 0.95
+"""Where no reading is wrong, a name must be as sure as this, and explain half as much again as `CLEAR`."""
 DIRECT = 0.75
 """So much more usual is a mistake at the very step whose reading is off."""
 PERHAPS = 0.1
@@ -90,6 +92,8 @@ def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged])
     if not said and wrong:
         perhaps = _perhaps(readings, found, rest)
         said = () if perhaps is None else (perhaps,)
+    if not wrong and said and (said[0][1] < CERTAIN or said[0][0][0].gain.sum() < 1.5 * CLEAR):
+        said = ()
     doubtful = tuple(one for one in judged if one.verdict != FINE)
     whole = len(said) > 1 or (bool(said) and _acceptable(readings, said[0][0][0]))
     certain = whole and said[0][1] >= SURE

@@ -174,7 +174,7 @@ def _operands(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
 
 def _before(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
     """What it uses is that of the position before."""
-    if step.op.across:
+    if step.op.across or step.op.reads:
         return
     for k, was in enumerate(step.uses):
         if was.kind in (Line, Length):
