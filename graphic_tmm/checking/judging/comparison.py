@@ -22,8 +22,8 @@ from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import DrawnScene
 
 MOST_USUAL, FEW, MUCH_WORSE = 1.6, 20, 1.6
-"""Of a hand's own errors four of five are below 1.3 times the usual one (of the larger of two: 1.6). Fewer readings
-tell nothing of it; and no hand is taken for more than so many times worse, else a mistake would hide."""
+"""Of a hand's own errors four of five are below 1.3 times the usual one (of the larger of two: 1.6). Fewer
+readings tell nothing of it; no hand is taken for more than so many times worse, else a mistake would hide."""
 
 
 def worse_of(times: Sequence[float]) -> float:

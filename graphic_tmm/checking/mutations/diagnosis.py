@@ -123,7 +123,12 @@ def _said(
                 return pair
     if named is None:
         named = _best([one for one in found if _but_one(readings, one)], rest)
-    return () if named is None else (named,)
+    if named is None:
+        return ()
+    group, sure = named
+    if rest.beyond - group[0].beyond < REPEATED:
+        sure = min(sure, UNSURE)  # one reading alone is like many things
+    return ((group, sure),)
 
 
 def _with_finalists(
@@ -168,6 +173,7 @@ class _Rest:
     def __init__(self) -> None:
         self.scores = [float(np.log(NO_MISTAKE))]
         self.step: Step | None = None
+        self.beyond = 0
         self.off = 0.0
 
 
@@ -190,6 +196,7 @@ def _of_board(
     rows = offered.moving(least)
     some = [offered.mutations[k] for k in rows]
     evidence, told = of_mutations(readings, offered.base, some, offered.plain, rows)
+    rest.beyond = int(evidence.beyond[0].sum())
     if told is not None:
         steps = {step.it: step for step in offered.base.log.steps}
         gains = {mark: told.unknown[mark] - told.base[mark] for mark in told.base}

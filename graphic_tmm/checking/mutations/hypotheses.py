@@ -111,7 +111,7 @@ def _scoped(
         beyond[row],
     )
     places = np.flatnonzero(gain[:-1])
-    if places.size < 2 or not one.changes:
+    if places.size < 2:
         return
     place = int(places[np.argmax(gain[places])])
     single = np.zeros_like(gain)

@@ -30,7 +30,6 @@ AT_POSITION = said("{told}, at position {position} only")
 EVERY = said("{told}; in every such step")
 UNKNOWN_NAME = said("no known mistake")
 UNKNOWN_SAYS = said("no known mistake explains what is wrong: look at {plan}, step {step}: {it}")
-UNKNOWN_BARE = said("no known mistake explains what is wrong")
 SLIP_NAME = said("slip of a reading")
 SLIP_SAYS = said("only {segment} is off: this reading was read or written down amiss")
 SLIP_TEN = said("only {segment} is off: its decimal point has perhaps slipped")
@@ -51,8 +50,8 @@ def told(diagnosis: Diagnosis, drawing: Comparison, language: str) -> tuple[Like
     found = [_named(group, chance, diagnosis, drawing, speech) for group, chance in diagnosis.named]
     if (found and (diagnosis.unknown is None or not sure)) or not diagnosis.wrong:
         return tuple(found)
-    rest = _slip(roots, speech) if alone else _unknown(diagnosis, drawing, speech)
-    return (*found, rest)
+    rest = (_slip(roots, speech),) if alone else _unknown(diagnosis, drawing, speech)
+    return (*found, *rest)
 
 
 def _named(
@@ -179,28 +178,17 @@ def _tenfold(one: Judged) -> bool:
     return any(abs(times / ten - 1.0) < TENFOLD for ten in (10.0, 0.1, 100.0, 0.01))
 
 
-def _unknown(diagnosis: Diagnosis, drawing: Comparison, speech: Speech) -> Likely:
-    lines = tuple(one.taken.line for one in diagnosis.wrong)
+def _unknown(diagnosis: Diagnosis, drawing: Comparison, speech: Speech) -> tuple[Likely, ...]:
+    """Return where to look first; nothing where no step is farther off than others."""
     step, language = diagnosis.unknown, speech.language
     name, count = speech(UNKNOWN_NAME), len(diagnosis.wrong)
     if step is None or drawing.made.mechanism is None:
-        one = diagnosis.wrong[0].taken
-        says = speech(UNKNOWN_BARE)
-        return Likely(name, says, (), count, 1.0, kind=UNKNOWN, plan=one.plan, segment=one.segment)
+        return ()
     says = speech(
         UNKNOWN_SAYS,
         plan=view_name(step.it.view, language),
         step=step_number(drawing.made.mechanism.construction, step),
         it=_called(step.it, language),
     )
-    return Likely(
-        name,
-        says,
-        lines[:0],
-        count,
-        1.0,
-        kind=UNKNOWN,
-        plan=step.it.view,
-        segment=segment_name(step.it.letter),
-        step=step.it.letter,
-    )
+    found = Likely(name, says, (), count, 1.0, kind=UNKNOWN, plan=step.it.view, step=step.it.letter)
+    return (found._replace(segment=segment_name(step.it.letter)),)

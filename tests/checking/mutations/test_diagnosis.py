@@ -99,7 +99,8 @@ def test_a_planted_one_is_named_on_its_step(letter: str, family: str, was: str, 
     first = said_of(drawn_with(one))[0]
     assert first.kind == MISTAKE
     assert first.family == family
-    assert first.chance >= 0.8
+    # of the accelerations one position is drawn here: one reading alone is never sure
+    assert (first.chance >= 0.8) == (letter != "n_{ab}")
     sentences = (first.says, *first.like)
     assert any(letter.translate({ord(c): None for c in "{}"}) in says for says in sentences)
     if now:
