@@ -100,7 +100,7 @@ def test_a_planted_one_is_named_on_its_step(letter: str, family: str, was: str, 
     assert first.kind == MISTAKE
     assert first.family == family
     # of the accelerations one position is drawn here: one reading alone is never sure
-    assert (first.chance >= 0.8) == (letter != "n_{ab}")
+    assert (first.chance >= 0.8) == ((letter, family) != ("n_{ab}", "operand"))
     sentences = (first.says, *first.like)
     assert any(letter.translate({ord(c): None for c in "{}"}) in says for says in sentences)
     if now:
