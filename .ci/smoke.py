@@ -49,7 +49,8 @@ def main(program: str, home: Path) -> None:
     assert written.split() == [str(short), str(home / "short.svg")]
     assert json.loads(run(program, "check", home / "mine", short, "-f", "json"))["readings"] == []
     photo = ("--photo", home / "engine.png", "--corners", ENDS, "--overlay", home / "under.svg")
-    assert "under-flat.png" in run(program, "check", "engine", *photo)
+    assert run(program, "check", "engine", *photo, "-f", "md")
+    assert (home / "under-flat.png").exists()
     run(program, "accuracy", "cam", "--trials", 10, "--no-time", "-o", home)
     serve(program, home / "mine")
 
