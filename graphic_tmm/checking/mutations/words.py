@@ -19,7 +19,7 @@ TAKEN = said("for {it} {now} was taken instead of {was}")
 BEGUN = said("{it} was drawn from {now} instead of {was}")
 DIRECTED = said("{it} was drawn by the direction of {now} instead of {was}")
 LAID = said("for {it} {now} was laid off instead of {was}")
-BEFORE = said("for {it} {was} of the position before was taken")
+BEFORE = said("{was} of the position before was taken for {it}")
 LETTERS = said(
     "{it} was found from the other end: {was} and {now} were exchanged in the similarity"
 )
