@@ -17,6 +17,10 @@ RULED = 0.08
 """A line is known no better, mm: it is bent by the ruler's edge, the lens, the paper."""
 SURE = 0.3
 """A crossing known worse, mm (one standard deviation), is none: its lines are nearly parallel."""
+PRICK = 0.15
+"""A line of a vector begins so far from its pole (one standard deviation, mm): so a hand pricks."""
+FEW, ROUNDS, ASTRAY = 2, 5, 1.5
+MEETING = 4
 MISFIT = 0.7
 """Lines that pass the place where they should meet farther, mm, do not meet there."""
 SEARCH = 5.0
@@ -34,9 +38,24 @@ MOVED = 1.0
 CLEAR = 0.12
 """And so much more than at any other place farther than `APART`."""
 APART = 1.0
+LOOSE, PRIOR, MOST, FARTHEST = 0.3, 0.03, 16.0, 2.5
+GAP = 4.0
 DOUBLE = 2.0
 """Of two points that should be so near to each other, mm, pencil does not tell which is which."""
 UNSEEN, UNSURE, SEEN = "unseen", "unsure", "seen"
+
+
+class Alike(NamedTuple):
+    """How much more pencil there must be on a sign than beside it, how much more anywhere ``about``, mm."""
+
+    least: float
+    better: float
+    about: float
+
+
+CROWDED = Alike(LIKE, BETTER, ABOUT)
+FREE = Alike(0.35, 0.3, 1.5)
+DOUBTED = Alike(LIKE, BETTER, SEARCH)
 
 
 class Spot(NamedTuple):
@@ -82,18 +101,25 @@ def crossing(view: View, fit: Fit, k: int) -> Cross:
         clear.append(_error(track, share, None))
     if not rows:
         return Cross(complex(fit.moved[k]), 1.0, np.inf, 0.0, 0, False)
-    ways, off, weight = np.array(rows), np.array(asides), 1 / np.array(errors) ** 2
-    normal = (ways * weight[:, None]).T @ ways
+    ways, off, own = np.array(rows), np.array(asides), np.array(errors)
+    sharp = np.array(clear)
+    if view.of[k] is None:
+        own, sharp = np.hypot(own, PRICK), np.hypot(sharp, PRICK)
+    weight = 1 / own**2
     before = np.array([fit.moved[k].real, fit.moved[k].imag])
-    values, vectors = np.linalg.eigh(normal + 1e-6 * np.eye(2))
-    step = vectors @ ((vectors.T @ (ways.T @ (weight * (off - ways @ before)))) / values)
-    worst = vectors[:, 0]
-    error = float(1 / np.sqrt(values[0]))
-    if error > SURE:  # along the worst direction it stays where its neighbours have it
-        step = step - worst * (worst @ step)
-    moved = before + step
-    misfit = float(abs(off - ways @ moved).max())
-    best = (ways / np.array(clear)[:, None] ** 2).T @ ways
+    for _ in range(ROUNDS if len(rows) > FEW else 1):
+        normal = (ways * weight[:, None]).T @ ways
+        values, vectors = np.linalg.eigh(normal + 1e-6 * np.eye(2))
+        step = vectors @ ((vectors.T @ (ways.T @ (weight * (off - ways @ before)))) / values)
+        worst = vectors[:, 0]
+        error = float(1 / np.sqrt(values[0]))
+        if error > SURE:  # along the worst direction it stays where its neighbours have it
+            step = step - worst * (worst @ step)
+        moved = before + step
+        rest = abs(off - ways @ moved)
+        weight = 1 / (own**2 + (rest / ASTRAY) ** 2) if len(rows) > FEW else weight
+    misfit = float(np.sort(rest)[-1 - len(rest) // 4])
+    best = (ways / sharp[:, None] ** 2).T @ ways
     doubted = error > SURE >= 1 / np.sqrt(max(float(np.linalg.eigvalsh(best)[0]), 1e-6))
     return Cross(complex(*moved), complex(*worst), error, misfit, len(rows), bool(doubted))
 
@@ -116,36 +142,53 @@ def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs
     sign = signs.of(k)
     double = signs.double(k)
     if cross.error <= SURE:
-        seen = cross.misfit <= MISFIT and not double and _alike(flat, sign, at)
+        met = cross.lines >= MEETING or _alike(flat, sign, at, CROWDED if signs.fan else FREE)
+        double = double and signs.fan
+        seen = cross.misfit <= MISFIT and not double and met
         return Spot(at, cross.error, SEEN if seen else UNSURE)
-    if double or cross.doubted:
+    if signs.near(k) or (signs.fan and _rivalled(view, fit, k)):
         return Spot(at, cross.error, UNSURE)
-    return _along(flat, sign, at, cross)
+    if cross.doubted:
+        seen = cross.misfit <= MISFIT and _alike(flat, sign, at, DOUBTED)
+        return Spot(at, cross.error, SEEN if seen else UNSURE)
+    spread = float(np.hypot(fit.spread(k, cross.way), LOOSE))
+    if signs.alone(k, cross.way) < GAP * spread:
+        return Spot(at, cross.error, UNSURE)
+    return _along(flat, sign, at, cross, spread)
 
 
-def _along(flat: Flat, sign: Sign, at: complex, cross: Cross) -> Spot:
-    """Return the place along a line where its signs are seen best; a line that only passes tells none."""
-    reach = min(SEARCH, 3.0 * cross.error + 0.5)
-    along = np.arange(-reach, reach + 1e-9, 0.1)
+def _rivalled(view: View, fit: Fit, k: int) -> bool:
+    """Whether a line that goes through a place is not seen, or another one may be the right one."""
+    own = [n for n, line in enumerate(view.lines) if k in line.places]
+    return any(fit.doubt[n] is not None or fit.tracks[n] is None for n in own)
+
+
+def _along(flat: Flat, sign: Sign, at: complex, cross: Cross, spread: float) -> Spot:
+    """Return the place along a line where its signs are seen best; a line that only passes tells none.
+
+    ``spread``: how far along it may be from where its neighbours have it, mm.
+    """
+    along = np.arange(-SEARCH, SEARCH + 1e-9, 0.1)
     telling = sign.along(cross.way, MOVED)
     if telling is None:
         return Spot(at, np.inf, UNSEEN)
     like = telling.like(flat, np.asarray(at + cross.way * along, dtype=np.complex128))
-    best = int(np.argmax(like))
-    other = like[abs(along - along[best]) > APART].max(initial=0.0)
-    clear = like[best] > TELLING and like[best] - other > CLEAR
+    worth = like - PRIOR * np.minimum((along / spread) ** 2, MOST)
+    best = int(np.argmax(worth))
+    other = worth[abs(along - along[best]) > APART].max(initial=-1.0)
+    clear = like[best] > TELLING and worth[best] - other > CLEAR
     found = complex(at + cross.way * _peak(along, like, best))
-    clear &= cross.misfit <= MISFIT
+    clear &= cross.misfit <= MISFIT and abs(along[best]) < FARTHEST * spread
     clear &= float(sign.like(flat, np.array([found], dtype=np.complex128))[0]) > LIKE
     return Spot(found, 0.25, SEEN if clear else UNSURE)
 
 
-def _alike(flat: Flat, sign: Sign, at: complex) -> bool:
+def _alike(flat: Flat, sign: Sign, at: complex, asked: Alike) -> bool:
     """Whether a sign is seen at a place, and nowhere about it much better."""
-    axis = np.arange(-ABOUT, ABOUT + 1e-9, 0.5)
+    axis = np.arange(-asked.about, asked.about + 1e-9, 0.5)
     near = np.concatenate([[at], (at + axis[:, None] + 1j * axis).ravel()])
     like = sign.like(flat, near)
-    return bool(like[0] > LIKE and like[0] > like.max() - BETTER)
+    return bool(like[0] > asked.least and like[0] > like.max() - asked.better)
 
 
 def _peak(along: Reals, like: Reals, best: int) -> float:
@@ -162,17 +205,26 @@ class Signs:
 
     def __init__(self, view: View, fit: Fit, shift: complex) -> None:
         self.view, self.fit, self.shift = view, fit, shift
+        self.fan = len(set(view.of) - {None}) > 1
 
     def double(self, k: int) -> bool:
         """Whether another point should stand so near to a place that either might be taken for the other.
 
         Where vectors of no length end at a pole it is still the pole, which lines of all others show.
         """
-        places = self.view.places
-        if self.view.of[k] is None:
-            return False
+        return self.view.of[k] is not None and self.near(k)
+
+    def near(self, k: int) -> bool:
+        """Whether another point should stand so near to a place that one's end is the other's."""
+        places, of = self.view.places, self.view.of
         near = (n for n in range(len(places)) if abs(places[n].at - places[k].at) < DOUBLE)
-        return any(n != k and self.view.of[n] in (None, self.view.of[k]) for n in near)
+        return any(n != k and (of[n] == of[k] or None in (of[n], of[k])) for n in near)
+
+    def alone(self, k: int, way: complex) -> float:
+        """Return how far it is along a direction to the nearest other place, whose sign may be as good, mm."""
+        at = np.array([place.at for place in self.view.places])
+        off = (np.delete(at, k) - at[k]) / way
+        return float(abs(off.real[abs(off.imag) < DOUBLE]).min(initial=np.inf))
 
     def of(self, k: int) -> Sign:
         """Return the sign at a place."""
