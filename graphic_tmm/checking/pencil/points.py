@@ -42,6 +42,10 @@ LOOSE, PRIOR, MOST, FARTHEST = 0.3, 0.03, 16.0, 2.5
 GAP = 4.0
 DOUBLE = 2.0
 """Of two points that should be so near to each other, mm, pencil does not tell which is which."""
+ONE = 0.5
+"""And of two so near, mm, of whichever position, not even the lines do."""
+CARRIED = 1.5
+"""Of a fan's points that a hand scatters farther (one deviation, mm), a neighbour's line may be the nearer one."""
 UNSEEN, UNSURE, SEEN = "unseen", "unsure", "seen"
 
 
@@ -140,13 +144,12 @@ def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs
     if not cross.lines:
         return Spot(at, np.inf, UNSEEN)
     sign = signs.of(k)
-    double = signs.double(k)
     if cross.error <= SURE:
+        alone = not signs.crowded(k)
         met = cross.lines >= MEETING or _alike(flat, sign, at, CROWDED if signs.fan else FREE)
-        double = double and signs.fan
-        seen = cross.misfit <= MISFIT and not double and met
+        seen = cross.misfit <= MISFIT and alone and met
         return Spot(at, cross.error, SEEN if seen else UNSURE)
-    if signs.near(k) or (signs.fan and _rivalled(view, fit, k)):
+    if signs.near(k) or signs.crowded(k) or (signs.fan and _rivalled(view, fit, k)):
         return Spot(at, cross.error, UNSURE)
     if cross.doubted:
         seen = cross.misfit <= MISFIT and _alike(flat, sign, at, DOUBTED)
@@ -207,22 +210,28 @@ class Signs:
         self.view, self.fit, self.shift = view, fit, shift
         self.fan = len(set(view.of) - {None}) > 1
 
-    def double(self, k: int) -> bool:
-        """Whether another point should stand so near to a place that either might be taken for the other.
+    def crowded(self, k: int) -> bool:
+        """Whether a place may be taken for another: one stands at it, or a hand carries it past those of its fan.
 
         Where vectors of no length end at a pole it is still the pole, which lines of all others show.
         """
-        return self.view.of[k] is not None and self.near(k)
+        at, of = self.view.at, self.view.of
+        if of[k] is None:
+            return False
+        if float(np.delete(abs(at - at[k]), k).min(initial=np.inf)) < ONE:
+            return True
+        astray = float(np.sqrt((abs(self.view.astray[:, k]) ** 2).mean() / 2))
+        return self.fan and (astray > CARRIED or self.near(k))
 
     def near(self, k: int) -> bool:
         """Whether another point should stand so near to a place that one's end is the other's."""
-        places, of = self.view.places, self.view.of
-        near = (n for n in range(len(places)) if abs(places[n].at - places[k].at) < DOUBLE)
+        of = self.view.of
+        near = np.flatnonzero(abs(self.view.at - self.view.at[k]) < DOUBLE)
         return any(n != k and (of[n] == of[k] or None in (of[n], of[k])) for n in near)
 
     def alone(self, k: int, way: complex) -> float:
         """Return how far it is along a direction to the nearest other place, whose sign may be as good, mm."""
-        at = np.array([place.at for place in self.view.places])
+        at = self.view.at
         off = (np.delete(at, k) - at[k]) / way
         return float(abs(off.real[abs(off.imag) < DOUBLE]).min(initial=np.inf))
 
