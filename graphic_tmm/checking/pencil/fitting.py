@@ -17,7 +17,7 @@ from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.checking.pencil.doubting import doubts
 from graphic_tmm.checking.pencil.expected import View
 from graphic_tmm.checking.pencil.lines import Track
-from graphic_tmm.checking.pencil.web import Web
+from graphic_tmm.checking.pencil.web import Solved, Web
 
 ROUNDS = 3
 MARGINS = (8.0, 5.0, 3.0, 1.5, 0.0)

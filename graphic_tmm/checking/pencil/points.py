@@ -7,45 +7,41 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.values import Reals
+from graphic_tmm.checking.pencil.crossing import SURE, Cross, crossing
 from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import View
 from graphic_tmm.checking.pencil.fitting import Fit
-from graphic_tmm.checking.pencil.lines import Track
 from graphic_tmm.checking.pencil.signs import Sign
 
-RULED = 0.08
-"""A line is known no better, mm: it is bent by the ruler's edge, the lens, the paper."""
-SURE = 0.3
-"""A crossing known worse, mm (one standard deviation), is none: its lines are nearly parallel."""
-PRICK = 0.15
-"""A line of a vector begins so far from its pole (one standard deviation, mm): so a hand pricks."""
-FEW, ROUNDS, ASTRAY = 2, 5, 1.5
 MEETING = 4
+"""So many lines that meet are a sign in themselves: the heads and rings of a pole lie on one another."""
 MISFIT = 0.7
 """Lines that pass the place where they should meet farther, mm, do not meet there."""
 SEARCH = 5.0
 """Along a line its end is sought as far, mm."""
-ACROSS = 0.4
-"""And beside it."""
-LIKE = 0.5
+LIKE = 0.4
 """Signs are seen at a place where the pencil is as much more on them than beside them, 0 ... 1."""
-TELLING = 0.5
+TELLING = 0.4
 """Of what of a sign tells where it is along a line, as much more."""
-BETTER, ABOUT = 0.12, 2.5
-"""Nor may they be seen so much better anywhere as near, mm."""
 MOVED = 1.0
 """What tells where a sign is along a line is what changes if it is moved so far, mm."""
 CLEAR = 0.12
 """And so much more than at any other place farther than `APART`."""
 APART = 1.0
-LOOSE, PRIOR, MOST, FARTHEST = 0.3, 0.03, 16.0, 2.5
+LOOSE = 0.3
+"""Where all lines together have a place is known no better, mm: a point is drawn by itself, too."""
+PRIOR, MOST = 0.03, 16.0
+"""What a sign loses by each square of a deviation from there, and how many squares count; chosen by eye."""
+FARTHEST = 2.5
+"""A sign so many deviations from there is another point's."""
 GAP = 4.0
+"""Nor is a sign looked for where another place is nearer along the line, in deviations: twice its reach."""
 DOUBLE = 2.0
 """Of two points that should be so near to each other, mm, pencil does not tell which is which."""
 ONE = 0.5
 """And of two so near, mm, of whichever position, not even the lines do."""
 CARRIED = 1.5
-"""Of a fan's points that a hand scatters farther (one deviation, mm), a neighbour's line may be the nearer one."""
+"""Of a fan's points that a hand scatters farther (one deviation, mm) a neighbour's line may be the nearer."""
 UNSEEN, UNSURE, SEEN = "unseen", "unsure", "seen"
 
 
@@ -57,9 +53,12 @@ class Alike(NamedTuple):
     about: float
 
 
-CROWDED = Alike(LIKE, BETTER, ABOUT)
+CROWDED = Alike(0.5, 0.12, 2.5)
+"""Asked of a crossing of lines in a fan of positions."""
 FREE = Alike(0.35, 0.3, 1.5)
-DOUBTED = Alike(LIKE, BETTER, SEARCH)
+"""Of one in a plan of one position: its lines are hardly another's."""
+DOUBTED = Alike(0.5, 0.12, SEARCH)
+"""Of one of which another line may be the right one. All chosen by eye on 20 sheets, seen on 16 others."""
 
 
 class Spot(NamedTuple):
@@ -74,68 +73,6 @@ def spots(flat: Flat, view: View, fit: Fit, shift: complex) -> tuple[Spot, ...]:
     """Return where the places of a view stand; ``fit``: its lines, the view moved by ``shift``."""
     signs = Signs(view, fit, shift)
     return tuple(_spot(flat, view, fit, shift, k, signs) for k in range(len(view.places)))
-
-
-class Cross(NamedTuple):
-    """What lines tell of a place: its displacement, mm, in which direction it is known worst, how badly.
-
-    ``misfit``: how far a line passes it; ``lines``: how many there are; ``doubted``: it is known so badly
-    because another line may be the right one.
-    """
-
-    moved: complex
-    way: complex
-    error: float
-    misfit: float
-    lines: int
-    doubted: bool
-
-
-def crossing(view: View, fit: Fit, k: int) -> Cross:
-    """Return where the lines of a place meet."""
-    rows, asides, errors, clear = [], [], [], []
-    for n, (line, track) in enumerate(zip(view.lines, fit.tracks, strict=True)):
-        if track is None or k not in line.places:
-            continue
-        share = ((view.places[k].at - line.start) / line.way).real / line.length
-        left = 1j * line.way
-        rows.append([left.real, left.imag])
-        asides.append(float(track.aside(share)))
-        errors.append(_error(track, share, fit.doubt[n]))
-        clear.append(_error(track, share, None))
-    if not rows:
-        return Cross(complex(fit.moved[k]), 1.0, np.inf, 0.0, 0, False)
-    ways, off, own = np.array(rows), np.array(asides), np.array(errors)
-    sharp = np.array(clear)
-    if view.of[k] is None:
-        own, sharp = np.hypot(own, PRICK), np.hypot(sharp, PRICK)
-    weight = 1 / own**2
-    before = np.array([fit.moved[k].real, fit.moved[k].imag])
-    for _ in range(ROUNDS if len(rows) > FEW else 1):
-        normal = (ways * weight[:, None]).T @ ways
-        values, vectors = np.linalg.eigh(normal + 1e-6 * np.eye(2))
-        step = vectors @ ((vectors.T @ (ways.T @ (weight * (off - ways @ before)))) / values)
-        worst = vectors[:, 0]
-        error = float(1 / np.sqrt(values[0]))
-        if error > SURE:  # along the worst direction it stays where its neighbours have it
-            step = step - worst * (worst @ step)
-        moved = before + step
-        rest = abs(off - ways @ moved)
-        weight = 1 / (own**2 + (rest / ASTRAY) ** 2) if len(rows) > FEW else weight
-    misfit = float(np.sort(rest)[-1 - len(rest) // 4])
-    best = (ways / sharp[:, None] ** 2).T @ ways
-    doubted = error > SURE >= 1 / np.sqrt(max(float(np.linalg.eigvalsh(best)[0]), 1e-6))
-    return Cross(complex(*moved), complex(*worst), error, misfit, len(rows), bool(doubted))
-
-
-def _error(track: Track, share: float, doubt: tuple[float, float] | None) -> float:
-    """Return how far a line may be aside at a share of its length, mm: least in its middle.
-
-    ``doubt``: how far aside, at its ends, another one is that may be the right one.
-    """
-    other = 0.0 if doubt is None else abs(doubt[0] + (doubt[1] - doubt[0]) * share)
-    error = track.error * np.sqrt(0.25 + 3 * (share - 0.5) ** 2)
-    return float(np.sqrt(error**2 + RULED**2 + other**2))
 
 
 def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs) -> Spot:
@@ -211,7 +148,7 @@ class Signs:
         self.fan = len(set(view.of) - {None}) > 1
 
     def crowded(self, k: int) -> bool:
-        """Whether a place may be taken for another: one stands at it, or a hand carries it past those of its fan.
+        """Whether a place may be taken for another: one is there, or a hand carries it past those of its fan.
 
         Where vectors of no length end at a pole it is still the pole, which lines of all others show.
         """

@@ -33,7 +33,6 @@ SAME = 0.5
 """Two lines have chosen one line of pencil if they are nearer at both its ends, mm."""
 
 
-
 class Web:
     """The least squares of a view: what neighbours and lines tell of the displacements of its places."""
 
@@ -98,7 +97,9 @@ class Web:
             own = (mine - a) / (b - a) * abs(b - a)
             low, high = own.real.min(axis=1), own.real.max(axis=1)
             over = np.minimum(high, abs(b - a)) - np.maximum(low, 0.0)
-            for n in np.flatnonzero((abs(own.imag).max(axis=1) < SAME) & (over > 0.5 * (high - low))):
+            for n in np.flatnonzero(
+                (abs(own.imag).max(axis=1) < SAME) & (over > 0.5 * (high - low))
+            ):
                 by[n].append(rival)
         return by
 
