@@ -90,6 +90,16 @@ class View(NamedTuple):
     of: tuple[int | None, ...]
     astray: Complexes
 
+    @property
+    def at(self) -> Complexes:
+        """Where its places should stand, mm on the sheet."""
+        return np.array([place.at for place in self.places], dtype=np.complex128)
+
+    def aside(self, line: Line) -> float:
+        """Return how far aside drawings have the places of a line at most, mm (one deviation)."""
+        off = self.astray[:, list(line.places)] / line.way
+        return float(np.sqrt((off.imag**2).mean(axis=0)).max(initial=0.0))
+
 
 def views(made: DrawnScene, sheet: Sheet, hand: Hand) -> tuple[View, ...]:
     """Return what a sheet should show of the plans whose points can be read, if a ``hand`` draws it."""

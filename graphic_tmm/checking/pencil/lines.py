@@ -50,12 +50,15 @@ class Track(NamedTuple):
         return self.start + (self.end - self.start) * share
 
 
-def tracks(flat: Flat, line: Line, shift: complex) -> tuple[Track, ...]:
-    """Return the lines of pencil near a line that is moved by ``shift``, mm, the most covered first."""
+def tracks(flat: Flat, line: Line, shift: complex, band: float = BAND) -> tuple[Track, ...]:
+    """Return the lines of pencil near a line that is moved by ``shift``, mm, the most covered first.
+
+    ``band``: how far aside it is sought, mm.
+    """
     count = int(np.clip(line.length, *STATIONS))
     share = (np.arange(count) + 0.5) / count
     turn = max(round(TURN * line.length / 2 / ASIDE), 1)
-    half = round(BAND / ASIDE)
+    half = round(band / ASIDE)
     aside = ASIDE * np.arange(-half - turn, half + turn + 1)
     axis = line.start + shift + line.way * line.length * share
     pencil = flat.pencil(axis[:, None] + 1j * line.way * aside)

@@ -7,36 +7,58 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.values import Reals
+from graphic_tmm.checking.pencil.crossing import SURE, Cross, crossing
 from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import View
 from graphic_tmm.checking.pencil.fitting import Fit
-from graphic_tmm.checking.pencil.lines import Track
 from graphic_tmm.checking.pencil.signs import Sign
 
-RULED = 0.08
-"""A line is known no better, mm: it is bent by the ruler's edge, the lens, the paper."""
-SURE = 0.3
-"""A crossing known worse, mm (one standard deviation), is none: its lines are nearly parallel."""
+MEETING = 4
+"""So many lines that meet are a sign in themselves: the heads and rings of a pole lie on one another."""
 MISFIT = 0.7
 """Lines that pass the place where they should meet farther, mm, do not meet there."""
 SEARCH = 5.0
 """Along a line its end is sought as far, mm."""
-ACROSS = 0.4
-"""And beside it."""
-LIKE = 0.5
+LIKE = 0.4
 """Signs are seen at a place where the pencil is as much more on them than beside them, 0 ... 1."""
-TELLING = 0.5
+TELLING = 0.4
 """Of what of a sign tells where it is along a line, as much more."""
-BETTER, ABOUT = 0.12, 2.5
-"""Nor may they be seen so much better anywhere as near, mm."""
 MOVED = 1.0
 """What tells where a sign is along a line is what changes if it is moved so far, mm."""
 CLEAR = 0.12
 """And so much more than at any other place farther than `APART`."""
 APART = 1.0
+LOOSE = 0.3
+"""Where all lines together have a place is known no better, mm: a point is drawn by itself, too."""
+PRIOR, MOST = 0.03, 16.0
+"""What a sign loses by each square of a deviation from there, and how many squares count; chosen by eye."""
+FARTHEST = 2.5
+"""A sign so many deviations from there is another point's."""
+GAP = 4.0
+"""Nor is a sign looked for where another place is nearer along the line, in deviations: twice its reach."""
 DOUBLE = 2.0
 """Of two points that should be so near to each other, mm, pencil does not tell which is which."""
+ONE = 0.5
+"""And of two so near, mm, of whichever position, not even the lines do."""
+CARRIED = 1.5
+"""Of a fan's points that a hand scatters farther (one deviation, mm) a neighbour's line may be the nearer."""
 UNSEEN, UNSURE, SEEN = "unseen", "unsure", "seen"
+
+
+class Alike(NamedTuple):
+    """How much more pencil there must be on a sign than beside it, how much more anywhere ``about``, mm."""
+
+    least: float
+    better: float
+    about: float
+
+
+CROWDED = Alike(0.5, 0.12, 2.5)
+"""Asked of a crossing of lines in a fan of positions."""
+FREE = Alike(0.35, 0.3, 1.5)
+"""Of one in a plan of one position: its lines are hardly another's."""
+DOUBTED = Alike(0.5, 0.12, SEARCH)
+"""Of one of which another line may be the right one. All chosen by eye on 36 sheets."""
 
 
 class Spot(NamedTuple):
@@ -53,99 +75,60 @@ def spots(flat: Flat, view: View, fit: Fit, shift: complex) -> tuple[Spot, ...]:
     return tuple(_spot(flat, view, fit, shift, k, signs) for k in range(len(view.places)))
 
 
-class Cross(NamedTuple):
-    """What lines tell of a place: its displacement, mm, in which direction it is known worst, how badly.
-
-    ``misfit``: how far a line passes it; ``lines``: how many there are; ``doubted``: it is known so badly
-    because another line may be the right one.
-    """
-
-    moved: complex
-    way: complex
-    error: float
-    misfit: float
-    lines: int
-    doubted: bool
-
-
-def crossing(view: View, fit: Fit, k: int) -> Cross:
-    """Return where the lines of a place meet."""
-    rows, asides, errors, clear = [], [], [], []
-    for n, (line, track) in enumerate(zip(view.lines, fit.tracks, strict=True)):
-        if track is None or k not in line.places:
-            continue
-        share = ((view.places[k].at - line.start) / line.way).real / line.length
-        left = 1j * line.way
-        rows.append([left.real, left.imag])
-        asides.append(float(track.aside(share)))
-        errors.append(_error(track, share, fit.doubt[n]))
-        clear.append(_error(track, share, None))
-    if not rows:
-        return Cross(complex(fit.moved[k]), 1.0, np.inf, 0.0, 0, False)
-    ways, off, weight = np.array(rows), np.array(asides), 1 / np.array(errors) ** 2
-    normal = (ways * weight[:, None]).T @ ways
-    before = np.array([fit.moved[k].real, fit.moved[k].imag])
-    values, vectors = np.linalg.eigh(normal + 1e-6 * np.eye(2))
-    step = vectors @ ((vectors.T @ (ways.T @ (weight * (off - ways @ before)))) / values)
-    worst = vectors[:, 0]
-    error = float(1 / np.sqrt(values[0]))
-    if error > SURE:  # along the worst direction it stays where its neighbours have it
-        step = step - worst * (worst @ step)
-    moved = before + step
-    misfit = float(abs(off - ways @ moved).max())
-    best = (ways / np.array(clear)[:, None] ** 2).T @ ways
-    doubted = error > SURE >= 1 / np.sqrt(max(float(np.linalg.eigvalsh(best)[0]), 1e-6))
-    return Cross(complex(*moved), complex(*worst), error, misfit, len(rows), bool(doubted))
-
-
-def _error(track: Track, share: float, doubt: tuple[float, float] | None) -> float:
-    """Return how far a line may be aside at a share of its length, mm: least in its middle.
-
-    ``doubt``: how far aside, at its ends, another one is that may be the right one.
-    """
-    other = 0.0 if doubt is None else abs(doubt[0] + (doubt[1] - doubt[0]) * share)
-    error = track.error * np.sqrt(0.25 + 3 * (share - 0.5) ** 2)
-    return float(np.sqrt(error**2 + RULED**2 + other**2))
-
-
 def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs) -> Spot:
     cross = crossing(view, fit, k)
     at = view.places[k].at + shift + cross.moved
     if not cross.lines:
         return Spot(at, np.inf, UNSEEN)
     sign = signs.of(k)
-    double = signs.double(k)
     if cross.error <= SURE:
-        seen = cross.misfit <= MISFIT and not double and _alike(flat, sign, at)
+        alone = not signs.crowded(k)
+        met = cross.lines >= MEETING or _alike(flat, sign, at, CROWDED if signs.fan else FREE)
+        seen = cross.misfit <= MISFIT and alone and met
         return Spot(at, cross.error, SEEN if seen else UNSURE)
-    if double or cross.doubted:
+    if signs.near(k) or signs.crowded(k) or (signs.fan and _rivalled(view, fit, k)):
         return Spot(at, cross.error, UNSURE)
-    return _along(flat, sign, at, cross)
+    if cross.doubted:
+        seen = cross.misfit <= MISFIT and _alike(flat, sign, at, DOUBTED)
+        return Spot(at, cross.error, SEEN if seen else UNSURE)
+    spread = float(np.hypot(fit.spread(k, cross.way), LOOSE))
+    if signs.alone(k, cross.way) < GAP * spread:
+        return Spot(at, cross.error, UNSURE)
+    return _along(flat, sign, at, cross, spread)
 
 
-def _along(flat: Flat, sign: Sign, at: complex, cross: Cross) -> Spot:
-    """Return the place along a line where its signs are seen best; a line that only passes tells none."""
-    reach = min(SEARCH, 3.0 * cross.error + 0.5)
-    along = np.arange(-reach, reach + 1e-9, 0.1)
+def _rivalled(view: View, fit: Fit, k: int) -> bool:
+    """Whether a line that goes through a place is not seen, or another one may be the right one."""
+    own = [n for n, line in enumerate(view.lines) if k in line.places]
+    return any(fit.doubt[n] is not None or fit.tracks[n] is None for n in own)
+
+
+def _along(flat: Flat, sign: Sign, at: complex, cross: Cross, spread: float) -> Spot:
+    """Return the place along a line where its signs are seen best; a line that only passes tells none.
+
+    ``spread``: how far along it may be from where its neighbours have it, mm.
+    """
+    along = np.arange(-SEARCH, SEARCH + 1e-9, 0.1)
     telling = sign.along(cross.way, MOVED)
     if telling is None:
         return Spot(at, np.inf, UNSEEN)
     like = telling.like(flat, np.asarray(at + cross.way * along, dtype=np.complex128))
-    best = int(np.argmax(like))
-    other = like[abs(along - along[best]) > APART].max(initial=0.0)
-    clear = like[best] > TELLING and like[best] - other > CLEAR
+    worth = like - PRIOR * np.minimum((along / spread) ** 2, MOST)
+    best = int(np.argmax(worth))
+    other = worth[abs(along - along[best]) > APART].max(initial=-1.0)
+    clear = like[best] > TELLING and worth[best] - other > CLEAR
     found = complex(at + cross.way * _peak(along, like, best))
-    clear &= cross.misfit <= MISFIT
+    clear &= cross.misfit <= MISFIT and abs(along[best]) < FARTHEST * spread
     clear &= float(sign.like(flat, np.array([found], dtype=np.complex128))[0]) > LIKE
     return Spot(found, 0.25, SEEN if clear else UNSURE)
 
 
-def _alike(flat: Flat, sign: Sign, at: complex) -> bool:
+def _alike(flat: Flat, sign: Sign, at: complex, asked: Alike) -> bool:
     """Whether a sign is seen at a place, and nowhere about it much better."""
-    axis = np.arange(-ABOUT, ABOUT + 1e-9, 0.5)
+    axis = np.arange(-asked.about, asked.about + 1e-9, 0.5)
     near = np.concatenate([[at], (at + axis[:, None] + 1j * axis).ravel()])
     like = sign.like(flat, near)
-    return bool(like[0] > LIKE and like[0] > like.max() - BETTER)
+    return bool(like[0] > asked.least and like[0] > like.max() - asked.better)
 
 
 def _peak(along: Reals, like: Reals, best: int) -> float:
@@ -162,17 +145,32 @@ class Signs:
 
     def __init__(self, view: View, fit: Fit, shift: complex) -> None:
         self.view, self.fit, self.shift = view, fit, shift
+        self.fan = len(set(view.of) - {None}) > 1
 
-    def double(self, k: int) -> bool:
-        """Whether another point should stand so near to a place that either might be taken for the other.
+    def crowded(self, k: int) -> bool:
+        """Whether a place may be taken for another: one is there, or a hand carries it past those of its fan.
 
         Where vectors of no length end at a pole it is still the pole, which lines of all others show.
         """
-        places = self.view.places
-        if self.view.of[k] is None:
+        at, of = self.view.at, self.view.of
+        if of[k] is None:
             return False
-        near = (n for n in range(len(places)) if abs(places[n].at - places[k].at) < DOUBLE)
-        return any(n != k and self.view.of[n] in (None, self.view.of[k]) for n in near)
+        if float(np.delete(abs(at - at[k]), k).min(initial=np.inf)) < ONE:
+            return True
+        astray = float(np.sqrt((abs(self.view.astray[:, k]) ** 2).mean() / 2))
+        return self.fan and (astray > CARRIED or self.near(k))
+
+    def near(self, k: int) -> bool:
+        """Whether another point should stand so near to a place that one's end is the other's."""
+        of = self.view.of
+        near = np.flatnonzero(abs(self.view.at - self.view.at[k]) < DOUBLE)
+        return any(n != k and (of[n] == of[k] or None in (of[n], of[k])) for n in near)
+
+    def alone(self, k: int, way: complex) -> float:
+        """Return how far it is along a direction to the nearest other place, whose sign may be as good, mm."""
+        at = self.view.at
+        off = (np.delete(at, k) - at[k]) / way
+        return float(abs(off.real[abs(off.imag) < DOUBLE]).min(initial=np.inf))
 
     def of(self, k: int) -> Sign:
         """Return the sign at a place."""

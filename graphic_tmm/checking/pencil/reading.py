@@ -8,10 +8,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+import numpy as np
+
 from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import Name, View
 from graphic_tmm.checking.pencil.fitting import fit
-from graphic_tmm.checking.pencil.lines import tracks
+from graphic_tmm.checking.pencil.lines import BAND, Track, tracks
 from graphic_tmm.checking.pencil.placing import placed
 from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE, Spot, spots
 from graphic_tmm.checking.records import Taken
@@ -19,6 +21,8 @@ from graphic_tmm.language.said import said
 
 THERE = 0.55
 """A plan is on the sheet if so much of its lines is on pencil; of lettering and other lines about a half is."""
+WIDE, WIDEST = 3.5, 10.0
+"""Lines are followed so many deviations of the hand aside, and never farther, mm."""
 CLICKED = 3.0
 """About a pole that was clicked a plan is sought as far, mm."""
 
@@ -61,9 +65,17 @@ def read_plans(flat: Flat, views: Sequence[View], clicked: Mapping[Pole, complex
         if cover < THERE:
             missing += view.poles
             continue
-        found = fit(view, [tracks(flat, line, shift) for line in view.lines])
+        found = fit(view, followed(flat, view, shift))
         points += _told(view, spots(flat, view, found, shift), shift)
     return Found(tuple(points), tuple(missing))
+
+
+def followed(flat: Flat, view: View, shift: complex) -> list[tuple[Track, ...]]:
+    """Return by line of a view the lines of pencil near it: as far as a hand may have it."""
+    return [
+        tracks(flat, line, shift, float(np.clip(WIDE * view.aside(line), BAND, WIDEST)))
+        for line in view.lines
+    ]
 
 
 def _told(view: View, seen: Sequence[Spot], shift: complex) -> Iterator[Point]:
