@@ -88,7 +88,10 @@ OPTIONS = [
     (("steps", "crank-rocker", "-p", "cam"), ["the scene has no plan cam; it has", "positions"]),
     (("steps", "crank-rocker", "-n", "99"), ["--position", "there is no 99; there are"]),
     (("steps", "cam", "-l", "de"), ["-l", "ru"]),
-    (("check", "cam"), ["name the file of READINGS, show a photograph (--photo), or ask for --template"]),
+    (
+        ("check", "cam"),
+        ["name the file of READINGS, show a photograph (--photo), or ask for --template"],
+    ),
     (("check", "cam", "x.csv", "--hand", "exact"), ["--hand", "student"]),
     (("check", "cam", "x.csv", "--doubtful", "2"), ["--doubtful", "0.5"]),
     (("check", "cam", "x.csv", "--wrong", "nan"), ["--wrong", "finite"]),
