@@ -7,59 +7,57 @@ posteriors only compare, and the best of bad explanations is none.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.record import Step
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations import changed
+from graphic_tmm.checking.mutations.choosing import (
+    CLEAR,
+    KEPT,
+    LIKELY,
+    PERHAPS,
+    REPEATED,
+    SURE,
+    UNSURE,
+    Rest,
+    Told,
+    acceptable,
+    best,
+    but_one,
+    by_score,
+    perhaps,
+    plausible,
+)
 from graphic_tmm.checking.mutations.evidence import Board, Readings, of_mutations, of_variations
 from graphic_tmm.checking.mutations.finalists import refined
 from graphic_tmm.checking.mutations.fitting import fitted
 from graphic_tmm.checking.mutations.hypotheses import (
-    NO_MISTAKE,
     SOMETHING,
-    UNEXPLAINED,
     Hypothesis,
     groups,
     of_board,
     of_table,
 )
 from graphic_tmm.checking.mutations.mistakes import NONE, Mistakes, Offered
-from graphic_tmm.checking.mutations.mutation import FAMILIES, Mutation
-from graphic_tmm.checking.mutations.names import usual
+from graphic_tmm.checking.mutations.mutation import Mutation
 from graphic_tmm.checking.mutations.tables import Table, copied, variations
 from graphic_tmm.checking.records import FINE, WRONG, Judged, Taken
 
-SURE, UNSURE = 0.8, 0.79
-"""A name is given where it is as sure as this; a perhaps is never as sure."""
 FIRST = 3
 """So many explanations are tried as the first of two mistakes."""
 VISIBLE = 0.5
 """A mistake must move some reading that is not fine by this share of what a hand scatters by, with no
 reading put in: else it explains noise."""
-REPEATED = 2
-"""So many doubtful readings of one segment may be a mistake: by chance of 2 % each they are one in 2500."""
-CLEAR = 8.0
-"""A second mistake beside one that explains nearly all must explain so much more (natural logarithm)."""
-LIKELY = 0.5
-"""A mistake is told as a perhaps if it is at least so likely among the mistakes that we know."""
 CERTAIN = 0.95
 """Where no reading is wrong, a name must be as sure as this, and explain half as much again as `CLEAR`."""
-DIRECT = 0.75
-"""So much more usual is a mistake at the very step whose reading is off."""
-PERHAPS = 0.1
-"""Less sure than this nothing is told, not even as a perhaps."""
 FINALISTS = 8
 """So many of the best are weighed anew where none is sure."""
-MOST = 3
-"""So many groups of one step and family may be told as one of them."""
-KEPT = 300
-"""So many hypotheses are told apart."""
 
 
 class Diagnosis(NamedTuple):
@@ -68,7 +66,7 @@ class Diagnosis(NamedTuple):
     ``unknown``: the step that is farthest off where no name is given; None where there is one.
     """
 
-    named: tuple[tuple[tuple[Hypothesis, ...], float], ...]
+    named: tuple[Told, ...]
     unknown: Step | None
     wrong: tuple[Judged, ...]
     readings: Readings | None = None
@@ -83,19 +81,19 @@ def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged])
     readings = Readings(drawing)
     least = _least(drawing, judged)
     found: list[Hypothesis] = []
-    rest = _Rest()
+    rest = Rest()
     for number, offered in enumerate(mistakes.boards):
         found += _of_board(readings, offered, number, least, rest)
     table = mistakes.boards[0].base
     found += _of_table(readings, table)
     said = _said(readings, mistakes, least, found, rest)
     if not said and wrong:
-        perhaps = _perhaps(readings, found, rest)
-        said = () if perhaps is None else (perhaps,)
+        likely = perhaps(readings, found, rest)
+        said = () if likely is None else (likely,)
     if not wrong and said and (said[0][1] < CERTAIN or said[0][0][0].gain.sum() < 1.5 * CLEAR):
         said = ()
     doubtful = tuple(one for one in judged if one.verdict != FINE)
-    whole = len(said) > 1 or (bool(said) and _acceptable(readings, said[0][0][0]))
+    whole = len(said) > 1 or (bool(said) and acceptable(readings, said[0][0][0]))
     certain = whole and said[0][1] >= SURE
     wronged = {one.taken.key for one in doubtful}
     off = {mark for (mark, _), taken in readings.by_mark.items() if taken.key in wronged}
@@ -108,13 +106,13 @@ def _said(
     mistakes: Mistakes,
     least: Mapping[tuple[Key, bool], float],
     found: Sequence[Hypothesis],
-    rest: _Rest,
-) -> tuple[tuple[tuple[Hypothesis, ...], float], ...]:
+    rest: Rest,
+) -> tuple[Told, ...]:
     """Return what is sure: one mistake, two, or one beside which something is off at one position."""
-    named = _best([one for one in found if _acceptable(readings, one)], rest)
+    named = best([one for one in found if acceptable(readings, one)], rest)
     if named is None:
         found = _with_finalists(readings, mistakes, found)
-        named = _best([one for one in found if _acceptable(readings, one)], rest)
+        named = best([one for one in found if acceptable(readings, one)], rest)
     if named is None or named[0][0].beyond >= REPEATED:
         pair = _two(readings, mistakes, least, found, rest)
         if pair is not None:
@@ -122,13 +120,14 @@ def _said(
             if float(second.gain.sum()) > CLEAR and first.beyond - second.beyond >= REPEATED:
                 return pair
     if named is None:
-        named = _best([one for one in found if _but_one(readings, one)], rest)
+        named = best([one for one in found if but_one(readings, one)], rest)
     if named is None:
         return ()
     group, sure = named
     if rest.beyond - group[0].beyond < REPEATED:
         sure = min(sure, UNSURE)  # one reading alone is like many things
-    return ((group, sure),)
+    beside = _beside(readings, mistakes, least, group[0]) if group[0].beyond else None
+    return ((group, sure),) if beside is None else ((group, sure), beside)
 
 
 def _with_finalists(
@@ -137,24 +136,11 @@ def _with_finalists(
     """Return hypotheses, the best of them weighed anew by a hand that draws with the mistake."""
     last = [
         one
-        for one in sorted(found, key=_score)
+        for one in sorted(found, key=by_score)
         if float(one.gain.sum()) > CLEAR and not one.lost and isinstance(one.what, Mutation)
     ][:FINALISTS]
     anew = {id(one): refined(readings, mistakes.boards[one.board].base, one) for one in last}
     return [anew.get(id(one), one) for one in found]
-
-
-def _but_one(readings: Readings, one: Hypothesis) -> bool:
-    """Whether a hypothesis passes the gate but for one position, at which something else may be off."""
-    most, worst = int(UNEXPLAINED * readings.count), int(np.argmax(one.far))
-    elsewhere = np.delete(one.gain, worst)
-    return (
-        one.lost == 0
-        and one.elsewhere <= most
-        and int((elsewhere > 1.0).sum()) >= REPEATED
-        and float(elsewhere.sum()) > CLEAR
-        and not one.instrument
-    )
 
 
 def _repeated(judged: Sequence[Judged]) -> bool:
@@ -165,16 +151,6 @@ def _repeated(judged: Sequence[Judged]) -> bool:
     return any(n >= REPEATED for n in segments.values()) or any(
         n > REPEATED for n in places.values()
     )
-
-
-class _Rest:
-    """What is not a name: no mistake at all, or something at a step that we do not know."""
-
-    def __init__(self) -> None:
-        self.scores = [float(np.log(NO_MISTAKE))]
-        self.step: Step | None = None
-        self.beyond = 0
-        self.off = 0.0
 
 
 def _least(drawing: Comparison, judged: Sequence[Judged]) -> dict[tuple[Key, bool], float]:
@@ -191,7 +167,7 @@ def _of_board(
     offered: Offered,
     number: int,
     least: Mapping[tuple[Key, bool], float],
-    rest: _Rest,
+    rest: Rest,
 ) -> Iterator[Hypothesis]:
     rows = offered.moving(least)
     some = [offered.mutations[k] for k in rows]
@@ -241,113 +217,69 @@ def _due(drawing: Comparison, taken: Taken) -> float:
     return float((cell.mm if taken.mm is not None else cell.value) or 0.0)
 
 
-def _acceptable(readings: Readings, one: Hypothesis) -> bool:
-    """Whether a hypothesis passes the gate: it leaves few readings unexplained and draws all that was read."""
-    most = int(UNEXPLAINED * readings.count)
-    return one.lost == 0 and one.beyond <= most and float(one.gain.sum()) > 0.0
-
-
-def _best(allowed: list[Hypothesis], rest: _Rest) -> tuple[tuple[Hypothesis, ...], float] | None:
-    """Return the group of hypotheses that is sure, with how sure it is; None where none is."""
-    if not allowed:
-        return None
-    allowed.sort(key=lambda one: -one.score)
-    whole = float(np.logaddexp.reduce([*rest.scores, *(one.score for one in allowed)]))
-    return _sure(groups(allowed[:KEPT]), whole)
-
-
-def _sure(
-    found: Sequence[Sequence[Hypothesis]], whole: float
-) -> tuple[tuple[Hypothesis, ...], float] | None:
-    """Return the best group if it is sure; else it with up to two more of the same step and family."""
-    first = found[0]
-    alike = [one for one in found if at_step(one[0]) == at_step(first[0])][:MOST]
-    told: list[Hypothesis] = []
-    for group in alike:
-        told += sorted(group, key=plausible)
-        sure = float(np.exp(np.logaddexp.reduce([one.score for one in told]) - whole))
-        if sure >= SURE:
-            return tuple(told), sure
-    return None
-
-
-def _perhaps(
-    readings: Readings, found: Sequence[Hypothesis], rest: _Rest
-) -> tuple[tuple[Hypothesis, ...], float] | None:
-    """Return the likeliest mistake where it is not sure that it is one of those that we know."""
-    allowed = [one for one in found if _acceptable(readings, one) and not one.instrument]
-    if not allowed:
-        return None
-    allowed.sort(key=lambda one: -one.score)
-    known = float(np.logaddexp.reduce([one.score for one in allowed]))
-    whole = float(np.logaddexp.reduce([*rest.scores, known]))
-    group = groups(allowed[:KEPT])[0]
-    mine = float(np.logaddexp.reduce([one.score for one in group]))
-    if float(np.exp(mine - known)) < LIKELY or float(np.exp(mine - whole)) < PERHAPS:
-        return None
-    return tuple(sorted(group, key=plausible)), min(float(np.exp(mine - whole)), UNSURE)
-
-
-def at_step(one: Hypothesis) -> tuple[object, ...]:
-    """Return what is said of where and of what kind a mistake is."""
-    what = one.what
-    if not isinstance(what, Mutation):
-        return (what.family, what.kind, what.plan, what.segment)
-    return (what.family, what.at.it if what.at is not None else what.was)
-
-
-def plausible(one: Hypothesis, off: Container[Mark] = ()) -> tuple[float, ...]:
-    """Return the place of a hypothesis among those that no reading tells apart: the usual ones first.
-
-    ``off``: marks whose readings are off; what is off itself is rather wrong than what it was found from.
-    """
-    what = one.what
-    if not isinstance(what, Mutation):
-        return (what.cost - 0.5, 0.0, 0.0, 0.0)
-    odd = what.usual + (1.0 if what.wide else 0.0) - (1.0 if usual(what) else 0.0)
-    odd -= DIRECT if what.at is not None and what.at.it in off else 0.0
-    at = 0.0 if one.place is None else 1.0
-    return (odd, at, float(FAMILIES.index(what.family)), float(min(what.slots, default=0)))
-
-
 def _two(
     readings: Readings,
     mistakes: Mistakes,
     least: Mapping[tuple[Key, bool], float],
     found: Sequence[Hypothesis],
-    rest: _Rest,
-) -> tuple[tuple[tuple[Hypothesis, ...], float], ...] | None:
+    rest: Rest,
+) -> tuple[Told, ...] | None:
     """Return two mistakes made at once: a second round on top of the best explanations of a first."""
-    single = [*rest.scores, *(one.score for one in found if _acceptable(readings, one))]
-    best: tuple[float, float, tuple[Hypothesis, ...], tuple[Hypothesis, ...]] | None = None
+    single = [*rest.scores, *(one.score for one in found if acceptable(readings, one))]
+    top: tuple[float, float, tuple[Hypothesis, ...], tuple[Hypothesis, ...]] | None = None
     firsts = [one for one in found if one.lost == 0 and float(one.gain.sum()) > 0.0]
-    firsts = sorted((one for one in firsts if isinstance(one.what, Mutation)), key=_score)
+    firsts = sorted((one for one in firsts if isinstance(one.what, Mutation)), key=by_score)
     for group in groups(firsts[:KEPT])[:FIRST]:
         first = min(group, key=plausible)
-        assert isinstance(first.what, Mutation)
         offered = mistakes.boards[first.board]
-        log, given = changed.made(offered.base.log, offered.base.given, first.what, first.place)
-        base = Board(offered.board, log, given)
+        base = _with(offered, first)
         allowed = [
             one
             for one in _second(readings, offered, base, first, least)
-            if _acceptable(readings, one)
+            if acceptable(readings, one)
         ]
         if not allowed:
             continue
-        second = groups(sorted(allowed, key=_score)[:KEPT])[0]
+        second = groups(sorted(allowed, key=by_score)[:KEPT])[0]
         score = float(np.logaddexp.reduce([one.score for one in second]))
         whole = float(np.logaddexp.reduce([*single, *(one.score for one in allowed)]))
-        if best is None or score > best[0]:
+        if top is None or score > top[0]:
             pair = tuple(sorted(group, key=plausible)), tuple(sorted(second, key=plausible))
-            best = score, float(np.exp(score - whole)), *pair
-    if best is None or best[1] < SURE:
+            top = score, float(np.exp(score - whole)), *pair
+    if top is None or top[1] < SURE:
         return None
-    return (best[2], best[1]), (best[3], best[1])
+    return (top[2], top[1]), (top[3], top[1])
 
 
-def _score(one: Hypothesis) -> float:
-    return -one.score
+def _beside(
+    readings: Readings,
+    mistakes: Mistakes,
+    least: Mapping[tuple[Key, bool], float],
+    first: Hypothesis,
+) -> Told | None:
+    """Return what perhaps was done amiss beside a mistake that is named and leaves something unexplained."""
+    if not isinstance(first.what, Mutation):
+        return None
+    base = _with(mistakes.boards[first.board], first)
+    some = _second(readings, mistakes.boards[first.board], base, first, least)
+    allowed = sorted((one for one in some if acceptable(readings, one)), key=by_score)[:KEPT]
+    if not allowed:
+        return None
+    group = groups(allowed)[0]
+    mine, known = (
+        float(np.logaddexp.reduce([one.score for one in these])) for these in (group, allowed)
+    )
+    chance = float(np.exp(mine - np.logaddexp(known, first.score)))
+    if first.beyond <= group[0].beyond or np.exp(mine - known) < LIKELY or chance < PERHAPS:
+        return None
+    return tuple(sorted(group, key=plausible)), min(chance, UNSURE)
+
+
+def _with(offered: Offered, first: Hypothesis) -> Board:
+    """Return a board on which a mistake is made."""
+    assert isinstance(first.what, Mutation)
+    log, given = changed.made(offered.base.log, offered.base.given, first.what, first.place)
+    return Board(offered.board, log, given)
 
 
 def _second(

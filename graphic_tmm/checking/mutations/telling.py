@@ -9,7 +9,8 @@ from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.record import Mark
 from graphic_tmm.captions import view_name
 from graphic_tmm.checking.judging.comparison import Comparison
-from graphic_tmm.checking.mutations.diagnosis import SURE, Diagnosis
+from graphic_tmm.checking.mutations.choosing import SURE
+from graphic_tmm.checking.mutations.diagnosis import Diagnosis
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis
 from graphic_tmm.checking.mutations.mutation import Mutation
 from graphic_tmm.checking.mutations.names import BY_FAMILY, INSTRUMENT, name_of
