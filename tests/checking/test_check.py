@@ -76,7 +76,7 @@ def test_a_photograph_is_laid_under_its_sheet(tmp_path: Path) -> None:
     assert done.exit_code == 0, done.output
     assert 'href="under-flat.png"' in out.read_text("utf-8")
     with image.open(tmp_path / "under-flat.png") as flat:
-        assert flat.size[0] == pytest.approx(210 * 4, abs=2)
+        assert flat.size[0] == pytest.approx(210 * 8, abs=4)
     bad = invoke(*arguments[:-1], "1,2 3,4")
     assert bad.exit_code == 2
     assert "four corners" in bad.stderr

@@ -14,7 +14,7 @@ from graphic_tmm.checking.mutations.givens import mistaken
 from graphic_tmm.checking.mutations.grammar import late, mutations
 
 SCENES = sorted(path.parent.name for path in SHEETS.glob("*/scene.toml"))
-EVERY = 97
+EVERY = 797
 """Of the mutations of a scene every so manieth is executed alone, too: a prime, so that all kinds are met."""
 
 
