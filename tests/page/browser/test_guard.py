@@ -24,7 +24,10 @@ FAULTS = {
         "<link rel=stylesheet href='http://example.invalid/a.css'>",
         "request: http://example.invalid/a.css",
     ),
-    "a call": ("<script>fetch('http://example.invalid/b')</script>", "request: http://example"),
+    "a call": (
+        "<script>fetch('http://example.invalid/b').catch(() => 0)</script>",
+        "request: http://example",
+    ),
     "a beacon": (
         "<script>navigator.sendBeacon('http://example.invalid/c')</script>",
         "request: http://example.invalid/c",
