@@ -15,13 +15,11 @@ from numpy.typing import NDArray
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.own_errors import apart
-from graphic_tmm.checking.mutations.density import BEYOND, broad, log_density, size_of
+from graphic_tmm.checking.mutations.density import BEYOND, LOST, PLAN, broad, log_density, size_of
 from graphic_tmm.checking.readings.units import due_figure, taken_figure
 from graphic_tmm.checking.records import Taken
 
 Array = NDArray[np.float64]
-LOST = -50.0
-"""The logarithm of how likely a reading is of what cannot be drawn."""
 
 
 class Reading(NamedTuple):
@@ -53,7 +51,7 @@ class Reading(NamedTuple):
             error = apart(np.asarray(read, dtype=complex).real, np.asarray(figures).real)
         change = np.abs(np.asarray(figures) - self.due)
         gone = ~np.isfinite(error)
-        whole = 100.0 if self.taken.pointed else abs(self.found)
+        whole = PLAN if self.taken.pointed else abs(self.found)
         size = size_of(
             self.scatter, 0.0 if self.taken.pointed else whole, self.mm, np.nan_to_num(change)
         )

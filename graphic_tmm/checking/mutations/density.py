@@ -24,6 +24,10 @@ LEAST_MM, LEAST_SHARE, OF_CHANGE = 0.35, 0.005, 0.02
 """No error is told more finely than this: mm on the paper (a pencil line is so wide), of the figure, of what a
 mistake moves it by (a longer line swings farther)."""
 
+PLAN = 100.0
+"""How large the figure of a point is taken, mm: how far off anything is on a plan."""
+LOST = -50.0
+"""The logarithm of how likely a reading is of what cannot be drawn: never, whatever else it explains."""
 FARTHEST = 1e9
 """What moves farther is nowhere: its square is still a number of the machine."""
 

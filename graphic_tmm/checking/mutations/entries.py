@@ -20,7 +20,7 @@ from graphic_tmm.board.values import Length, Point
 from graphic_tmm.checking.judging import slips
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.own_errors import apart, errors_at, exact
-from graphic_tmm.checking.mutations.density import BEYOND, broad, log_density, size_of
+from graphic_tmm.checking.mutations.density import BEYOND, LOST, PLAN, broad, log_density, size_of
 from graphic_tmm.checking.mutations.execution import Beside, Rows, executed
 from graphic_tmm.checking.mutations.mutation import Mutation
 
@@ -184,18 +184,12 @@ def entry_of(
     return Entry(mark, whole, scatter, np.nan_to_num(figure), mm, drawn)
 
 
-WIDE = 100.0
-"""The figure of a point, mm: how far off anything is on a plan."""
-CANNOT = -50.0
-"""The logarithm of how likely a reading is of what cannot be drawn: never, whatever else it explains."""
-
-
 class Told:
     """An entry's evidence, of the base once, then of rows."""
 
     def __init__(self, entry: Entry) -> None:
         self.entry = entry
-        self.figure = np.full_like(entry.figure, WIDE) if entry.mark.kind is Point else entry.figure
+        self.figure = np.full_like(entry.figure, PLAN) if entry.mark.kind is Point else entry.figure
         self.size = size_of(entry.scatter, entry.figure, entry.mm)
         self.likely, self.off, _ = (
             one[0] for one in self._of(entry.error[:, None], self.size[:, None])
@@ -228,7 +222,7 @@ class Told:
             off = np.max(np.abs(errors) / size, axis=0)
         gone = np.isnan(errors).any(axis=0) & self.entry.read
         likely = np.where(np.isnan(likely), 0.0, likely).sum(axis=0)
-        likely = np.where(gone, CANNOT, likely)
+        likely = np.where(gone, LOST, likely)
         read = self.entry.read
         return (
             np.where(read, likely, 0.0),

@@ -324,7 +324,7 @@ def _formulas(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
         for now in scope.scales:
             if now.unit != was.unit and now.name != was.name and step.op.formula:
                 change = Change(_with(step, k, now))
-                yield (), _one(step, SCALE, words.SCALE, change, was=was, now=now)
+                yield (), _one(step, SCALE, words.ANOTHER_SCALE, change, was=was, now=now)
 
 
 def _factors(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:

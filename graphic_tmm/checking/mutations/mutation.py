@@ -59,7 +59,6 @@ class Mutation(NamedTuple):
     times: float = 1.0
     formula: str = ""
     usual: float = 1.0
-    name: str = ""
     wide: bool = False
 
     @property

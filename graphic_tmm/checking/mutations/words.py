@@ -9,8 +9,7 @@ from __future__ import annotations
 from graphic_tmm.board.operations.instruments import lay_off, measure, measure_along
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Length, Line, Number, Point
-from graphic_tmm.checking.mutations import mutation
-from graphic_tmm.checking.mutations.mutation import OPERAND, START
+from graphic_tmm.checking.mutations.mutation import OPERAND, SCALE, START
 from graphic_tmm.language.said import said
 
 CALCULATED = said("{it} was calculated with {now} instead of {was}")
@@ -34,7 +33,7 @@ MEETING = said("of two meetings the other one was marked for {it}")
 FORMULA = said("{it} was calculated as {formula}")
 LAID_TIMES = said("{was} was laid off {times} times as long for {it}")
 FACTOR = said("{it} was taken {times} times as large")
-SCALE = said("{it} was calculated with the scale factor {now} instead of {was}")
+ANOTHER_SCALE = said("{it} was calculated with the scale factor {now} instead of {was}")
 OTHER_WAY = said("the crank was turned the other way")
 COUNTED = said("the crank's angles were counted from {times}° further on")
 OPPOSITE_GIVEN = said("{was}, which is given, was taken with the opposite sense")
@@ -47,7 +46,7 @@ def operand(step: Step, k: int, *, scale: bool) -> tuple[str, str]:
     """Return the family and the sentence of another mark taken for the one that a step uses."""
     kind = step.uses[k].kind
     if scale:
-        return mutation.SCALE, SCALE
+        return SCALE, ANOTHER_SCALE
     if step.op.formula:
         return OPERAND, CALCULATED
     if step.op in (measure, measure_along):
