@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Container, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -16,6 +17,9 @@ Told = tuple[tuple[Hypothesis, ...], float]
 """Hypotheses that no reading tells apart, the plausible first, and how sure they are."""
 SURE, UNSURE = 0.8, 0.79
 """A name is given where it is as sure as this; a perhaps is never as sure."""
+TEMPER = 2.0
+"""Errors of one position hang together, and no list holds every mistake: of what readings tell for one against
+another (natural logarithm) it is divided by this when it is said how sure a name is."""
 LIKELY = 0.5
 """A mistake is told as a perhaps if it is at least so likely among the mistakes that we know."""
 DIRECT = 0.75
@@ -50,14 +54,44 @@ def best(allowed: list[Hypothesis], rest: Rest) -> Told | None:
 def _sure(found: Sequence[Sequence[Hypothesis]], whole: float) -> Told | None:
     """Return the best group if it is sure; else it with up to two more of the same step and family."""
     first = found[0]
+    if not first[0].fits:  # what explains most explains it badly: the others even less
+        return None
     alike = [one for one in found if at_step(one[0]) == at_step(first[0])][:MOST]
     told: list[Hypothesis] = []
     for group in alike:
         told += sorted(group, key=plausible)
-        sure = float(np.exp(np.logaddexp.reduce([one.score for one in told]) - whole))
+        sure = tempered(float(np.logaddexp.reduce([one.score for one in told])) - whole)
         if sure >= SURE:
             return tuple(told), sure
     return None
+
+
+def tempered(chance: float) -> float:
+    """Return how sure something is, of the logarithm of its share among all hypotheses."""
+    against = np.log(max(-np.expm1(min(chance, 0.0)), 1e-300))
+    return float(1.0 / (1.0 + np.exp(np.clip((against - chance) / TEMPER, -50.0, 50.0))))
+
+
+def told_of(named: Told, off: Container[Mark]) -> Told:
+    """Return those of a group that are told, the plausible first, and how sure it is that one of them is right.
+
+    Of what no reading tells apart only so many steps and families are told as make it sure, `MOST` at most; the
+    more others there are, the less sure these are.
+    """
+    group, sure = named
+    kinds: dict[tuple[object, ...], list[Hypothesis]] = {}
+    for one in sorted(group, key=partial(plausible, off=off)):
+        kinds.setdefault(at_step(one), []).append(one)
+    every = np.logaddexp.reduce([one.score for one in group])
+    told: list[list[Hypothesis]] = []
+    share = 0.0
+    for some in list(kinds.values())[:MOST]:
+        told.append(some)
+        share += float(np.exp(np.logaddexp.reduce([one.score for one in some]) - every))
+        if sure * share >= SURE:
+            break
+    others = [one for some in told for one in some[1:]]
+    return (*(some[0] for some in told), *others), sure * min(share, 1.0)
 
 
 def perhaps(readings: Readings, found: Sequence[Hypothesis], rest: Rest) -> Told | None:

@@ -15,7 +15,15 @@ from numpy.typing import NDArray
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.own_errors import apart
-from graphic_tmm.checking.mutations.density import BEYOND, LOST, PLAN, broad, log_density, size_of
+from graphic_tmm.checking.mutations.density import (
+    BEYOND,
+    LOST,
+    PLAN,
+    broad,
+    explained,
+    log_density,
+    size_of,
+)
 from graphic_tmm.checking.readings.units import due_figure, taken_figure
 from graphic_tmm.checking.records import Taken
 
@@ -98,12 +106,14 @@ def readings(drawing: Comparison, marked: Sequence[Taken]) -> list[Reading]:
 
 def told(
     rows: Sequence[Reading], ways: Sequence[Mapping[tuple[Key, bool], Any]], count: int, places: int
-) -> tuple[Array, Array, Array]:
+) -> tuple[Array, Array, Array, Array, Array]:
     """Return what readings gain on the base, how many are beyond and lost, (row, position).
+
+    And how many are moved and explained, with the sum of the squares of how far off these are.
 
     ``ways``: the figures of rows, each way they may have been found.
     """
-    gain, beyond, lost = (np.zeros((count, places + 1)) for _ in range(3))
+    gain, beyond, lost, moved, squares = (np.zeros((count, places + 1)) for _ in range(5))
     for one in rows:
         base, far, _ = one.told(np.asarray(one.due))
         best: tuple[Array, Array, Array] | None = None
@@ -123,4 +133,7 @@ def told(
         gain[:, one.place] += best[0] - base
         beyond[:, one.place] += best[1] > BEYOND
         lost[:, one.place] += best[2]
-    return gain, beyond, lost
+        its_moved, its_squares = explained(best[1], far)
+        moved[:, one.place] += its_moved
+        squares[:, one.place] += its_squares
+    return gain, beyond, lost, moved, squares

@@ -24,6 +24,8 @@ LEAST_MM, LEAST_SHARE, OF_CHANGE = 0.35, 0.005, 0.02
 """No error is told more finely than this: mm on the paper (a pencil line is so wide), of the figure, of what a
 mistake moves it by (a longer line swings farther)."""
 
+MOVED = 1e-6
+"""By so many standard deviations a reading is moved at least by what moves it; less is rounding."""
 PLAN = 100.0
 """How large the figure of a point is taken, mm: how far off anything is on a plan."""
 LOST = -50.0
@@ -46,6 +48,15 @@ def broad(off: Any, size: Any, figure: Any) -> Array:
     whole = np.maximum(np.abs(figure), 10.0 * size)
     even = np.where(off <= 2.0 * whole, 0.125 / whole, 0.0)
     return np.asarray(even + 0.25 / ((off + size) * MAGNITUDES))
+
+
+def explained(off: Any, before: Any) -> tuple[Array, Array]:
+    """Return which readings something moves and explains, and the squares of how far off these then are.
+
+    ``off``, ``before``: in standard deviations, with it and without.
+    """
+    moved = (np.abs(off - before) > MOVED) & (off <= BEYOND)
+    return moved * 1.0, np.where(moved, off, 0.0) ** 2
 
 
 def size_of(scatter: Any, figure: Any, mm: Any, change: Any = 0.0) -> Array:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -33,6 +32,8 @@ from graphic_tmm.checking.mutations.choosing import (
     by_score,
     perhaps,
     plausible,
+    tempered,
+    told_of,
 )
 from graphic_tmm.checking.mutations.evidence import Board, Readings, of_mutations, of_variations
 from graphic_tmm.checking.mutations.finalists import refined
@@ -93,11 +94,11 @@ def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged])
     if not wrong and said and (said[0][1] < CERTAIN or said[0][0][0].gain.sum() < 1.5 * CLEAR):
         said = ()
     doubtful = tuple(one for one in judged if one.verdict != FINE)
-    whole = len(said) > 1 or (bool(said) and acceptable(readings, said[0][0][0]))
-    certain = whole and said[0][1] >= SURE
     wronged = {one.taken.key for one in doubtful}
     off = {mark for (mark, _), taken in readings.by_mark.items() if taken.key in wronged}
-    said = tuple((tuple(sorted(group, key=partial(plausible, off=off))), at) for group, at in said)
+    said = tuple(told_of(one, off) for one in said)
+    whole = len(said) > 1 or (bool(said) and acceptable(readings, said[0][0][0]))
+    certain = whole and said[0][1] >= SURE
     return Diagnosis(said, None if certain else rest.step, wrong, readings, doubtful)
 
 
@@ -245,7 +246,7 @@ def _two(
         whole = float(np.logaddexp.reduce([*single, *(one.score for one in allowed)]))
         if top is None or score > top[0]:
             pair = tuple(sorted(group, key=plausible)), tuple(sorted(second, key=plausible))
-            top = score, float(np.exp(score - whole)), *pair
+            top = score, tempered(score - whole), *pair
     if top is None or top[1] < SURE:
         return None
     return (top[2], top[1]), (top[3], top[1])

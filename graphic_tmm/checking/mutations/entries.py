@@ -20,7 +20,15 @@ from graphic_tmm.board.values import Length, Point
 from graphic_tmm.checking.judging import slips
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.own_errors import apart, errors_at, exact
-from graphic_tmm.checking.mutations.density import BEYOND, LOST, PLAN, broad, log_density, size_of
+from graphic_tmm.checking.mutations.density import (
+    BEYOND,
+    LOST,
+    PLAN,
+    broad,
+    explained,
+    log_density,
+    size_of,
+)
 from graphic_tmm.checking.mutations.execution import Beside, Rows, executed
 from graphic_tmm.checking.mutations.mutation import Mutation
 
@@ -52,8 +60,9 @@ class Weighed(NamedTuple):
 
     ``base``, ``unknown``: logarithms of likelihoods by mark, (position,), as the base has them, and if nothing
     were known of that step. ``gain``: (row, position) of all entries together; ``beyond``, ``lost``: how many
-    readings are unexplained, and how many cannot be drawn, (row, position). ``errors``: what differs, by mark:
-    rows and their errors in sizes, (row, position). ``off``: the base's, (position,).
+    readings are unexplained, and how many cannot be drawn, (row, position). ``moved``, ``squares``: how many
+    are moved and explained, and the sum of the squares of how far off these are. ``errors``: what differs, by
+    mark: rows and their errors in sizes, (row, position). ``off``: the base's, (position,).
     """
 
     base: Mapping[Mark, Array]
@@ -61,6 +70,8 @@ class Weighed(NamedTuple):
     gain: Array
     beyond: Array
     lost: Array
+    moved: Array
+    squares: Array
     errors: Mapping[Mark, tuple[tuple[Rows, Array], ...]]
     off: Mapping[Mark, Array]
     beside: Beside
@@ -127,7 +138,7 @@ def weighed(
     beside = executed(log, given, mutations, (*found, *wanted), own.seen)
     places = len(own.work.names)
     gain = np.zeros((len(mutations), places))
-    beyond, lost = np.zeros_like(gain), np.zeros_like(gain)
+    beyond, lost, moved, squares = (np.zeros_like(gain) for _ in range(4))
     base: dict[Mark, Array] = {}
     unknown: dict[Mark, Array] = {}
     off: dict[Mark, Array] = {}
@@ -145,10 +156,14 @@ def weighed(
             gain[rows] += likely - told.likely
             beyond[rows] += (far > BEYOND) * 1.0 - (told.off > BEYOND)
             lost[rows] += gone
+            some_moved, some_squares = explained(far, told.off)
+            moved[rows] += some_moved
+            squares[rows] += some_squares
             told_rows.append((rows, far))
         errors[mark] = tuple(told_rows)
     whole = sum((one > BEYOND) * 1.0 for one in off.values())
-    return Weighed(base, unknown, gain, beyond + whole, lost, errors, off, beside)
+    gain_and_lost = gain, beyond + whole, lost, moved, squares
+    return Weighed(base, unknown, *gain_and_lost, errors, off, beside)
 
 
 def entry_of(

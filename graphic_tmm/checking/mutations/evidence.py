@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +15,7 @@ from graphic_tmm.board.values import Point
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations import columns
-from graphic_tmm.checking.mutations.density import BEYOND
+from graphic_tmm.checking.mutations.density import BEYOND, explained
 from graphic_tmm.checking.mutations.entries import Own, Told, entry_of, weighed
 from graphic_tmm.checking.mutations.execution import Beside, executed
 from graphic_tmm.checking.mutations.figures import figures_of
@@ -28,16 +28,18 @@ Array = NDArray[np.float64]
 Given = Mapping[Mark, object]
 
 
-@dataclass(frozen=True)
-class Evidence:
+class Evidence(NamedTuple):
     """What hypotheses gain on the base, (hypothesis, position and, last, what has none of the mechanism's).
 
-    ``beyond``, ``lost``: how many readings each leaves unexplained, and how many it cannot draw.
+    ``beyond``, ``lost``: how many readings each leaves unexplained, and how many it cannot draw. ``moved``,
+    ``squares``: how many it moves and explains, and the sum of the squares of how far off these are.
     """
 
     gain: Array
     beyond: Array
     lost: Array
+    moved: Array
+    squares: Array
 
 
 @dataclass(frozen=True)
@@ -108,7 +110,7 @@ def of_mutations(
     places, count = readings.places, len(mutations)
     work = readings.drawing.made.mechanism
     ways = [readings.figures(base.board, plain, rows)]
-    gain, beyond, lost = (np.zeros((count, places + 1)) for _ in range(3))
+    evidence = nothing(count, places)
     told = None
     if work is not None and base.board is work and readings.found:
         wanted = base.marks if readings.keys else ()
@@ -121,24 +123,23 @@ def of_mutations(
             scatters,
             wanted,
         )
-        gain[:, :places] += told.gain
-        beyond[:, :places] += told.beyond
-        lost[:, :places] += told.lost
+        its = told.gain, told.beyond, told.lost, told.moved, told.squares
+        for total, more in zip(evidence, its, strict=True):
+            total[:, :places] += more
         if readings.keys:
             ways.append(readings.figures(base.board, told.beside, np.arange(count)))
-    for total, more in zip(
-        (gain, beyond, lost), columns.told(readings.columns, ways, count, places), strict=True
-    ):
+    of_columns = columns.told(readings.columns, ways, count, places)
+    for total, more in zip(evidence, of_columns, strict=True):
         total += more
-    return Evidence(gain, beyond, lost), told
+    return evidence, told
 
 
 def of_variations(readings: Readings, base: Board, some: Sequence[Variation]) -> Evidence:
     """Return the evidence for readings written down otherwise."""
     places, count = readings.places, len(some)
-    gain, beyond, lost = (np.zeros((count, places + 1)) for _ in range(3))
+    evidence = nothing(count, places)
     if readings.found and readings.drawing.made.mechanism is not None:
-        _of_marks(readings, base, some, gain, beyond)
+        _of_marks(readings, base, some, evidence)
     index = {id(taken): k for k, taken in enumerate(readings.drawing.rows)}
     by_row = {id(one.taken): one for one in readings.columns}
     for one in readings.columns:
@@ -151,15 +152,28 @@ def of_variations(readings: Readings, base: Board, some: Sequence[Variation]) ->
             other = by_row.get(id(readings.drawing.rows[source]))
             if other is not None:
                 read[h] = way.factor[k] * other.found + way.plus[k]
-        base_told, _, _ = one.told(np.asarray(one.due))
-        likely, far, gone = one.told(np.asarray(one.due), read)
-        gain[:, one.place] += np.where(gone > 0, one.unknown, likely) - base_told
-        beyond[:, one.place] += far > BEYOND
-    return Evidence(gain, beyond, lost)
+        told = one.told(np.asarray(one.due), read)
+        _add(evidence, one.place, told, one.unknown, one.told(np.asarray(one.due)))
+    return evidence
+
+
+def nothing(count: int, places: int) -> Evidence:
+    """Return the evidence for hypotheses before anything has been read."""
+    return Evidence(*(np.zeros((count, places + 1)) for _ in Evidence._fields))
+
+
+def _add(evidence: Evidence, at: Any, told: Any, unknown: Any, before: Any) -> None:
+    """Add readings written down otherwise: how likely, far off and gone they are, and were before."""
+    likely, far, gone = told
+    evidence.gain[:, at] += np.where(gone > 0, unknown, likely) - before[0]
+    evidence.beyond[:, at] += far > BEYOND
+    moved, squares = explained(far, before[1])
+    evidence.moved[:, at] += moved
+    evidence.squares[:, at] += squares
 
 
 def _of_marks(
-    readings: Readings, base: Board, some: Sequence[Variation], gain: Array, beyond: Array
+    readings: Readings, base: Board, some: Sequence[Variation], evidence: Evidence
 ) -> None:
     drawing, count, places = readings.drawing, len(some), readings.places
     found: dict[Mark, Any] = {
@@ -183,6 +197,5 @@ def _of_marks(
         if entry is None:
             continue
         told = Told(entry)
-        likely, far, gone = told.rows(np.broadcast_to(errors, (errors.shape[0], count, places)))
-        gain[:, :places] += np.where(gone > 0, told.unknown, likely) - told.likely
-        beyond[:, :places] += far > BEYOND
+        rows = told.rows(np.broadcast_to(errors, (errors.shape[0], count, places)))
+        _add(evidence, slice(places), rows, told.unknown, (told.likely, told.off))

@@ -15,7 +15,7 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.checking.judging.step_scatter import as_read, where_read
 from graphic_tmm.checking.mutations import changed
-from graphic_tmm.checking.mutations.density import BEYOND
+from graphic_tmm.checking.mutations.density import BEYOND, explained
 from graphic_tmm.checking.mutations.entries import Own, Told, entry_of
 from graphic_tmm.checking.mutations.evidence import Board, Readings
 from graphic_tmm.checking.mutations.execution import executed
@@ -40,7 +40,7 @@ def refined(readings: Readings, base: Board, one: Hypothesis) -> Hypothesis:
     executed(log, given, (), readings.found, own.seen)
     right = Own(readings.drawing, readings.found, base.log)
     executed(base.log, base.given, (), readings.found, right.seen)
-    gain, far = one.gain.copy(), one.far.copy()
+    gain, far, fit = one.gain.copy(), one.far.copy(), np.array([one.moved, one.squares])
     places = readings.places
     for mark, errors in own.base.items():
         read = readings.found[mark][0]
@@ -48,12 +48,21 @@ def refined(readings: Readings, base: Board, one: Hypothesis) -> Hypothesis:
         mine = entry_of(readings.drawing, mark, errors[:, 0], read, scatters)
         if known is None or mine is None:
             continue
-        (before,), (off,), _ = Told(known).rows(errors[:, :1])
-        told = Told(mine)
+        plain, told = Told(known), Told(mine)
+        (before,), (off,), _ = plain.rows(errors[:, :1])
         gain[:places] += told.likely - before
         far[:places] += (told.off > BEYOND) * 1.0 - (off > BEYOND)
+        fit += _fit(told.off, plain.off) - _fit(off, plain.off)
     score = one.score + float((gain - one.gain).sum())
-    return one._replace(score=score, gain=gain, beyond=int(far.sum()), far=far)
+    beyond, (moved, squares) = int(far.sum()), map(float, fit)
+    return one._replace(
+        score=score, gain=gain, beyond=beyond, far=far, moved=moved, squares=squares
+    )
+
+
+def _fit(off: Array, before: Array) -> Array:
+    moved, squares = explained(off, before)
+    return np.array([moved.sum(), squares.sum()])
 
 
 def _scatters(readings: Readings, other: Board) -> dict[Mark, Array]:

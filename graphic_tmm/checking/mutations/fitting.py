@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from graphic_tmm.checking.cells import Key
-from graphic_tmm.checking.mutations.evidence import Board, Evidence, Readings, of_mutations
+from graphic_tmm.checking.mutations.evidence import Board, Evidence, Readings, nothing, of_mutations
 from graphic_tmm.checking.mutations.givens import misread
 from graphic_tmm.checking.mutations.mistakes import NONE, Offered
 from graphic_tmm.checking.mutations.mutation import Mutation
@@ -36,7 +36,7 @@ def fitted(
     rows = offered.moving(least, offered.run(trial, base)) if offered.free else np.zeros(1, int)
     free = [offered.free[k - 1] for k in rows if k]
     if not free:
-        return [], Evidence(*(np.zeros((1, readings.places + 1)) for _ in range(3)))
+        return [], nothing(1, readings.places)
 
     def gains(factors: Sequence[Sequence[float]]) -> np.ndarray:
         """Return what each given gains, taken so many times as large; (given, factor)."""

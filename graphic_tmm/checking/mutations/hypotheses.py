@@ -23,6 +23,8 @@ FITTED = 4.5
 """What a free number costs that is found from the readings: it may be any of some hundred (logarithm)."""
 UNEXPLAINED = 0.03
 """No name is given that leaves a larger share of the readings beyond what a hand does."""
+THOUSANDTH = 3.09
+"""Of a normal distribution one of a thousand is farther off, standard deviations."""
 ALIKE = 0.5
 """Mistakes whose likelihoods differ by no more at any position (natural logarithm) no reading tells apart."""
 
@@ -32,7 +34,9 @@ class Hypothesis(NamedTuple):
 
     ``place``: at one position only (its index); ``score``: the logarithm of how likely it is beforehand and
     by the readings, that of no mistake being `NO_MISTAKE`'s; ``gain``: (position,) of the readings;
-    ``beyond``, ``lost``: how many readings it leaves unexplained, how many it cannot draw.
+    ``beyond``, ``lost``: how many readings it leaves unexplained, how many it cannot draw; ``far``: the former
+    by position. ``moved``, ``squares``: how many it moves and explains, the sum of the squares of how far off
+    these are, in standard deviations.
     """
 
     what: Mutation | Variation
@@ -43,6 +47,19 @@ class Hypothesis(NamedTuple):
     beyond: int
     lost: int
     far: Array
+    moved: float = 0.0
+    squares: float = 0.0
+
+    @property
+    def fits(self) -> bool:
+        """Whether what it explains is as near as a hand's errors are: so bad a fit is one of a thousand.
+
+        The sum of squares is as chi-square's; its cube root is nearly normal (Wilson and Hilferty, 1931).
+        """
+        if not self.moved:
+            return True
+        part = 2.0 / (9.0 * self.moved)
+        return bool((self.squares / self.moved) ** (1 / 3) < 1.0 - part + THOUSANDTH * part**0.5)
 
     @property
     def elsewhere(self) -> int:
@@ -91,6 +108,8 @@ def of_table(some: Sequence[Variation], evidence: Evidence) -> Iterator[Hypothes
             int(evidence.beyond[row].sum()),
             0,
             evidence.beyond[row],
+            float(evidence.moved[row].sum()),
+            float(evidence.squares[row].sum()),
         )
 
 
@@ -109,6 +128,8 @@ def _scoped(
         int(beyond[row].sum()),
         int(lost.sum()),
         beyond[row],
+        float(evidence.moved[row].sum()),
+        float(evidence.squares[row].sum()),
     )
     places = np.flatnonzero(gain[:-1])
     if places.size < 2:
@@ -120,7 +141,8 @@ def _scoped(
     far = beyond[0].copy()
     far[place] = beyond[row, place]
     score = prior + one_of + float(gain[place])
-    yield Hypothesis(one, board, place, score, single, int(far.sum()), int(lost[place]), far)
+    fit = float(evidence.moved[row, place]), float(evidence.squares[row, place])
+    yield Hypothesis(one, board, place, score, single, int(far.sum()), int(lost[place]), far, *fit)
 
 
 def groups(some: Sequence[Hypothesis]) -> list[list[Hypothesis]]:
