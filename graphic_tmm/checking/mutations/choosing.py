@@ -75,23 +75,20 @@ def tempered(chance: float) -> float:
 def told_of(named: Told, off: Container[Mark]) -> Told:
     """Return those of a group that are told, the plausible first, and how sure it is that one of them is right.
 
-    Of what no reading tells apart only so many steps and families are told as make it sure, `MOST` at most; the
-    more others there are, the less sure these are.
+    Of what no reading tells apart no more than `MOST` steps and families are told; the more others there are,
+    the less sure these are.
     """
     group, sure = named
     kinds: dict[tuple[object, ...], list[Hypothesis]] = {}
     for one in sorted(group, key=partial(plausible, off=off)):
         kinds.setdefault(at_step(one), []).append(one)
-    every = np.logaddexp.reduce([one.score for one in group])
-    told: list[list[Hypothesis]] = []
-    share = 0.0
-    for some in list(kinds.values())[:MOST]:
-        told.append(some)
-        share += float(np.exp(np.logaddexp.reduce([one.score for one in some]) - every))
-        if sure * share >= SURE:
-            break
+    told = list(kinds.values())[:MOST]
+    every, these = (
+        float(np.logaddexp.reduce([one.score for one in some]))
+        for some in (group, [one for some in told for one in some])
+    )
     others = [one for some in told for one in some[1:]]
-    return (*(some[0] for some in told), *others), sure * min(share, 1.0)
+    return (*(some[0] for some in told), *others), sure * float(np.exp(these - every))
 
 
 def perhaps(readings: Readings, found: Sequence[Hypothesis], rest: Rest) -> Told | None:

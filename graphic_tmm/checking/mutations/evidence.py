@@ -134,8 +134,38 @@ def of_mutations(
     return evidence, told
 
 
-def of_variations(readings: Readings, base: Board, some: Sequence[Variation]) -> Evidence:
-    """Return the evidence for readings written down otherwise."""
+def unexplained(readings: Readings, base: Board) -> set[tuple[Key, bool]]:
+    """Return the readings that are beyond what a hand does on a board."""
+    found: set[tuple[Key, bool]] = set()
+    work = readings.drawing.made.mechanism
+    marks = base.marks if readings.keys else ()
+    ways: list[Mapping[tuple[Key, bool], Any]] = []
+    if work is not None and base.board is work and readings.found:
+        told = weighed(readings.drawing, readings.found, base.log, base.given, (), None, marks)
+        at = readings.by_mark
+        found |= {
+            at[mark, int(place)].at
+            for mark, off in told.off.items()
+            for place in np.flatnonzero(off > BEYOND)
+            if (mark, int(place)) in at
+        }
+        ways.append(readings.figures(base.board, told.beside, np.arange(1)) if marks else {})
+    plain = executed(base.log, base.given, (), marks)
+    ways.append(readings.figures(base.board, plain, np.arange(1)))
+    for one in readings.columns:
+        off = [float(np.ravel(one.told(way[one.at])[1])[0]) for way in ways if one.at in way]
+        if off and min(off) > BEYOND and not one.beside:
+            found.add(one.at)
+    return found
+
+
+def of_variations(
+    readings: Readings,
+    base: Board,
+    some: Sequence[Variation],
+    due: Mapping[tuple[Key, bool], Any],
+) -> Evidence:
+    """Return the evidence for readings written down otherwise; ``due``: figures not as they should be."""
     places, count = readings.places, len(some)
     evidence = nothing(count, places)
     if readings.found and readings.drawing.made.mechanism is not None:
@@ -152,8 +182,8 @@ def of_variations(readings: Readings, base: Board, some: Sequence[Variation]) ->
             other = by_row.get(id(readings.drawing.rows[source]))
             if other is not None:
                 read[h] = way.factor[k] * other.found + way.plus[k]
-        told = one.told(np.asarray(one.due), read)
-        _add(evidence, one.place, told, one.unknown, one.told(np.asarray(one.due)))
+        figure = np.asarray(np.ravel(due[one.at])[0] if one.at in due else one.due)
+        _add(evidence, one.place, one.told(figure, read), one.unknown, one.told(figure))
     return evidence
 
 

@@ -6,6 +6,7 @@ moves points much farther. The hand draws the mutated log some times; its own er
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -19,12 +20,43 @@ from graphic_tmm.checking.mutations.density import BEYOND, explained
 from graphic_tmm.checking.mutations.entries import Own, Told, entry_of
 from graphic_tmm.checking.mutations.evidence import Board, Readings
 from graphic_tmm.checking.mutations.execution import executed
-from graphic_tmm.checking.mutations.hypotheses import Hypothesis
+from graphic_tmm.checking.mutations.hypotheses import Hypothesis, groups
 from graphic_tmm.checking.mutations.mutation import Mutation
 
 Array = NDArray[np.float64]
+FINALISTS, KEPT = 8, 100
+"""So many of the best that readings tell apart are weighed anew, of so many."""
+LEAST = 8.0
+"""What gains less (natural logarithm) is not worth that."""
 DRAWN = 50
 """So often the hand draws with the mistake: a standard deviation is then known to a tenth of itself."""
+
+
+def reweighed(
+    readings: Readings, base_of: Callable[[int], Board], found: Sequence[Hypothesis]
+) -> list[Hypothesis]:
+    """Return hypotheses, the best of them weighed anew by a hand that draws with the mistake.
+
+    What no reading tells apart is weighed once, or the chance of its drawings would tell it apart.
+    """
+    best = [
+        one
+        for one in sorted(found, key=lambda one: -one.score)
+        if float(one.gain.sum()) > LEAST and not one.lost and isinstance(one.what, Mutation)
+    ][:KEPT]
+    anew: dict[int, Hypothesis] = {}
+    for group in groups(best)[:FINALISTS]:
+        first = group[0]
+        now = refined(readings, base_of(first.board), first)
+        for one in group:
+            anew[id(one)] = now._replace(
+                what=one.what,
+                board=one.board,
+                place=one.place,
+                score=one.score + now.score - first.score,
+                gain=one.gain + now.gain - first.gain,
+            )
+    return [anew.get(id(one), one) for one in found]
 
 
 def refined(readings: Readings, base: Board, one: Hypothesis) -> Hypothesis:

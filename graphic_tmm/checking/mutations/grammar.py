@@ -46,13 +46,16 @@ Key = tuple[Any, ...]
 """By what mutations of several steps are of one kind: made everywhere, they are one mistake."""
 POWERS_OF_TEN = (10.0, 0.1, 100.0, 0.01, 1000.0, 0.001)
 BY_UNIT: Mapping[str, tuple[float, ...]] = {
-    "1/s": (np.pi / 30.0, 30.0 / np.pi, np.pi / 180.0, 180.0 / np.pi, 2.0 * np.pi, 0.5 / np.pi),
+    "1/s": (
+        *(np.pi / 30.0, 30.0 / np.pi, np.pi / 180.0, 180.0 / np.pi),
+        *(2.0 * np.pi, 0.5 / np.pi, np.pi, 1.0 / np.pi),
+    ),
     "1/s²": (np.pi / 180.0, 180.0 / np.pi),
     "°": (np.pi / 180.0, 180.0 / np.pi),
     "N": (9.81, 1.0 / 9.81),
     "N·m": (9.81, 1.0 / 9.81),
 }
-"""Factors that units are mistaken by: turns a minute, degrees, kilograms of force."""
+"""Factors that units are mistaken by: turns a minute (π left out, too), degrees, kilograms of force."""
 UNUSUAL = 3.0
 """A mark squared that is not, or a scale factor doubled, is this much less usual than what is left out."""
 
@@ -116,6 +119,7 @@ class _Scope:
             self.of[mark.kind, mark.view].append(mark)
             if mark.kind is Number and mark.unit:
                 self.alike[mark.unit].append(mark)
+        self.given = {mark.slot for mark in log.given}
         self.scales = [mark for mark in log.given if _is_scale(mark)]
         made = {step.it.slot: k for k, step in enumerate(log.steps)}
         self.turn = {mark.slot: made.get(mark.slot, -1) for row in self.of.values() for mark in row}
@@ -140,7 +144,16 @@ def _is_scale(mark: Mark) -> bool:
 
 
 def _of(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
-    for read in (_operands, _before, _exchanged, _directions, _meetings, _formulas, _factors):
+    for read in (
+        _operands,
+        _before,
+        _exchanged,
+        _directions,
+        _meetings,
+        _formulas,
+        _factors,
+        _units,
+    ):
         yield from read(step, scope)
 
 
@@ -246,11 +259,14 @@ def _directions(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
             change = Change(
                 step._replace(choice={"quarters": (step.choice["quarters"] + quarters) % 4})
             )
-            yield (DIRECTION, step.op.name, quarters), _one(step, DIRECTION, words.TURNED, change)
+            told: dict[str, Any] = {"times": 90.0 * quarters}
+            key = (DIRECTION, step.op.name, quarters)
+            yield key, _one(step, DIRECTION, words.TURNED, change, **told)
     if step.it.kind is Line and step.op not in (parallel, square):
         for quarters in (1, 2, 3):
             change = Change(step._replace(op=_turned(step.op, quarters)))
-            yield (), _one(step, DIRECTION, words.TURNED, change, usual=UNUSUAL)
+            told = {"times": 90.0 * quarters, "usual": UNUSUAL}
+            yield (), _one(step, DIRECTION, words.TURNED, change, **told)
     if step.op is lay_off:
         for factor in (2.0, 0.5):
             change = Change(step._replace(op=_times(step.op, factor)))
@@ -309,7 +325,7 @@ def _formulas(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
         marks = [by[name] for name in one.touched]
         only_scales = bool(marks) and all(map(_is_scale, marks))
         family = SCALE if only_scales else one.family
-        squared = one.op.formula.count("²") > step.op.formula.count("²")
+        squared = _powers(one.op.formula) > _powers(step.op.formula)
         odd = family == LEFT_OUT and len(one.touched) > 1
         turned = only_scales or (any(map(_is_scale, marks)) and family == POWER)
         usual = UNUSUAL if squared or odd or turned else 1.0
@@ -327,6 +343,11 @@ def _formulas(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
                 yield (), _one(step, SCALE, words.ANOTHER_SCALE, change, was=was, now=now)
 
 
+def _powers(formula: str) -> int:
+    """Return how many powers a formula's text has, those beyond the square counted again."""
+    return sum(1 + "²³⁴⁵⁶⁷⁸⁹".index(sign) for sign in formula if sign in "²³⁴⁵⁶⁷⁸⁹")
+
+
 def _factors(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
     """What is calculated is so many times too large; nothing of it is left; its sign is the other one."""
     if step.it.kind not in (Length, Number) or not step.op.formula or step.op.across:
@@ -340,6 +361,25 @@ def _factors(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
     yield (LEFT_OUT, step.op.name), _one(step, LEFT_OUT, words.LEFT_OUT, Change(step, factor=0.0))
     key: Key = (roles.INERTIA,) if step.it.role == roles.INERTIA else (SENSE, step.op.name)
     yield key, _one(step, SENSE, words.SENSE, Change(step, factor=-1.0))
+
+
+def _units(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+    """What is given is taken in another unit in one formula: turns a minute for rad/s, kilograms for N."""
+    if not step.op.formula or step.op.across:
+        return
+    for k, was in enumerate(step.uses):
+        if was.kind is Number and was.slot in scope.given:
+            for factor in BY_UNIT.get(was.unit, ()):
+                change = Change(step._replace(op=_used_times(step.op, k, factor)))
+                told = {"was": was, "times": factor, "usual": 2.0}
+                key = (FACTOR, step.op.name, was.name, factor)
+                yield key, _one(step, FACTOR, words.USED_TIMES, change, **told)
+
+
+@cache
+def _used_times(op: Operation, k: int, factor: float) -> Operation:
+    run: Callable[..., Any] = op.run
+    return op._replace(run=lambda *v, **c: run(*v[:k], factor * v[k], *v[k + 1 :], **c))
 
 
 def count(some: Sequence[Mutation]) -> dict[str, int]:

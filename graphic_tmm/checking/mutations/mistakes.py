@@ -90,3 +90,7 @@ class Mistakes:
     def __init__(self, made: DrawnScene) -> None:
         self.made = made
         self.boards = tuple(Offered(made, board) for board in made.boards)
+
+    def base_of(self, board: int) -> Board:
+        """Return a board as it should be drawn."""
+        return self.boards[board].base

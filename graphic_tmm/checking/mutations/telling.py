@@ -43,13 +43,14 @@ TENFOLD = 0.05
 def told(diagnosis: Diagnosis, drawing: Comparison, language: str) -> tuple[Likely, ...]:
     """Return what is told of a diagnosis, the surest first."""
     speech = speaking(language)
-    roots = [one for one in diagnosis.wrong if one.follows is None]
+    roots = list(diagnosis.left) or [one for one in diagnosis.wrong if one.follows is None]
     alone = len({one.taken.key for one in roots}) == 1
     sure = [row for row in diagnosis.named if row[1] >= SURE]
     if alone and not sure and _tenfold(roots[0]):
         return (_slip(roots, speech),)
     found = [_named(group, chance, diagnosis, drawing, speech) for group, chance in diagnosis.named]
-    if (found and (diagnosis.unknown is None or not sure)) or not diagnosis.wrong:
+    whole = found and not diagnosis.left and (diagnosis.unknown is None or not sure)
+    if whole or not diagnosis.wrong:
         return tuple(found)
     rest = (_slip(roots, speech),) if alone else _unknown(diagnosis, drawing, speech)
     return (*found, *rest)

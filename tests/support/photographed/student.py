@@ -22,6 +22,8 @@ from support.photographed.ink import Inked, inked
 SHEETS = Path(__file__).parents[3] / "sheets"
 ENDS, PASSES = 0.3, 2.0
 """How near to a point a line ends that ends there, or passes that shows it (the pin about a pivot), mm."""
+CROSSING = 0.17
+"""Lines cross where the sine of the angle between them is more: ten degrees."""
 Key = tuple[str, str, str]
 """Plan, point, position: as readings name it."""
 
@@ -136,18 +138,28 @@ def _lost(made: DrawnScene, drawing: object, random: np.random.Generator) -> fro
 
 
 def _inked_at(ink: list[Inked], drawing: str, slot: int, at: complex) -> bool:
-    """Whether a point is to be seen: a line ends there, or one of its own step passes (a pin: about it)."""
+    """Whether a point is to be seen: a line ends there, two lines cross, or a pin of its own is about it.
+
+    A line that only passes does not show it: nothing tells where along the line it stands.
+    """
+    ways = []
     for one in ink:
-        if one.drawing == drawing and one.pen != "letters":
-            if min(abs(one.points[[0, -1]] - at)) < ENDS:
-                return True
-            if slot in one.of and _far(one.points, at) < PASSES:
-                return True
-    return False
+        if one.drawing != drawing or one.pen == "letters":
+            continue
+        if min(abs(one.points[[0, -1]] - at)) < ENDS:
+            return True
+        far, way = _far(one.points, at)
+        if slot in one.of and abs(one.points[0] - one.points[-1]) < 1e-6 and far < PASSES:
+            return True
+        if far < ENDS:
+            ways.append(way)
+    return any(abs((a / b).imag) > CROSSING for a in ways for b in ways)
 
 
-def _far(points: np.ndarray, at: complex) -> float:
-    """Return how far a place is from a polyline, mm."""
+def _far(points: np.ndarray, at: complex) -> tuple[float, complex]:
+    """Return how far a place is from a polyline, mm, and how that runs where it is nearest."""
     first, way = points[:-1], np.diff(points)
     share = np.clip(((at - first) / np.where(way == 0, 1, way)).real, 0, 1)
-    return float(abs(first + share * way - at).min())
+    off = abs(first + share * way - at)
+    best = int(off.argmin())
+    return float(off[best]), complex(way[best] / (abs(way[best]) or 1.0))

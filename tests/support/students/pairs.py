@@ -1,4 +1,4 @@
-"""Drawings with two mistakes at once, at different steps, each of which shows by itself."""
+"""Drawings with two mistakes at once, at different steps; each shows by itself, and beside the other."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from support.students.writing import ALL, rows_of
 def two(
     a: AtStep, b: AtStep, machine: str, seed: int, mode: str, ruler: float = 0.5
 ) -> Planted | None:
-    """Draw with two mistakes at once, each of which shows by itself."""
+    """Draw with two mistakes at once, each of which shows by itself, and some reading beside the other."""
     rng = np.random.default_rng(seed)
     honest = Student(ALL[machine], Hand(ruler=ruler), seed).draw()
     due = rows_of(honest, mode)
@@ -43,26 +43,39 @@ def two(
         with np.errstate(all="ignore"):
             drawn = Student(ALL[machine], Hand(ruler=ruler), seed, both).draw()
         rows = rows_of(drawn, mode)
-        if rows.keys() == due.keys():
-            return Planted(machine, mode, seed, rows, tuple(truths), ruler)
+        if rows.keys() != due.keys():
+            continue
+        found = Planted(machine, mode, seed, rows, (), ruler)
+        beside = [
+            len(moved(found, _rows(machine, mode, seed, ruler, other) or {}))
+            for other in reversed(minds)
+        ]
+        if all(beside):
+            told = zip(truths, beside, strict=True)
+            return found._replace(truths=tuple(one._replace(moved=n) for one, n in told))
     return None
+
+
+def _rows(machine: str, mode: str, seed: int, ruler: float, mind: Mind) -> Rows | None:
+    """Return what is read of a drawing with one mistake; None if it cannot be drawn to its end."""
+    try:
+        with np.errstate(all="ignore"):
+            return rows_of(Student(ALL[machine], Hand(ruler=ruler), seed, mind).draw(), mode)
+    except KeyError:
+        return None
 
 
 def _alone(
     kind: AtStep, machine: str, seed: int, mode: str, mind: Mind, step: Step, position: int | None,
     words: tuple[str, ...], due: Rows, ruler: float,
 ) -> Iterator[Truth]:  # fmt: skip
-    try:
-        with np.errstate(all="ignore"):
-            rows = rows_of(Student(ALL[machine], Hand(ruler=ruler), seed, mind).draw(), mode)
-    except KeyError:
-        return
-    if rows.keys() != due.keys():
+    rows = _rows(machine, mode, seed, ruler, mind)
+    if rows is None or rows.keys() != due.keys():
         return
     at = "" if position is None else str(position)
     first = moved(Planted(machine, mode, seed, rows, (), ruler), due)
     if first:
         shown = [(key[0], key[2]) for key in first if key[1] == (at or first[0][1])][:1]
         yield Truth(
-            kind.name, kind.families, frozenset({*own_places(step), *shown}), at, words, True
+            kind.name, kind.families, frozenset({*own_places(step), *shown}), at, words, len(first)
         )
