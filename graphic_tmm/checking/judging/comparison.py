@@ -25,6 +25,9 @@ MOST_USUAL, FEW, MUCH_WORSE = 1.6, 20, 1.6
 """Of a hand's own errors four of five are below 1.3 times the usual one (of the larger of two: 1.6). Fewer
 readings tell nothing of it; no hand is taken for more than so many times worse, else a mistake would hide."""
 
+LARGEST = 5.0
+"""No plan is drawn so many times larger than it should be: it would not find place on its sheet."""
+
 
 def worse_of(times: Sequence[float]) -> float:
     """Return how many times worse than usual a hand is; ``times``: its errors in usual ones."""
@@ -97,7 +100,7 @@ class Comparison:
 
         A ray that reaches farther is farther off by the same swing of the hand.
         """
-        return self.worse * max(1.0, self._larger.get((view, place), 1.0))
+        return self.worse * min(max(1.0, self._larger.get((view, place), 1.0)), LARGEST)
 
     @cached_property
     def _larger(self) -> Mapping[tuple[str, int], float]:

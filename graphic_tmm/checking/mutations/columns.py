@@ -69,6 +69,11 @@ class Reading(NamedTuple):
         return np.where(gone, LOST, likely), np.where(gone, 0.0, off), gone * 1.0
 
     @property
+    def nearest(self) -> float:
+        """The logarithm of how likely it is if it is exactly what it was expected to be."""
+        return float(self.told(np.asarray(self.found))[0])
+
+    @property
     def unknown(self) -> float:
         """The logarithm of how likely it is if nothing is known of how it was found."""
         size = size_of(self.scatter, abs(self.found), self.mm)

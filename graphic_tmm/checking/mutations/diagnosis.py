@@ -30,7 +30,7 @@ from graphic_tmm.checking.mutations.choosing import (
 )
 from graphic_tmm.checking.mutations.evidence import Board, Readings, of_mutations, unexplained
 from graphic_tmm.checking.mutations.finalists import reweighed
-from graphic_tmm.checking.mutations.fitting import fitted
+from graphic_tmm.checking.mutations.fitting import fitted, put_amiss
 from graphic_tmm.checking.mutations.hypotheses import SOMETHING, Hypothesis, of_board
 from graphic_tmm.checking.mutations.mistakes import Mistakes, Offered
 from graphic_tmm.checking.mutations.mutation import Mutation
@@ -181,3 +181,6 @@ def _of_board(
         free, told_free = fitted(readings, offered, offered.base, least)
         if free:
             yield from of_board(number, free, told_free, {"given": len(offered.free)}, fitted=True)
+        stands, told_stands = put_amiss(readings, offered, offered.base, least)
+        if stands:
+            yield from of_board(number, stands, told_stands, {}, fitted=True)

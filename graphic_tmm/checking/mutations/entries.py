@@ -212,7 +212,9 @@ class Told:
         with np.errstate(all="ignore"):
             nothing = np.log(broad(np.abs(entry.error), self.size, self.figure)).sum(axis=0)
             free = np.logaddexp(self.likely, nothing) - np.log(2.0)
+            nearest = log_density(np.zeros_like(self.size), self.size, self.figure).sum(axis=0)
         self.unknown = np.where(entry.read, free, 0.0)
+        self.nearest = np.where(entry.read, nearest, 0.0)
 
     def rows(self, errors: Array) -> tuple[Array, Array, Array]:
         """Return how likely, how far off, how lost rows of errors (part, row, position) are."""

@@ -170,6 +170,7 @@ def of_variations(
     evidence = nothing(count, places)
     if readings.found and readings.drawing.made.mechanism is not None:
         _of_marks(readings, base, some, evidence)
+    copied = np.array([way.copied for way in some])
     index = {id(taken): k for k, taken in enumerate(readings.drawing.rows)}
     by_row = {id(one.taken): one for one in readings.columns}
     for one in readings.columns:
@@ -183,7 +184,8 @@ def of_variations(
             if other is not None:
                 read[h] = way.factor[k] * other.found + way.plus[k]
         figure = np.asarray(np.ravel(due[one.at])[0] if one.at in due else one.due)
-        _add(evidence, one.place, one.told(figure, read), one.unknown, one.told(figure))
+        unknown = np.where(copied, one.nearest, one.unknown)
+        _add(evidence, one.place, one.told(figure, read), unknown, one.told(figure))
     return evidence
 
 
@@ -206,6 +208,7 @@ def _of_marks(
     readings: Readings, base: Board, some: Sequence[Variation], evidence: Evidence
 ) -> None:
     drawing, count, places = readings.drawing, len(some), readings.places
+    copied = np.array([way.copied for way in some])
     found: dict[Mark, Any] = {
         mark: np.full((count, places), np.nan, dtype=row.dtype)
         for mark, row in readings.found.items()
@@ -228,4 +231,5 @@ def _of_marks(
             continue
         told = Told(entry)
         rows = told.rows(np.broadcast_to(errors, (errors.shape[0], count, places)))
-        _add(evidence, slice(places), rows, told.unknown, (told.likely, told.off))
+        unknown = np.where(copied[:, None], told.nearest, told.unknown)
+        _add(evidence, slice(places), rows, unknown, (told.likely, told.off))

@@ -1,4 +1,4 @@
-"""What was misread, and by how much: the factor of a given, found from the readings.
+"""What was misread, and by how much: the factor of a given, the angle of a crank, found from the readings.
 
 A grid alone would name its neighbour with confidence: the best of the grid is the beginning of Newton's steps.
 """
@@ -8,13 +8,16 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
+from graphic_tmm.board import roles
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.mutations.evidence import Board, Evidence, Readings, nothing, of_mutations
-from graphic_tmm.checking.mutations.givens import misread
+from graphic_tmm.checking.mutations.givens import amiss_by, misread
 from graphic_tmm.checking.mutations.mistakes import NONE, Offered
 from graphic_tmm.checking.mutations.mutation import Mutation
 
+Array = NDArray[np.float64]
 GRID = (0.4, 0.5, 0.6, 0.7, 0.8, 0.88, 1.12, 1.25, 1.4, 1.6, 1.8, 2.2)
 """Where the search begins: so many times as large a given was taken."""
 STEP, ROUNDS = 0.01, 3
@@ -23,6 +26,12 @@ NEAR = 0.1
 """What is nearer to 1 is an instrument's, or a reading's, not a mistake."""
 FARTHEST = 0.2
 """No step goes farther (of the logarithm): a parabola is none beyond."""
+STANDS = tuple(float(k) for k in range(-175, 180, 10))
+"""Where the search for a crank that stands amiss at one position begins, degrees."""
+TURN, FARTHEST_TURN, SEEN = 0.5, 6.0, 3.0
+"""The step of the differences, the farthest step, degrees; what stands nearer is an instrument's error."""
+KEPT = 3
+"""So many positions may be the one."""
 
 
 def fitted(
@@ -48,11 +57,7 @@ def fitted(
     at = np.log(np.array(GRID)[np.argmax(first, axis=1)])
     for _ in range(ROUNDS):
         told = gains([np.exp(x + np.array([-STEP, 0.0, STEP])).tolist() for x in at])
-        slope = (told[:, 2] - told[:, 0]) / (2.0 * STEP)
-        bend = (told[:, 2] - 2.0 * told[:, 1] + told[:, 0]) / STEP**2
-        with np.errstate(all="ignore"):
-            newton = np.where(bend < 0.0, -slope / bend, np.sign(slope) * STEP * 5.0)
-        at = at + np.clip(np.nan_to_num(newton), -FARTHEST, FARTHEST)
+        at = at + np.clip(_newton(told.T, STEP), -FARTHEST, FARTHEST)
     factors = np.exp(at)
     kept = [misread(m, float(f)) for m, f in zip(free, factors, strict=True) if abs(f - 1.0) > NEAR]
     return [NONE, *kept], _evidence(readings, offered, base, [NONE, *kept])
@@ -63,3 +68,42 @@ def _evidence(
 ) -> Evidence:
     plain = offered.run(some, base)
     return of_mutations(readings, base, some, plain, np.arange(len(some)))[0]
+
+
+def put_amiss(
+    readings: Readings, offered: Offered, base: Board, least: Mapping[tuple[Key, bool], float]
+) -> tuple[list[Mutation], Evidence]:
+    """Return the crank put amiss, by as much as fits the readings of a position best, and the evidence.
+
+    The first row is the log as it is; then the positions of which that explains most.
+    """
+    marks = [
+        mark for mark in base.log.given if mark.role == roles.CRANK_ANGLE and mark in base.given
+    ]
+    trial = [NONE, *(amiss_by([mark], STANDS[0]) for mark in marks)]
+    if not marks or offered.moving(least, offered.run(trial, base)).size < 2:
+        return [], nothing(1, readings.places)
+
+    def gains(angles: Array) -> Array:
+        """Return what the crank gains that stands amiss by angles; both (angle, position)."""
+        some = [amiss_by(marks, row) for row in angles]
+        found = _evidence(readings, offered, base, [NONE, *some]).gain[1:, :-1]
+        return np.asarray(np.broadcast_to(found, (len(angles), readings.places)))
+
+    grid = np.repeat(np.array(STANDS)[:, None], readings.places, axis=1)
+    at = np.array(STANDS)[np.argmax(gains(grid), axis=0)]
+    for _ in range(ROUNDS):
+        told = gains(at + np.array([[-TURN], [0.0], [TURN]]))
+        at = at + np.clip(_newton(told, TURN), -FARTHEST_TURN, FARTHEST_TURN)
+    most = np.argsort(-gains(at[None])[0])[:KEPT]
+    some = [NONE, *(amiss_by(marks, float(at[k])) for k in most if abs(at[k]) > SEEN)]
+    return some, _evidence(readings, offered, base, some)
+
+
+def _newton(told: Array, step: float) -> Array:
+    """Return where a parabola through gains at three places, (place, row), has its top, from the middle one."""
+    slope = (told[2] - told[0]) / (2.0 * step)
+    bend = (told[2] - 2.0 * told[1] + told[0]) / step**2
+    with np.errstate(all="ignore"):
+        found = np.where(bend < 0.0, -slope / bend, np.sign(slope) * step * 5.0)
+    return np.asarray(np.nan_to_num(found))

@@ -12,6 +12,7 @@ from itertools import combinations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.record import Construction, Mark
@@ -34,6 +35,7 @@ from graphic_tmm.checking.mutations.words import (
     OPPOSITE_GIVEN,
     OTHER_END,
     OTHER_WAY,
+    STANDS,
 )
 
 Given = Mapping[Mark, object]
@@ -91,6 +93,14 @@ def _single(value: object) -> bool:
 def misread(marks: Sequence[Mark], factor: float) -> Mutation:
     """Return the mutation of a given that was taken so many times as large."""
     return _all(GIVEN, GIVEN_TIMES, marks, factor, times=factor, usual=2.0)
+
+
+def amiss_by(marks: Sequence[Mark], angles: float | NDArray[np.float64]) -> Mutation:
+    """Return the mutation of a crank that stands amiss by angles, degrees (position,) or one for all."""
+    plus = angles if isinstance(angles, float) else angles[None]
+    amiss = {mark.slot: Amiss(mark, 1.0, plus) for mark in marks}
+    times = float(np.round(np.ravel(angles)[0]))
+    return Mutation(CRANK, STANDS, {}, amiss, was=marks[0], times=times)
 
 
 def _all(

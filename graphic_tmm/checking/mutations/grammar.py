@@ -18,6 +18,7 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.operations.instruments import (
     lay_off,
+    measure,
     measure_along,
     parallel,
     similar,
@@ -37,6 +38,7 @@ from graphic_tmm.checking.mutations.mutation import (
     PREVIOUS,
     SCALE,
     SENSE,
+    START,
     WRONG_END,
     Change,
     Mutation,
@@ -86,7 +88,8 @@ def mutations(log: Construction, wanted: Iterable[Step] | None = None) -> Iterat
 def late(log: Construction) -> Construction:
     """Return a log whose readings of the ruler are taken as late as they can be: when the plan stands.
 
-    Another point may be taken for the right one then, if only it does not hang on what is measured.
+    Another point may be taken for the right one then, if only it does not hang on what is measured. A length
+    along a line is measured from point to point: they may not be on one line any more.
     """
     waiting = list(log.steps)
     known = {mark.slot for mark in log.given}
@@ -100,12 +103,26 @@ def late(log: Construction) -> Construction:
                 found.append(step)
             else:
                 held.append(step)
-        read = [s for s in held if s.op.reads and all(m.slot in known for m in s.uses)]
+        read = [_by_rule(s) for s in held if s.op.reads and all(m.slot in known for m in s.uses)]
         known |= {step.it.slot for step in read}
         found += read
         taken = {step.it.slot for step in read}
         waiting = [step for step in held if step.it.slot not in taken]
     return log._replace(steps=tuple(found))
+
+
+def _by_rule(step: Step) -> Step:
+    return step._replace(op=_between(step.op)) if step.op is measure_along else step
+
+
+@cache
+def _between(op: Operation) -> Operation:
+    """Return the operation of measuring from point to point, with the sense along a line."""
+
+    def run(start: Any, end: Any, on: Any) -> Any:
+        return np.copysign(np.abs(end - start), op.run(start, end, on))
+
+    return op._replace(run=run)
 
 
 class _Scope:
@@ -119,6 +136,13 @@ class _Scope:
             self.of[mark.kind, mark.view].append(mark)
             if mark.kind is Number and mark.unit:
                 self.alike[mark.unit].append(mark)
+        self.readings: dict[int, list[Step]] = defaultdict(list)
+        for step in log.steps:
+            if step.op.name in (measure.name, measure_along.name) and step.it.view in {
+                mark.view for mark in step.uses
+            }:
+                for mark in step.uses:
+                    self.readings[mark.slot].append(step)
         self.given = {mark.slot for mark in log.given}
         self.scales = [mark for mark in log.given if _is_scale(mark)]
         made = {step.it.slot: k for k, step in enumerate(log.steps)}
@@ -134,6 +158,20 @@ class _Scope:
             if mark.kind is Line and view != mark.view:
                 found = [*found, *self.of[mark.kind, view]]
         return [one for one in found if self.turn[one.slot] < before and one.slot != mark.slot]
+
+    def measured(self, line: Step, was: Mark, now: Mark) -> dict[int, Change]:
+        """Return what is measured from a line's start, from another one: who draws from there measures so."""
+        return {
+            step.it.slot: Change(
+                step._replace(uses=tuple(now if m is was else m for m in step.uses))
+            )
+            for step in self.readings.get(was.slot, ())
+            if any(m is not was and line.it in self.uses(m) for m in step.uses)
+        }
+
+    def uses(self, mark: Mark) -> tuple[Mark, ...]:
+        made = self.steps.get(mark.slot)
+        return () if made is None else made.uses
 
     def step(self, mark: Mark) -> Step | None:
         return self.steps.get(mark.slot)
@@ -175,14 +213,17 @@ def _operands(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
             if now in step.uses and was.kind is Point and len(step.uses) <= 3:
                 continue
             other = Change(_with(step, k, now))
-            if step.op is measure_along and was.kind is Point:
+            if step.op.name == measure_along.name and was.kind is Point:
                 apart = step._replace(op=_apart(step.op), uses=(*other.step.uses, *step.uses[:2]))
                 other = Change(apart)
             if is_product(step.op) and was.kind in (Length, Number):
                 uses = (*other.step.uses, *step.uses)
                 other = Change(step._replace(op=with_sense(step.op, step.op), uses=uses))
             usual = 1.0 if now.view == was.view else UNUSUAL
-            yield (), _one(step, family, says, other, was=was, now=now, usual=usual)
+            one = _one(step, family, says, other, was=was, now=now, usual=usual)
+            yield (), one
+            if family == START and (measured := scope.measured(step, was, now)):
+                yield (), one._replace(changes={**one.changes, **measured})
 
 
 def _before(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:

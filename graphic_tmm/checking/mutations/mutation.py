@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from graphic_tmm.board.record import Mark, Step
 
 OPERAND, PREVIOUS, FACTOR, POWER = "operand", "previous", "factor", "power"
@@ -33,11 +36,11 @@ class Change(NamedTuple):
 
 
 class Amiss(NamedTuple):
-    """What becomes of a given mark: ``factor`` times that of ``source``, and ``plus``."""
+    """What becomes of a given mark: ``factor`` times that of ``source``, and ``plus``, (1, position) or one."""
 
     source: Mark
     factor: float = 1.0
-    plus: float = 0.0
+    plus: float | NDArray[np.float64] = 0.0
 
 
 class Mutation(NamedTuple):

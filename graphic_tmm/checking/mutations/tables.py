@@ -50,7 +50,7 @@ class Variation(NamedTuple):
     """Readings as they should have been written: of each the row that has it, how many times too large it is.
 
     ``source``: (row,), −1 for one that tells nothing; ``factor``, ``plus``: (row,), of points complex.
-    ``told``: the names in the sentence.
+    ``told``: the names in the sentence. ``copied``: what tells nothing of its own is another's figure, exactly.
     """
 
     kind: str
@@ -64,6 +64,7 @@ class Variation(NamedTuple):
     segment: str = ""
     position: str = ""
     cost: float = 1.0
+    copied: bool = False
 
 
 class Table:
@@ -181,9 +182,14 @@ def copied(table: Table, apart: Callable[[int, int], bool]) -> Iterator[Variatio
                 continue
             source = table.same().source.copy()
             source[[k for k, _ in some]] = -1
-            told = {"one": one, "other": other}
             yield table.same()._replace(
-                says=COPIED, source=source, told=told, plan=plan, position=one, cost=0.1
+                says=COPIED,
+                source=source,
+                told={"one": one, "other": other},
+                plan=plan,
+                position=one,
+                cost=0.1,
+                copied=True,
             )
 
 

@@ -37,6 +37,7 @@ USED_TIMES = said("{it} was calculated with {was} taken {times} times as large")
 ANOTHER_SCALE = said("{it} was calculated with the scale factor {now} instead of {was}")
 OTHER_WAY = said("the crank was turned the other way")
 COUNTED = said("the crank's angles were counted from {times}° further on")
+STANDS = said("the crank stands amiss by {times}°")
 OPPOSITE_GIVEN = said("{was}, which is given, was taken with the opposite sense")
 OTHER_END = said("{was} was counted from the other end of {now}")
 GIVEN_TIMES = said("{was}, which is given, was taken {times} times as large")
@@ -50,7 +51,7 @@ def operand(step: Step, k: int, *, scale: bool) -> tuple[str, str]:
         return SCALE, ANOTHER_SCALE
     if step.op.formula:
         return OPERAND, CALCULATED
-    if step.op in (measure, measure_along):
+    if step.op.name in (measure.name, measure_along.name):
         return OPERAND, MEASURED
     if kind is Point and k == 0 and step.it.kind is Line:
         return START, BEGUN
