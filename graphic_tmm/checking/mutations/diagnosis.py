@@ -181,6 +181,6 @@ def _of_board(
         free, told_free = fitted(readings, offered, offered.base, least)
         if free:
             yield from of_board(number, free, told_free, {"given": len(offered.free)}, fitted=True)
-        stands, told_stands = put_amiss(readings, offered, offered.base, least)
-        if stands:
+        if (evidence.beyond[0, :-1] >= REPEATED).any():
+            stands, told_stands = put_amiss(readings, offered, offered.base, least)
             yield from of_board(number, stands, told_stands, {}, fitted=True)

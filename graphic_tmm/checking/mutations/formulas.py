@@ -89,11 +89,7 @@ def _with(node: Node, k: int, part: Node) -> Node:
 def _here(node: Node) -> Iterator[tuple[str, Node, frozenset[str]]]:
     names = names_of(node)
     if node.head == "^":
-        base, exponent = node.parts
-        yield POWER, base, names_of(base)
-        if exponent.head == "figure" and exponent.word.isdigit():
-            higher = Node("figure", (), str(int(exponent.word) + 1))
-            yield POWER, node._replace(parts=(base, higher)), names_of(base)
+        yield POWER, node.parts[0], names_of(node.parts[0])
     elif node.head == "name":
         yield POWER, Node("^", (node, Node("figure", (), "2"))), names
     elif node.head in ("·", "/"):

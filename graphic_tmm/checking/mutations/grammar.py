@@ -366,7 +366,7 @@ def _formulas(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
         marks = [by[name] for name in one.touched]
         only_scales = bool(marks) and all(map(_is_scale, marks))
         family = SCALE if only_scales else one.family
-        squared = _powers(one.op.formula) > _powers(step.op.formula)
+        squared = one.op.formula.count("²") > step.op.formula.count("²")
         odd = family == LEFT_OUT and len(one.touched) > 1
         turned = only_scales or (any(map(_is_scale, marks)) and family == POWER)
         usual = UNUSUAL if squared or odd or turned else 1.0
@@ -382,11 +382,6 @@ def _formulas(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
             if now.unit != was.unit and now.name != was.name and step.op.formula:
                 change = Change(_with(step, k, now))
                 yield (), _one(step, SCALE, words.ANOTHER_SCALE, change, was=was, now=now)
-
-
-def _powers(formula: str) -> int:
-    """Return how many powers a formula's text has, those beyond the square counted again."""
-    return sum(1 + "²³⁴⁵⁶⁷⁸⁹".index(sign) for sign in formula if sign in "²³⁴⁵⁶⁷⁸⁹")
 
 
 def _factors(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:

@@ -5,7 +5,7 @@ What is told of a first mistake holds whatever the second is; a second that is n
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -121,11 +121,16 @@ def _allowed(
     """Return the second mistakes that pass the gate, the likeliest first, scored with the first."""
     base = with_mistake(mistakes, first)
     found = _seconds(readings, mistakes, base, first, least)
-    allowed = [one for one in found if acceptable(readings, one)]
-    if not allowed:
-        found = reweighed(readings, lambda board: base, found)
-        allowed = [one for one in found if acceptable(readings, one)]
-    return tuple(sorted((one for one in allowed if one.fits), key=by_score)[:KEPT])
+    ways: tuple[Callable[[], Sequence[Hypothesis]], ...] = (
+        lambda: found,
+        lambda: _written(readings, mistakes, base, first),
+        lambda: reweighed(readings, lambda board: base, found),
+    )
+    for way in ways:  # the dearer ones where the others tell nothing
+        allowed = [one for one in way() if acceptable(readings, one) and one.fits]
+        if allowed:
+            return tuple(sorted(allowed, key=by_score)[:KEPT])
+    return ()
 
 
 def _seconds(
@@ -140,8 +145,16 @@ def _seconds(
     evidence, _ = of_mutations(readings, base, some, plain, np.arange(len(some)))
     # columns tell what is gained on the log without the first mistake
     evidence = evidence._replace(gain=evidence.gain - evidence.gain[:1])
-    found = [*of_board(first.board, some, evidence, offered.shares)]
-    found += of_written(readings, base, readings.figures(base.board, plain, np.arange(1)))
+    found = of_board(first.board, some, evidence, offered.shares)
+    return [one._replace(score=one.score + first.score) for one in found]
+
+
+def _written(
+    readings: Readings, mistakes: Mistakes, base: Board, first: Hypothesis
+) -> list[Hypothesis]:
+    """Return what may have been amiss with the table of readings, beside a first mistake."""
+    plain = mistakes.boards[first.board].run([NONE], base)
+    found = of_written(readings, base, readings.figures(base.board, plain, np.arange(1)))
     return [one._replace(score=one.score + first.score) for one in found if not one.instrument]
 
 

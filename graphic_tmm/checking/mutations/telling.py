@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from graphic_tmm.board.findings import step_number
 from graphic_tmm.board.naming import segment_name
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.captions import view_name
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.choosing import SURE
@@ -119,7 +119,7 @@ def _says(one: Hypothesis, drawing: Comparison, speech: Speech) -> str:
         sentence = speech(
             ON_STEP,
             plan=view_name(what.at.it.view, language),
-            step=step_number(log, what.at),
+            step=_number(log, what.at),
             told=sentence,
         )
     if what.wide:
@@ -128,6 +128,11 @@ def _says(one: Hypothesis, drawing: Comparison, speech: Speech) -> str:
         position = drawing.made.mechanism.names[one.place]
         sentence = speech(AT_POSITION, told=sentence, position=position)
     return sentence
+
+
+def _number(log: Construction, step: Step) -> int:
+    """Return the number of a step by the mark that it makes: what it does may be told otherwise here."""
+    return step_number(log, next(own for own in log.steps if own.it == step.it))
 
 
 def _word(value: object, speech: Speech) -> str:
@@ -189,7 +194,7 @@ def _unknown(diagnosis: Diagnosis, drawing: Comparison, speech: Speech) -> tuple
     says = speech(
         UNKNOWN_SAYS,
         plan=view_name(step.it.view, language),
-        step=step_number(drawing.made.mechanism.construction, step),
+        step=_number(drawing.made.mechanism.construction, step),
         it=_called(step.it, language),
     )
     found = Likely(name, says, (), count, 1.0, kind=UNKNOWN, plan=step.it.view, step=step.it.letter)
