@@ -18,7 +18,6 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.operations.instruments import (
     lay_off,
-    measure,
     measure_along,
     parallel,
     similar,
@@ -34,6 +33,7 @@ from graphic_tmm.checking.mutations.mutation import (
     LEFT_OUT,
     MEETING,
     MIRRORED,
+    OPERAND,
     POWER,
     PREVIOUS,
     SCALE,
@@ -43,6 +43,7 @@ from graphic_tmm.checking.mutations.mutation import (
     Change,
     Mutation,
 )
+from graphic_tmm.checking.mutations.scope import MEASURES, Scope, is_scale
 
 Key = tuple[Any, ...]
 """By what mutations of several steps are of one kind: made everywhere, they are one mistake."""
@@ -67,7 +68,7 @@ def mutations(log: Construction, wanted: Iterable[Step] | None = None) -> Iterat
 
     ``wanted``: steps to mutate; None for all.
     """
-    scope = _Scope(log)
+    scope = Scope(log)
     together: dict[Key, list[Mutation]] = defaultdict(list)
     for step in log.steps if wanted is None else wanted:
         for key, one in _of(step, scope):
@@ -85,105 +86,10 @@ def mutations(log: Construction, wanted: Iterable[Step] | None = None) -> Iterat
                 yield alike[0]._replace(changes=changes, wide=True)
 
 
-def late(log: Construction) -> Construction:
-    """Return a log whose readings of the ruler are taken as late as they can be: when the plan stands.
-
-    Another point may be taken for the right one then, if only it does not hang on what is measured. A length
-    along a line is measured from point to point: they may not be on one line any more.
-    """
-    waiting = list(log.steps)
-    known = {mark.slot for mark in log.given}
-    found: list[Step] = []
-    while waiting:
-        held: list[Step] = []
-        for step in waiting:
-            ready = all(mark.slot in known for mark in step.uses)
-            if ready and not step.op.reads:
-                known.add(step.it.slot)
-                found.append(step)
-            else:
-                held.append(step)
-        read = [_by_rule(s) for s in held if s.op.reads and all(m.slot in known for m in s.uses)]
-        known |= {step.it.slot for step in read}
-        found += read
-        taken = {step.it.slot for step in read}
-        waiting = [step for step in held if step.it.slot not in taken]
-    return log._replace(steps=tuple(found))
-
-
-def _by_rule(step: Step) -> Step:
-    return step._replace(op=_between(step.op)) if step.op is measure_along else step
-
-
-@cache
-def _between(op: Operation) -> Operation:
-    """Return the operation of measuring from point to point, with the sense along a line."""
-
-    def run(start: Any, end: Any, on: Any) -> Any:
-        return np.copysign(np.abs(end - start), op.run(start, end, on))
-
-    return op._replace(run=run)
-
-
-class _Scope:
-    """What marks there are of a kind, view by view, as the log makes them."""
-
-    def __init__(self, log: Construction) -> None:
-        self.steps = {step.it.slot: step for step in log.steps}
-        self.of: dict[tuple[Any, str], list[Mark]] = defaultdict(list)
-        self.alike: dict[str, list[Mark]] = defaultdict(list)
-        for mark in (*log.given, *(step.it for step in log.steps)):
-            self.of[mark.kind, mark.view].append(mark)
-            if mark.kind is Number and mark.unit:
-                self.alike[mark.unit].append(mark)
-        self.readings: dict[int, list[Step]] = defaultdict(list)
-        for step in log.steps:
-            if step.op.name in (measure.name, measure_along.name) and step.it.view in {
-                mark.view for mark in step.uses
-            }:
-                for mark in step.uses:
-                    self.readings[mark.slot].append(step)
-        self.given = {mark.slot for mark in log.given}
-        self.scales = [mark for mark in log.given if _is_scale(mark)]
-        made = {step.it.slot: k for k, step in enumerate(log.steps)}
-        self.turn = {mark.slot: made.get(mark.slot, -1) for row in self.of.values() for mark in row}
-
-    def others(self, mark: Mark, it: Mark) -> list[Mark]:
-        """Return the marks that may be taken for one where another is made; those that are there before."""
-        before, view = self.turn[it.slot], it.view
-        if mark.kind is Number:
-            found = self.alike[mark.unit] if mark.unit else []
-        else:
-            found = self.of[mark.kind, mark.view]
-            if mark.kind is Line and view != mark.view:
-                found = [*found, *self.of[mark.kind, view]]
-        return [one for one in found if self.turn[one.slot] < before and one.slot != mark.slot]
-
-    def measured(self, line: Step, was: Mark, now: Mark) -> dict[int, Change]:
-        """Return what is measured from a line's start, from another one: who draws from there measures so."""
-        return {
-            step.it.slot: Change(
-                step._replace(uses=tuple(now if m is was else m for m in step.uses))
-            )
-            for step in self.readings.get(was.slot, ())
-            if any(m is not was and line.it in self.uses(m) for m in step.uses)
-        }
-
-    def uses(self, mark: Mark) -> tuple[Mark, ...]:
-        made = self.steps.get(mark.slot)
-        return () if made is None else made.uses
-
-    def step(self, mark: Mark) -> Step | None:
-        return self.steps.get(mark.slot)
-
-
-def _is_scale(mark: Mark) -> bool:
-    return mark.kind is Number and mark.unit.endswith("/mm")
-
-
-def _of(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+def _of(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     for read in (
         _operands,
+        _segments,
         _before,
         _exchanged,
         _directions,
@@ -203,12 +109,12 @@ def _with(step: Step, k: int, mark: Mark) -> Step:
     return step._replace(uses=(*step.uses[:k], mark, *step.uses[k + 1 :]))
 
 
-def _operands(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+def _operands(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     """Another mark of the same kind is taken."""
     for k, was in enumerate(step.uses):
         if was.kind not in (Point, Line, Length, Number, Angle, Arc):
             continue
-        family, says = words.operand(step, k, scale=_is_scale(was))
+        family, says = words.operand(step, k, scale=is_scale(was))
         for now in scope.others(was, step.it):
             if now in step.uses and was.kind is Point and len(step.uses) <= 3:
                 continue
@@ -226,7 +132,44 @@ def _operands(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
                 yield (), one._replace(changes={**one.changes, **measured})
 
 
-def _before(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+def _segments(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
+    """Another segment of the plan, which has no letter of its own, is measured for a length."""
+    if not step.op.formula or step.op.across:
+        return
+    for k, was in enumerate(step.uses):
+        made = scope.step(was)
+        if was.kind is not Length or made is None or made.op.name not in MEASURES:
+            continue
+        ends = made.uses[:2]
+        known = {
+            frozenset(one.uses[:2]) for end in ends for one in scope.readings.get(end.slot, ())
+        }
+        for end in ends:
+            for other in scope.others(end, step.it):
+                if other.view != end.view or frozenset((end, other)) in known:
+                    continue
+                first, last = sorted((end, other), key=lambda mark: mark.slot)
+                uses = (*step.uses[:k], first, last, *step.uses[k + 1 :], *step.uses)
+                change = Change(step._replace(op=_by_segment(step.op, k), uses=uses))
+                told = {"was": was, "now": was._replace(letter=f"{first.letter}{last.letter}")}
+                yield (), _one(step, OPERAND, words.CALCULATED, change, usual=1.5, **told)
+
+
+@cache
+def _by_segment(op: Operation, k: int) -> Operation:
+    """Return a formula of two points' distance for its argument ``k``, with the sense of the right one."""
+    right: Callable[..., Any] = op.run
+    count = len(op.arguments) + 1
+
+    def run(*values: Any) -> Any:
+        length = np.abs(values[k + 1] - values[k])
+        found, due = right(*values[:k], length, *values[k + 2 : count]), right(*values[count:])
+        return np.abs(found) * np.where(due < 0.0, -1.0, 1.0) if is_product(op) else found
+
+    return op._replace(run=run)
+
+
+def _before(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     """What it uses is that of the position before."""
     if step.op.across or step.op.reads:
         return
@@ -239,7 +182,7 @@ def _before(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
                 yield (), _one(step, PREVIOUS, words.BEFORE, Change(step, before=k), **told)
 
 
-def _exchanged(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+def _exchanged(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     """Two marks of one kind are taken for one another."""
     if step.op is similar or step.op.across or step.op.formula:
         pairs: Iterable[tuple[int, int]] = ((0, 1), (2, 3)) if step.op is similar else ()
@@ -279,7 +222,7 @@ def _mirrored(op: Operation) -> Operation:
     return op._replace(run=run)
 
 
-def _directions(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+def _directions(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     """A parallel is drawn for a square and the other way round; the sense is the other one."""
     if "sense" in step.choice:
         sense = step.choice["sense"]
@@ -345,7 +288,7 @@ def _not_at_all(op: Operation) -> Operation:
     return op._replace(run=lambda on, length: op.run(on, 0.0 * length))
 
 
-def _meetings(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+def _meetings(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     """Of two meetings the other one is marked."""
     for k, kind in enumerate(step.op.takes):
         if kind is Side:
@@ -359,16 +302,16 @@ def _other_side(op: Operation, side: int) -> Operation:
     return op._replace(run=lambda *v, **c: run(*v[:side], -v[side], *v[side + 1 :], **c))
 
 
-def _formulas(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+def _formulas(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     """It is calculated by another formula."""
     by = dict(zip(step.op.arguments, step.uses, strict=True))
     for one in otherwise(step.op):
         marks = [by[name] for name in one.touched]
-        only_scales = bool(marks) and all(map(_is_scale, marks))
+        only_scales = bool(marks) and all(map(is_scale, marks))
         family = SCALE if only_scales else one.family
         squared = one.op.formula.count("²") > step.op.formula.count("²")
         odd = family == LEFT_OUT and len(one.touched) > 1
-        turned = only_scales or (any(map(_is_scale, marks)) and family == POWER)
+        turned = only_scales or (any(map(is_scale, marks)) and family == POWER)
         usual = UNUSUAL if squared or odd or turned else 1.0
         change = Change(step._replace(op=one.op))
         if is_product(step.op) and one.family != SENSE:
@@ -376,7 +319,7 @@ def _formulas(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
         key = (family, step.op.name, one.op.formula)
         told = {"formula": one.op.formula, "usual": usual}
         yield key, _one(step, family, words.FORMULA, change, **told)
-    scales = [(k, m) for k, m in enumerate(step.uses) if _is_scale(m)]
+    scales = [(k, m) for k, m in enumerate(step.uses) if is_scale(m)]
     for k, was in scales:
         for now in scope.scales:
             if now.unit != was.unit and now.name != was.name and step.op.formula:
@@ -384,7 +327,7 @@ def _formulas(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
                 yield (), _one(step, SCALE, words.ANOTHER_SCALE, change, was=was, now=now)
 
 
-def _factors(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+def _factors(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     """What is calculated is so many times too large; nothing of it is left; its sign is the other one."""
     if step.it.kind not in (Length, Number) or not step.op.formula or step.op.across:
         return
@@ -399,7 +342,7 @@ def _factors(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
     yield key, _one(step, SENSE, words.SENSE, Change(step, factor=-1.0))
 
 
-def _units(step: Step, scope: _Scope) -> Iterator[tuple[Key, Mutation]]:
+def _units(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     """What is given is taken in another unit in one formula: turns a minute for rad/s, kilograms for N."""
     if not step.op.formula or step.op.across:
         return

@@ -15,8 +15,9 @@ from graphic_tmm.checking.mutations.evidence import Board
 from graphic_tmm.checking.mutations.execution import Beside, executed
 from graphic_tmm.checking.mutations.figures import figures_of
 from graphic_tmm.checking.mutations.givens import free, mistaken
-from graphic_tmm.checking.mutations.grammar import late, mutations
+from graphic_tmm.checking.mutations.grammar import mutations
 from graphic_tmm.checking.mutations.mutation import Mutation
+from graphic_tmm.checking.mutations.scope import late
 from graphic_tmm.drawn import Drawn, DrawnScene
 
 NONE = Mutation("", "", {}, {})

@@ -10,10 +10,10 @@ from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.diagnosis import Diagnosis
 from graphic_tmm.checking.mutations.evidence import Readings
 from graphic_tmm.checking.mutations.execution import executed
-from graphic_tmm.checking.mutations.grammar import late
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis
 from graphic_tmm.checking.mutations.mistakes import NONE
 from graphic_tmm.checking.mutations.mutation import CRANK, Mutation
+from graphic_tmm.checking.mutations.scope import late
 
 
 def shown_at(one: Hypothesis, diagnosis: Diagnosis, drawing: Comparison) -> tuple[str, str]:

@@ -21,6 +21,8 @@ from graphic_tmm.language.said import said
 
 SHIFTED = said("the readings of {where} stand one position too far")
 SHIFTED_BACK = said("the readings of {where} stand one position too early")
+LOWER = said("the figures of {where} stand one row too low in the table")
+HIGHER = said("the figures of {where} stand one row too high in the table")
 REVERSED = said("the readings of {where} stand in the order of the positions reversed")
 EXCHANGED = said("the readings of positions {one} and {other} are exchanged ({where})")
 COPIED = said("the readings of position {one} are those of {other} again ({where})")
@@ -117,6 +119,8 @@ def variations(
         named = table.same()._replace(plan=plan, segment=segment)
         told: dict[str, object] = {}
         yield from _moved(table, named, told, columns)
+        if not segment:
+            yield from _other_row(table, named, told, columns)
         yield from _times(table, named, told, columns)
         yield from _quantities(table, named, told, columns, scales, others)
         if not segment:
@@ -164,6 +168,23 @@ def _by_position(
         for position, k in rows.items():
             source[k] = rows.get(to.get(position, position), -1)
     return named._replace(says=says, source=source, told=told)
+
+
+def _other_row(
+    table: Table,
+    named: Variation,
+    told: Mapping[str, object],
+    columns: Sequence[Column],
+) -> Iterator[Variation]:
+    """Figures one row too low, or too high: each stands at the next segment, as rows follow one another."""
+    for kind in ("mm", "value", "xy"):
+        rows = sorted(k for c in columns if c[2] == kind for k in table.columns[c].values())
+        if len(rows) < 3:
+            continue
+        for says, source in ((LOWER, [*rows[1:], -1]), (HIGHER, [-1, *rows[:-1]])):
+            whole = named.source.copy()
+            whole[rows] = source
+            yield named._replace(says=says, source=whole, told=told)
 
 
 def copied(table: Table, apart: Callable[[int, int], bool]) -> Iterator[Variation]:

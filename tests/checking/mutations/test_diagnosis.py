@@ -18,9 +18,10 @@ from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardsticks
 from graphic_tmm.checking.mutations import changed
 from graphic_tmm.checking.mutations.diagnosis import diagnosed
-from graphic_tmm.checking.mutations.grammar import late, mutations
+from graphic_tmm.checking.mutations.grammar import mutations
 from graphic_tmm.checking.mutations.mistakes import Mistakes
 from graphic_tmm.checking.mutations.mutation import Mutation
+from graphic_tmm.checking.mutations.scope import late
 from graphic_tmm.checking.mutations.telling import told
 from graphic_tmm.checking.records import INSTRUMENT, MISTAKE, SLIP, Likely, Taken
 from graphic_tmm.drawn import DrawnScene

@@ -11,7 +11,8 @@ from graphic_tmm.board.values import Curve, arrays
 from graphic_tmm.checking.mutations import changed
 from graphic_tmm.checking.mutations.execution import executed
 from graphic_tmm.checking.mutations.givens import mistaken
-from graphic_tmm.checking.mutations.grammar import late, mutations
+from graphic_tmm.checking.mutations.grammar import mutations
+from graphic_tmm.checking.mutations.scope import late
 
 SCENES = sorted(path.parent.name for path in SHEETS.glob("*/scene.toml"))
 EVERY = 797
