@@ -114,6 +114,8 @@ def _operands(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     for k, was in enumerate(step.uses):
         if was.kind not in (Point, Line, Length, Number, Angle, Arc):
             continue
+        if was.kind is Line and step.op.name in MEASURES:
+            continue  # of a length it tells the sense alone
         family, says = words.operand(step, k, scale=is_scale(was))
         for now in scope.others(was, step.it):
             if now in step.uses and was.kind is Point and len(step.uses) <= 3:

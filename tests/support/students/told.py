@@ -22,6 +22,7 @@ TITLES = {
 }  # fmt: skip
 DRAWN = {"Diagram of dS/dφ": "dS", "Diagram of d²S/dφ²": "ddS", "Pressure angle": "pressure"}
 """Diagrams of the cam, by the ordinates that are read of them."""
+MET = "of two meetings the other one was marked for "
 SAYS = {
     "left out": "left out", "sense": "opposite sense", "meeting": "meetings", "start": "drawn from",
     "previous": "position before", "factor": "times as large", "power": "was calculated as",
@@ -68,7 +69,7 @@ def step_in(says: str) -> frozenset[Place]:
     given = re.search(r"(\S+), which is given", says)
     if given:
         return frozenset(("", name) for name in shorter(given[1]))
-    named = re.search(r"([A-Z][^:]*), step \d+: (\S+)", says)
+    named = re.search(rf"([A-Z][^:]*), step \d+: (?:{MET})?(\S+)", says)
     if not named:
         return frozenset()
     plans = [plan for title, plan in TITLES.items() if title in named[1]]

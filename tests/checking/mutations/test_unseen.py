@@ -1,0 +1,32 @@
+"""What readings cannot show is said: a plan is told of if no drawing of it would have changed any reading."""
+
+from __future__ import annotations
+
+from support.gallery import CASES
+
+from graphic_tmm.checking.check import check
+from graphic_tmm.checking.readings.read import read_readings
+from graphic_tmm.scene.read import read
+
+
+def note(*plans: str) -> str:
+    """Return what is noted if only readings of some plans are given."""
+    rows = read_readings(CASES / "check" / "honest_six_mm.csv")
+    some = [one for one in rows if one.plan in plans]
+    notes = check(read(CASES / "check" / "six.toml"), some, trials=50).notes
+    return " ".join(one for one in notes if one.startswith("these readings do not show"))
+
+
+def test_a_plan_without_readings_is_told() -> None:
+    told = note("velocities")
+    assert "Acceleration plan" in told
+    assert "Velocity plan" not in told
+    assert "Plan of positions" not in told, "velocities follow from positions"
+
+
+def test_nothing_is_said_if_every_plan_shows() -> None:
+    assert note("positions", "velocities", "accelerations") == ""
+
+
+def test_accelerations_show_velocities_too() -> None:
+    assert note("accelerations") == ""
