@@ -120,11 +120,10 @@ def through(matrix: Reals, points: Any) -> Complexes:
     return np.where(w > 0, seen, complex(np.nan, np.nan))
 
 
-def bilinear(image: NDArray[np.uint8], points: Complexes) -> NDArray[np.float32]:
+def bilinear(image: NDArray[np.uint8], points: Complexes) -> Reals:
     """Return an image (rows, columns, 3) at ``points`` (any shape): that shape and 3 colours.
 
-    Linear between the four dots about a point, true to 1e-4 of a grey; NaN outside the centres of the
-    outermost dots.
+    Linear between the four dots about a point; NaN outside the centres of the outermost dots.
     """
     rows, columns = image.shape[:2]
     x, y = points.real, points.imag
@@ -132,23 +131,8 @@ def bilinear(image: NDArray[np.uint8], points: Complexes) -> NDArray[np.float32]
     x, y = np.where(inside, x, 0.0), np.where(inside, y, 0.0)
     column = np.minimum(x.astype(np.intp), max(columns - 2, 0))
     row = np.minimum(y.astype(np.intp), max(rows - 2, 0))
-    right = (x - column).astype(np.float32)[..., None]
-    down = (y - row).astype(np.float32)[..., None]
-    dots, at = image.reshape(-1, 3), row * columns + column
-    beside, under = int(columns > 1), columns * int(rows > 1)
-    seen, lower = (
-        _across(dots.take(first, axis=0), dots.take(first + beside, axis=0), right)
-        for first in (at, at + under)
-    )
-    seen += (lower - seen) * down
-    seen[~inside] = np.nan
-    return seen
-
-
-def _across(
-    left: NDArray[np.uint8], beside: NDArray[np.uint8], share: NDArray[np.float32]
-) -> NDArray[np.float32]:
-    """Return what is seen between two dots, whose greys single precision holds without loss."""
-    seen = left.astype(np.float32)
-    seen += (beside - seen) * share
-    return seen
+    right, down = (x - column)[..., None], (y - row)[..., None]
+    under, beside = np.minimum(row + 1, rows - 1), np.minimum(column + 1, columns - 1)
+    upper = image[row, column] * (1 - right) + image[row, beside] * right
+    lower = image[under, column] * (1 - right) + image[under, beside] * right
+    return np.where(inside[..., None], upper * (1 - down) + lower * down, np.nan)
