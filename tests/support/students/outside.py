@@ -41,7 +41,8 @@ def _gradian(step: Step, tools: Tools) -> Iterator[Variant]:
 
 
 def _own_guide(step: Step, tools: Tools) -> Iterator[Variant]:
-    if "low" in step.takes:
+    """A guide beside O; where its height is given, that would be a given misread."""
+    if step.takes.get("low") == 0.0:
         yield {"low": step.takes["low"] + 13.0}, ()
 
 
