@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 
 from graphic_tmm.board.findings import step_number
@@ -9,7 +10,7 @@ from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.captions import view_name
 from graphic_tmm.checking.judging.comparison import Comparison
-from graphic_tmm.checking.mutations.choosing import SURE
+from graphic_tmm.checking.mutations.choosing import SURE, UNSURE
 from graphic_tmm.checking.mutations.diagnosis import Diagnosis
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis
 from graphic_tmm.checking.mutations.mutation import Mutation
@@ -31,11 +32,14 @@ AT_POSITION = said("{told}, at position {position} only")
 EVERY = said("{told}; in every such step")
 UNKNOWN_NAME = said("no known mistake")
 UNKNOWN_SAYS = said("no known mistake explains what is wrong: look at {plan}, step {step}: {it}")
+UNKNOWN_AT = said("no known mistake explains what is wrong: look at {plan}: {segment}")
 SLIP_NAME = said("slip of a reading")
 SLIP_SAYS = said("only {segment} is off: this reading was read or written down amiss")
 SLIP_TEN = said("only {segment} is off: its decimal point has perhaps slipped")
 MOST = 3
 """So many mistakes at the most are told of those that no reading tells apart."""
+MANY = 10
+"""One of so many wrong readings of a segment may be a slip beside what explains the others."""
 TENFOLD = 0.05
 """So near (as a share) to ten or a hundred times too much a reading is perhaps a slipped decimal point."""
 
@@ -49,11 +53,26 @@ def told(diagnosis: Diagnosis, drawing: Comparison, language: str) -> tuple[Like
     if alone and not sure and _tenfold(roots[0]):
         return (_slip(roots, speech),)
     found = [_named(group, chance, diagnosis, drawing, speech) for group, chance in diagnosis.named]
+    if any(_contradicted(one, diagnosis) for one in found):
+        lower = [one._replace(chance=min(one.chance, UNSURE)) for one in found]
+        return (*lower, *_unknown(diagnosis, drawing, speech))
     whole = found and not diagnosis.left and (diagnosis.unknown is None or not sure)
     if whole or not diagnosis.wrong:
         return tuple(found)
     rest = (_slip(roots, speech),) if alone else _unknown(diagnosis, drawing, speech)
     return (*found, *rest)
+
+
+def _contradicted(one: Likely, diagnosis: Diagnosis) -> bool:
+    """Whether a sure name leaves what it should explain: wrong readings of the segment that shows it."""
+
+    def count(some: Sequence[Judged]) -> int:
+        its = [(each.taken.plan, each.taken.segment) for each in some]
+        return its.count((one.plan, one.segment))
+
+    if one.kind != MISTAKE or one.position or one.chance < SURE:
+        return False
+    return MANY * count(diagnosis.left) > count(diagnosis.wrong)
 
 
 def _named(
@@ -186,11 +205,15 @@ def _tenfold(one: Judged) -> bool:
 
 
 def _unknown(diagnosis: Diagnosis, drawing: Comparison, speech: Speech) -> tuple[Likely, ...]:
-    """Return where to look first; nothing where no step is farther off than others."""
+    """Return where to look first: the step that is farthest off, else the segment that is wrong most often."""
     step, language = diagnosis.unknown, speech.language
     name, count = speech(UNKNOWN_NAME), len(diagnosis.wrong)
     if step is None or drawing.made.mechanism is None:
-        return ()
+        some = diagnosis.left or diagnosis.wrong
+        often = Counter((one.taken.plan, one.taken.segment) for one in some)
+        ((plan, segment), _), *_ = often.most_common(1)
+        says = speech(UNKNOWN_AT, plan=view_name(plan, language), segment=segment)
+        return (Likely(name, says, (), count, 1.0, kind=UNKNOWN, plan=plan, segment=segment),)
     says = speech(
         UNKNOWN_SAYS,
         plan=view_name(step.it.view, language),
