@@ -30,7 +30,7 @@ from graphic_tmm.checking.mutations.choosing import (
 )
 from graphic_tmm.checking.mutations.columns import multiples
 from graphic_tmm.checking.mutations.evidence import Board, Readings, of_mutations, unexplained
-from graphic_tmm.checking.mutations.finalists import reweighed
+from graphic_tmm.checking.mutations.finalists import reweighed, scatters_of
 from graphic_tmm.checking.mutations.fitting import fitted, put_amiss
 from graphic_tmm.checking.mutations.hypotheses import A_NUMBER, SOMETHING, Hypothesis, of_board
 from graphic_tmm.checking.mutations.mistakes import Mistakes, Offered
@@ -110,6 +110,8 @@ def _left(
     if base is None:
         return ()
     far = unexplained(readings, base)
+    if far and readings.found and base.board is readings.drawing.made.mechanism:
+        far &= unexplained(readings, base, scatters_of(readings, base))
     return tuple(one for one in wrong if one.follows is None and one.taken.at in far)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
 
 from graphic_tmm.board.findings import step_number
@@ -32,7 +31,6 @@ AT_POSITION = said("{told}, at position {position} only")
 EVERY = said("{told}; in every such step")
 UNKNOWN_NAME = said("no known mistake")
 UNKNOWN_SAYS = said("no known mistake explains what is wrong: look at {plan}, step {step}: {it}")
-UNKNOWN_AT = said("no known mistake explains what is wrong: look at {plan}: {segment}")
 SLIP_NAME = said("slip of a reading")
 SLIP_SAYS = said("only {segment} is off: this reading was read or written down amiss")
 SLIP_TEN = said("only {segment} is off: its decimal point has perhaps slipped")
@@ -205,15 +203,11 @@ def _tenfold(one: Judged) -> bool:
 
 
 def _unknown(diagnosis: Diagnosis, drawing: Comparison, speech: Speech) -> tuple[Likely, ...]:
-    """Return where to look first: the step that is farthest off, else the segment that is wrong most often."""
+    """Return where to look first; nothing where no step is farther off than others."""
     step, language = diagnosis.unknown, speech.language
     name, count = speech(UNKNOWN_NAME), len(diagnosis.wrong)
     if step is None or drawing.made.mechanism is None:
-        some = diagnosis.left or diagnosis.wrong
-        often = Counter((one.taken.plan, one.taken.segment) for one in some)
-        ((plan, segment), _), *_ = often.most_common(1)
-        says = speech(UNKNOWN_AT, plan=view_name(plan, language), segment=segment)
-        return (Likely(name, says, (), count, 1.0, kind=UNKNOWN, plan=plan, segment=segment),)
+        return ()
     says = speech(
         UNKNOWN_SAYS,
         plan=view_name(step.it.view, language),
