@@ -48,6 +48,9 @@ PLACES = (
     *("0,0 600,0 0,800 600,800", "0,0 600,0 600,1e-300 0,800", "0,0;9,0;9,9;0,9", "--sheet", "-1,-1"),
 )
 """What is written for four corners."""
+CHANGED = (*("file",) * 6, *("corners",) * 3, *("pole",) * 3, "sheet", "readings", "scene")
+WRITTEN = (*(f"{OUT}/r.csv",) * 6, f"{OUT}/o.svg", f"{OUT}/o-flat.png", PHOTO, SCENE, OUT, "", "/dev/null")
+"""Where the points seen are to be written."""
 
 
 class Shown(NamedTuple):
@@ -137,7 +140,7 @@ def photograph(source: random.Random, name: str, number: int) -> bytes:
     options = {"save_all": True, "append_images": [image, image]} if _moves(source, form) else {}
     if source.random() < 0.1:
         about = Image.Exif()
-        about[0x0112] = source.choice((0, 3, 6, 9, 65535, "x"))
+        about[0x0112] = source.choice((0, 3, 6, 9, 65535))
         options["exif"] = about
     file = io.BytesIO()
     try:
@@ -213,28 +216,37 @@ def pole(source: random.Random, right: tuple[tuple[str, str, complex], ...]) -> 
 
 
 def task(seed: int, number: int, names: tuple[str, ...] = ()) -> Task:
-    """Return the task of a case: told by the seed and its number alone."""
+    """Return the task of a case, told by the seed and its number alone: one thing is changed, or several."""
     source = random.Random(f"photographs:{seed}:{number}")
     name, sheet = source.choice(names or NAMES), source.choice((1, 2, 2, 3))
-    whole = shown(name, sheet)
+    whole, text, given = shown(name, sheet), scenes()[name], None
+    wrong = {source.choice(CHANGED) for _ in range(source.choice((1, 1, 1, 2, 4)))}
     line = ["check", SCENE, "--photo", PHOTO, "--sheet", str(sheet)]
     line += ["--overlay", f"{OUT}/o.svg", "--trials", "20", "-f", "json"]
-    if source.random() < 0.5:
+    if "corners" in wrong:
         line += ["--corners", corners(source, whole.corners)]
-    for _ in range(source.choice((0, 0, 1, 1, 2))):
+    elif source.random() < 0.6:
+        line += ["--corners", " ".join(map(_place, whole.corners))]
+    for _ in range(source.choice((1, 1, 2)) if "pole" in wrong else 0):
         line += ["--pole", pole(source, whole.poles)]
-    if source.random() < 0.3:
-        line += ["--readings-out", source.choice((f"{OUT}/r.csv", f"{OUT}/r.csv", f"{OUT}/o.svg", PHOTO))]
-    if source.random() < 0.1:
-        line[5] = source.choice(("0", "4", "99999999999999999999", "-1", "x", "1.0"))
-    given = None
-    if source.random() < 0.15:
-        line.insert(2, CSV)
+    if "sheet" in wrong:
+        line[5] = source.choice(("1", "2", "3", "0", "4", "99999999999999999999", "-1", "x", "1.0"))
+    if "readings" in wrong:
         given = changed_readings(source, name)
-    text = scenes()[name]
-    if source.random() < 0.15:
-        text = changed_scene(source, name) if source.random() < 0.6 else scenes()[source.choice(NAMES)]
-    return Task(name, "photograph", text, given, None, tuple(line), photograph(source, name, sheet))
+        line.insert(2, CSV)
+    elif source.random() < 0.4:
+        line += ["--readings-out", source.choice(WRITTEN)]
+    if "scene" in wrong:
+        other = scenes()[source.choice(NAMES)]
+        text = source.choice((changed_scene(source, name), other))
+    data = photograph(source, name, sheet) if "file" in wrong else _jpeg(whole.image)
+    return Task(name, "photograph", text, given, None, tuple(line), data)
+
+
+def _jpeg(image: Image.Image) -> bytes:
+    file = io.BytesIO()
+    image.save(file, "JPEG")
+    return file.getvalue()
 
 
 def case(number: int, seed: int = 0, names: tuple[str, ...] = ()) -> Case:
