@@ -49,7 +49,7 @@ PLACES = (
 )
 """What is written for four corners."""
 CHANGED = (*("file",) * 6, *("corners",) * 3, *("pole",) * 3, "sheet", "readings", "scene")
-WRITTEN = (*(f"{OUT}/r.csv",) * 6, f"{OUT}/o.svg", f"{OUT}/o-flat.png", PHOTO, SCENE, OUT, "", "/dev/null")
+WRITTEN = (*(f"{OUT}/r.csv",) * 6, f"{OUT}/o.svg", f"{OUT}/o-flat.png", PHOTO, SCENE, "")
 """Where the points seen are to be written."""
 
 
