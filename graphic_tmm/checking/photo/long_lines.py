@@ -187,8 +187,11 @@ def _share(found: Complexes, lens: Lens) -> float:
 
 
 def _alike(grey: NDArray[np.uint8], places: Complexes, way: complex, off: float) -> bool:
-    """Whether it is as bright on one side of a line as on the other."""
+    """Whether it is as bright on one side of a line as on the other; of a narrow photograph none may be seen."""
     rows, columns = grey.shape
+    places = places[np.isfinite(places)]
+    if not places.size:
+        return False
     across = 1j * way / abs(way) * off
     level = []
     for side in (places - across, places + across):
