@@ -225,7 +225,9 @@ def _refuse_twice_asked(
 ) -> None:
     if readings is not None and (poles or readings_out is not None):
         raise click.UsageError(
-            said("--pole and --readings-out are for points seen in the photograph: leave out READINGS")
+            said(
+                "--pole and --readings-out are for points seen in the photograph: leave out READINGS"
+            )
         )
 
 
@@ -288,7 +290,12 @@ def _of_photo(
         seen = photographed(shown, clicked, by.hand)
     if seen is None:
         if readings_out is not None:
-            tell(said("warning: {text}", text=said("no plan on this sheet: no file for --readings-out")))
+            tell(
+                said(
+                    "warning: {text}",
+                    text=said("no plan on this sheet: no file for --readings-out"),
+                )
+            )
         return None, underlay(shown, wanted.file)
     with waiting(said("drawing by the hand, to tell what is usual")):
         limits, source = Limits(*by.beyond), readings_out or wanted.photo

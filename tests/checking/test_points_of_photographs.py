@@ -72,9 +72,7 @@ def photo(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[object, ...]
 
 @pytest.mark.parametrize("place", ["1e300,-1e300", "-1,5", "100,340", "250,100"])
 def test_a_pole_beside_the_sheet_is_refused(photo: tuple[object, ...], place: str) -> None:
-    done = invoke(
-        "check", "crank-rocker", *photo, "--sheet", 2, "--pole", f"velocities:1={place}"
-    )
+    done = invoke("check", "crank-rocker", *photo, "--sheet", 2, "--pole", f"velocities:1={place}")
     assert (done.exit_code, done.stdout, Path("o.svg").exists()) == (2, "", False), done.output
     assert "--pole velocities:1: " in done.stderr
     assert "is not on the sheet in the photograph: give x and y in its dots" in done.stderr

@@ -37,15 +37,42 @@ MODES = ("RGB", "RGB", "RGB", "L", "RGBA", "LA", "P", "1", "CMYK", "YCbCr", "LAB
 FORMATS = (*("PNG", "PNG", "JPEG", "JPEG", "TIFF", "WEBP", "BMP"), *("GIF", "PPM", "ICO", "TGA"))
 NUMBERS = (
     *("nan", "inf", "-inf", "1e300", "-1e300", "1e308", "-1e308", "1e999", "5e-324", "0", "-0.0"),
-    *("-1", "-100", "1e4", "1e5", "1e9", "", " ", "x", "0x10", "1_0", "\u0663", "5.5", "7;8", "1,2"),
+    *(
+        "-1",
+        "-100",
+        "1e4",
+        "1e5",
+        "1e9",
+        "",
+        " ",
+        "x",
+        "0x10",
+        "1_0",
+        "\u0663",
+        "5.5",
+        "7;8",
+        "1,2",
+    ),
 )
 """What is written for a number of dots."""
 PLACES = (
-    *("0,0 0,0 0,0 0,0", "1,1 2,2 3,3 4,4", "0,0 9,0 9,9", "0,0 9,0 9,9 0,9 5,5", "1,2,3 4,5 6,7 8,9"),
+    *(
+        "0,0 0,0 0,0 0,0",
+        "1,1 2,2 3,3 4,4",
+        "0,0 9,0 9,9",
+        "0,0 9,0 9,9 0,9 5,5",
+        "1,2,3 4,5 6,7 8,9",
+    ),
     *("", " ", ",", ", , , ,", "a,b c,d e,f g,h", "nan,nan nan,nan nan,nan nan,nan"),
     *("0,0 1e308,0 1e308,1e308 0,1e308", "-1e308,-1e308 1e308,-1e308 1e308,1e308 -1e308,1e308"),
     *("0,0 1e200,0 1e200,1e200 0,1e200", "0,0 30,0 30,30 0,30", "0,0 500,0 250,21 0,500"),
-    *("0,0 600,0 0,800 600,800", "0,0 600,0 600,1e-300 0,800", "0,0;9,0;9,9;0,9", "--sheet", "-1,-1"),
+    *(
+        "0,0 600,0 0,800 600,800",
+        "0,0 600,0 600,1e-300 0,800",
+        "0,0;9,0;9,9;0,9",
+        "--sheet",
+        "-1,-1",
+    ),
 )
 """What is written for four corners."""
 CHANGED = (*("file",) * 6, *("corners",) * 3, *("pole",) * 3, "sheet", "readings", "scene")
@@ -134,7 +161,9 @@ def photograph(source: random.Random, name: str, number: int) -> bytes:
     """Return the file of a picture, of some kind; sometimes torn, sometimes no photograph at all."""
     if source.random() < 0.08:
         text = readings(name).encode()
-        return source.choice((b"", b"\xff", text, b"\xff\xd8\xff", b"<svg/>", bytes(range(256)) * 9))
+        return source.choice(
+            (b"", b"\xff", text, b"\xff\xd8\xff", b"<svg/>", bytes(range(256)) * 9)
+        )
     image = _as(source.choice(MODES), picture(source, name, number), source)
     form = source.choice(FORMATS)
     options = {"save_all": True, "append_images": [image, image]} if _moves(source, form) else {}
@@ -163,7 +192,9 @@ def _as(mode: str, image: Image.Image, source: random.Random) -> Image.Image:
     if mode == "I":
         return Image.fromarray(levels.astype(np.int32) * source.choice((1, 257, -5, 1 << 23)))
     if mode == "F":
-        return Image.fromarray(levels.astype(np.float32) * source.choice((1.0, 1 / 255, np.nan, 1e36)))
+        return Image.fromarray(
+            levels.astype(np.float32) * source.choice((1.0, 1 / 255, np.nan, 1e36))
+        )
     if mode == "LAB":
         return Image.merge("LAB", (image, image, image))
     other = image.convert("RGB" if mode == "YCbCr" else "L").convert(mode)
@@ -200,7 +231,9 @@ def corners(source: random.Random, right: tuple[complex, ...]) -> str:
         several = [_place(z) for z in right]
     if source.random() < 0.3:
         at, (x, y) = source.randrange(4), (source.choice(NUMBERS) for _ in range(2))
-        several[at] = source.choice((f"{x},{y}", f"{several[at].partition(',')[0]},{y}", several[0]))
+        several[at] = source.choice(
+            (f"{x},{y}", f"{several[at].partition(',')[0]},{y}", several[0])
+        )
     return source.choice(PLACES) if source.random() < 0.3 else " ".join(several)
 
 
@@ -211,7 +244,9 @@ def pole(source: random.Random, right: tuple[tuple[str, str, complex], ...]) -> 
         plan = source.choice(("", "plans", ":", "=", "скорости", "x" * 300, "results"))
     if source.random() < 0.2:
         position = source.choice(("", "0", "99", "1'", ":", "²", "1=1"))
-    x, y = (source.choice(NUMBERS) if source.random() < 0.35 else f"{z:.1f}" for z in (at.real, at.imag))
+    x, y = (
+        source.choice(NUMBERS) if source.random() < 0.35 else f"{z:.1f}" for z in (at.real, at.imag)
+    )
     return source.choice((f"{plan}:{position}={x},{y}",) * 9 + (f"{plan}={x}", f"{x},{y}", ""))
 
 

@@ -37,9 +37,7 @@ def test_changed_scenes_are_drawn_or_refused(turn: int, many: Callable[[int, int
     assert {0, 2} <= {one.status for one in found} <= {0, 1, 2}
 
 
-@pytest.mark.parametrize(
-    ("first", "usual"), [(0, 6), pytest.param(6, 30, marks=pytest.mark.slow)]
-)
+@pytest.mark.parametrize(("first", "usual"), [(0, 6), pytest.param(6, 30, marks=pytest.mark.slow)])
 def test_changed_photographs_are_judged_or_refused(
     first: int, usual: int, many: Callable[[int, int], int]
 ) -> None:

@@ -187,7 +187,7 @@ def _share(found: Complexes, lens: Lens) -> float:
 
 
 def _alike(grey: NDArray[np.uint8], places: Complexes, way: complex, off: float) -> bool:
-    """Whether it is as bright on one side of a line as on the other; of a narrow photograph none may be seen."""
+    """Whether it is as bright on one side of a line as on the other; not if its lens shows none of it."""
     rows, columns = grey.shape
     places = places[np.isfinite(places)]
     if not places.size:
