@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
+from graphic_tmm.checking.photo.picture import MOST
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.ruled import Box
@@ -52,7 +53,7 @@ def ordered(corners: Corners) -> Complexes:
     Raises
     ------
     SheetError
-        If they are not four finite points that make a convex quadrilateral.
+        If they are not four points of a photograph that make a convex quadrilateral.
     """
     try:
         pairs = np.asarray(corners, dtype=np.float64)
@@ -61,6 +62,13 @@ def ordered(corners: Corners) -> Complexes:
     if pairs.shape != (4, 2) or not np.isfinite(pairs).all():
         raise SheetError(
             said("corners: give the four corners of the frame, x and y of each in pixels")
+        )
+    if abs(pairs).max() > MOST:
+        raise SheetError(
+            said(
+                "corners: {far:g} lies outside every photograph: give x and y of each corner in pixels",
+                far=pairs.flat[abs(pairs).argmax()],
+            )
         )
     seen = pairs[:, 0] - 1j * pairs[:, 1]
     rays = seen - seen.mean()
