@@ -90,8 +90,9 @@ def _here(node: Node) -> Iterator[tuple[str, Node, frozenset[str]]]:
     names = names_of(node)
     if node.head == "^":
         yield POWER, node.parts[0], names_of(node.parts[0])
+        yield from _of_bracket(node)
     elif node.head == "name":
-        yield POWER, Node("^", (node, Node("figure", (), "2"))), names
+        yield POWER, _squared(node), names
     elif node.head in ("·", "/"):
         yield from _of_product(node)
     elif node.head in ("+", "−"):
@@ -122,3 +123,18 @@ def _of_product(node: Node) -> Iterator[tuple[str, Node, frozenset[str]]]:
         yield POWER, Node("/", (other, one)), names_of(node)
     if not names_of(one) and names_of(other) and node.head == "·":
         yield FACTOR, other, frozenset()
+    if one.head == other.head == "name" and node.head == "·":
+        yield POWER, _squared(node), names_of(node)
+
+
+def _of_bracket(node: Node) -> Iterator[tuple[str, Node, frozenset[str]]]:
+    """Yield the square of a product of which one factor is left as it is."""
+    inner, power = node.parts
+    if inner.head == "·":
+        one, other = inner.parts
+        yield POWER, Node("·", (Node("^", (one, power)), other)), names_of(other)
+        yield POWER, Node("·", (one, Node("^", (other, power)))), names_of(one)
+
+
+def _squared(node: Node) -> Node:
+    return Node("^", (node, Node("figure", (), "2")))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import combinations
+from itertools import combinations, pairwise
 from typing import Any
 
 import numpy as np
@@ -30,7 +30,7 @@ from graphic_tmm.checking.mutations.mutation import (
 )
 from graphic_tmm.checking.mutations.words import (
     COUNTED,
-    EXCHANGED_GIVEN,
+    EXCHANGED_WITH,
     GIVEN_TIMES,
     OPPOSITE_GIVEN,
     OTHER_END,
@@ -39,6 +39,8 @@ from graphic_tmm.checking.mutations.words import (
 )
 
 Given = Mapping[Mark, object]
+DIGITS = 6
+"""What has so many digits nobody has written down."""
 SENSED = ("1/s", "1/s²", "N", "N·m")
 """Units of what has a sense; a length has one only where it is a coordinate, and below zero."""
 
@@ -120,6 +122,19 @@ def _of(marks: Sequence[Mark], value: object) -> Iterator[Mutation]:
         yield _all(SENSE, OPPOSITE_GIVEN, marks, -1.0)
     for factor in (2.0, 0.5, *POWERS_OF_TEN, *BY_UNIT.get(marks[0].unit, ())):
         yield _all(FACTOR, GIVEN_TIMES, marks, factor, times=factor)
+    for factor in digits_exchanged(float(np.ravel(np.asarray(value))[0])):
+        yield _all(GIVEN, GIVEN_TIMES, marks, factor, times=factor)
+
+
+def digits_exchanged(value: float) -> Iterator[float]:
+    """Yield how many times as large a number is with two digits exchanged that stand beside one another."""
+    digits = f"{abs(value):.{DIGITS - 1}e}".partition("e")[0].replace(".", "").rstrip("0")
+    if not np.isfinite(value) or len(digits) == DIGITS:
+        return  # calculated, not given as a round number
+    for one, other in pairwise(digits):
+        changed = digits.replace(one + other, other + one, 1)
+        if one != other and changed[0] != "0":
+            yield float(f"0.{changed}") / float(f"0.{digits}")
 
 
 def _interval(value: object) -> tuple[float, ...]:
@@ -142,4 +157,4 @@ def _exchanged(log: Construction, given: Given) -> Iterator[Mutation]:
         yield from _from_other_end(
             one, other, float(np.ravel(first)[0]), float(np.ravel(second)[0])
         )
-        yield Mutation(EXCHANGED, EXCHANGED_GIVEN, {}, amiss, was=one[0], now=other[0])
+        yield Mutation(EXCHANGED, EXCHANGED_WITH, {}, amiss, was=one[0], now=other[0])

@@ -29,6 +29,7 @@ from graphic_tmm.checking.mutations import words
 from graphic_tmm.checking.mutations.formulas import is_product, otherwise, with_sense
 from graphic_tmm.checking.mutations.mutation import (
     DIRECTION,
+    EXCHANGED,
     FACTOR,
     LEFT_OUT,
     MEETING,
@@ -92,6 +93,7 @@ def _of(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         _segments,
         _before,
         _exchanged,
+        _openings,
         _directions,
         _meetings,
         _formulas,
@@ -204,6 +206,23 @@ def _exchanged(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     if step.op is similar:
         change = Change(step._replace(op=_mirrored(step.op)))
         yield (MIRRORED, "similar"), _one(step, MIRRORED, words.MIRRORED, change)
+
+
+def _openings(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
+    """Of two arcs that meet each is struck with the opening of the other."""
+    arcs = [scope.step(mark) for mark in step.uses if mark.kind is Arc]
+    lengths = [mark for arc in arcs if arc for mark in arc.uses if mark.kind is Length]
+    made = [one for one in map(scope.step, lengths) if one is not None]
+    if len(arcs) != 2 or len(lengths) != 2 or len(made) != 2 or lengths[0] is lengths[1]:
+        return
+    first, second = made
+    if first.op is second.op and all(m.slot in scope.given for m in (*first.uses, *second.uses)):
+        changes = {
+            first.it.slot: Change(first._replace(uses=second.uses)),
+            second.it.slot: Change(second._replace(uses=first.uses)),
+        }
+        was, now = lengths
+        yield (), Mutation(EXCHANGED, words.EXCHANGED_WITH, changes, {}, step, was=was, now=now)
 
 
 @cache
@@ -326,7 +345,10 @@ def _formulas(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         for now in scope.scales:
             if now.unit != was.unit and now.name != was.name and step.op.formula:
                 change = Change(_with(step, k, now))
-                yield (), _one(step, SCALE, words.ANOTHER_SCALE, change, was=was, now=now)
+                yield (
+                    (SCALE, was.slot, now.slot),
+                    _one(step, SCALE, words.ANOTHER_SCALE, change, was=was, now=now),
+                )
 
 
 def _factors(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:

@@ -41,7 +41,7 @@ STANDS = said("the crank stands amiss by {times}°")
 OPPOSITE_GIVEN = said("{was}, which is given, was taken with the opposite sense")
 OTHER_END = said("{was} was counted from the other end of {now}")
 GIVEN_TIMES = said("{was}, which is given, was taken {times} times as large")
-EXCHANGED_GIVEN = said("{was} and {now} were exchanged")
+EXCHANGED_WITH = said("{was} and {now} were exchanged")
 
 
 def operand(step: Step, k: int, *, scale: bool) -> tuple[str, str]:

@@ -50,6 +50,9 @@ def test_the_usual_ones_are_there() -> None:
         return {one.op.formula: one.family for one in otherwise(OPERATIONS[name])}
 
     assert of("normal")["{segment}·{mu_v}/({link}·{mu_l})/{mu_a}"] == POWER
+    assert of("normal")["{segment}²·{mu_v}/({link}·{mu_l})/{mu_a}"] == POWER
+    assert of("normal")["({segment}·{mu_v})²/({link}·{mu_l})²/{mu_a}"] == POWER
+    assert of("rate")["{segment}·{mu}/({link}·{mu_l})²"] == POWER
     assert of("coriolis")["{omega}·{segment}·{mu_v}/{mu_a}"] == FACTOR
     assert of("product_of_squares")["{omega}·{length}"] == POWER
     assert of("rate")["{link}·{mu_l}/({segment}·{mu})"] == POWER

@@ -2,16 +2,27 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from support.gallery import exact
 
+from graphic_tmm.board.execute import execute
 from graphic_tmm.board.grammar import OPERATIONS, operation
 from graphic_tmm.board.operations.instruments import lay_off, ray
-from graphic_tmm.board.record import Board
+from graphic_tmm.board.record import Board, Construction, Step
 from graphic_tmm.board.values import Angle, Length, Line, Number, Point, Side
-from graphic_tmm.checking.mutations.givens import free, mistaken
+from graphic_tmm.checking.mutations import changed
+from graphic_tmm.checking.mutations.givens import digits_exchanged, free, mistaken
 from graphic_tmm.checking.mutations.grammar import count, mutations
-from graphic_tmm.checking.mutations.mutation import FAMILIES, GIVEN, MEETING, OPERAND, TABLE
+from graphic_tmm.checking.mutations.mutation import (
+    EXCHANGED,
+    FAMILIES,
+    MEETING,
+    OPERAND,
+    SCALE,
+    TABLE,
+    Mutation,
+)
 from graphic_tmm.checking.mutations.scope import late
 
 
@@ -20,7 +31,7 @@ def test_a_log_has_thousands() -> None:
     log = late(board.construction)
     found = [*mutations(log), *mistaken(log, board.given)]
     assert len(found) >= 9_000
-    assert {one.family for one in found} == {*FAMILIES} - {TABLE, GIVEN}
+    assert {one.family for one in found} == {*FAMILIES} - {TABLE}
     places = {"positions", "extremes", "velocities", "accelerations"}
     drawn = [step for step in log.steps if step.it.view in places]
     assert sum(count(list(mutations(log, drawn))).values()) >= 20 * len(drawn)
@@ -74,6 +85,53 @@ def test_a_new_operation_brings_its_mistakes() -> None:
     assert {OPERAND, MEETING} <= families
     assert any(one.now == long for one in found)
     assert other.kind is Point
+
+
+@pytest.mark.parametrize("value", [0.28, -0.28, 72.0, 31.25, 1.05, 0.3, 31.4159, 0.0])
+def test_digits_that_stand_beside_one_another_are_exchanged(value: float) -> None:
+    """By the text of the number: every two neighbours, none of a number that was calculated."""
+    text = f"{abs(value):g}".replace(".", "").strip("0")
+    pairs = range(len(text) - 1) if len(text) < 6 else ()
+    texts = {text[:k] + text[k + 1] + text[k] + text[k + 2 :] for k in pairs} - {text}
+    wanted = {float(f"0.{one}") / float(f"0.{text}") for one in texts if one[0] != "0"}
+    assert sorted(digits_exchanged(value)) == pytest.approx(sorted(wanted))
+
+
+def test_two_arcs_are_struck_with_one_another_s_opening() -> None:
+    board = exact("crank-rocker").boards[0]
+    (one,) = [
+        m
+        for m in mutations(late(board.construction))
+        if m.family == EXCHANGED and m.at is not None and m.at.op.name == "cross"
+    ]
+    assert one.was is not None
+    assert one.now is not None
+    log, given = changed.made(board.construction, board.given, one, None)
+    drawn = execute(log, given, [one.was, one.now])
+    lengths = execute(board.construction, board.given, [one.was, one.now])
+    for row, due in ((one.was, one.now), (one.now, one.was)):
+        assert np.ravel(drawn[row])[0] == pytest.approx(float(np.ravel(lengths[due])[0]))
+
+
+def test_an_angular_velocity_is_taken_for_an_angular_acceleration() -> None:
+    log = late(exact("crank-press").boards[0].construction)
+    found = [
+        (one.was.unit, one.now.unit)
+        for one in mutations(log)
+        if one.was is not None and one.now is not None and one.family == OPERAND
+    ]
+    assert ("1/s²", "1/s") in found
+    assert ("1/s", "1/s²") not in found
+
+
+def test_a_wrong_scale_factor_is_taken_wherever_the_right_one_should_be() -> None:
+    log = late(exact("cam").boards[0].construction)
+    wide = [one for one in mutations(log) if one.family == SCALE and one.wide and one.now]
+    assert any(len({step.op.name for step in _steps(log, one)}) > 1 for one in wide)
+
+
+def _steps(log: Construction, one: Mutation) -> list[Step]:
+    return [step for step in log.steps if step.it.slot in one.changes]
 
 
 @pytest.mark.parametrize("name", ["windrower", "engine", "cam"])

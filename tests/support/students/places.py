@@ -12,7 +12,7 @@ Place = tuple[str, str]
 ENDS = {
     "nab": {"n2"}, "ncb": {"n3"}, "nba3": {"n3"}, "ncd": {"n4"}, "kaa3": {"k2"},
     "pa": {"a", "vA"}, "πa": {"a", "aA"}, "Mi2": {"J2"}, "M_sum": {"ΣM2", "R01"},
-    "V": {"HV"}, "a": {"Ha"}, "φ": {"dS", "ddS"},
+    "V": {"HV"}, "a": {"Ha"}, "S": {"V"}, "φ": {"dS", "ddS"},
 }  # fmt: skip
 """Where calculated segments end, and what else a calculation of them is called."""
 POLYGON = ("R12", "R03", "R23", "R12t", "R12n")
@@ -28,7 +28,7 @@ def own_places(step: Step) -> set[Place]:
         names |= {step.takes[role] for role in ("by", "about", "length") if role in step.takes}
     if step.plan == F:
         names.add(step.name.split()[-1])
-        names |= set(POLYGON) if step.name[:1] in "MRy" else set()
+        names |= set(POLYGON) if step.name[:1] in "MRy" or step.name[:2] == "Pi" else set()
         names |= {"P_bal_lever"} if step.name.startswith("lever") else set()
     if step.kind == "rate" and step.takes["of"] in ("pa3", "tba3"):
         names |= {f"{step.name[:-1]}{k}" for k in (2, 3)}  # the stone turns with the rocker
