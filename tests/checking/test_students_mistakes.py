@@ -35,8 +35,8 @@ def test_mistakes_are_seen() -> None:
     assert len(seen) >= 0.95 * len(found)
 
 
-LEAST = {"place": 0.80, "family": 0.70, "member": 0.60, "names right": 0.80}
-"""Shares of the drawings, and of names at 80 % or more; of 200 drawings 0.94, 0.82, 0.75 and 0.89."""
+LEAST = {"place": 0.90, "family": 0.80, "member": 0.70, "names right": 0.95}
+"""Shares of the drawings, and of names at 80 % or more: as wanted; these drawings have 0.93, 0.85, 0.80 and 1."""
 
 
 @pytest.mark.slow
