@@ -38,6 +38,8 @@ LOST = 20.0
 """A point farther off than this, mm, was drawn in the other assembly."""
 RING = 2.5
 """A small sign (a ring, a head) belongs to the point that it is about, so near, mm."""
+FILLED = (0.75, 0.5, 0.25)
+"""A filled sign, a head, is pencil on lines about its edges, so many times as large."""
 ASIDE = ("leader", "number", "dimension", "hatching", "turning", "axis")
 """Parts of a view that name its points, and are none of their signs."""
 LINES = ("", "link", "guide")
@@ -328,4 +330,13 @@ def _chords(stroke: Stroke) -> list[tuple[complex, complex]]:
         centre = (a + b) / 2 + 1j * (b - a) / 2 / np.tan(half)
         arc = centre + (a - centre) * np.exp(2j * half * np.linspace(0, 1, 9))
         found += [(complex(p), complex(q)) for p, q in pairwise(arc)]
-    return found
+    return [*found, *_filling(found)] if stroke.filled and stroke.closed else found
+
+
+def _filling(edges: Sequence[tuple[complex, complex]]) -> Iterator[tuple[complex, complex]]:
+    """Yield edges about those of a small filled figure, smaller and smaller: its pencil is not its edge only."""
+    if not edges:
+        return
+    middle = sum(a for a, _ in edges) / len(edges)
+    for share in FILLED:
+        yield from ((middle + share * (a - middle), middle + share * (b - middle)) for a, b in edges)

@@ -9,7 +9,7 @@ import numpy as np
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.checking.pencil.darkness import Flat
 
-REACH = 5.0
+REACH = 6.0
 """What is farther from the point is no part of its sign, mm."""
 STEP = 0.25
 """Ink is looked at so densely, mm."""
