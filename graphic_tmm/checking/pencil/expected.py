@@ -162,7 +162,8 @@ class Stood:
 
     def _plan(self, work: Drawn, drawing: Drawing, plan: str, inked: set[int | None]) -> None:
         reading, row, origin = work.of(plan), work.row(plan), drawing.origin(plan)
-        places = [k for k in range(len(row)) if k in inked]
+        single = len(row) == 1  # nothing on its drawing is of a position then
+        places = [k for k in range(len(row)) if single or k in inked]
         if reading is None or not places:
             return
         pole = self._put(Place(origin, ()), None, None)
@@ -190,6 +191,8 @@ class Stood:
                     by[None] = pole if at_pole else self._put(Place(origin + spot, ()), None, of)
                 one = self.places[by[None]]
                 self.places[by[None]] = one._replace(names=(*one.names, *called))
+            if single and 0 in by:
+                by[None] = by[0]
             for one_of in marks:
                 self.by_slot.setdefault(one_of.slot, {}).update(by)
 

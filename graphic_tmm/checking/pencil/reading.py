@@ -14,13 +14,11 @@ from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import Name, View
 from graphic_tmm.checking.pencil.fitting import fit
 from graphic_tmm.checking.pencil.lines import BAND, Track, tracks
-from graphic_tmm.checking.pencil.placing import placed
+from graphic_tmm.checking.pencil.placing import THERE, placed, stood
 from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE, Spot, spots
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.language.said import said
 
-THERE = 0.55
-"""A plan is on the sheet if so much of its lines is on pencil; of lettering and other lines about a half is."""
 WIDE, WIDEST = 3.5, 10.0
 """Lines are followed so many deviations of the hand aside, and never farther, mm."""
 CLICKED = 3.0
@@ -60,7 +58,7 @@ def read_plans(flat: Flat, views: Sequence[View], clicked: Mapping[Pole, complex
             if pole in view.poles:
                 begin, reach = at - view.places[view.poles[pole]].at, CLICKED
         shift, cover = (
-            placed(flat, view, begin) if reach is None else placed(flat, view, begin, reach)
+            stood(flat, view) if reach is None else placed(flat, view, begin, reach)
         )
         if cover < THERE:
             missing += view.poles
