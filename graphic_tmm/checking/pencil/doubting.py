@@ -13,6 +13,8 @@ from graphic_tmm.checking.pencil.web import Solved, Web
 
 DOUBT = 3.0
 """Of two choices that differ less in worth either may be right."""
+FAR = 10.0
+"""Where others may be as near, so much is to tell them apart."""
 DEEP = 6
 """So many lines at most are exchanged at once."""
 
@@ -21,10 +23,14 @@ Doubt = tuple[float, float]
 
 def doubts(
     web: Web, found: Sequence[Sequence[Track]], told: Solved, chosen: Sequence[Track | None]
-) -> tuple[Doubt | None, ...]:
-    """Return by line how far aside, mm, at its two ends, the farthest is that may be right; None: none may."""
+) -> tuple[tuple[Doubt | None, ...], tuple[Doubt | None, ...]]:
+    """Return by line how far aside, mm, at its two ends, the farthest is that may be right; None: none may.
+
+    The second: that is right more seldom, but not never (`FAR`).
+    """
     swaps = Swaps(web, found, told, chosen)
-    return tuple(swaps.doubt(k) for k in range(len(chosen)))
+    count = range(len(chosen))
+    return tuple(map(swaps.doubt, count)), tuple(swaps.doubt(k, FAR) for k in count)
 
 
 class Swaps:
@@ -51,15 +57,15 @@ class Swaps:
             ]
             self.loses.append(sorted([*others, (now, -1, [])]))
 
-    def doubt(self, k: int) -> Doubt | None:
-        """Return how far aside the farthest choice is that costs all lines together less than `DOUBT`."""
+    def doubt(self, k: int, most: float = DOUBT) -> Doubt | None:
+        """Return how far aside the farthest choice is that costs all lines together less than ``most``."""
         one = self.chosen[k]
         if one is None:
             return None
         aside = [
             (self.found[k][n].start - one.start, self.found[k][n].end - one.end)
             for loss, n, by in self.loses[k]
-            if n >= 0 and loss + self._left(by, DOUBT - loss, (k,)) < DOUBT
+            if n >= 0 and loss + self._left(by, most - loss, (k,)) < most
         ]
         return max(aside, key=lambda ends: max(map(abs, ends)), default=None)
 

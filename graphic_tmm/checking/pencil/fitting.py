@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.checking.pencil.doubting import doubts
+from graphic_tmm.checking.pencil.doubting import Doubt, doubts
 from graphic_tmm.checking.pencil.expected import View
 from graphic_tmm.checking.pencil.lines import Track
 from graphic_tmm.checking.pencil.web import Solved, Web
@@ -30,13 +30,15 @@ class Fit(NamedTuple):
     """The track of each line (None: not seen), and the displacement of each place, mm.
 
     ``doubt``: by line how far aside of it, mm, at its two ends, the next best choice is; NaN where it is clear.
+    ``far``: that of choices that are right more seldom.
     ``scatter``: of the displacements, x and y of all places, as neighbours and lines leave it.
     """
 
     tracks: tuple[Track | None, ...]
     moved: Complexes
     scatter: Reals
-    doubt: tuple[tuple[float, float] | None, ...] = ()
+    doubt: tuple[Doubt | None, ...] = ()
+    far: tuple[Doubt | None, ...] = ()
 
     def spread(self, k: int, way: complex) -> float:
         """Return how far a place may be from where all together have it, in a direction, mm (one deviation)."""
@@ -77,7 +79,7 @@ def fit(view: View, found: Sequence[Sequence[Track]]) -> Fit:
         if chosen == before:
             break
     told = web.solved(chosen)
-    return Fit(tuple(chosen), told.places, told.scatter, doubts(web, found, told, chosen))
+    return Fit(tuple(chosen), told.places, told.scatter, *doubts(web, found, told, chosen))
 
 
 def _chosen(

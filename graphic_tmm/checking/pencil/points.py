@@ -42,6 +42,8 @@ ONE = 0.5
 """And of two so near, mm, of whichever position, not even the lines do."""
 CARRIED = 1.5
 """Of a fan's points that a hand scatters farther (one deviation, mm) a neighbour's line may be the nearer."""
+RIVAL = 0.5
+"""Another line that a fan's point may be on is no harm so near, mm."""
 UNSEEN, UNSURE, SEEN = "unseen", "unsure", "seen"
 
 
@@ -81,20 +83,29 @@ def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs
     if not cross.lines:
         return Spot(at, np.inf, UNSEEN)
     sign = signs.of(k)
+    crowded = signs.crowded(k)
     if cross.error <= SURE:
-        alone = not signs.crowded(k)
+        alone = signs.aside(k) < RIVAL if crowded else not signs.veiled(k, cross.lines)
         met = cross.lines >= MEETING or _alike(flat, sign, at, CROWDED if signs.fan else FREE)
         seen = cross.misfit <= MISFIT and alone and met
         return Spot(at, cross.error, SEEN if seen else UNSURE)
-    if signs.near(k) or signs.crowded(k) or (signs.fan and _rivalled(view, fit, k)):
+    together = fit.spread(k, cross.way)
+    sure = together <= SURE and not (cross.doubted or crowded or signs.veiled(k, cross.lines))
+    if not sure and (signs.near(k) or (signs.fan and _rivalled(view, fit, k))):
         return Spot(at, cross.error, UNSURE)
     if cross.doubted:
-        seen = cross.misfit <= MISFIT and _alike(flat, sign, at, DOUBTED)
+        seen = cross.misfit <= MISFIT and not crowded and _alike(flat, sign, at, DOUBTED)
         return Spot(at, cross.error, SEEN if seen else UNSURE)
-    spread = float(np.hypot(fit.spread(k, cross.way), LOOSE))
-    if signs.alone(k, cross.way) < GAP * spread:
+    spread = float(np.hypot(together, LOOSE))
+    if not sure and signs.alone(k, cross.way) < GAP * spread:
         return Spot(at, cross.error, UNSURE)
-    return _along(flat, sign, at, cross, spread)
+    found = _along(flat, sign, at, cross, spread)
+    if not sure or found.how == SEEN:
+        return found
+    if found.how == UNSURE:
+        return found
+    met = _alike(flat, sign, at, CROWDED if signs.fan else FREE)
+    return Spot(at, together, SEEN if met and cross.misfit <= MISFIT else UNSURE)
 
 
 def _rivalled(view: View, fit: Fit, k: int) -> bool:
@@ -160,11 +171,25 @@ class Signs:
         astray = float(np.sqrt((abs(self.view.astray[:, k]) ** 2).mean() / 2))
         return self.fan and (astray > CARRIED or self.near(k))
 
+    def veiled(self, k: int, lines: int) -> bool:
+        """Whether vectors of no length end at a pole that few ``lines`` show: they are drawn somewhere else."""
+        return self.view.of[k] is None and lines < MEETING and self.near(k)
+
     def near(self, k: int) -> bool:
         """Whether another point should stand so near to a place that one's end is the other's."""
         of = self.view.of
         near = np.flatnonzero(abs(self.view.at - self.view.at[k]) < DOUBLE)
         return any(n != k and (of[n] == of[k] or None in (of[n], of[k])) for n in near)
+
+    def aside(self, k: int) -> float:
+        """Return how far from a place another line is, at most, that one through it may be, mm."""
+        at = self.view.places[k].at
+        found = 0.0
+        for line, far in zip(self.view.lines, self.fit.far, strict=True):
+            if far is not None and k in line.places:
+                share = ((at - line.start) / line.way).real / line.length
+                found = max(found, abs(far[0] + (far[1] - far[0]) * share))
+        return found
 
     def alone(self, k: int, way: complex) -> float:
         """Return how far it is along a direction to the nearest other place, whose sign may be as good, mm."""
