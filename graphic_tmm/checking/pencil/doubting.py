@@ -13,7 +13,7 @@ from graphic_tmm.checking.pencil.web import Solved, Web
 
 DOUBT = 3.0
 """Of two choices that differ less in worth either may be right."""
-FAR = 10.0
+FAR = 12.0
 """Where others may be as near, so much is to tell them apart."""
 DEEP = 6
 """So many lines at most are exchanged at once."""

@@ -94,10 +94,11 @@ def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs
     if not sure and (signs.near(k) or (signs.fan and _rivalled(view, fit, k))):
         return Spot(at, cross.error, UNSURE)
     if cross.doubted:
-        seen = cross.misfit <= MISFIT and not crowded and _alike(flat, sign, at, DOUBTED)
-        return Spot(at, cross.error, SEEN if seen else UNSURE)
+        found = _along(flat, sign, at, cross, 1.0)
+        seen = found.how == SEEN and not crowded and _alike(flat, sign, found.at, DOUBTED)
+        return Spot(found.at, cross.error, SEEN if seen else UNSURE)
     spread = float(np.hypot(together, LOOSE))
-    if not sure and signs.alone(k, cross.way) < GAP * spread:
+    if not sure and (signs.passed(k) or signs.alone(k, cross.way) < GAP * spread):
         return Spot(at, cross.error, UNSURE)
     found = _along(flat, sign, at, cross, spread)
     if not sure or found.how == SEEN:
@@ -168,8 +169,16 @@ class Signs:
             return False
         if float(np.delete(abs(at - at[k]), k).min(initial=np.inf)) < ONE:
             return True
-        astray = float(np.sqrt((abs(self.view.astray[:, k]) ** 2).mean() / 2))
-        return self.fan and (astray > CARRIED or self.near(k))
+        return self.fan and (self.astray(k) > CARRIED or self.near(k) or self.passed(k))
+
+    def astray(self, k: int) -> float:
+        """Return how far a hand scatters a place, mm (one deviation)."""
+        return float(np.sqrt((abs(self.view.astray[:, k]) ** 2).mean() / 2))
+
+    def passed(self, k: int) -> bool:
+        """Whether a hand scatters a place of a fan as far as to the nearest other one."""
+        apart = np.delete(abs(self.view.at - self.view.at[k]), k)
+        return self.fan and float(apart.min(initial=np.inf)) < self.astray(k)
 
     def veiled(self, k: int, lines: int) -> bool:
         """Whether vectors of no length end at a pole that few ``lines`` show: they are drawn somewhere else."""
