@@ -8,7 +8,8 @@ choice and the displacements are found in turn.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -17,13 +18,16 @@ from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.checking.pencil.doubting import Doubt, doubts
 from graphic_tmm.checking.pencil.expected import View
 from graphic_tmm.checking.pencil.lines import Track
-from graphic_tmm.checking.pencil.web import Solved, Web
+from graphic_tmm.checking.pencil.web import Pin, Solved, Web
 
 ROUNDS = 3
 MARGINS = (8.0, 5.0, 3.0, 1.5, 0.0)
 """A line is chosen, round by round, if it is worth so much more than any other one."""
 TAKEN = 6.0
 """What a track loses that another line has chosen."""
+
+
+NOTHING: Mapping[int, Pin] = MappingProxyType({})
 
 
 class Fit(NamedTuple):
@@ -54,12 +58,12 @@ class Choice(NamedTuple):
     margin: float
 
 
-def fit(view: View, found: Sequence[Sequence[Track]]) -> Fit:
-    """Return which tracks belong together; ``found``: by line.
+def fit(view: View, found: Sequence[Sequence[Track]], pins: Mapping[int, Pin] = NOTHING) -> Fit:
+    """Return which tracks belong together; ``found``: by line; ``pins``: places that are known already.
 
     Clear lines first: what they tell of the places makes others clear. Then each again beside all others.
     """
-    web = Web(view)
+    web = Web(view, pins)
     chosen: list[Track | None] = [None] * len(view.lines)
     waiting = {k for k in range(len(chosen)) if found[k]}
     for margin in MARGINS:

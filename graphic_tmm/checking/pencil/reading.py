@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.checking.pencil.again import again
 from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import Name, View
 from graphic_tmm.checking.pencil.fitting import fit
@@ -63,9 +64,16 @@ def read_plans(flat: Flat, views: Sequence[View], clicked: Mapping[Pole, complex
         if cover < THERE:
             missing += view.poles
             continue
-        found = fit(view, followed(flat, view, shift))
-        points += _told(view, spots(flat, view, found, shift), shift)
+        points += _told(view, seen(flat, view, shift, followed(flat, view, shift)), shift)
     return Found(tuple(points), tuple(missing))
+
+
+def seen(
+    flat: Flat, view: View, shift: complex, found: Sequence[Sequence[Track]]
+) -> tuple[Spot, ...]:
+    """Return where the places of a view stand: once by all its lines, once more by what was seen."""
+    once = spots(flat, view, fit(view, found), shift)
+    return spots(flat, view, again(flat, view, shift, found, once), shift)
 
 
 def followed(flat: Flat, view: View, shift: complex) -> list[tuple[Track, ...]]:
@@ -76,16 +84,16 @@ def followed(flat: Flat, view: View, shift: complex) -> list[tuple[Track, ...]]:
     ]
 
 
-def _told(view: View, seen: Sequence[Spot], shift: complex) -> Iterator[Point]:
+def _told(view: View, found: Sequence[Spot], shift: complex) -> Iterator[Point]:
     """Yield the points of a view, each from the pole of its plan; of none more is known than of its pole."""
     for k, place in enumerate(view.places):
         for name in place.names:
             pole = view.poles[name[0], name[2]]
-            how = seen[k].how
-            if seen[pole].how != SEEN and how == SEEN:
+            how = found[k].how
+            if found[pole].how != SEEN and how == SEEN:
                 how = UNSURE
-            at = seen[k].at
-            yield Point(name, at, at - seen[pole].at, how, place.at + shift)
+            at = found[k].at
+            yield Point(name, at, at - found[pole].at, how, place.at + shift)
 
 
 def readings(points: Iterable[Point]) -> tuple[Taken, ...]:
