@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from graphic_tmm.board.values import Reals
 from graphic_tmm.checking.pencil.crossing import SURE, Cross, crossing
 from graphic_tmm.checking.pencil.darkness import Flat
+from graphic_tmm.checking.pencil.doubting import Doubt
 from graphic_tmm.checking.pencil.expected import View
 from graphic_tmm.checking.pencil.fitting import Fit
 from graphic_tmm.checking.pencil.signs import Sign
@@ -42,6 +44,12 @@ ONE = 0.5
 """And of two so near, mm, of whichever position, not even the lines do."""
 CARRIED = 1.5
 """Of a fan's points that a hand scatters farther (one deviation, mm) a neighbour's line may be the nearer."""
+SAME = 0.02
+"""What should stand nearer to each other, mm, is one place."""
+ANYWHERE = 1.0
+"""How far a point is along a line when others are doubted, mm (one deviation)."""
+AGREED = 0.6
+"""A sign so near where the lines have a point is not another's, mm."""
 RIVAL = 0.5
 """Another line that a fan's point may be on is no harm so near, mm."""
 UNSEEN, UNSURE, SEEN = "unseen", "unsure", "seen"
@@ -85,28 +93,29 @@ def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs
     sign = signs.of(k)
     crowded = signs.crowded(k)
     if cross.error <= SURE:
-        alone = signs.aside(k) < RIVAL if crowded else not signs.veiled(k, cross.lines)
+        alone = signs.aside(k, fit.far) < RIVAL if crowded else not signs.veiled(k, cross.lines)
         met = cross.lines >= MEETING or _alike(flat, sign, at, CROWDED if signs.fan else FREE)
         seen = cross.misfit <= MISFIT and alone and met
         return Spot(at, cross.error, SEEN if seen else UNSURE)
     together = fit.spread(k, cross.way)
     sure = together <= SURE and not (cross.doubted or crowded or signs.veiled(k, cross.lines))
-    if not sure and (signs.near(k) or (signs.fan and _rivalled(view, fit, k))):
+    if not sure and ((signs.fan and _rivalled(view, fit, k)) or signs.one(k)):
         return Spot(at, cross.error, UNSURE)
-    if cross.doubted:
-        found = _along(flat, sign, at, cross, 1.0)
+    if cross.doubted and not sure:
+        if signs.near(k):
+            return Spot(at, cross.error, UNSURE)
+        found = _along(flat, sign, at, cross, ANYWHERE)
         seen = found.how == SEEN and not crowded and _alike(flat, sign, found.at, DOUBTED)
         return Spot(found.at, cross.error, SEEN if seen else UNSURE)
     spread = float(np.hypot(together, LOOSE))
-    if not sure and (signs.passed(k) or signs.alone(k, cross.way) < GAP * spread):
-        return Spot(at, cross.error, UNSURE)
     found = _along(flat, sign, at, cross, spread)
-    if not sure or found.how == SEEN:
+    if sure and found.how == UNSEEN:  # nothing tells more than the lines do
+        met = _alike(flat, sign, at, CROWDED if signs.fan else FREE)
+        return Spot(at, together, SEEN if met and cross.misfit <= MISFIT else UNSURE)
+    if sure or not signs.hemmed(k, cross.way, GAP * spread):
         return found
-    if found.how == UNSURE:
-        return found
-    met = _alike(flat, sign, at, CROWDED if signs.fan else FREE)
-    return Spot(at, together, SEEN if met and cross.misfit <= MISFIT else UNSURE)
+    agreed = abs(found.at - at) < AGREED and signs.aside(k, fit.doubt) < RIVAL
+    return found if agreed else Spot(at, cross.error, UNSURE)
 
 
 def _rivalled(view: View, fit: Fit, k: int) -> bool:
@@ -190,11 +199,19 @@ class Signs:
         near = np.flatnonzero(abs(self.view.at - self.view.at[k]) < DOUBLE)
         return any(n != k and (of[n] == of[k] or None in (of[n], of[k])) for n in near)
 
-    def aside(self, k: int) -> float:
+    def one(self, k: int) -> bool:
+        """Whether another place should stand where a place does."""
+        return float(np.delete(abs(self.view.at - self.view.at[k]), k).min(initial=np.inf)) < SAME
+
+    def hemmed(self, k: int, way: complex, reach: float) -> bool:
+        """Whether the sign of another place may be taken for that of a place, along a direction."""
+        return self.near(k) or self.passed(k) or self.alone(k, way) < reach
+
+    def aside(self, k: int, doubts: Sequence[Doubt | None]) -> float:
         """Return how far from a place another line is, at most, that one through it may be, mm."""
         at = self.view.places[k].at
         found = 0.0
-        for line, far in zip(self.view.lines, self.fit.far, strict=True):
+        for line, far in zip(self.view.lines, doubts, strict=True):
             if far is not None and k in line.places:
                 share = ((at - line.start) / line.way).real / line.length
                 found = max(found, abs(far[0] + (far[1] - far[0]) * share))
