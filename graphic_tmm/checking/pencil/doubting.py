@@ -15,6 +15,8 @@ DOUBT = 3.0
 """Of two choices that differ less in worth either may be right."""
 FAR = 12.0
 """Where others may be as near, so much is to tell them apart."""
+WHOLE = 0.6
+"""Pencil that a line without any might be on is seen on so much of it at least."""
 DEEP = 6
 """So many lines at most are exchanged at once."""
 
@@ -29,8 +31,34 @@ def doubts(
     The second: that is right more seldom, but not never (`FAR`).
     """
     swaps = Swaps(web, found, told, chosen)
+    left = robbed(web, found, chosen)
     count = range(len(chosen))
-    return tuple(map(swaps.doubt, count)), tuple(swaps.doubt(k, FAR) for k in count)
+    near, far = ([swaps.doubt(k, most) for k in count] for most in (DOUBT, FAR))
+    return tuple(left.get(k, near[k]) for k in count), tuple(left.get(k, far[k]) for k in count)
+
+
+def robbed(
+    web: Web, found: Sequence[Sequence[Track]], chosen: Sequence[Track | None]
+) -> dict[int, Doubt]:
+    """Return the lines that have the pencil of another one, which is left without, and how far aside that is."""
+    by: dict[int, Doubt] = {}
+    if web.view.fan:  # of many lines some are always hidden
+        return by
+    for k, tracks in enumerate(found):
+        if chosen[k] is not None:
+            continue
+        seen = [track for track in tracks if track.covered > WHOLE]
+        for holders in web.holders(k, seen, chosen) if seen else ():
+            for holder in holders:
+                mine, other = web.view.lines[holder], web.view.lines[k]
+                ends = sorted((other.start, other.end), key=lambda z: abs(z - mine.start))
+                aside = [((z - mine.start) / mine.way).imag for z in ends]
+                by[holder] = max(by.get(holder, (0.0, 0.0)), (aside[0], aside[1]), key=_most)
+    return by
+
+
+def _most(ends: Doubt) -> float:
+    return max(map(abs, ends))
 
 
 class Swaps:
@@ -67,7 +95,7 @@ class Swaps:
             for loss, n, by in self.loses[k]
             if n >= 0 and loss + self._left(by, most - loss, (k,)) < most
         ]
-        return max(aside, key=lambda ends: max(map(abs, ends)), default=None)
+        return max(aside, key=_most, default=None)
 
     def _left(self, lines: Sequence[int], most: float, before: tuple[int, ...]) -> float:
         """Return what it costs that lines leave their pencil, or more than ``most``."""

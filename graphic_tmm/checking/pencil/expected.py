@@ -97,6 +97,11 @@ class View(NamedTuple):
         """Where its places should stand, mm on the sheet."""
         return np.array([place.at for place in self.places], dtype=np.complex128)
 
+    @property
+    def fan(self) -> bool:
+        """Whether it shows several positions, one upon another."""
+        return len(set(self.of) - {None}) > 1
+
     def aside(self, line: Line) -> float:
         """Return how far aside drawings have the places of a line at most, mm (one deviation)."""
         off = self.astray[:, list(line.places)] / line.way

@@ -166,7 +166,7 @@ class Signs:
 
     def __init__(self, view: View, fit: Fit, shift: complex) -> None:
         self.view, self.fit, self.shift = view, fit, shift
-        self.fan = len(set(view.of) - {None}) > 1
+        self.fan = view.fan
 
     def crowded(self, k: int) -> bool:
         """Whether a place may be taken for another: one is there, or a hand carries it past those of its fan.
