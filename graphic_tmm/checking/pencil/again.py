@@ -1,4 +1,4 @@
-"""Look again, by what was seen: points that are sure tell where the lines through them run, and their neighbours.
+"""Look again, by what was seen: points that are sure tell where the lines through them run.
 
 A line that was drawn from a point begins where that point was drawn, not where it should be. So lines are
 followed once more, near where the points on them were found, and chosen anew.

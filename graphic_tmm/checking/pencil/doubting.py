@@ -40,7 +40,7 @@ def doubts(
 def robbed(
     web: Web, found: Sequence[Sequence[Track]], chosen: Sequence[Track | None]
 ) -> dict[int, Doubt]:
-    """Return the lines that have the pencil of another one, which is left without, and how far aside that is."""
+    """Return the lines that have the pencil of another, left without, and how far aside that should be, mm."""
     by: dict[int, Doubt] = {}
     if web.view.fan:  # of many lines some are always hidden
         return by

@@ -167,8 +167,7 @@ class Stood:
 
     def _plan(self, work: Drawn, drawing: Drawing, plan: str, inked: set[int | None]) -> None:
         reading, row, origin = work.of(plan), work.row(plan), drawing.origin(plan)
-        single = len(row) == 1  # nothing on its drawing is of a position then
-        places = [k for k in range(len(row)) if single or k in inked]
+        places = _inked(row, inked)
         if reading is None or not places:
             return
         pole = self._put(Place(origin, ()), None, None)
@@ -182,11 +181,9 @@ class Stood:
             still = np.ptp(np.real(spots)) + np.ptp(np.imag(spots)) < 1e-3
             fixed = len(names) < len(marks) or (reading.positions > 1 and bool(still))
             by: dict[int | None, int] = {}
-            for k in places:
-                spot = spots[k if len(spots) > 1 else 0]
+            there = [(k, spots[k if len(spots) > 1 else 0]) for k in places]
+            for k, spot in filter(_finite, there):
                 called = tuple((plan, name, work.names[row[k]]) for name in names)
-                if not cmath.isfinite(spot):
-                    continue
                 of = (marks[0], row[k], spot)
                 if not fixed:
                     by[k] = self._put(Place(origin + spot, called), k, of)
@@ -196,7 +193,7 @@ class Stood:
                     by[None] = pole if at_pole else self._put(Place(origin + spot, ()), None, of)
                 one = self.places[by[None]]
                 self.places[by[None]] = one._replace(names=(*one.names, *called))
-            if single and 0 in by:
+            if len(row) == 1 and 0 in by:  # nothing on its drawing is of a position then
                 by[None] = by[0]
             for one_of in marks:
                 self.by_slot.setdefault(one_of.slot, {}).update(by)
@@ -241,6 +238,15 @@ class Stood:
             elif mark.kind is Drawable and step.it.kind is not Drawable:
                 found |= self._points_of(mark.slot)
         return found
+
+
+def _finite(one: tuple[int, complex]) -> bool:
+    return cmath.isfinite(one[1])
+
+
+def _inked(row: Sequence[int], inked: set[int | None]) -> list[int]:
+    """Return the positions (of a plan's row) that its drawing shows; of a single one no stroke is."""
+    return [k for k in range(len(row)) if len(row) == 1 or k in inked]
 
 
 def _points(work: Drawn, plan: str) -> list[Mark]:
@@ -342,9 +348,11 @@ def _chords(stroke: Stroke) -> list[tuple[complex, complex]]:
 
 
 def _filling(edges: Sequence[tuple[complex, complex]]) -> Iterator[tuple[complex, complex]]:
-    """Yield edges about those of a small filled figure, smaller and smaller: its pencil is not its edge only."""
+    """Yield edges as those of a small filled figure, smaller and smaller: it is not only its edge."""
     if not edges:
         return
     middle = sum(a for a, _ in edges) / len(edges)
     for share in FILLED:
-        yield from ((middle + share * (a - middle), middle + share * (b - middle)) for a, b in edges)
+        yield from (
+            (middle + share * (a - middle), middle + share * (b - middle)) for a, b in edges
+        )

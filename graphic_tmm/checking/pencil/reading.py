@@ -58,9 +58,7 @@ def read_plans(flat: Flat, views: Sequence[View], clicked: Mapping[Pole, complex
         for pole, at in clicked.items():
             if pole in view.poles:
                 begin, reach = at - view.places[view.poles[pole]].at, CLICKED
-        shift, cover = (
-            stood(flat, view) if reach is None else placed(flat, view, begin, reach)
-        )
+        shift, cover = stood(flat, view) if reach is None else placed(flat, view, begin, reach)
         if cover < THERE:
             missing += view.poles
             continue
