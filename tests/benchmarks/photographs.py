@@ -6,7 +6,8 @@ A frame is found if its corners stand within a millimetre of the truth; wrong, i
 do not. A point is found if it is given as seen; its error, mm on the sheet, is that of its place from the pole
 of its plan, and of its place on the sheet. Counted are points that a line's end, a head, a crossing or a pin
 shows, and of these those apart: no end that lies on another line, no vector that should have no length.
-``--whole``: so many photographs are also given to the command, alone in a process, for its seconds and memory. ``--failures FILE``: what was not found or is wrong, with the photograph's number.
+``--whole``: so many photographs are also given to the command, alone in a process, for its seconds and memory.
+``--failures FILE``: what was not found or is wrong, with the photograph's number.
 """
 
 from __future__ import annotations

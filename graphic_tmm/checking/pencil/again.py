@@ -35,10 +35,15 @@ def again(
     }
     first = fit(view, found, pins)
     more = [
-        (*some, *_followed(flat, view, shift, line, some, first))
-        for line, some in zip(view.lines, found, strict=True)
+        some if _clear(first, n) else (*some, *_followed(flat, view, shift, line, some, first))
+        for n, (line, some) in enumerate(zip(view.lines, found, strict=True))
     ]
     return fit(view, more, pins)
+
+
+def _clear(first: Fit, n: int) -> bool:
+    """Whether a line is known already: no other one may be."""
+    return first.tracks[n] is not None and first.far[n] is None
 
 
 def _followed(

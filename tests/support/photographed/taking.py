@@ -58,7 +58,7 @@ class Shown(NamedTuple):
     spot: complex
     seen: complex
     drawn: bool
-    apart: bool
+    apart: bool = True
 
 
 class Taken(NamedTuple):
