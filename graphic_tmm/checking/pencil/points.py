@@ -93,7 +93,7 @@ def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs
     sign = signs.of(k)
     crowded = signs.crowded(k)
     if cross.error <= SURE:
-        alone = signs.aside(k, fit.far) < RIVAL if crowded else not signs.veiled(k, cross.lines)
+        alone = signs.apart(k) if crowded else not signs.veiled(k, cross.lines)
         met = cross.lines >= MEETING or _alike(flat, sign, at, CROWDED if signs.fan else FREE)
         seen = cross.misfit <= MISFIT and alone and met
         return Spot(at, cross.error, SEEN if seen else UNSURE)
@@ -202,6 +202,10 @@ class Signs:
     def one(self, k: int) -> bool:
         """Whether another place should stand where a place does."""
         return float(np.delete(abs(self.view.at - self.view.at[k]), k).min(initial=np.inf)) < SAME
+
+    def apart(self, k: int) -> bool:
+        """Whether the lines of a crowded place are its own, by all lines together."""
+        return self.aside(k, self.fit.far) < RIVAL and not self.passed(k)
 
     def hemmed(self, k: int, way: complex, reach: float) -> bool:
         """Whether the sign of another place may be taken for that of a place, along a direction."""
