@@ -17,6 +17,8 @@ from graphic_tmm.checking.pencil.signs import Sign
 
 MEETING = 4
 """So many lines that meet are a sign in themselves: the heads and rings of a pole lie on one another."""
+THREE = 3
+"""So many tell of a pole that another point is near, but not that one should be there."""
 MISFIT = 0.7
 """Lines that pass the place where they should meet farther, mm, do not meet there."""
 SEARCH = 5.0
@@ -191,7 +193,9 @@ class Signs:
 
     def veiled(self, k: int, lines: int) -> bool:
         """Whether vectors of no length end at a pole that few ``lines`` show: they are drawn somewhere else."""
-        return self.view.of[k] is None and lines < MEETING and self.near(k)
+        if self.view.of[k] is not None or lines >= MEETING:
+            return False
+        return self.one(k) or (lines < THREE and self.near(k))
 
     def near(self, k: int) -> bool:
         """Whether another point should stand so near to a place that one's end is the other's."""
