@@ -101,7 +101,7 @@ def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs
         return Spot(at, cross.error, SEEN if seen else UNSURE)
     together = fit.spread(k, cross.way)
     sure = together <= SURE and not (cross.doubted or crowded or signs.veiled(k, cross.lines))
-    if not sure and ((signs.fan and _rivalled(view, fit, k)) or signs.one(k)):
+    if not sure and ((signs.fan and _rivalled(view, fit, k)) or signs.none(k)):
         return Spot(at, cross.error, UNSURE)
     if cross.doubted and not sure:
         if signs.near(k):
@@ -210,6 +210,10 @@ class Signs:
     def apart(self, k: int) -> bool:
         """Whether the lines of a crowded place are its own, by all lines together."""
         return self.aside(k, self.fit.far) < RIVAL and not self.passed(k)
+
+    def none(self, k: int) -> bool:
+        """Whether a vector of no length leads to a place: another one of its position should stand there."""
+        return self.one(k) and self.near(k)
 
     def hemmed(self, k: int, way: complex, reach: float) -> bool:
         """Whether the sign of another place may be taken for that of a place, along a direction."""
