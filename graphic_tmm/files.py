@@ -151,6 +151,8 @@ def write(
             place = folder / name
             if place.is_dir():
                 raise IsADirectoryError(21, "a folder stands there", str(place))
+            if place.exists() and not place.is_file():
+                raise OSError(22, "a device or a pipe stands there", str(place))
             passing = folder / f".graphic-tmm-{HOST}-{os.getpid()}-{len(waiting)}.part"
             waiting.append((passing, place))
             passing.write_bytes(text.encode("utf-8") if isinstance(text, str) else text)

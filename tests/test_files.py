@@ -44,6 +44,15 @@ def test_a_folder_in_the_way_leaves_everything_as_it_was(tmp_path: Path) -> None
     assert (tmp_path / "a.svg").read_text() == "old"
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names")
+def test_a_device_or_a_pipe_is_never_replaced(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "b.svg")
+    with pytest.raises(SheetError, match="a device or a pipe stands there; name another folder"):
+        write(tmp_path, {"a.svg": "new", "b.svg": "new"})
+    assert [path.name for path in tmp_path.iterdir()] == ["b.svg"]
+    assert (tmp_path / "b.svg").is_fifo()
+
+
 @pytest.mark.parametrize("below", [".", "deep/deeper"])
 def test_a_file_where_a_folder_should_be_is_told_with_the_remedy(
     below: str, tmp_path: Path

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from graphic_tmm.board.hand import HANDS
-from graphic_tmm.checking.cells import Key, cells
+from graphic_tmm.checking.cells import cells
 from graphic_tmm.checking.judging.comparison import Comparison, worse_of
 from graphic_tmm.checking.judging.groups import groups
 from graphic_tmm.checking.judging.judge import judge
@@ -16,8 +16,8 @@ from graphic_tmm.checking.lessons.lessons import Teacher
 from graphic_tmm.checking.mutations.diagnosis import diagnosed
 from graphic_tmm.checking.mutations.mistakes import Mistakes
 from graphic_tmm.checking.mutations.telling import told
+from graphic_tmm.checking.mutations.unseen import Unseen
 from graphic_tmm.checking.mutations.unseen import told as told_unseen
-from graphic_tmm.checking.mutations.unseen import unseen
 from graphic_tmm.checking.records import Report, Taken
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scenes import scene_name
@@ -69,7 +69,7 @@ def checks(
     mistakes, teacher = Mistakes(made), Teacher(made)
     drawing = HANDS[hand]._replace(trials=trials, seed=scene.seed)
     yardsticks = Yardsticks(made, drawing, limits, points)
-    hidden: dict[frozenset[tuple[Key, bool]], tuple[str, ...]] = {}
+    unseen = Unseen(mistakes)
     for source, readings in drawings:
         rows, notes = known(made, readings, source)
         by = yardsticks.of(rows)
@@ -78,10 +78,7 @@ def checks(
         compared = Comparison(made, parts, by, worse_of([one.times for one in judged]))
         found = told(diagnosed(mistakes, compared, judged), compared, scene.language)
         found = found or groups(made, judged, by)
-        at = frozenset(one.at for one in parts)
-        if at not in hidden:
-            hidden[at] = unseen(mistakes, compared)
-        notes = (*notes, *told_unseen(hidden[at], scene.language))
+        notes = (*notes, *told_unseen(unseen.of(compared), scene.language))
         lessons = teacher.lessons(judged, found, by.reader)
         name = scene_name(scene.source)
         yield Report(name, scene.title, scene.language, hand, judged, found, notes, lessons)

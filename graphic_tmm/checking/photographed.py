@@ -21,6 +21,7 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.files import write
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke, circle, line
+from graphic_tmm.paper.ruled import Box
 from graphic_tmm.scene.records import Scene
 
 CROSS, RING = 1.6, 1.6
@@ -71,7 +72,7 @@ def photographed(shown: Laid, clicked: Mapping[Pole, complex], hand: str) -> Pho
     Raises
     ------
     SheetError
-        If a pole is clicked of a plan that this sheet does not have.
+        If a pole is clicked of a plan that this sheet does not have, or not on the sheet.
     """
     due = views(shown.made, shown.sheet, HANDS[hand])
     poles = {pole for view in due for pole in view.poles}
@@ -89,10 +90,31 @@ def photographed(shown: Laid, clicked: Mapping[Pole, complex], hand: str) -> Pho
         return None
     photo = shown.flat
     shot = Shot(photo.image, photo.homography, photo.lens, photo.curl)
-    places = {pole: complex(shot.sheet(at)) for pole, at in clicked.items()}
+    places = {pole: _on_sheet(shot, photo.area, pole, at) for pole, at in clicked.items()}
     dots = photo.image.shape[1] / (photo.area.right - photo.area.left)
     found = read_plans(Flat(photo.image, photo.area, dots), due, places)
     return Photographed(found, readings(found.points))
+
+
+def _on_sheet(shot: Shot, sheet: Box, pole: Pole, at: complex) -> complex:
+    """Return where on the sheet a pole was clicked, mm; raises SheetError if that is beside it."""
+    off = at - shot.lens.middle
+    half = shot.lens.middle + complex(0.5, 0.5)
+    if abs(off.real) <= half.real and abs(off.imag) <= half.imag:
+        place = complex(shot.sheet(at))
+        if sheet.left <= place.real <= sheet.right and sheet.bottom <= place.imag <= sheet.top:
+            return place
+    plan, position = pole
+    raise SheetError(
+        said(
+            "--pole {plan}:{position}: {x:g},{y:g} is not on the sheet in the photograph: give x and y in its "
+            "dots",
+            plan=plan,
+            position=position,
+            x=at.real,
+            y=at.imag,
+        )
+    )
 
 
 def judged(

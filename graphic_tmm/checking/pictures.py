@@ -94,11 +94,29 @@ def underlay(shown: Laid, file: str, upon: Sequence[Drawing] = ()) -> tuple[Path
     from graphic_tmm.paper.write.svg import Under, svg
 
     path = drawing_file(file)
-    picture = f"{path.stem}-flat.png"
+    picture = _picture(path)
     sheet = shown.sheet._replace(drawings=(*shown.sheet.drawings, *upon))
     text = svg(sheet, under=Under(picture))
     files: dict[str, str | bytes] = {path.name: text, picture: png(shown.flat)}
     return write(path.parent, files, remedy=_REMEDY)
+
+
+def other_place(file: str | None, drawing: Path) -> None:
+    """Raise SheetError if a file of readings is to be written where a drawing or its picture is."""
+    if file is not None and Path(file).resolve() in (
+        drawing.resolve(),
+        drawing.with_name(_picture(drawing)).resolve(),
+    ):
+        raise SheetError(
+            said(
+                "--readings-out: {file}: the drawing is written there; name another file",
+                file=printable(file),
+            )
+        )
+
+
+def _picture(drawing: Path) -> str:
+    return f"{drawing.stem}-flat.png"
 
 
 def drawing_file(file: str) -> Path:

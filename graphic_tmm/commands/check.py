@@ -160,6 +160,7 @@ def check(
     """Compare READINGS of a hand-made drawing (a CSV file) with SCENE; status 1 if something is wrong."""
     if not template:
         _refuse_half_asked(scene, readings, photo, (sheet, corners, poles or None, readings_out))
+        _refuse_twice_asked(readings, poles, readings_out)
         _refuse_untemplated(short or bool(only), position, output)
     task = read_scene(scene, lettered=True)
     if template:
@@ -219,6 +220,17 @@ def _refuse_half_asked(
         )
 
 
+def _refuse_twice_asked(
+    readings: str | None, poles: tuple[str, ...], readings_out: str | None
+) -> None:
+    if readings is not None and (poles or readings_out is not None):
+        raise click.UsageError(
+            said(
+                "--pole and --readings-out are for points seen in the photograph: leave out READINGS"
+            )
+        )
+
+
 def _refuse_untemplated(short: bool, position: str | None, output: str | None) -> None:
     if short or position is not None or output is not None:
         raise click.UsageError(said("--short, --only, --position and -o go with --template"))
@@ -262,9 +274,9 @@ def _of_photo(
         poles_of,
         write_seen,
     )
-    from graphic_tmm.checking.pictures import drawing_file, laid, underlay
+    from graphic_tmm.checking.pictures import drawing_file, laid, other_place, underlay
 
-    drawing_file(wanted.file)
+    other_place(readings_out, drawing_file(wanted.file))
     clicked = poles_of(poles)
     with waiting(said("drawing the plans")):
         shown = laid(scene, wanted.photo, wanted.corners, wanted.number)
@@ -277,11 +289,18 @@ def _of_photo(
     with waiting(said("following the lines in the photograph")):
         seen = photographed(shown, clicked, by.hand)
     if seen is None:
+        if readings_out is not None:
+            tell(
+                said(
+                    "warning: {text}",
+                    text=said("no plan on this sheet: no file for --readings-out"),
+                )
+            )
         return None, underlay(shown, wanted.file)
-    written = () if readings_out is None else write_seen(readings_out, seen, scene.language)
     with waiting(said("drawing by the hand, to tell what is usual")):
         limits, source = Limits(*by.beyond), readings_out or wanted.photo
         report = judged(scene, seen, hand=by.hand, trials=by.trials, limits=limits, source=source)
+    written = () if readings_out is None else write_seen(readings_out, seen, scene.language)
     return report, (*underlay(shown, wanted.file, (points_drawing(seen, report),)), *written)
 
 

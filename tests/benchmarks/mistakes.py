@@ -21,13 +21,14 @@ from support.students.drawings import HANDS, MACHINES, honest, pairs, planted  #
 from support.students.early import EARLY  # noqa: E402
 from support.students.kinds import Kind  # noqa: E402
 from support.students.late import LATE  # noqa: E402
+from support.students.later import LATER  # noqa: E402
 from support.students.measuring import Outcome, outcomes  # noqa: E402
 from support.students.outside import OUTSIDE  # noqa: E402
 from support.students.planting import Planted  # noqa: E402
 
 from graphic_tmm.checking.records import DOUBTFUL, WRONG  # noqa: E402
 
-PARTS = {"early": EARLY, "late": LATE}
+PARTS = {"early": EARLY, "late": LATE, "later": LATER}
 INSIDE: tuple[Kind, ...] = tuple(kind for part in PARTS.values() for kind in part)
 Rows = list[tuple[str, list[Outcome]]]
 

@@ -21,7 +21,7 @@ BLAMED = {
     "coriolis_left_out_six": "k_aa3 was left out",
     "coriolis_along_rpr": r"k_aa3\) was drawn parallel to \(BA\) instead of square",
     "coriolis_half_rpr": "k_aa3 was calculated as ω_3·aa3·μ_v/μ_a",
-    "eps_total_sc": "",
+    "eps_total_sc": "ε_2 was calculated with ab instead of t_ab",
     "normal_forgotten_sc": "n_ab was left out",
     "normal_from_the_wrong_end_sc": "n_ab has the opposite sense|n_ab points away",
     "normal_pb_sc": "n_ab was calculated with pb instead of ab",

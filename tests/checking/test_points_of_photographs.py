@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from support.command import invoke
 
 from graphic_tmm.checking.pencil.points import SEEN
 from graphic_tmm.checking.pencil.reading import Found, Point, readings
@@ -57,3 +58,43 @@ def test_every_point_seen_is_shown_with_its_letter_and_error() -> None:
     assert [label.text for label in drawing.labels] == ["a: 0.8", "b?"]
     middles = [sum(complex(x, y) for x, y, _ in one.path) / 2 for one in drawing.strokes]
     assert middles == pytest.approx([30 + 40j, 30 + 40j, 70 + 80j])
+
+
+@pytest.fixture
+def photo(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[object, ...]:
+    """A photograph of an empty sheet, as the command is told of it."""
+    image = pytest.importorskip("PIL.Image")
+    monkeypatch.chdir(tmp_path)
+    image.new("L", (260, 340), 240).save("photo.png")
+    corners = ("--corners", "20,292 205,292 205,5 20,5", "--overlay", "o.svg")
+    return ("--photo", "photo.png", *corners, "-l", "en")
+
+
+@pytest.mark.parametrize("place", ["1e300,-1e300", "-1,5", "100,340", "250,100"])
+def test_a_pole_beside_the_sheet_is_refused(photo: tuple[object, ...], place: str) -> None:
+    done = invoke("check", "crank-rocker", *photo, "--sheet", 2, "--pole", f"velocities:1={place}")
+    assert (done.exit_code, done.stdout, Path("o.svg").exists()) == (2, "", False), done.output
+    assert "--pole velocities:1: " in done.stderr
+    assert "is not on the sheet in the photograph: give x and y in its dots" in done.stderr
+
+
+@pytest.mark.parametrize("file", ["o.svg", "./o.svg", "o-flat.png"])
+def test_points_never_take_the_place_of_the_drawing(photo: tuple[object, ...], file: str) -> None:
+    done = invoke("check", "crank-rocker", *photo, "--readings-out", file)
+    assert (done.exit_code, Path("o.svg").exists()) == (2, False), done.output
+    assert f"--readings-out: {file}: the drawing is written there; name another" in done.stderr
+
+
+@pytest.mark.parametrize("option", [("--pole", "velocities:1=5,5"), ("--readings-out", "r.csv")])
+def test_what_is_for_points_seen_is_not_passed_over_with_readings(
+    photo: tuple[object, ...], option: tuple[str, str]
+) -> None:
+    done = invoke("check", "crank-rocker", "readings.csv", *photo, *option)
+    assert done.exit_code == 2, done.output
+    assert "leave out READINGS" in done.stderr
+
+
+def test_a_sheet_without_plans_has_no_file_of_points(photo: tuple[object, ...]) -> None:
+    done = invoke("check", "slider-diagrams", *photo, "--sheet", 2, "--readings-out", "r.csv")
+    assert (done.exit_code, Path("r.csv").exists()) == (0, False), done.output
+    assert "warning: no plan on this sheet: no file for --readings-out" in done.stderr

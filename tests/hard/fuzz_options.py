@@ -16,7 +16,7 @@ from fuzz_changes import (
     strange,
 )
 
-SCENE, CSV, MINUTES, OUT = "{scene}", "{csv}", "{minutes}", "{out}"
+SCENE, CSV, MINUTES, OUT, PHOTO = "{scene}", "{csv}", "{minutes}", "{out}", "{photo}"
 """What stands in a command line for the files of its case, and for its folder of output."""
 LINES: tuple[tuple[str, ...], ...] = (
     ("draw", SCENE, "-o", OUT, "-f", "svg,dxf", "--hand", "student", "--seed", "3"),

@@ -49,6 +49,7 @@ class Task(NamedTuple):
     readings: bytes | None
     minutes: bytes | None = None
     line: tuple[str, ...] = ()
+    photo: bytes | None = None
 
 
 def unchanged(name: str, command: str) -> Task:

@@ -37,6 +37,23 @@ def test_changed_scenes_are_drawn_or_refused(turn: int, many: Callable[[int, int
     assert {0, 2} <= {one.status for one in found} <= {0, 1, 2}
 
 
+@pytest.mark.parametrize(("first", "usual"), [(0, 6), pytest.param(6, 30, marks=pytest.mark.slow)])
+def test_changed_photographs_are_judged_or_refused(
+    first: int, usual: int, many: Callable[[int, int], int]
+) -> None:
+    pytest.importorskip("cv2")
+    pytest.importorskip("PIL.Image")
+    from fuzz_photographs import case as photographed
+
+    found = [
+        photographed(number, 1, ("crank-rocker",))
+        for number in range(first, first + many(3 * usual, usual))
+    ]
+    assert not [one for one in found if one.fault]
+    # 1: points were seen, and one is wrong
+    assert {0, 2} <= {one.status for one in found} <= {0, 1, 2}
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "old", "new", "says"),

@@ -24,6 +24,7 @@ from graphic_tmm.checking.mutations.density import (
     log_density,
     size_of,
 )
+from graphic_tmm.checking.mutations.multiples import multiple
 from graphic_tmm.checking.readings.units import due_figure, taken_figure
 from graphic_tmm.checking.records import Taken
 
@@ -109,6 +110,22 @@ def readings(drawing: Comparison, marked: Sequence[Taken]) -> list[Reading]:
     return found
 
 
+def multiples(rows: Sequence[Reading]) -> list[float]:
+    """Return what the readings of each segment gain by being so many times what is due."""
+    segments: dict[tuple[str, str, bool], list[Reading]] = {}
+    for one in rows:
+        if not one.beside and not one.taken.pointed:
+            key = one.taken.plan, one.taken.segment, one.taken.mm is not None
+            segments.setdefault(key, []).append(one)
+    found = []
+    for some in segments.values():
+        read = np.array([one.found.real for one in some])
+        due = read - np.array([float(apart(one.found.real, one.due.real)) for one in some])
+        scatter = np.array([one.scatter for one in some])
+        found.append(multiple(read, due, scatter, np.abs(read), max(one.mm for one in some)))
+    return found
+
+
 def told(
     rows: Sequence[Reading], ways: Sequence[Mapping[tuple[Key, bool], Any]], count: int, places: int
 ) -> tuple[Array, Array, Array, Array, Array]:
@@ -116,11 +133,10 @@ def told(
 
     And how many are moved and explained, with the sum of the squares of how far off these are.
 
-    ``ways``: the figures of rows, each way they may have been found.
+    ``ways``: the figures of rows, each way they may have been found; the first row is the base.
     """
     gain, beyond, lost, moved, squares = (np.zeros((count, places + 1)) for _ in range(5))
     for one in rows:
-        base, far, _ = one.told(np.asarray(one.due))
         best: tuple[Array, Array, Array] | None = None
         for figures in ways:
             if one.at not in figures or one.beside:
@@ -133,8 +149,9 @@ def told(
                 likely, off, gone = (np.where(better, new, old) for new, old in pairs)
                 best = likely, off, gone
         if best is None:
-            beyond[:, one.place] += float(far > BEYOND)
+            beyond[:, one.place] += float(one.told(np.asarray(one.due))[1] > BEYOND)
             continue
+        base, far = (np.ravel(part)[0] for part in best[:2])
         gain[:, one.place] += best[0] - base
         beyond[:, one.place] += best[1] > BEYOND
         lost[:, one.place] += best[2]

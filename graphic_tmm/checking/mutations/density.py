@@ -20,6 +20,8 @@ MAGNITUDES = float(np.log(1e6))
 """What is anything is so over some six orders of magnitude (natural logarithm)."""
 BEYOND = 4.0
 """Farther off than so many standard deviations a reading is not explained: one of 16,000 is by chance."""
+SLIP = 5.0
+"""Of what a mistake moves and does not explain it is taken to be so many standard deviations off."""
 LEAST_MM, LEAST_SHARE, OF_CHANGE = 0.35, 0.005, 0.02
 """No error is told more finely than this: mm on the paper (a pencil line is so wide), of the figure, of what a
 mistake moves it by (a longer line swings farther)."""
@@ -51,12 +53,14 @@ def broad(off: Any, size: Any, figure: Any) -> Array:
 
 
 def explained(off: Any, before: Any) -> tuple[Array, Array]:
-    """Return which readings something moves and explains, and the squares of how far off these then are.
+    """Return which readings something moves, and the squares of how far off these then are.
 
-    ``off``, ``before``: in standard deviations, with it and without.
+    ``off``, ``before``: in standard deviations, with it and without. A reading that it moves and leaves beyond
+    may be a slip beside it: it counts as `SLIP`, which a score of others outweigh.
     """
-    moved = (np.abs(off - before) > MOVED) & (off <= BEYOND)
-    return moved * 1.0, np.where(moved, off, 0.0) ** 2
+    change = np.abs(off - before)
+    moved = np.where(off <= BEYOND, change > MOVED, change > 1.0)
+    return moved * 1.0, np.where(moved, np.minimum(off, SLIP), 0.0) ** 2
 
 
 def size_of(scatter: Any, figure: Any, mm: Any, change: Any = 0.0) -> Array:

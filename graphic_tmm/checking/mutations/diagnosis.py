@@ -28,11 +28,13 @@ from graphic_tmm.checking.mutations.choosing import (
     perhaps,
     told_of,
 )
+from graphic_tmm.checking.mutations.columns import multiples
 from graphic_tmm.checking.mutations.evidence import Board, Readings, of_mutations, unexplained
-from graphic_tmm.checking.mutations.finalists import reweighed
+from graphic_tmm.checking.mutations.finalists import reweighed, scatters_of
 from graphic_tmm.checking.mutations.fitting import fitted, put_amiss
-from graphic_tmm.checking.mutations.hypotheses import SOMETHING, Hypothesis, of_board
+from graphic_tmm.checking.mutations.hypotheses import A_NUMBER, SOMETHING, Hypothesis, of_board
 from graphic_tmm.checking.mutations.mistakes import Mistakes, Offered
+from graphic_tmm.checking.mutations.multiples import scores
 from graphic_tmm.checking.mutations.mutation import Mutation
 from graphic_tmm.checking.mutations.second import beside, two, with_mistake
 from graphic_tmm.checking.mutations.written import of_written
@@ -108,6 +110,8 @@ def _left(
     if base is None:
         return ()
     far = unexplained(readings, base)
+    if far and readings.found and base.board is readings.drawing.made.mechanism:
+        far &= unexplained(readings, base, scatters_of(readings, base))
     return tuple(one for one in wrong if one.follows is None and one.taken.at in far)
 
 
@@ -176,6 +180,9 @@ def _of_board(
             rest.scores.append(prior + float(np.maximum(gain, 0.0).sum()))
             if (far := float(told.off[mark].max())) > rest.off:
                 rest.off, rest.step = far, steps[mark]
+        rest.scores += scores(told.multiples.values(), A_NUMBER)
+    if number == 0:
+        rest.scores += scores(multiples(readings.columns), A_NUMBER)
     yield from of_board(number, some, evidence, offered.shares)
     if number == 0 or offered.made.mechanism is None:
         free, told_free = fitted(readings, offered, offered.base, least)

@@ -30,6 +30,7 @@ from graphic_tmm.checking.mutations.density import (
     size_of,
 )
 from graphic_tmm.checking.mutations.execution import Beside, Rows, executed
+from graphic_tmm.checking.mutations.multiples import multiple
 from graphic_tmm.checking.mutations.mutation import Mutation
 
 Array = NDArray[np.float64]
@@ -62,7 +63,8 @@ class Weighed(NamedTuple):
     were known of that step. ``gain``: (row, position) of all entries together; ``beyond``, ``lost``: how many
     readings are unexplained, and how many cannot be drawn, (row, position). ``moved``, ``squares``: how many
     are moved and explained, and the sum of the squares of how far off these are. ``errors``: what differs, by
-    mark: rows and their errors in sizes, (row, position). ``off``: the base's, (position,).
+    mark: rows and their errors in sizes, (row, position). ``off``: the base's, (position,). ``multiples``: what
+    the readings of a segment gain by being so many times what is due.
     """
 
     base: Mapping[Mark, Array]
@@ -74,6 +76,7 @@ class Weighed(NamedTuple):
     squares: Array
     errors: Mapping[Mark, tuple[tuple[Rows, Array], ...]]
     off: Mapping[Mark, Array]
+    multiples: Mapping[Mark, float]
     beside: Beside
 
 
@@ -142,6 +145,7 @@ def weighed(
     base: dict[Mark, Array] = {}
     unknown: dict[Mark, Array] = {}
     off: dict[Mark, Array] = {}
+    multiples: dict[Mark, float] = {}
     errors: dict[Mark, tuple[tuple[Rows, Array], ...]] = {}
     for mark, error in own.base.items():
         entry = entry_of(drawing, mark, error[:, 0], found[mark][0], scatters)
@@ -150,6 +154,10 @@ def weighed(
         told = Told(entry)
         base[mark], off[mark] = told.likely, told.off
         unknown[mark] = told.unknown
+        if mark.kind is not Point:
+            read = found[mark][0]
+            due = read - entry.error[0]
+            multiples[mark] = multiple(read, due, entry.scatter[0], entry.figure, entry.mm)
         told_rows = []
         for rows, some in own.rows.get(mark, ()):
             likely, far, gone = told.rows(some)
@@ -163,7 +171,7 @@ def weighed(
         errors[mark] = tuple(told_rows)
     whole = sum((one > BEYOND) * 1.0 for one in off.values())
     gain_and_lost = gain, beyond + whole, lost, moved, squares
-    return Weighed(base, unknown, *gain_and_lost, errors, off, beside)
+    return Weighed(base, unknown, *gain_and_lost, errors, off, multiples, beside)
 
 
 def entry_of(

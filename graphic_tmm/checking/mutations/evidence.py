@@ -134,14 +134,17 @@ def of_mutations(
     return evidence, told
 
 
-def unexplained(readings: Readings, base: Board) -> set[tuple[Key, bool]]:
-    """Return the readings that are beyond what a hand does on a board."""
+def unexplained(
+    readings: Readings, base: Board, scatters: Mapping[Mark, Array] | None = None
+) -> set[tuple[Key, bool]]:
+    """Return the readings that are beyond what a hand does on a board; ``scatters``: as `weighed`'s."""
     found: set[tuple[Key, bool]] = set()
     work = readings.drawing.made.mechanism
     marks = base.marks if readings.keys else ()
     ways: list[Mapping[tuple[Key, bool], Any]] = []
     if work is not None and base.board is work and readings.found:
-        told = weighed(readings.drawing, readings.found, base.log, base.given, (), None, marks)
+        found_so = readings.drawing, readings.found, base.log, base.given
+        told = weighed(*found_so, (), scatters, marks)
         at = readings.by_mark
         found |= {
             at[mark, int(place)].at

@@ -67,7 +67,7 @@ def refined(readings: Readings, base: Board, one: Hypothesis) -> Hypothesis:
         return one
     log, given = changed.made(base.log, base.given, what, one.place)
     other = Board(base.board, log, given)
-    scatters = _scatters(readings, other)
+    scatters = scatters_of(readings, other)
     own = Own(readings.drawing, readings.found, log)
     executed(log, given, (), readings.found, own.seen)
     right = Own(readings.drawing, readings.found, base.log)
@@ -97,7 +97,7 @@ def _fit(off: Array, before: Array) -> Array:
     return np.array([moved.sum(), squares.sum()])
 
 
-def _scatters(readings: Readings, other: Board) -> dict[Mark, Array]:
+def scatters_of(readings: Readings, other: Board) -> dict[Mark, Array]:
     """Return the hand's own errors where it draws a log, root mean squares, (part, position)."""
     by = readings.drawing.by.reader
     hand = by.hand._replace(trials=DRAWN)

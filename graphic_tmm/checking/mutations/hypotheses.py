@@ -16,6 +16,8 @@ from graphic_tmm.checking.records import INSTRUMENT
 Array = NDArray[np.float64]
 NO_MISTAKE, SOMETHING, INSTRUMENTS, KNOWN = 0.6, 0.1, 0.05, 0.25
 """What is expected beforehand: most drawings hold no mistake; of the others the known ones are most."""
+A_NUMBER = 0.01
+"""So rarely is a segment so many times what is due by a number that no mistake that we know makes."""
 EVERYWHERE = 0.75
 """A mistake is made wherever it can be in three of four drawings, else in one position; what is taken from the
 position before rather once."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -72,17 +72,23 @@ class Offered:
         ``wanted``: figures, by key and whether in mm, and by how much they must move.
         """
         beside = beside or self.plain
-        rows = np.arange(beside.size)
-        told = figures_of(self.made, self.board, beside, rows, tuple(wanted))
         moves = np.zeros(beside.size, dtype=bool)
         moves[0] = True
-        for at, row in told.items():
+        for _, moved in self.moved(wanted, beside):
+            moves |= moved
+        return np.flatnonzero(moves)
+
+    def moved(
+        self, wanted: Mapping[tuple[Key, bool], float], beside: Beside
+    ) -> Iterator[tuple[tuple[Key, bool], NDArray[np.bool_]]]:
+        """Yield each figure of the board with the rows that move it; ``wanted`` as in `moving`."""
+        rows = np.arange(beside.size)
+        for at, row in figures_of(self.made, self.board, beside, rows, tuple(wanted)).items():
             with np.errstate(all="ignore"):
                 off = np.abs(row - row[0])
                 if at[1] and not np.iscomplexobj(row):
                     off = np.abs(np.abs(row) - np.abs(row[0]))  # a length has no sign
-                moves |= ~(off <= wanted[at]) & np.isfinite(row[0])
-        return np.flatnonzero(moves)
+                yield at, ~(off <= wanted[at]) & np.isfinite(row[0])
 
 
 class Mistakes:

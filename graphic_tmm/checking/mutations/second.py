@@ -143,8 +143,6 @@ def _seconds(
     some = some if some and some[0] is NONE else [NONE, *some]
     plain = offered.run(some, base)
     evidence, _ = of_mutations(readings, base, some, plain, np.arange(len(some)))
-    # columns tell what is gained on the log without the first mistake
-    evidence = evidence._replace(gain=evidence.gain - evidence.gain[:1])
     found = of_board(first.board, some, evidence, offered.shares)
     return [one._replace(score=one.score + first.score) for one in found]
 

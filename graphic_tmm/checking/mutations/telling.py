@@ -9,7 +9,7 @@ from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.captions import view_name
 from graphic_tmm.checking.judging.comparison import Comparison
-from graphic_tmm.checking.mutations.choosing import SURE
+from graphic_tmm.checking.mutations.choosing import SURE, UNSURE
 from graphic_tmm.checking.mutations.diagnosis import Diagnosis
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis
 from graphic_tmm.checking.mutations.mutation import Mutation
@@ -36,6 +36,8 @@ SLIP_SAYS = said("only {segment} is off: this reading was read or written down a
 SLIP_TEN = said("only {segment} is off: its decimal point has perhaps slipped")
 MOST = 3
 """So many mistakes at the most are told of those that no reading tells apart."""
+MANY = 10
+"""One of so many wrong readings of a segment may be a slip beside what explains the others."""
 TENFOLD = 0.05
 """So near (as a share) to ten or a hundred times too much a reading is perhaps a slipped decimal point."""
 
@@ -49,11 +51,26 @@ def told(diagnosis: Diagnosis, drawing: Comparison, language: str) -> tuple[Like
     if alone and not sure and _tenfold(roots[0]):
         return (_slip(roots, speech),)
     found = [_named(group, chance, diagnosis, drawing, speech) for group, chance in diagnosis.named]
+    if any(_contradicted(one, diagnosis) for one in found):
+        lower = [one._replace(chance=min(one.chance, UNSURE)) for one in found]
+        return (*lower, *_unknown(diagnosis, drawing, speech))
     whole = found and not diagnosis.left and (diagnosis.unknown is None or not sure)
     if whole or not diagnosis.wrong:
         return tuple(found)
     rest = (_slip(roots, speech),) if alone else _unknown(diagnosis, drawing, speech)
     return (*found, *rest)
+
+
+def _contradicted(one: Likely, diagnosis: Diagnosis) -> bool:
+    """Whether a sure name leaves what it should explain: wrong readings of the segment that shows it."""
+
+    def count(some: Sequence[Judged]) -> int:
+        its = [(each.taken.plan, each.taken.segment) for each in some]
+        return its.count((one.plan, one.segment))
+
+    if one.kind != MISTAKE or one.position or one.chance < SURE:
+        return False
+    return MANY * count(diagnosis.left) > count(diagnosis.wrong)
 
 
 def _named(

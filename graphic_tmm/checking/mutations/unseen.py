@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+
+import numpy as np
 
 from graphic_tmm.captions import view_name
+from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.diagnosis import VISIBLE
 from graphic_tmm.checking.mutations.mistakes import Mistakes
@@ -14,19 +18,37 @@ from graphic_tmm.language.said import said
 SAYS = said("these readings do not show what was done on: {plans}")
 
 
-def unseen(mistakes: Mistakes, drawing: Comparison) -> tuple[str, ...]:
-    """Return the views that can be read of which no mutation moves any reading visibly, as the log has them."""
-    by = drawing.by.spread
-    readable = {step.it.view for step in drawing.steps.values()}
-    least = {one.at: VISIBLE * by[one.at].rms for one in drawing.rows if one.at in by}
-    found: dict[str, bool] = {}
-    for offered in mistakes.boards:
-        moving = set(offered.moving(least).tolist())
-        for row, one in enumerate(offered.mutations):
-            view = one.at.it.view if one.at is not None else ""
-            if view in readable:
-                found[view] = found.get(view, False) or row in moving
-    return tuple(view for view, shown in found.items() if not shown)
+class Unseen:
+    """What each figure of a scene shows; what is found out of one is kept for all drawings."""
+
+    def __init__(self, mistakes: Mistakes) -> None:
+        self.boards = mistakes.boards
+        self._shown: dict[tuple[Key, bool], set[str]] = {}
+
+    @cached_property
+    def _views(self) -> tuple[tuple[str, ...], ...]:
+        """The view in which each mutation of each board is made, "" of what has none."""
+        return tuple(
+            tuple(one.at.it.view if one.at is not None else "" for one in offered.mutations)
+            for offered in self.boards
+        )
+
+    def of(self, drawing: Comparison) -> tuple[str, ...]:
+        """Return the views that can be read of which no mutation moves any reading visibly."""
+        by = drawing.by.spread
+        readable = {step.it.view for step in drawing.steps.values()}
+        self._find({one.at: VISIBLE * by[one.at].rms for one in drawing.rows if one.at in by})
+        shown = set[str]().union(*(self._shown.get(one.at, ()) for one in drawing.rows))
+        views = dict.fromkeys(view for board in self._views for view in board)
+        return tuple(view for view in views if view in readable and view not in shown)
+
+    def _find(self, least: Mapping[tuple[Key, bool], float]) -> None:
+        """Find out what figures show that were not read before."""
+        new = {at: size for at, size in least.items() if at not in self._shown}
+        self._shown |= {at: set() for at in new}
+        for offered, views in zip(self.boards, self._views, strict=True) if new else ():
+            for at, moved in offered.moved(new, offered.plain):
+                self._shown[at] |= {views[row] for row in np.flatnonzero(moved)}
 
 
 def told(views: Sequence[str], language: str) -> tuple[str, ...]:

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import io
 import math
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import NamedTuple
 
@@ -46,12 +45,6 @@ BOWED = 2.0
 
 BLOCK = 1 << 18
 """So many pixels are sampled at a time."""
-
-THREADS = 2
-"""So many blocks at once: numpy lets go of the interpreter while it calculates."""
-
-PACKED = 1
-"""How hard a picture is packed: grain hardly packs, 6 takes four times as long for a sixth less of the file."""
 
 PAPER = 255
 """The grey of what the photograph does not show."""
@@ -139,9 +132,7 @@ def png(photo: Photo) -> bytes:
     images = pillow()[0]
     dots = photo.image.shape[1] / (photo.area.right - photo.area.left)
     made = io.BytesIO()
-    images.fromarray(photo.image).save(
-        made, "PNG", dpi=(25.4 * dots, 25.4 * dots), compress_level=PACKED
-    )
+    images.fromarray(photo.image).save(made, "PNG", dpi=(25.4 * dots, 25.4 * dots))
     return made.getvalue()
 
 
@@ -261,13 +252,8 @@ def _unbent(shot: Shot, area: Box, rows: int, columns: int) -> NDArray[np.uint8]
     down = area.top - side * (np.arange(rows) + 0.5)
     made = np.empty((rows, columns, 3), dtype=np.uint8)
     block = max(BLOCK // columns, 1)
-
-    def sample(first: int) -> None:
+    for first in range(0, rows, block):
         points = across + 1j * down[first : first + block, None]
         seen = bilinear(shot.image, shot.shown(points))
-        np.rint(seen, out=seen)
-        made[first : first + block] = np.where(np.isnan(seen), np.float32(PAPER), seen)
-
-    with ThreadPoolExecutor(THREADS) as pool:
-        list(pool.map(sample, range(0, rows, block)))
+        made[first : first + block] = np.where(np.isnan(seen), PAPER, np.rint(seen))
     return made

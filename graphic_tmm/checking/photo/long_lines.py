@@ -111,9 +111,9 @@ def smaller(image: NDArray[np.uint8]) -> Small:
     """
     cv2 = opencv()
     factor = max(round(max(image.shape[:2]) / LONGEST), 1)
-    rows, columns = (side // factor * factor for side in image.shape[:2])
-    size = (columns // factor, rows // factor)
-    small = cv2.resize(image[:rows, :columns], size, interpolation=cv2.INTER_AREA)
+    rows, columns = (max(side // factor, 1) for side in image.shape[:2])
+    whole = image[: rows * factor, : columns * factor]
+    small = cv2.resize(whole, (columns, rows), interpolation=cv2.INTER_AREA)
     about = cv2.morphologyEx(small, cv2.MORPH_CLOSE, np.ones((BROAD, BROAD), np.uint8))
     about = cv2.GaussianBlur(about, (0, 0), SOFT)
     shares = cv2.divide(small, np.maximum(about, 20), scale=255.0)
@@ -187,8 +187,11 @@ def _share(found: Complexes, lens: Lens) -> float:
 
 
 def _alike(grey: NDArray[np.uint8], places: Complexes, way: complex, off: float) -> bool:
-    """Whether it is as bright on one side of a line as on the other."""
+    """Whether it is as bright on one side of a line as on the other; not if its lens shows none of it."""
     rows, columns = grey.shape
+    places = places[np.isfinite(places)]
+    if not places.size:
+        return False
     across = 1j * way / abs(way) * off
     level = []
     for side in (places - across, places + across):

@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
+from graphic_tmm.checking.photo.picture import MOST
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.ruled import Box
@@ -52,7 +53,7 @@ def ordered(corners: Corners) -> Complexes:
     Raises
     ------
     SheetError
-        If they are not four finite points that make a convex quadrilateral.
+        If they are not four points of a photograph that make a convex quadrilateral.
     """
     try:
         pairs = np.asarray(corners, dtype=np.float64)
@@ -61,6 +62,13 @@ def ordered(corners: Corners) -> Complexes:
     if pairs.shape != (4, 2) or not np.isfinite(pairs).all():
         raise SheetError(
             said("corners: give the four corners of the frame, x and y of each in pixels")
+        )
+    if abs(pairs).max() > MOST:
+        raise SheetError(
+            said(
+                "corners: {far:g} lies outside every photograph: give x and y of each corner in pixels",
+                far=pairs.flat[abs(pairs).argmax()],
+            )
         )
     seen = pairs[:, 0] - 1j * pairs[:, 1]
     rays = seen - seen.mean()
@@ -120,11 +128,10 @@ def through(matrix: Reals, points: Any) -> Complexes:
     return np.where(w > 0, seen, complex(np.nan, np.nan))
 
 
-def bilinear(image: NDArray[np.uint8], points: Complexes) -> NDArray[np.float32]:
+def bilinear(image: NDArray[np.uint8], points: Complexes) -> Reals:
     """Return an image (rows, columns, 3) at ``points`` (any shape): that shape and 3 colours.
 
-    Linear between the four dots about a point, true to 1e-4 of a grey; NaN outside the centres of the
-    outermost dots.
+    Linear between the four dots about a point; NaN outside the centres of the outermost dots.
     """
     rows, columns = image.shape[:2]
     x, y = points.real, points.imag
@@ -132,23 +139,8 @@ def bilinear(image: NDArray[np.uint8], points: Complexes) -> NDArray[np.float32]
     x, y = np.where(inside, x, 0.0), np.where(inside, y, 0.0)
     column = np.minimum(x.astype(np.intp), max(columns - 2, 0))
     row = np.minimum(y.astype(np.intp), max(rows - 2, 0))
-    right = (x - column).astype(np.float32)[..., None]
-    down = (y - row).astype(np.float32)[..., None]
-    dots, at = image.reshape(-1, 3), row * columns + column
-    beside, under = int(columns > 1), columns * int(rows > 1)
-    seen, lower = (
-        _across(dots.take(first, axis=0), dots.take(first + beside, axis=0), right)
-        for first in (at, at + under)
-    )
-    seen += (lower - seen) * down
-    seen[~inside] = np.nan
-    return seen
-
-
-def _across(
-    left: NDArray[np.uint8], beside: NDArray[np.uint8], share: NDArray[np.float32]
-) -> NDArray[np.float32]:
-    """Return what is seen between two dots, whose greys single precision holds without loss."""
-    seen = left.astype(np.float32)
-    seen += (beside - seen) * share
-    return seen
+    right, down = (x - column)[..., None], (y - row)[..., None]
+    under, beside = np.minimum(row + 1, rows - 1), np.minimum(column + 1, columns - 1)
+    upper = image[row, column] * (1 - right) + image[row, beside] * right
+    lower = image[under, column] * (1 - right) + image[under, beside] * right
+    return np.where(inside[..., None], upper * (1 - down) + lower * down, np.nan)

@@ -249,7 +249,7 @@ def test_a_reading_of_a_figure_that_is_not_sure_is_said_not_judged(
     rows = "velocities,1,pb,68,,,,\nvelocities,2,ab,3,,,,\n"
     report = checked("sc", rows, tmp_path)
     assert [one.taken.segment for one in report.readings] == ["pb"]
-    (note,) = report.notes
+    note, _ = report.notes  # the other: what these two readings cannot show
     assert note.startswith("Line 3: ab (2) is not judged")
     assert note in markdown_report(report)
 

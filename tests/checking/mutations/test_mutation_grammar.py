@@ -10,8 +10,9 @@ from graphic_tmm.board.operations.instruments import lay_off, ray
 from graphic_tmm.board.record import Board
 from graphic_tmm.board.values import Angle, Length, Line, Number, Point, Side
 from graphic_tmm.checking.mutations.givens import free, mistaken
-from graphic_tmm.checking.mutations.grammar import count, late, mutations
+from graphic_tmm.checking.mutations.grammar import count, mutations
 from graphic_tmm.checking.mutations.mutation import FAMILIES, GIVEN, MEETING, OPERAND, TABLE
+from graphic_tmm.checking.mutations.scope import late
 
 
 def test_a_log_has_thousands() -> None:

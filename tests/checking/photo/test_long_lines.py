@@ -59,3 +59,19 @@ def test_the_lens_is_told_by_what_it_bows(share: float) -> None:
     found = long_lines(smaller(picture(bowed)), 4.0)
     assert found.lens.share == pytest.approx(share, abs=0.0051)
     assert len(found.feet) >= len(straight)
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (1, 5000), (3000, 2), (2000, 3), (4001, 1)])
+def test_a_photograph_narrower_than_its_reduction_shows_no_lines(shape: tuple[int, int]) -> None:
+    grain = np.random.default_rng(5).integers(0, 256, (*shape, 3), dtype=np.uint8)
+    small = smaller(grain)
+    assert min(small.dark.shape) >= 1
+    assert not long_lines(small, 3.0).seen.size
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_lens_that_shows_no_ray_of_a_line_is_no_fault(seed: int) -> None:
+    """Half the width of a narrow photograph is a small part of its height: a lens folds its ends over."""
+    grain = np.random.default_rng(seed).integers(0, 256, (2000, 40, 3), dtype=np.uint8)
+    grain[:, 12:14] //= 4
+    long_lines(smaller(grain), 3.0)

@@ -45,6 +45,9 @@ def test_a_sheet_turned_less_than_an_eighth_keeps_its_corners(turn: float) -> No
         [(0, 0), (100, 0), (100, float("nan")), (0, 100)],
         [(0, 0), (100, 0), (100, float("inf")), (0, 100)],
         [(0, 0, 1)] * 4,
+        [(0, 0), (1e308, 0), (1e308, 1e308), (0, 1e308)],
+        [(0, 0), (1e200, 0), (1e200, 1e200), (0, 1e200)],
+        [(0, 0), (100, 0), (100, -1e9), (0, 100)],
         [("a", "b")] * 4,
         [(0, 0), (1,)],
         [],
@@ -54,6 +57,11 @@ def test_a_sheet_turned_less_than_an_eighth_keeps_its_corners(turn: float) -> No
 def test_what_is_no_convex_quadrilateral_is_refused(corners: object) -> None:
     with pytest.raises(SheetError, match="corners: "):
         ordered(corners)  # type: ignore[arg-type]
+
+
+def test_a_corner_outside_every_photograph_is_named() -> None:
+    with pytest.raises(SheetError, match=r"corners: -1e\+300 lies outside every photograph"):
+        ordered([(0, 0), (100, 0), (100, -1e300), (0, 100)])
 
 
 def direct(box: Box, seen: np.ndarray, point: complex) -> complex:

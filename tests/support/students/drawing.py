@@ -30,8 +30,11 @@ class Student(Tools):
     # ---- the plan of positions ------------------------------------------------------------------------------
 
     def crank(self, letter: str, length: str) -> None:
-        take = self.take(P, letter, "crank", length=length, turn=1, first=0.0, count=self.k)
-        angle = take["turn"] * (take["count"] * 2 * np.pi / self.machine.positions + take["first"])
+        take = self.take(
+            P, letter, "crank", length=length, turn=1, first=0.0, count=self.k, part=1.0
+        )
+        part = take["part"] * 2 * np.pi / self.machine.positions
+        angle = take["turn"] * (take["count"] * part + take["first"])
         reach = self.opened(self.given[take["length"]])
         self.put(P, letter, reach * self.ray("OA", np.exp(1j * angle)))
 
@@ -93,8 +96,9 @@ class Student(Tools):
 
     def read(self, plan: str, name: str, start: str, end: str, whose: str = "read") -> float:
         """Measure a segment from point to point."""
-        take = self.take(plan, name, whose, start=start, end=end)
-        way = self.at(plan, take["end"]) - self.at(plan, take["start"])
+        take = self.take(plan, name, whose, start=start, end=end, ago=0)
+        ago = take["ago"]
+        way = self.at(plan, take["end"], ago) - self.at(plan, take["start"], ago)
         if plan in (V, A) and take["start"] == POLES[plan]:
             way -= self.hand.pole
         return self.page.write(plan, name, self.ruled(f"{plan} {name}", abs(way)))
@@ -106,15 +110,27 @@ class Student(Tools):
     def rate(self, plan: str, name: str, of: str, link: str, sign: float) -> None:
         """Calculate ω or ε of a link from a segment and the link's length."""
         take = self.take(
-            plan, name, "rate", of=of, link=link, sense=1.0, factor=1.0, power=-1, mu=plan
-        )
-        number = self.page.lengths[plan, take["of"]] * self.mu[take["mu"]]
-        number *= (self.length(take["link"]) * self.mu[P]) ** take["power"]
+            plan, name, "rate", of=of, link=link, sense=1.0, factor=1.0, power=-1, mu=plan, ago=0,
+            then=0,
+        )  # fmt: skip
+        number = self.noted(plan, take["of"], take["ago"]) * self.mu[take["mu"]]
+        number *= (self.length(take["link"], take["then"]) * self.mu[P]) ** take["power"]
         self.page.rates[plan, name] = sign * take["sense"] * take["factor"] * number
 
-    def length(self, link: str) -> float:
+    def before(self, ago: int) -> list[Page]:
+        """Return the pages up to an earlier one."""
+        return self.pages[: len(self.pages) - ago] or self.pages[:1]
+
+    def noted(self, plan: str, name: str, ago: int) -> float:
+        """Return what was noted of a segment, now or on the last plan before."""
+        for page in reversed(self.before(ago)):
+            if (plan, name) in page.lengths:
+                return page.lengths[plan, name]
+        raise KeyError((plan, name))
+
+    def length(self, link: str, ago: int = 0) -> float:
         """Return the length of a link, mm: measured where it changes."""
-        measured = self.page.lengths.get((P, link))
+        measured = self.before(ago)[-1].lengths.get((P, link))
         return float(self.given[link]) if measured is None else measured
 
     def crank_speed(self, name: str, link: str) -> float:
@@ -141,17 +157,17 @@ class Student(Tools):
     def normal(self, name: str, of: str, link: str) -> float:
         """Calculate the mm of a normal component v²/l."""
         take = self.take(A, name, "normal", of=of, link=link, square=2, factor=1.0, power=-1, ago=0,
-                         mu=A)  # fmt: skip
-        pages = self.pages[: len(self.pages) - take["ago"]] or self.pages[:1]
-        v = pages[-1].lengths[V, take["of"]] * self.mu[V]
+                         mu=A, then=0)  # fmt: skip
+        v = self.before(take["ago"])[-1].lengths[V, take["of"]] * self.mu[V]
         a = take["factor"] * v ** take["square"]
-        a *= (self.length(take["link"]) * self.mu[P]) ** take["power"]
+        a *= (self.length(take["link"], take["then"]) * self.mu[P]) ** take["power"]
         return self.page.write(A, name, a / self.mu[take["mu"]])
 
     def coriolis(self, name: str, of: str, rate: str) -> float:
         """Calculate the mm of a Coriolis component 2ωv."""
-        take = self.take(A, name, "Coriolis", of=of, rate=rate, factor=2.0, mu=A)
-        rates = {"omega1": self.given["omega"], **{n: w for (_, n), w in self.page.rates.items()}}
-        a = take["factor"] * abs(rates[take["rate"]])
+        take = self.take(A, name, "Coriolis", of=of, rate=rate, factor=2.0, mu=A, power=1, ago=0)
+        page = self.before(take["ago"])[-1]
+        rates = {"omega1": self.given["omega"], **{n: w for (_, n), w in page.rates.items()}}
+        a = take["factor"] * abs(rates[take["rate"]]) ** take["power"]
         a *= self.page.lengths[V, take["of"]] * self.mu[V]
         return self.page.write(A, name, a / self.mu[take["mu"]])

@@ -36,10 +36,12 @@ def _differentiated(s: Student, name: str, pole: str, rows: np.ndarray) -> np.nd
     middles = []
     for k in range(rows.size):
         s.k, s.page = k, s.pages[k]
-        take = s.take(D, name, "chord", pole=pole, ago=0, sense=1.0, end=False, factor=1.0)
+        take = s.take(D, name, "chord", pole=pole, ago=0, sense=1.0, end=False, factor=1.0,
+                      reach=s.given[pole])  # fmt: skip
         rise = rows[(k + 1 - take["ago"]) % rows.size] - rows[(k - take["ago"]) % rows.size]
         ray = s.ray(f"chord {name}", complex(step, rise))
-        reach = s.opened(s.given[take["pole"]])
+        named = take["pole"] != pole
+        reach = s.opened(s.given[take["pole"]] if named else take["reach"])
         middles.append(take["factor"] * take["sense"] * reach * ray.imag / ray.real)
     steps = [one for one in s.steps if (one.plan, one.name) == (D, name)]
     high = np.array(middles)
@@ -71,15 +73,16 @@ def cam(s: Student) -> None:
     """Draw one position of the follower's diagrams: a sine rise, a cosine return, the pressure angle."""
     rise, fall, parts = (s.given[name] for name in ("rise", "fall", "parts"))
     k = s.k
-    take = s.take(CAM, "φ", "phase", rise=rise, fall=fall, count=k, radian=np.pi / 180)
+    take = s.take(CAM, "φ", "phase", rise=rise, fall=fall, count=k, radian=np.pi / 180,
+                  parts=parts)  # fmt: skip
     law = s.take(CAM, "S", "law", rise="sine", fall="cosine", stroke="stroke", turned=False)
     if k <= parts:
-        phase, u, name = take["rise"] * take["radian"], take["count"] / parts, law["rise"]
+        phase, u, name = take["rise"] * take["radian"], take["count"] / take["parts"], law["rise"]
         s_, v_, a_ = LAWS[name](u)
     else:
         phase, u, name = (
             take["fall"] * take["radian"],
-            (take["count"] - parts - 1) / parts,
+            (take["count"] - parts - 1) / take["parts"],
             law["fall"],
         )
         s_, v_, a_ = LAWS[name](u if law["turned"] else 1 - u)
@@ -94,14 +97,16 @@ def cam(s: Student) -> None:
     s.page.write(CAM, "dS", s.signed("cam dS", speed / s.mu[one["mu"]]))
     s.page.write(CAM, "ddS", s.signed("cam ddS", bend / s.mu[two["mu"]]))
     take = s.take(
-        CAM, "pressure", "pressure", radius="r0", offset=1.0, path=1.0, of="dS", square=True
-    )
+        CAM, "pressure", "pressure", radius="r0", offset=1.0, path=1.0, of="dS", square=True,
+        legs=1,
+    )  # fmt: skip
     e = take["offset"] * s.given["e"]
     low = (
         np.sqrt(s.given[take["radius"]] ** 2 - e**2) if take["square"] else s.given[take["radius"]]
     )
-    drawn = {"dS": speed, "ddS": bend}[take["of"]] - e
-    way = s.ray("pressure", complex(low + take["path"] * path, drawn))
+    drawn = {"dS": speed, "ddS": bend, "S": path}[take["of"]] - e
+    legs = (low + take["path"] * path, drawn)[:: take["legs"]]
+    way = s.ray("pressure", complex(*legs))
     angle = np.degrees(np.angle(way))
     s.page.rates[CAM, "pressure"] = s.pen.rounded(float(angle))
     s.page.units[CAM, "pressure"] = "deg"

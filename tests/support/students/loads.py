@@ -26,8 +26,8 @@ def _told(s: Student, name: str, amount: float, unit: str = "N") -> float:
 
 
 def _weight(s: Student, name: str, mass: str) -> float:
-    take = s.take(F, name, "weight", mass=mass, factor=1.0, g=G)
-    return _told(s, name, take["factor"] * s.given[take["mass"]] * take["g"])
+    take = s.take(F, name, "weight", mass=mass, factor=1.0, g=G, sense=1.0)
+    return take["sense"] * _told(s, name, take["factor"] * s.given[take["mass"]] * take["g"])
 
 
 def _inertia(s: Student, name: str, mass: str, of: str, end: str) -> complex:
@@ -60,10 +60,8 @@ def forces(s: Student) -> None:
     p2 = _inertia(s, "Pi2", "m2", "πs2", "s2")
     p3 = _inertia(s, "Pi3", "m3", "πb", "b")
     take = s.take(F, "Mi2", "couple", J="J2", of="epsilon2", sense=-1.0, factor=1.0)
-    m2 = _told(
-        s, "Mi2", take["factor"] * take["sense"] * s.given[take["J"]] * s.page.rates[A, take["of"]],
-        "N*m",
-    )  # fmt: skip
+    rate = {name: number for (_, name), number in s.page.rates.items()}[take["of"]]
+    m2 = _told(s, "Mi2", take["factor"] * take["sense"] * s.given[take["J"]] * rate, "N*m")
     take = s.take(F, "F3", "load", sense=-1.0, force="F")
     against = np.sign((s.at(V, "b") * take["sense"]).real) or 1.0
     f3 = complex(against * _told(s, "F3", s.given[take["force"]]))

@@ -4,7 +4,8 @@ What counts as right, of the finding that is told first:
 
 - **place**: its plan and segment (or the letter of its step) is that of the step at which the mistake was made,
   or of what was first read that shows it; a finding of a whole plan or drawing (no segment) is right where its
-  family is; its position, if it tells one, is not another. "Look at step k" counts.
+  family is; its position, if it tells one, is not another. "Look at step k" counts, and so does "begin with" of
+  a report that tells no more.
 - **family**: the planted one or what may be said for it as well (a component from the wrong end is a sense
   reversed); or what gives the same figures: what no reading tells apart from the name, as the finding says;
   what reads the same in the student's own drawing of it, within two scatters (a given within one); a slip of
@@ -25,7 +26,7 @@ from typing import NamedTuple
 
 from graphic_tmm.checking.check import checks
 from graphic_tmm.checking.readings.read import read_readings
-from graphic_tmm.checking.records import MISTAKE, SLIP, UNKNOWN, Likely, Report, Taken
+from graphic_tmm.checking.records import MISTAKE, SLIP, UNKNOWN, WRONG, Likely, Report, Taken
 from graphic_tmm.scene.read import read
 from support.gallery import CASES
 from support.students.alike import same_figures, same_given
@@ -85,7 +86,8 @@ def outcome(one: Planted, report: Report, kinds: Sequence[Kind]) -> Outcome:
     good = [any(is_right(found, truth, one, kinds) for truth in one.truths) for found in sure]
     right, wrong = sum(good), len(good) - sum(good)
     if not told:
-        return Outcome(one, report, right=right, wrong=wrong)
+        place = any(begun_with(report, truth) for truth in one.truths)
+        return Outcome(one, report, place, right=right, wrong=wrong)
     first = told[0]
     ways = list(product(alternatives(first), one.truths))
     place = any(at_place(way, truth) for way, truth in ways)
@@ -95,6 +97,16 @@ def outcome(one: Planted, report: Report, kinds: Sequence[Kind]) -> Outcome:
     )
     both = all(any(is_right(found, truth, one, kinds) for found in told) for truth in one.truths)
     return Outcome(one, report, place, family, member, right, wrong, both and bool(one.truths))
+
+
+def begun_with(report: Report, truth: Truth) -> bool:
+    """Whether a report without a finding lets begin where the mistake was made."""
+    wrong = [row for row in report.readings if row.verdict == WRONG]
+    shown = report.lessons[0].shown if report.lessons else next(iter(wrong), None)
+    if not wrong or shown is None:
+        return False
+    plan, name = shown.taken.plan, shown.taken.segment
+    return not {(plan, name), (plan, ""), ("", name)}.isdisjoint(truth.places)
 
 
 def is_sure(found: Likely) -> bool:

@@ -37,11 +37,12 @@ def _another_point(step: Step, tools: Tools) -> Iterator[Variant]:
 
 def _gradian(step: Step, tools: Tools) -> Iterator[Variant]:
     """A protractor of 400 parts, read the other way from an odd zero."""
-    yield {"count": -step.takes["count"] * 0.9 + 0.37, "turn": 1}, ()
+    yield {"part": -0.9, "first": 0.29, "turn": 1}, ()
 
 
 def _own_guide(step: Step, tools: Tools) -> Iterator[Variant]:
-    if "low" in step.takes:
+    """A guide beside O; where its height is given, that would be a given misread."""
+    if step.takes.get("low") == 0.0:
         yield {"low": step.takes["low"] + 13.0}, ()
 
 

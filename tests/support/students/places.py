@@ -12,7 +12,7 @@ Place = tuple[str, str]
 ENDS = {
     "nab": {"n2"}, "ncb": {"n3"}, "nba3": {"n3"}, "ncd": {"n4"}, "kaa3": {"k2"},
     "pa": {"a", "vA"}, "πa": {"a", "aA"}, "Mi2": {"J2"}, "M_sum": {"ΣM2", "R01"},
-    "V": {"HV"}, "a": {"Ha"},
+    "V": {"HV"}, "a": {"Ha"}, "φ": {"dS", "ddS"},
 }  # fmt: skip
 """Where calculated segments end, and what else a calculation of them is called."""
 POLYGON = ("R12", "R03", "R23", "R12t", "R12n")
