@@ -25,6 +25,8 @@ SEARCH = 5.0
 """Along a line its end is sought as far, mm."""
 LIKE = 0.4
 """Signs are seen at a place where the pencil is as much more on them than beside them, 0 ... 1."""
+FIRM, LOOSELY = 0.7, 1.0
+"""Of points of a fan that a hand scatters farther (one deviation, mm) so much more."""
 TELLING = 0.4
 """Of what of a sign tells where it is along a line, as much more."""
 MOVED = 1.0
@@ -110,7 +112,7 @@ def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs
         seen = found.how == SEEN and not crowded and _alike(flat, sign, found.at, DOUBTED)
         return Spot(found.at, cross.error, SEEN if seen else UNSURE)
     spread = float(np.hypot(together, LOOSE))
-    found = _along(flat, sign, at, cross, spread)
+    found = _along(flat, sign, at, cross, spread, FIRM if signs.carried(k) else LIKE)
     if sure and found.how == UNSEEN:  # nothing tells more than the lines do
         met = _alike(flat, sign, at, CROWDED if signs.fan else FREE)
         return Spot(at, together, SEEN if met and cross.misfit <= MISFIT else UNSURE)
@@ -126,10 +128,13 @@ def _rivalled(view: View, fit: Fit, k: int) -> bool:
     return any(fit.doubt[n] is not None or fit.tracks[n] is None for n in own)
 
 
-def _along(flat: Flat, sign: Sign, at: complex, cross: Cross, spread: float) -> Spot:
+def _along(
+    flat: Flat, sign: Sign, at: complex, cross: Cross, spread: float, least: float = LIKE
+) -> Spot:
     """Return the place along a line where its signs are seen best; a line that only passes tells none.
 
-    ``spread``: how far along it may be from where its neighbours have it, mm.
+    ``spread``: how far along it may be from where its neighbours have it, mm; ``least``: how much more pencil
+    there is on its signs than beside them.
     """
     along = np.arange(-SEARCH, SEARCH + 1e-9, 0.1)
     telling = sign.along(cross.way, MOVED)
@@ -142,7 +147,7 @@ def _along(flat: Flat, sign: Sign, at: complex, cross: Cross, spread: float) -> 
     clear = like[best] > TELLING and worth[best] - other > CLEAR
     found = complex(at + cross.way * _peak(along, like, best))
     clear &= cross.misfit <= MISFIT and abs(along[best]) < FARTHEST * spread
-    clear &= float(sign.like(flat, np.array([found], dtype=np.complex128))[0]) > LIKE
+    clear &= float(sign.like(flat, np.array([found], dtype=np.complex128))[0]) > least
     return Spot(found, 0.25, SEEN if clear else UNSURE)
 
 
@@ -185,6 +190,10 @@ class Signs:
     def astray(self, k: int) -> float:
         """Return how far a hand scatters a place, mm (one deviation)."""
         return float(np.sqrt((abs(self.view.astray[:, k]) ** 2).mean() / 2))
+
+    def carried(self, k: int) -> bool:
+        """Whether a hand may carry a place of a fan to where a sign of another line is."""
+        return self.fan and self.astray(k) > LOOSELY
 
     def passed(self, k: int) -> bool:
         """Whether a hand scatters a place of a fan as far as to the nearest other one."""
