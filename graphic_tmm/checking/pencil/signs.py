@@ -81,7 +81,8 @@ def _about(pieces: Complexes) -> Complexes:
     """Return the pieces that come near 0: what is farther tells nothing of a sign."""
     if not len(pieces):
         return pieces
-    return pieces[_apart(np.zeros(1, dtype=np.complex128), pieces)[0] < REACH + BEYOND]
+    near = _apart(np.zeros(1, dtype=np.complex128), pieces)[0] < REACH + BEYOND
+    return np.asarray(pieces[near], dtype=np.complex128)
 
 
 def _distance(spots: Complexes, pieces: Complexes) -> Reals:
@@ -97,8 +98,8 @@ def _apart(spots: Complexes, pieces: Complexes) -> Reals:
     """Return how far places are from straight pieces, (places, pieces), mm."""
     a, b = pieces[:, 0], pieces[:, 1]
     along = np.clip(((spots[:, None] - a) / (b - a + 1e-12)).real, 0, 1)
-    found: Reals = abs(a + along * (b - a) - spots[:, None])
-    return found
+    off: Complexes = a + along * (b - a) - spots[:, None]
+    return np.asarray(np.abs(off), dtype=np.float64)
 
 
 def _some(spots: Complexes) -> Complexes:
