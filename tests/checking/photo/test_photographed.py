@@ -60,5 +60,7 @@ def test_points_that_pencil_shows_by_themselves_are_some_of_those_drawn() -> Non
     apart = {key for key, one in points.items() if one.apart}
     drawn = {key for key, one in points.items() if one.drawn}
     assert len(apart & drawn) > 0.8 * len(drawn)
-    assert any(key[0] == "velocities" for key in drawn - apart)  # vectors of no length at a dead centre
+    assert any(
+        key[0] == "velocities" for key in drawn - apart
+    )  # vectors of no length at a dead centre
     assert not any(key[0] == "positions" for key in drawn - apart)
