@@ -13,6 +13,10 @@ from graphic_tmm.checking.pencil.web import Solved, Web
 
 DOUBT = 3.0
 """Of two choices that differ less in worth either may be right."""
+FAR = 12.0
+"""Where others may be as near, so much is to tell them apart."""
+WHOLE = 0.6
+"""Pencil that a line without any might be on is seen on so much of it at least."""
 DEEP = 6
 """So many lines at most are exchanged at once."""
 
@@ -21,10 +25,40 @@ Doubt = tuple[float, float]
 
 def doubts(
     web: Web, found: Sequence[Sequence[Track]], told: Solved, chosen: Sequence[Track | None]
-) -> tuple[Doubt | None, ...]:
-    """Return by line how far aside, mm, at its two ends, the farthest is that may be right; None: none may."""
+) -> tuple[tuple[Doubt | None, ...], tuple[Doubt | None, ...]]:
+    """Return by line how far aside, mm, at its two ends, the farthest is that may be right; None: none may.
+
+    The second: that is right more seldom, but not never (`FAR`).
+    """
     swaps = Swaps(web, found, told, chosen)
-    return tuple(swaps.doubt(k) for k in range(len(chosen)))
+    left = robbed(web, found, chosen)
+    count = range(len(chosen))
+    near, far = ([swaps.doubt(k, most) for k in count] for most in (DOUBT, FAR))
+    return tuple(left.get(k, near[k]) for k in count), tuple(left.get(k, far[k]) for k in count)
+
+
+def robbed(
+    web: Web, found: Sequence[Sequence[Track]], chosen: Sequence[Track | None]
+) -> dict[int, Doubt]:
+    """Return the lines that have the pencil of another, left without, and how far aside that should be, mm."""
+    by: dict[int, Doubt] = {}
+    if web.view.fan:  # of many lines some are always hidden
+        return by
+    for k, tracks in enumerate(found):
+        if chosen[k] is not None:
+            continue
+        seen = [track for track in tracks if track.covered > WHOLE]
+        for holders in web.holders(k, seen, chosen) if seen else ():
+            for holder in holders:
+                mine, other = web.view.lines[holder], web.view.lines[k]
+                ends = sorted((other.start, other.end), key=lambda z: abs(z - mine.start))
+                aside = [((z - mine.start) / mine.way).imag for z in ends]
+                by[holder] = max(by.get(holder, (0.0, 0.0)), (aside[0], aside[1]), key=_most)
+    return by
+
+
+def _most(ends: Doubt) -> float:
+    return max(map(abs, ends))
 
 
 class Swaps:
@@ -51,17 +85,17 @@ class Swaps:
             ]
             self.loses.append(sorted([*others, (now, -1, [])]))
 
-    def doubt(self, k: int) -> Doubt | None:
-        """Return how far aside the farthest choice is that costs all lines together less than `DOUBT`."""
+    def doubt(self, k: int, most: float = DOUBT) -> Doubt | None:
+        """Return how far aside the farthest choice is that costs all lines together less than ``most``."""
         one = self.chosen[k]
         if one is None:
             return None
         aside = [
             (self.found[k][n].start - one.start, self.found[k][n].end - one.end)
             for loss, n, by in self.loses[k]
-            if n >= 0 and loss + self._left(by, DOUBT - loss, (k,)) < DOUBT
+            if n >= 0 and loss + self._left(by, most - loss, (k,)) < most
         ]
-        return max(aside, key=lambda ends: max(map(abs, ends)), default=None)
+        return max(aside, key=_most, default=None)
 
     def _left(self, lines: Sequence[int], most: float, before: tuple[int, ...]) -> float:
         """Return what it costs that lines leave their pencil, or more than ``most``."""

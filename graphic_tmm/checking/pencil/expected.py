@@ -38,6 +38,8 @@ LOST = 20.0
 """A point farther off than this, mm, was drawn in the other assembly."""
 RING = 2.5
 """A small sign (a ring, a head) belongs to the point that it is about, so near, mm."""
+FILLED = (0.75, 0.5, 0.25)
+"""A filled sign, a head, is pencil on lines about its edges, so many times as large."""
 ASIDE = ("leader", "number", "dimension", "hatching", "turning", "axis")
 """Parts of a view that name its points, and are none of their signs."""
 LINES = ("", "link", "guide")
@@ -94,6 +96,11 @@ class View(NamedTuple):
     def at(self) -> Complexes:
         """Where its places should stand, mm on the sheet."""
         return np.array([place.at for place in self.places], dtype=np.complex128)
+
+    @property
+    def fan(self) -> bool:
+        """Whether it shows several positions, one upon another."""
+        return len(set(self.of) - {None}) > 1
 
     def aside(self, line: Line) -> float:
         """Return how far aside drawings have the places of a line at most, mm (one deviation)."""
@@ -160,7 +167,7 @@ class Stood:
 
     def _plan(self, work: Drawn, drawing: Drawing, plan: str, inked: set[int | None]) -> None:
         reading, row, origin = work.of(plan), work.row(plan), drawing.origin(plan)
-        places = [k for k in range(len(row)) if k in inked]
+        places = _inked(row, inked)
         if reading is None or not places:
             return
         pole = self._put(Place(origin, ()), None, None)
@@ -174,11 +181,9 @@ class Stood:
             still = np.ptp(np.real(spots)) + np.ptp(np.imag(spots)) < 1e-3
             fixed = len(names) < len(marks) or (reading.positions > 1 and bool(still))
             by: dict[int | None, int] = {}
-            for k in places:
-                spot = spots[k if len(spots) > 1 else 0]
+            there = [(k, spots[k if len(spots) > 1 else 0]) for k in places]
+            for k, spot in filter(_finite, there):
                 called = tuple((plan, name, work.names[row[k]]) for name in names)
-                if not cmath.isfinite(spot):
-                    continue
                 of = (marks[0], row[k], spot)
                 if not fixed:
                     by[k] = self._put(Place(origin + spot, called), k, of)
@@ -188,6 +193,8 @@ class Stood:
                     by[None] = pole if at_pole else self._put(Place(origin + spot, ()), None, of)
                 one = self.places[by[None]]
                 self.places[by[None]] = one._replace(names=(*one.names, *called))
+            if len(row) == 1 and 0 in by:  # nothing on its drawing is of a position then
+                by[None] = by[0]
             for one_of in marks:
                 self.by_slot.setdefault(one_of.slot, {}).update(by)
 
@@ -231,6 +238,15 @@ class Stood:
             elif mark.kind is Drawable and step.it.kind is not Drawable:
                 found |= self._points_of(mark.slot)
         return found
+
+
+def _finite(one: tuple[int, complex]) -> bool:
+    return cmath.isfinite(one[1])
+
+
+def _inked(row: Sequence[int], inked: set[int | None]) -> list[int]:
+    """Return the positions (of a plan's row) that its drawing shows; of a single one no stroke is."""
+    return [k for k in range(len(row)) if len(row) == 1 or k in inked]
 
 
 def _points(work: Drawn, plan: str) -> list[Mark]:
@@ -328,4 +344,15 @@ def _chords(stroke: Stroke) -> list[tuple[complex, complex]]:
         centre = (a + b) / 2 + 1j * (b - a) / 2 / np.tan(half)
         arc = centre + (a - centre) * np.exp(2j * half * np.linspace(0, 1, 9))
         found += [(complex(p), complex(q)) for p, q in pairwise(arc)]
-    return found
+    return [*found, *_filling(found)] if stroke.filled and stroke.closed else found
+
+
+def _filling(edges: Sequence[tuple[complex, complex]]) -> Iterator[tuple[complex, complex]]:
+    """Yield edges as those of a small filled figure, smaller and smaller: it is not only its edge."""
+    if not edges:
+        return
+    middle = sum(a for a, _ in edges) / len(edges)
+    for share in FILLED:
+        yield from (
+            (middle + share * (a - middle), middle + share * (b - middle)) for a, b in edges
+        )

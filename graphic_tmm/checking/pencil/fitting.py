@@ -8,16 +8,17 @@ choice and the displacements are found in turn.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.checking.pencil.doubting import doubts
+from graphic_tmm.checking.pencil.doubting import Doubt, doubts
 from graphic_tmm.checking.pencil.expected import View
 from graphic_tmm.checking.pencil.lines import Track
-from graphic_tmm.checking.pencil.web import Solved, Web
+from graphic_tmm.checking.pencil.web import Pin, Solved, Web
 
 ROUNDS = 3
 MARGINS = (8.0, 5.0, 3.0, 1.5, 0.0)
@@ -26,17 +27,22 @@ TAKEN = 6.0
 """What a track loses that another line has chosen."""
 
 
+NOTHING: Mapping[int, Pin] = MappingProxyType({})
+
+
 class Fit(NamedTuple):
     """The track of each line (None: not seen), and the displacement of each place, mm.
 
     ``doubt``: by line how far aside of it, mm, at its two ends, the next best choice is; NaN where it is clear.
+    ``far``: that of choices that are right more seldom.
     ``scatter``: of the displacements, x and y of all places, as neighbours and lines leave it.
     """
 
     tracks: tuple[Track | None, ...]
     moved: Complexes
     scatter: Reals
-    doubt: tuple[tuple[float, float] | None, ...] = ()
+    doubt: tuple[Doubt | None, ...] = ()
+    far: tuple[Doubt | None, ...] = ()
 
     def spread(self, k: int, way: complex) -> float:
         """Return how far a place may be from where all together have it, in a direction, mm (one deviation)."""
@@ -52,12 +58,12 @@ class Choice(NamedTuple):
     margin: float
 
 
-def fit(view: View, found: Sequence[Sequence[Track]]) -> Fit:
-    """Return which tracks belong together; ``found``: by line.
+def fit(view: View, found: Sequence[Sequence[Track]], pins: Mapping[int, Pin] = NOTHING) -> Fit:
+    """Return which tracks belong together; ``found``: by line; ``pins``: places that are known already.
 
     Clear lines first: what they tell of the places makes others clear. Then each again beside all others.
     """
-    web = Web(view)
+    web = Web(view, pins)
     chosen: list[Track | None] = [None] * len(view.lines)
     waiting = {k for k in range(len(chosen)) if found[k]}
     for margin in MARGINS:
@@ -77,7 +83,7 @@ def fit(view: View, found: Sequence[Sequence[Track]]) -> Fit:
         if chosen == before:
             break
     told = web.solved(chosen)
-    return Fit(tuple(chosen), told.places, told.scatter, doubts(web, found, told, chosen))
+    return Fit(tuple(chosen), told.places, told.scatter, *doubts(web, found, told, chosen))
 
 
 def _chosen(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -9,18 +10,23 @@ import numpy as np
 from graphic_tmm.board.values import Reals
 from graphic_tmm.checking.pencil.crossing import SURE, Cross, crossing
 from graphic_tmm.checking.pencil.darkness import Flat
+from graphic_tmm.checking.pencil.doubting import Doubt
 from graphic_tmm.checking.pencil.expected import View
 from graphic_tmm.checking.pencil.fitting import Fit
 from graphic_tmm.checking.pencil.signs import Sign
 
 MEETING = 4
 """So many lines that meet are a sign in themselves: the heads and rings of a pole lie on one another."""
+THREE = 3
+"""So many tell of a pole that another point is near, but not that one should be there."""
 MISFIT = 0.7
 """Lines that pass the place where they should meet farther, mm, do not meet there."""
 SEARCH = 5.0
 """Along a line its end is sought as far, mm."""
 LIKE = 0.4
 """Signs are seen at a place where the pencil is as much more on them than beside them, 0 ... 1."""
+FIRM, LOOSELY = 0.7, 1.0
+"""Of points of a fan that a hand scatters farther (one deviation, mm) so much more."""
 TELLING = 0.4
 """Of what of a sign tells where it is along a line, as much more."""
 MOVED = 1.0
@@ -42,6 +48,14 @@ ONE = 0.5
 """And of two so near, mm, of whichever position, not even the lines do."""
 CARRIED = 1.5
 """Of a fan's points that a hand scatters farther (one deviation, mm) a neighbour's line may be the nearer."""
+SAME = 0.02
+"""What should stand nearer to each other, mm, is one place."""
+ANYWHERE = 1.0
+"""How far a point is along a line when others are doubted, mm (one deviation)."""
+AGREED = 0.6
+"""A sign so near where the lines have a point is not another's, mm."""
+RIVAL = 0.5
+"""Another line that a fan's point may be on is no harm so near, mm."""
 UNSEEN, UNSURE, SEEN = "unseen", "unsure", "seen"
 
 
@@ -81,20 +95,31 @@ def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs
     if not cross.lines:
         return Spot(at, np.inf, UNSEEN)
     sign = signs.of(k)
+    crowded = signs.crowded(k)
     if cross.error <= SURE:
-        alone = not signs.crowded(k)
+        alone = signs.apart(k) if crowded else not signs.veiled(k, cross.lines)
         met = cross.lines >= MEETING or _alike(flat, sign, at, CROWDED if signs.fan else FREE)
         seen = cross.misfit <= MISFIT and alone and met
         return Spot(at, cross.error, SEEN if seen else UNSURE)
-    if signs.near(k) or signs.crowded(k) or (signs.fan and _rivalled(view, fit, k)):
+    together = fit.spread(k, cross.way)
+    sure = together <= SURE and not (cross.doubted or crowded or signs.veiled(k, cross.lines))
+    if not sure and ((signs.fan and _rivalled(view, fit, k)) or signs.none(k)):
         return Spot(at, cross.error, UNSURE)
-    if cross.doubted:
-        seen = cross.misfit <= MISFIT and _alike(flat, sign, at, DOUBTED)
-        return Spot(at, cross.error, SEEN if seen else UNSURE)
-    spread = float(np.hypot(fit.spread(k, cross.way), LOOSE))
-    if signs.alone(k, cross.way) < GAP * spread:
-        return Spot(at, cross.error, UNSURE)
-    return _along(flat, sign, at, cross, spread)
+    if cross.doubted and not sure:
+        if signs.near(k):
+            return Spot(at, cross.error, UNSURE)
+        found = _along(flat, sign, at, cross, ANYWHERE)
+        seen = found.how == SEEN and not crowded and _alike(flat, sign, found.at, DOUBTED)
+        return Spot(found.at, cross.error, SEEN if seen else UNSURE)
+    spread = float(np.hypot(together, LOOSE))
+    found = _along(flat, sign, at, cross, spread, FIRM if signs.carried(k) else LIKE)
+    if sure and found.how == UNSEEN:  # nothing tells more than the lines do
+        met = _alike(flat, sign, at, CROWDED if signs.fan else FREE)
+        return Spot(at, together, SEEN if met and cross.misfit <= MISFIT else UNSURE)
+    if sure or not signs.hemmed(k, cross.way, GAP * spread):
+        return found
+    agreed = abs(found.at - at) < AGREED and signs.aside(k, fit.doubt) < RIVAL
+    return found if agreed else Spot(at, cross.error, UNSURE)
 
 
 def _rivalled(view: View, fit: Fit, k: int) -> bool:
@@ -103,10 +128,13 @@ def _rivalled(view: View, fit: Fit, k: int) -> bool:
     return any(fit.doubt[n] is not None or fit.tracks[n] is None for n in own)
 
 
-def _along(flat: Flat, sign: Sign, at: complex, cross: Cross, spread: float) -> Spot:
+def _along(
+    flat: Flat, sign: Sign, at: complex, cross: Cross, spread: float, least: float = LIKE
+) -> Spot:
     """Return the place along a line where its signs are seen best; a line that only passes tells none.
 
-    ``spread``: how far along it may be from where its neighbours have it, mm.
+    ``spread``: how far along it may be from where its neighbours have it, mm; ``least``: how much more pencil
+    there is on its signs than beside them.
     """
     along = np.arange(-SEARCH, SEARCH + 1e-9, 0.1)
     telling = sign.along(cross.way, MOVED)
@@ -119,7 +147,7 @@ def _along(flat: Flat, sign: Sign, at: complex, cross: Cross, spread: float) -> 
     clear = like[best] > TELLING and worth[best] - other > CLEAR
     found = complex(at + cross.way * _peak(along, like, best))
     clear &= cross.misfit <= MISFIT and abs(along[best]) < FARTHEST * spread
-    clear &= float(sign.like(flat, np.array([found], dtype=np.complex128))[0]) > LIKE
+    clear &= float(sign.like(flat, np.array([found], dtype=np.complex128))[0]) > least
     return Spot(found, 0.25, SEEN if clear else UNSURE)
 
 
@@ -145,7 +173,7 @@ class Signs:
 
     def __init__(self, view: View, fit: Fit, shift: complex) -> None:
         self.view, self.fit, self.shift = view, fit, shift
-        self.fan = len(set(view.of) - {None}) > 1
+        self.fan = view.fan
 
     def crowded(self, k: int) -> bool:
         """Whether a place may be taken for another: one is there, or a hand carries it past those of its fan.
@@ -157,14 +185,58 @@ class Signs:
             return False
         if float(np.delete(abs(at - at[k]), k).min(initial=np.inf)) < ONE:
             return True
-        astray = float(np.sqrt((abs(self.view.astray[:, k]) ** 2).mean() / 2))
-        return self.fan and (astray > CARRIED or self.near(k))
+        return self.fan and (self.astray(k) > CARRIED or self.near(k) or self.passed(k))
+
+    def astray(self, k: int) -> float:
+        """Return how far a hand scatters a place, mm (one deviation)."""
+        return float(np.sqrt((abs(self.view.astray[:, k]) ** 2).mean() / 2))
+
+    def carried(self, k: int) -> bool:
+        """Whether a hand may carry a place of a fan to where a sign of another line is."""
+        return self.fan and self.astray(k) > LOOSELY
+
+    def passed(self, k: int) -> bool:
+        """Whether a hand scatters a place of a fan as far as to the nearest other one."""
+        apart = np.delete(abs(self.view.at - self.view.at[k]), k)
+        return self.fan and float(apart.min(initial=np.inf)) < self.astray(k)
+
+    def veiled(self, k: int, lines: int) -> bool:
+        """Whether vectors of no length end at a pole that few ``lines`` show: they are drawn somewhere else."""
+        if self.view.of[k] is not None or lines >= MEETING:
+            return False
+        return self.one(k) or (lines < THREE and self.near(k))
 
     def near(self, k: int) -> bool:
         """Whether another point should stand so near to a place that one's end is the other's."""
         of = self.view.of
         near = np.flatnonzero(abs(self.view.at - self.view.at[k]) < DOUBLE)
         return any(n != k and (of[n] == of[k] or None in (of[n], of[k])) for n in near)
+
+    def one(self, k: int) -> bool:
+        """Whether another place should stand where a place does."""
+        return float(np.delete(abs(self.view.at - self.view.at[k]), k).min(initial=np.inf)) < SAME
+
+    def apart(self, k: int) -> bool:
+        """Whether the lines of a crowded place are its own, by all lines together."""
+        return self.aside(k, self.fit.far) < RIVAL and not self.passed(k)
+
+    def none(self, k: int) -> bool:
+        """Whether a vector of no length leads to a place: another one of its position should stand there."""
+        return self.one(k) and self.near(k)
+
+    def hemmed(self, k: int, way: complex, reach: float) -> bool:
+        """Whether the sign of another place may be taken for that of a place, along a direction."""
+        return self.near(k) or self.passed(k) or self.alone(k, way) < reach
+
+    def aside(self, k: int, doubts: Sequence[Doubt | None]) -> float:
+        """Return how far from a place another line is, at most, that one through it may be, mm."""
+        at = self.view.places[k].at
+        found = 0.0
+        for line, far in zip(self.view.lines, doubts, strict=True):
+            if far is not None and k in line.places:
+                share = ((at - line.start) / line.way).real / line.length
+                found = max(found, abs(far[0] + (far[1] - far[0]) * share))
+        return found
 
     def alone(self, k: int, way: complex) -> float:
         """Return how far it is along a direction to the nearest other place, whose sign may be as good, mm."""

@@ -10,17 +10,16 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.checking.pencil.again import again
 from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import Name, View
 from graphic_tmm.checking.pencil.fitting import fit
 from graphic_tmm.checking.pencil.lines import BAND, Track, tracks
-from graphic_tmm.checking.pencil.placing import placed
+from graphic_tmm.checking.pencil.placing import THERE, placed, stood
 from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE, Spot, spots
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.language.said import said
 
-THERE = 0.55
-"""A plan is on the sheet if so much of its lines is on pencil; of lettering and other lines about a half is."""
 WIDE, WIDEST = 3.5, 10.0
 """Lines are followed so many deviations of the hand aside, and never farther, mm."""
 CLICKED = 3.0
@@ -59,15 +58,20 @@ def read_plans(flat: Flat, views: Sequence[View], clicked: Mapping[Pole, complex
         for pole, at in clicked.items():
             if pole in view.poles:
                 begin, reach = at - view.places[view.poles[pole]].at, CLICKED
-        shift, cover = (
-            placed(flat, view, begin) if reach is None else placed(flat, view, begin, reach)
-        )
+        shift, cover = stood(flat, view) if reach is None else placed(flat, view, begin, reach)
         if cover < THERE:
             missing += view.poles
             continue
-        found = fit(view, followed(flat, view, shift))
-        points += _told(view, spots(flat, view, found, shift), shift)
+        points += _told(view, seen(flat, view, shift, followed(flat, view, shift)), shift)
     return Found(tuple(points), tuple(missing))
+
+
+def seen(
+    flat: Flat, view: View, shift: complex, found: Sequence[Sequence[Track]]
+) -> tuple[Spot, ...]:
+    """Return where the places of a view stand: once by all its lines, once more by what was seen."""
+    once = spots(flat, view, fit(view, found), shift)
+    return spots(flat, view, again(flat, view, shift, found, once), shift)
 
 
 def followed(flat: Flat, view: View, shift: complex) -> list[tuple[Track, ...]]:
@@ -78,16 +82,16 @@ def followed(flat: Flat, view: View, shift: complex) -> list[tuple[Track, ...]]:
     ]
 
 
-def _told(view: View, seen: Sequence[Spot], shift: complex) -> Iterator[Point]:
+def _told(view: View, found: Sequence[Spot], shift: complex) -> Iterator[Point]:
     """Yield the points of a view, each from the pole of its plan; of none more is known than of its pole."""
     for k, place in enumerate(view.places):
         for name in place.names:
             pole = view.poles[name[0], name[2]]
-            how = seen[k].how
-            if seen[pole].how != SEEN and how == SEEN:
+            how = found[k].how
+            if found[pole].how != SEEN and how == SEEN:
                 how = UNSURE
-            at = seen[k].at
-            yield Point(name, at, at - seen[pole].at, how, place.at + shift)
+            at = found[k].at
+            yield Point(name, at, at - found[pole].at, how, place.at + shift)
 
 
 def readings(points: Iterable[Point]) -> tuple[Taken, ...]:

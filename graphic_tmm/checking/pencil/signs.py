@@ -9,8 +9,12 @@ import numpy as np
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.checking.pencil.darkness import Flat
 
-REACH = 5.0
+REACH = 6.0
 """What is farther from the point is no part of its sign, mm."""
+BEYOND = 2.0
+"""Nor are pieces looked at that end so far before, mm."""
+AT_ONCE = 64
+"""So many pieces are measured at once: memory."""
 STEP = 0.25
 """Ink is looked at so densely, mm."""
 BESIDE = 0.7
@@ -35,6 +39,7 @@ class Sign(NamedTuple):
     @classmethod
     def made(cls, pieces: Complexes, others: Complexes) -> Sign:
         """Return the sign of straight ``pieces`` (pieces, 2) about 0; ``others``: what may be ink beside it."""
+        pieces, others = _about(pieces), _about(others)
         ink = [a + (b - a) * np.linspace(0, 1, max(int(abs(b - a) / STEP), 2)) for a, b in pieces]
         inked = np.concatenate(ink) if ink else np.empty(0, dtype=np.complex128)
         inked = inked[abs(inked) < REACH]
@@ -72,12 +77,29 @@ class Sign(NamedTuple):
         return found
 
 
+def _about(pieces: Complexes) -> Complexes:
+    """Return the pieces that come near 0: what is farther tells nothing of a sign."""
+    if not len(pieces):
+        return pieces
+    near = _apart(np.zeros(1, dtype=np.complex128), pieces)[0] < REACH + BEYOND
+    return np.asarray(pieces[near], dtype=np.complex128)
+
+
 def _distance(spots: Complexes, pieces: Complexes) -> Reals:
     """Return how far places are from the nearest of straight pieces, mm."""
+    found = np.full(len(spots), np.inf)
+    for first in range(0, len(pieces), AT_ONCE):
+        some = _apart(spots, pieces[first : first + AT_ONCE])
+        np.minimum(found, some.min(axis=1), out=found)
+    return found
+
+
+def _apart(spots: Complexes, pieces: Complexes) -> Reals:
+    """Return how far places are from straight pieces, (places, pieces), mm."""
     a, b = pieces[:, 0], pieces[:, 1]
     along = np.clip(((spots[:, None] - a) / (b - a + 1e-12)).real, 0, 1)
-    found: Reals = abs(a + along * (b - a) - spots[:, None]).min(axis=1)
-    return found
+    off: Complexes = a + along * (b - a) - spots[:, None]
+    return np.asarray(np.abs(off), dtype=np.float64)
 
 
 def _some(spots: Complexes) -> Complexes:

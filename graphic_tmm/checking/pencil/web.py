@@ -6,7 +6,7 @@ of pencil chosen says how far the places on it are aside.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -33,20 +33,32 @@ SAME = 0.5
 """Two lines have chosen one line of pencil if they are nearer at both its ends, mm."""
 
 
+class Pin(NamedTuple):
+    """A place that was seen: its displacement, mm, and how far that may be off."""
+
+    moved: complex
+    error: float
+
+
 class Web:
     """The least squares of a view: what neighbours and lines tell of the displacements of its places."""
 
-    def __init__(self, view: View) -> None:
+    def __init__(self, view: View, pins: Mapping[int, Pin]) -> None:
         self.view = view
         spots = np.array([place.at for place in view.places])
         self.shares = [line.shares(spots) for line in view.lines]
         self.base = _told_by(view.astray)
+        self.pinned = np.zeros(len(self.base))
+        for k, pin in pins.items():
+            for part, much in enumerate((pin.moved.real, pin.moved.imag)):
+                self.base[2 * k + part, 2 * k + part] += pin.error**-2
+                self.pinned[2 * k + part] = pin.error**-2 * much
         count = range(len(view.lines))
         self.rivals = [[k for k in count if _rival(one, view.lines[k])] for one in view.lines]
 
     def solved(self, chosen: Sequence[Track | None]) -> Solved:
         """Return the displacements that the lines chosen tell, and their scatter."""
-        normal, right = self.base.copy(), np.zeros(len(self.base))
+        normal, right = self.base.copy(), self.pinned.copy()
         for k, track in enumerate(chosen):
             if track is not None:
                 at, rows = self._rows(k)

@@ -89,7 +89,7 @@ def combed(spare: bool) -> Swaps:
         beside = [n for n in (k - 1, k + 1) if 0 <= n < 5] + ([-1] if spare and k == 0 else [])
         aside = [PITCH * (k - n) for n in beside]  # to the left of a line upward
         found.append([own, *(Track(off, off, 1.0, 0.1) for off in aside)])
-    web = Web(one)
+    web = Web(one, {})
     told = Solved(np.zeros(2 * len(at)), web.solved([own] * 5).scatter)
     return Swaps(web, found, told, [tracks[0] for tracks in found])
 

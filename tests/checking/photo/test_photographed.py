@@ -34,7 +34,7 @@ def test_pencil_is_seen_where_points_are_said_to_stand(quarters: int) -> None:
     found = [darkest(seen, z, 2) > 0.15 for z in [*drawn, *shown.corners]]
     assert np.mean(found) > 0.95
     aside = [darkest(seen, z + 15 + 15j, 2) > 0.15 for z in drawn]
-    assert np.mean(aside) < 0.6  # the test can fail: elsewhere there is mostly paper
+    assert np.mean(aside) < 0.7  # the test can fail: elsewhere there is mostly paper
 
 
 def test_what_is_left_out_is_told() -> None:
@@ -53,3 +53,14 @@ def test_photographs_go_to_the_limits_that_are_promised() -> None:
     assert sum(one.marks.squares > 0 for one in several) == 18
     assert min(one.light.quality for one in several) < 65
     assert all(one.wide == 4000 for one in several)
+
+
+def test_points_that_pencil_shows_by_themselves_are_some_of_those_drawn() -> None:
+    points = taken(4, SMALL).points
+    apart = {key for key, one in points.items() if one.apart}
+    drawn = {key for key, one in points.items() if one.drawn}
+    assert len(apart & drawn) > 0.8 * len(drawn)
+    assert any(
+        key[0] == "velocities" for key in drawn - apart
+    )  # vectors of no length at a dead centre
+    assert not any(key[0] == "positions" for key in drawn - apart)

@@ -149,7 +149,7 @@ def _filled(points: np.ndarray, wide: float) -> list[np.ndarray]:
     middle = points.mean()
     size = abs(points - middle).max()
     rounds = max(int(size / (0.7 * wide)), 1)
-    return [middle + (points - middle) * (k + 0.5) / rounds for k in range(rounds)]
+    return [along(middle + (points - middle) * (k + 0.5) / rounds, STEP) for k in range(rounds)]
 
 
 def _written(

@@ -22,6 +22,8 @@ from support.photographed.ink import Inked, inked
 SHEETS = Path(__file__).parents[3] / "sheets"
 ENDS, PASSES = 0.3, 2.0
 """How near to a point a line ends that ends there, or passes that shows it (the pin about a pivot), mm."""
+NONE = 0.3
+"""A vector so short is not drawn by anybody, mm: the point is where the other one is."""
 CROSSING = 0.17
 """Lines cross where the sine of the angle between them is more: ten degrees."""
 Key = tuple[str, str, str]
@@ -29,11 +31,15 @@ Key = tuple[str, str, str]
 
 
 class Due(NamedTuple):
-    """Where a point stands: on the sheet, and from the pole of its plan (mm); whether it was drawn at all."""
+    """Where a point stands: on the sheet, and from the pole of its plan (mm); whether it was drawn at all.
+
+    ``apart``: whether pencil can show it: no vector of no length leads to it, nothing is drawn over its end.
+    """
 
     sheet: complex
     spot: complex
     drawn: bool
+    apart: bool
 
 
 class Paper(NamedTuple):
@@ -81,7 +87,7 @@ def exact(name: str) -> tuple[DrawnScene, tuple[Sheet, ...]]:
 
 def student(name: str, number: int, seed: int, left: Left = WHOLE) -> Paper:
     """Return a student's drawing of a sheet of a scene, composed as ours is."""
-    scene, _, found = _ours(name)
+    scene, drawn_exactly, found = _ours(name)
     by_hand = replace(scene, hand="student", seed=seed)
     made, ours = composed_sheets(by_hand, found.composition)
     sheet = ours.sheets[number - 1]
@@ -105,6 +111,7 @@ def student(name: str, number: int, seed: int, left: Left = WHOLE) -> Paper:
     poles = {}
     slots = {mark.key: mark.slot for mark in _marks(made)}
     spots = points(made)
+    none = _of_no_length(points(drawn_exactly))
     for one in sheet.drawings:
         for plan in set(one.shows) & set(pointed()):
             at = one.origin(plan) + shifts[one.name]
@@ -113,8 +120,11 @@ def student(name: str, number: int, seed: int, left: Left = WHOLE) -> Paper:
             )
             for key, spot in spots.items():
                 if key[0] == plan and key[2] in own:
-                    seen = _inked_at(ink, one.name, slots[key[:2]], at + spot)
-                    due[key] = Due(at + spot, spot, seen)
+                    seen, shown = (
+                        _inked_at(ink, one.name, slots[key[:2]], at + spot, buried)
+                        for buried in (True, False)
+                    )
+                    due[key] = Due(at + spot, spot, seen, shown and key not in none)
                     poles[plan, key[2]] = at
     area = drawing_area(sheet.format, scene.language, number == 1).inner
     frame = (area.left, area.bottom, area.right, area.top)
@@ -137,22 +147,48 @@ def _lost(made: DrawnScene, drawing: object, random: np.random.Generator) -> fro
     return frozenset(own[random.integers(len(own) // 2, len(own)) :])
 
 
-def _inked_at(ink: list[Inked], drawing: str, slot: int, at: complex) -> bool:
+def _of_no_length(spots: dict[Key, complex]) -> set[Key]:
+    """Return the points of vectors' plans that should stand at their pole, or where another one does.
+
+    Two points that are one at all positions are one point with two letters.
+    """
+    near = {}
+    for (plan, letter, position), spot in spots.items():
+        if plan == "positions":
+            continue
+        others = {"": 0j} | {
+            k[1]: z for k, z in spots.items() if (k[0], k[2]) == (plan, position) and k[1] != letter
+        }
+        near[plan, letter, position] = {k for k, z in others.items() if abs(spot - z) < NONE}
+    always = {
+        key[:2]: set.intersection(*(one for k, one in near.items() if k[:2] == key[:2]))
+        for key in near
+    }
+    return {key for key, some in near.items() if some - always[key[:2]]}
+
+
+def _inked_at(ink: list[Inked], drawing: str, slot: int, at: complex, buried: bool) -> bool:
     """Whether a point is to be seen: a line ends there, two lines cross, or a pin of its own is about it.
 
-    A line that only passes does not show it: nothing tells where along the line it stands.
+    A line that only passes does not show it: nothing tells where along the line it stands. ``buried``: nor
+    does, otherwise, the end of one on another that runs on; a head there is seen.
     """
-    ways = []
+    ways, ends = [], []
     for one in ink:
         if one.drawing != drawing or one.pen == "letters":
             continue
-        if min(abs(one.points[[0, -1]] - at)) < ENDS:
-            return True
         far, way = _far(one.points, at)
+        if min(abs(one.points[[0, -1]] - at)) < ENDS:
+            if one.filled:
+                return True
+            ends.append(way)
+        elif far < ENDS:
+            ways.append(way)
         if slot in one.of and abs(one.points[0] - one.points[-1]) < 1e-6 and far < PASSES:
             return True
-        if far < ENDS:
-            ways.append(way)
+    if any(buried or all(abs((a / b).imag) > CROSSING for b in ways) for a in ends):
+        return True
+    ways += ends
     return any(abs((a / b).imag) > CROSSING for a in ways for b in ways)
 
 

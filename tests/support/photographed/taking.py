@@ -49,12 +49,16 @@ class Conditions(NamedTuple):
 
 
 class Shown(NamedTuple):
-    """Where a point stands: sheet (mm), pole of its plan (mm), photograph (px); whether it was drawn."""
+    """Where a point stands: sheet (mm), pole of its plan (mm), photograph (px); whether it was drawn.
+
+    ``apart``: whether pencil can show it by itself.
+    """
 
     sheet: complex
     spot: complex
     seen: complex
     drawn: bool
+    apart: bool = True
 
 
 class Taken(NamedTuple):
@@ -127,13 +131,10 @@ def taken(number: int, given: Conditions | None = None) -> Taken:
 
     left, bottom, right, top = paper.frame
     frame = np.array([left + 1j * bottom, right + 1j * bottom, right + 1j * top, left + 1j * top])
-    keys = list(paper.points)
-    places = seen(np.array([paper.points[key].sheet for key in keys]))
+    places = seen(np.array([due.sheet for due in paper.points.values()]))
     points = {
-        key: Shown(
-            paper.points[key].sheet, paper.points[key].spot, complex(z), paper.points[key].drawn
-        )
-        for key, z in zip(keys, places, strict=True)
+        key: Shown(due.sheet, due.spot, complex(z), due.drawn, due.apart)
+        for (key, due), z in zip(paper.points.items(), places, strict=True)
     }
     stood = seen(np.array(list(paper.poles.values())))
     poles = dict(zip(paper.poles, map(complex, stood), strict=True))
