@@ -6,9 +6,11 @@ track of a band; its axis is then the centroid of the darkness across it, much f
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.checking.pencil.darkness import Flat, Greys
@@ -64,8 +66,7 @@ def tracks(flat: Flat, line: Line, shift: complex, band: float = BAND) -> tuple[
     pencil = flat.pencil(axis[:, None] + 1j * line.way * aside)
     sums = _summed(pencil, share, turn, half)
     found = list[Track]()
-    for one in _best(sums, turn, half):
-        track = refined(flat, line, shift, one)
+    for track in refined(flat, line, shift, _best(sums, turn, half)):
         if all(max(abs(track.start - t.start), abs(track.end - t.end)) > ONE for t in found):
             found.append(track)
     return tuple(found)
@@ -94,44 +95,52 @@ def _best(sums: Greys, turn: int, half: int) -> list[Track]:
     return found
 
 
-def refined(flat: Flat, line: Line, shift: complex, track: Track) -> Track:
-    """Return the axis of a line of pencil, by centroids of darkness; as it was if too little is seen."""
+def refined(flat: Flat, line: Line, shift: complex, some: Sequence[Track]) -> Iterator[Track]:
+    """Yield the axes of lines of pencil, by centroids of darkness; as one was if too little of it is seen."""
     count = int(np.clip(line.length * 1.5, 16, 120))
     share = (np.arange(count) + 0.5) / count
     axis = line.start + shift + line.way * line.length * share
     window = np.linspace(-WINDOW, WINDOW, 9)
-    start, end, error, seen = track.start, track.end, track.error, np.zeros(count, dtype=bool)
+    ends = np.array([(one.start, one.end) for one in some]).reshape(-1, 2, 1)
+    known = np.ones(len(some), dtype=bool)
     for _ in range(3):
-        centre = start + (end - start) * share
-        dark = flat.darkness(axis[:, None] + 1j * line.way * (centre[:, None] + window))
-        whole = dark.sum(axis=1)
-        seen = dark[:, 2:-2].max(axis=1) > flat.level
-        if seen.sum() < 6:
-            return track
-        off = centre + (dark * window).sum(axis=1) / np.where(whole > 0, whole, 1.0)
-        start, end, error = _straight(share, off, seen, line.length)
-    return Track(start, end, float(seen.mean()), error)
+        centre = ends[:, 0] + (ends[:, 1] - ends[:, 0]) * share
+        dark = flat.darkness(axis[:, None] + 1j * line.way * (centre[..., None] + window))
+        whole = dark.sum(axis=-1)
+        seen = dark[..., 2:-2].max(axis=-1) > flat.level
+        known &= seen.sum(axis=-1) >= 6
+        off = centre + (dark * window).sum(axis=-1) / np.where(whole > 0, whole, 1.0)
+        ends, error = _straight(share, off, seen, line.length)
+    for k, one in enumerate(some):
+        start, end = ends[k, :, 0].tolist()
+        yield Track(start, end, float(seen[k].mean()), float(error[k])) if known[k] else one
 
 
-def _straight(share: Reals, off: Reals, seen: Reals, length: float) -> tuple[float, float, float]:
-    """Return the straight line through most of the places seen: its ends, and their error.
+def _straight(
+    share: Reals, off: Reals, seen: NDArray[np.bool_], length: float
+) -> tuple[Reals, Reals]:
+    """Return the straight lines through most of the places seen of each, (lines, 2, 1), and their errors.
 
-    Neighbouring places err alike, as pencil does; of 3 mm one counts.
+    ``off``, ``seen``: (lines, places). Neighbouring places err alike, as pencil does; of 3 mm one counts.
     """
     weights = seen.astype(np.float64)
-    slope, base = 0.0, 0.0
-    scatter, half = FLOOR, int(seen.sum()) // 2
+    slope = np.zeros((len(off), 1))
+    base, scatter, half = slope, slope + FLOOR, seen.sum(axis=1, keepdims=True) // 2
     for _ in range(4):
-        whole = weights.sum()
-        if whole < 1e-9:
-            break
-        middle = (weights * share).sum() / whole
-        mean = (weights * off).sum() / whole
-        spread = (weights * (share - middle) ** 2).sum()
-        slope = (weights * (share - middle) * (off - mean)).sum() / max(spread, 1e-9)
-        base = mean - slope * middle
+        whole = weights.sum(axis=1, keepdims=True)
+        live = whole >= 1e-9
+        whole = np.where(live, whole, 1.0)
+        middle = (weights * share).sum(axis=1, keepdims=True) / whole
+        mean = (weights * off).sum(axis=1, keepdims=True) / whole
+        spread = (weights * (share - middle) ** 2).sum(axis=1, keepdims=True)
+        turned = (weights * (share - middle) * (off - mean)).sum(axis=1, keepdims=True)
+        slope = np.where(live, turned / np.maximum(spread, 1e-9), slope)
+        base = np.where(live, mean - slope * middle, base)
         rest = abs(off - base - slope * share)
-        scatter = 1.4826 * float(np.partition(rest[seen], half)[half]) + FLOOR
-        weights = seen * np.maximum(1 - (rest / (4.7 * scatter)) ** 2, 0.0) ** 2
-    independent = max(length / 3.0 * float((weights > 0).mean()), 1.0)
-    return base, base + slope, 2.0 * scatter / np.sqrt(independent)
+        ranked = np.sort(np.where(seen, rest, np.inf), axis=1)
+        usual = 1.4826 * np.take_along_axis(ranked, half, axis=1) + FLOOR
+        scatter = np.where(live, usual, scatter)
+        less = seen * np.maximum(1 - (rest / (4.7 * scatter)) ** 2, 0.0) ** 2
+        weights = np.where(live, less, weights)
+    independent = np.maximum(length / 3.0 * (weights > 0).mean(axis=1), 1.0)
+    return np.stack([base, base + slope], axis=1), 2.0 * scatter[:, 0] / np.sqrt(independent)

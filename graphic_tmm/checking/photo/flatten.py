@@ -23,7 +23,7 @@ from graphic_tmm.checking.photo.frame_lines import REACH, Lines, refine
 from graphic_tmm.checking.photo.lens import Lens, pinhole
 from graphic_tmm.checking.photo.perspective import (
     Corners,
-    bilinear,
+    colours_at,
     cross,
     homography,
     ordered,
@@ -43,8 +43,12 @@ BENT = 0.5
 BOWED = 2.0
 """A lens that bows the frame farther is told of, mm: of such a lens one number tells too little."""
 
-BLOCK = 1 << 18
-"""So many pixels are sampled at a time."""
+BLOCK = 1 << 15
+"""So many pixels are sampled at a time: what is reckoned of them stays near the processor."""
+
+PRESSED = 3
+"""How far a PNG is compressed, of 9: grain yields little. It is 5 % larger than by the usual 6, three times as
+soon."""
 
 PAPER = 255
 """The grey of what the photograph does not show."""
@@ -132,7 +136,9 @@ def png(photo: Photo) -> bytes:
     images = pillow()[0]
     dots = photo.image.shape[1] / (photo.area.right - photo.area.left)
     made = io.BytesIO()
-    images.fromarray(photo.image).save(made, "PNG", dpi=(25.4 * dots, 25.4 * dots))
+    images.fromarray(photo.image).save(
+        made, "PNG", dpi=(25.4 * dots, 25.4 * dots), compress_level=PRESSED
+    )
     return made.getvalue()
 
 
@@ -254,6 +260,6 @@ def _unbent(shot: Shot, area: Box, rows: int, columns: int) -> NDArray[np.uint8]
     block = max(BLOCK // columns, 1)
     for first in range(0, rows, block):
         points = across + 1j * down[first : first + block, None]
-        seen = bilinear(shot.image, shot.shown(points))
-        made[first : first + block] = np.where(np.isnan(seen), PAPER, np.rint(seen))
+        for k, seen in enumerate(colours_at(shot.image, shot.shown(points))):
+            made[first : first + block, :, k] = np.where(np.isnan(seen), PAPER, np.rint(seen))
     return made

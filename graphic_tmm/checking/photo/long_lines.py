@@ -117,9 +117,15 @@ def smaller(image: NDArray[np.uint8]) -> Small:
     about = cv2.morphologyEx(small, cv2.MORPH_CLOSE, np.ones((BROAD, BROAD), np.uint8))
     about = cv2.GaussianBlur(about, (0, 0), SOFT)
     shares = cv2.divide(small, np.maximum(about, 20), scale=255.0)
-    least, most = shares.min(axis=2), shares.max(axis=2)
+    least, most = _ends(cv2, shares)
     colour = cv2.multiply(cv2.subtract(most, least), np.ones_like(most), scale=COLOURED)
-    return Small(small.max(axis=2), cv2.subtract(255 - most, colour), factor)
+    return Small(_ends(cv2, small)[1], cv2.subtract(255 - most, colour), factor)
+
+
+def _ends(cv2: Any, image: NDArray[np.uint8]) -> tuple[Any, Any]:
+    """Return the least and the most of the three colours of each dot."""
+    one, two, three = cv2.split(image)
+    return cv2.min(cv2.min(one, two), three), cv2.max(cv2.max(one, two), three)
 
 
 def long_lines(small: Small, reach: float) -> Lines:

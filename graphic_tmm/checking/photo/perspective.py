@@ -13,7 +13,7 @@ corners given need, so that these need no wheel of 61 MB.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -129,18 +129,32 @@ def through(matrix: Reals, points: Any) -> Complexes:
 
 
 def bilinear(image: NDArray[np.uint8], points: Complexes) -> Reals:
-    """Return an image (rows, columns, 3) at ``points`` (any shape): that shape and 3 colours.
+    """Return an image (rows, columns, colours) at ``points`` (any shape): that shape and its colours.
 
     Linear between the four dots about a point; NaN outside the centres of the outermost dots.
     """
-    rows, columns = image.shape[:2]
+    found = np.empty((*points.shape, image.shape[2]))
+    for k, colour in enumerate(colours_at(image, points)):
+        found[..., k] = colour
+    return found
+
+
+def colours_at(image: NDArray[np.uint8], points: Complexes) -> Iterator[Reals]:
+    """Yield the colours of an image as `bilinear` reads them, one after the other: rows of one are quick."""
+    rows, columns, colours = image.shape
     x, y = points.real, points.imag
     inside = (x >= 0) & (x <= columns - 1) & (y >= 0) & (y <= rows - 1)
     x, y = np.where(inside, x, 0.0), np.where(inside, y, 0.0)
     column = np.minimum(x.astype(np.intp), max(columns - 2, 0))
     row = np.minimum(y.astype(np.intp), max(rows - 2, 0))
-    right, down = (x - column)[..., None], (y - row)[..., None]
-    under, beside = np.minimum(row + 1, rows - 1), np.minimum(column + 1, columns - 1)
-    upper = image[row, column] * (1 - right) + image[row, beside] * right
-    lower = image[under, column] * (1 - right) + image[under, beside] * right
-    return np.where(inside[..., None], upper * (1 - down) + lower * down, np.nan)
+    right, down = x - column, y - row
+    left, up = 1 - right, 1 - down
+    flat = image.reshape(-1)
+    corner = (row * columns + column) * colours
+    beside = colours if columns > 1 else 0
+    under = columns * colours if rows > 1 else 0
+    for k in range(colours):
+        one, other = flat[k:], flat[k + beside :]
+        upper = one.take(corner) * left + other.take(corner) * right
+        lower = one[under:].take(corner) * left + other[under:].take(corner) * right
+        yield np.where(inside, upper * up + lower * down, np.nan)
