@@ -47,7 +47,8 @@ class Unseen:
         new = {at: size for at, size in least.items() if at not in self._shown}
         self._shown |= {at: set() for at in new}
         for offered, views in zip(self.boards, self._views, strict=True) if new else ():
-            for at, moved in offered.moved(new, offered.plain):
+            told = offered.showing({at for at, _ in new})
+            for at, moved in offered.moved(new, told):
                 self._shown[at] |= {views[row] for row in np.flatnonzero(moved)}
 
 

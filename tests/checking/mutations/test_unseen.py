@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import numpy as np
 from support.gallery import CASES
 
+from graphic_tmm.checking.cells import cells, points
 from graphic_tmm.checking.check import check
+from graphic_tmm.checking.mutations.mistakes import Mistakes
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
 
 
 def note(*plans: str) -> str:
@@ -30,3 +34,17 @@ def test_nothing_is_said_if_every_plan_shows() -> None:
 
 def test_accelerations_show_velocities_too() -> None:
     assert note("accelerations") == ""
+
+
+def test_points_are_moved_alike_if_only_what_they_need_is_executed() -> None:
+    made = make(read(CASES / "check" / "six.toml"), exact=True)
+    board = Mistakes(made).boards[0]
+    found = [at for at in points(made) if at not in cells(made)][::7]
+    wanted = dict.fromkeys(((at, True) for at in found), 0.1)
+    some = board.showing(found)
+    assert "plain" not in board.__dict__
+    assert len(some.base) < len(board.plain.base)
+    less, whole = (dict(board.moved(wanted, beside)) for beside in (some, board.plain))
+    assert less.keys() == whole.keys() == wanted.keys()
+    assert all(np.array_equal(less[at], whole[at]) for at in wanted)
+    assert board.showing(found) is board.plain
