@@ -34,6 +34,9 @@ FAINTEST = 0.06
 NEAR = 0.75
 """Pencil near a place is at most twice as far away, mm."""
 
+ROWS = 64
+"""So many rows of a picture are softened at a time: they stay near the processor."""
+
 Greys = NDArray[np.float32]
 
 
@@ -111,8 +114,8 @@ def _darkness(image: NDArray[np.uint8], dots: float) -> tuple[Greys, float]:
     for k in range(colours.shape[2]):
         grey = _softened(colours[..., k])
         paper = _spread(_spread(grey, half, np.maximum), half, np.minimum)
-        dark = np.subtract(paper, grey, dtype=np.float32)
-        dark /= np.maximum(paper, np.uint8(DIM))
+        # paper is nowhere darker than the dot itself
+        dark = np.divide(paper - grey, np.maximum(paper, np.uint8(DIM)), dtype=np.float32)
         least = dark if least is None else np.minimum(least, dark, out=least)
     some = least[::7, ::7]
     middle = float(np.median(some))
@@ -126,10 +129,15 @@ def _darkness(image: NDArray[np.uint8], dots: float) -> tuple[Greys, float]:
 
 def _softened(grey: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """Return the means of a dot, twice, and its four neighbours: grain is half as strong."""
-    padded = np.pad(grey, 1, mode="edge").astype(np.uint16)
-    whole = 4 * padded[1:-1, 1:-1]
-    whole += padded[:-2, 1:-1] + padded[2:, 1:-1] + padded[1:-1, :-2] + padded[1:-1, 2:]
-    return (whole >> 3).astype(np.uint8)
+    padded = np.pad(grey, 1, mode="edge")
+    found = np.empty(grey.shape, dtype=np.uint8)
+    for first in range(0, len(grey), ROWS):
+        some = padded[first : first + ROWS + 2].astype(np.uint16)
+        whole = 4 * some[1:-1, 1:-1]
+        for part in (some[:-2, 1:-1], some[2:, 1:-1], some[1:-1, :-2], some[1:-1, 2:]):
+            whole += part
+        found[first : first + ROWS] = whole >> 3
+    return found
 
 
 def _spread(grey: NDArray[np.uint8], half: int, most: Any) -> NDArray[np.uint8]:

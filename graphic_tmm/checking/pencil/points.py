@@ -83,9 +83,14 @@ class Spot(NamedTuple):
     how: str
 
 
-def spots(flat: Flat, view: View, fit: Fit, shift: complex) -> tuple[Spot, ...]:
-    """Return where the places of a view stand; ``fit``: its lines, the view moved by ``shift``."""
-    signs = Signs(view, fit, shift)
+def spots(
+    flat: Flat, view: View, fit: Fit, shift: complex, drawn: Sequence[Sign]
+) -> tuple[Spot, ...]:
+    """Return where the places of a view stand; ``fit``: its lines, the view moved by ``shift``.
+
+    ``drawn``: the `signs_of` the view.
+    """
+    signs = Signs(view, fit, shift, drawn)
     return tuple(_spot(flat, view, fit, shift, k, signs) for k in range(len(view.places)))
 
 
@@ -94,7 +99,7 @@ def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs
     at = view.places[k].at + shift + cross.moved
     if not cross.lines:
         return Spot(at, np.inf, UNSEEN)
-    sign = signs.of(k)
+    sign = signs.drawn[k]
     crowded = signs.crowded(k)
     if cross.error <= SURE:
         alone = signs.apart(k) if crowded else not signs.veiled(k, cross.lines)
@@ -171,8 +176,8 @@ def _peak(along: Reals, like: Reals, best: int) -> float:
 class Signs:
     """The signs at the places of a view; what stands near them by other lines is left out."""
 
-    def __init__(self, view: View, fit: Fit, shift: complex) -> None:
-        self.view, self.fit, self.shift = view, fit, shift
+    def __init__(self, view: View, fit: Fit, shift: complex, drawn: Sequence[Sign] = ()) -> None:
+        self.view, self.fit, self.shift, self.drawn = view, fit, shift, drawn
         self.fan = view.fan
 
     def crowded(self, k: int) -> bool:
@@ -244,12 +249,16 @@ class Signs:
         off = (np.delete(at, k) - at[k]) / way
         return float(abs(off.real[abs(off.imag) < DOUBLE]).min(initial=np.inf))
 
-    def of(self, k: int) -> Sign:
-        """Return the sign at a place."""
-        at = self.view.places[k].at
+
+def signs_of(view: View) -> tuple[Sign, ...]:
+    """Return the signs at the places of a view."""
+    found = []
+    for k, place in enumerate(view.places):
         others = [
-            (line.start - at, line.end - at) for line in self.view.lines if k not in line.places
+            (line.start - place.at, line.end - place.at)
+            for line in view.lines
+            if k not in line.places
         ]
-        return Sign.made(
-            self.view.ink[k] - at, np.array(others, dtype=np.complex128).reshape(-1, 2)
-        )
+        beside = np.array(others, dtype=np.complex128).reshape(-1, 2)
+        found.append(Sign.made(view.ink[k] - place.at, beside))
+    return tuple(found)

@@ -16,7 +16,7 @@ from graphic_tmm.checking.pencil.expected import Name, View
 from graphic_tmm.checking.pencil.fitting import fit
 from graphic_tmm.checking.pencil.lines import BAND, Track, tracks
 from graphic_tmm.checking.pencil.placing import THERE, placed, stood
-from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE, Spot, spots
+from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE, Spot, signs_of, spots
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.language.said import said
 
@@ -70,8 +70,9 @@ def seen(
     flat: Flat, view: View, shift: complex, found: Sequence[Sequence[Track]]
 ) -> tuple[Spot, ...]:
     """Return where the places of a view stand: once by all its lines, once more by what was seen."""
-    once = spots(flat, view, fit(view, found), shift)
-    return spots(flat, view, again(flat, view, shift, found, once), shift)
+    signs = signs_of(view)
+    once = spots(flat, view, fit(view, found), shift, signs)
+    return spots(flat, view, again(flat, view, shift, found, once), shift, signs)
 
 
 def followed(flat: Flat, view: View, shift: complex) -> list[tuple[Track, ...]]:
