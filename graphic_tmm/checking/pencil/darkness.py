@@ -34,8 +34,8 @@ FAINTEST = 0.06
 NEAR = 0.75
 """Pencil near a place is at most twice as far away, mm."""
 
-ROWS = 64
-"""So many rows of a picture are softened at a time: they stay near the processor."""
+ROWS = 128
+"""So many rows of a picture are looked at, at a time: they stay near the processor."""
 
 Greys = NDArray[np.float32]
 
@@ -109,14 +109,13 @@ def _darkness(image: NDArray[np.uint8], dots: float) -> tuple[Greys, float]:
     in one of its colours.
     """
     colours = image if image.ndim == 3 else image[..., None]
-    least: Any = None
     half = max(round(THICK * dots), 2)
-    for k in range(colours.shape[2]):
-        grey = _softened(colours[..., k])
-        paper = _spread(_spread(grey, half, np.maximum), half, np.minimum)
-        # paper is nowhere darker than the dot itself
-        dark = np.divide(paper - grey, np.maximum(paper, np.uint8(DIM)), dtype=np.float32)
-        least = dark if least is None else np.minimum(least, dark, out=least)
+    beyond = 2 * half + 1
+    least = np.empty(image.shape[:2], dtype=np.float32)
+    for first in range(0, len(least), ROWS):
+        begin = max(first - beyond, 0)
+        some = _least(colours[begin : first + ROWS + beyond], half)
+        least[first : first + ROWS] = some[first - begin : first - begin + ROWS]
     some = least[::7, ::7]
     middle = float(np.median(some))
     # of what is lighter than most: what is darker may be pencil
@@ -127,17 +126,25 @@ def _darkness(image: NDArray[np.uint8], dots: float) -> tuple[Greys, float]:
     return np.maximum(least, 0.0, out=least), grain
 
 
+def _least(colours: NDArray[np.uint8], half: int) -> Greys:
+    """Return how much darker each dot is than the paper, of the colour where it is least; ``half`` a line's width."""
+    least: Any = None
+    for k in range(colours.shape[2]):
+        grey = _softened(colours[..., k])
+        paper = _spread(_spread(grey, half, np.maximum), half, np.minimum)
+        # paper is nowhere darker than the dot itself
+        dark = np.divide(paper - grey, np.maximum(paper, np.uint8(DIM)), dtype=np.float32)
+        least = dark if least is None else np.minimum(least, dark, out=least)
+    return np.asarray(least, dtype=np.float32)
+
+
 def _softened(grey: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """Return the means of a dot, twice, and its four neighbours: grain is half as strong."""
-    padded = np.pad(grey, 1, mode="edge")
-    found = np.empty(grey.shape, dtype=np.uint8)
-    for first in range(0, len(grey), ROWS):
-        some = padded[first : first + ROWS + 2].astype(np.uint16)
-        whole = 4 * some[1:-1, 1:-1]
-        for part in (some[:-2, 1:-1], some[2:, 1:-1], some[1:-1, :-2], some[1:-1, 2:]):
-            whole += part
-        found[first : first + ROWS] = whole >> 3
-    return found
+    padded = np.pad(grey, 1, mode="edge").astype(np.uint16)
+    whole = 4 * padded[1:-1, 1:-1]
+    for part in (padded[:-2, 1:-1], padded[2:, 1:-1], padded[1:-1, :-2], padded[1:-1, 2:]):
+        whole += part
+    return (whole >> 3).astype(np.uint8)
 
 
 def _spread(grey: NDArray[np.uint8], half: int, most: Any) -> NDArray[np.uint8]:
