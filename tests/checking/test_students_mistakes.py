@@ -36,7 +36,7 @@ def test_mistakes_are_seen() -> None:
 
 
 LEAST = {"place": 0.90, "family": 0.80, "member": 0.70, "names right": 0.95}
-"""Shares of the drawings, and of names at 80 % or more: as wanted; these drawings have 0.93, 0.85, 0.80 and 1."""
+"""Shares of the drawings, and of names at 80 % or more: as wanted; these have 0.93, 0.85, 0.80 and 1."""
 
 
 @pytest.mark.slow

@@ -142,9 +142,13 @@ def but_one(readings: Readings, one: Hypothesis) -> bool:
 
 
 class Rest:
-    """What is not a name: no mistake at all, or something at a step that we do not know."""
+    """What is not a name: no mistake at all, or something at a step that we do not know.
 
-    def __init__(self) -> None:
+    ``marks``: those whose readings are not fine; one of their steps is the ``step`` that is farthest off.
+    """
+
+    def __init__(self, marks: Container[Mark] = ()) -> None:
+        self.marks = marks
         self.scores = [float(np.log(NO_MISTAKE))]
         self.step: Step | None = None
         self.beyond = 0

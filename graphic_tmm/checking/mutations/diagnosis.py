@@ -69,8 +69,11 @@ def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged])
         return Diagnosis((), None, ())
     readings = Readings(drawing)
     least = _least(drawing, judged)
+    doubtful = tuple(one for one in judged if one.verdict != FINE)
+    wronged = {one.taken.key for one in doubtful}
+    off = {mark for (mark, _), taken in readings.by_mark.items() if taken.key in wronged}
     found: list[Hypothesis] = []
-    rest = Rest()
+    rest = Rest(off)
     for number, offered in enumerate(mistakes.boards):
         found += _of_board(readings, offered, number, least, rest)
     found += of_written(readings, mistakes.base_of(0))
@@ -80,9 +83,6 @@ def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged])
         said = () if likely is None else (likely,)
     if not wrong and said and (said[0][1] < CERTAIN or said[0][0][0].gain.sum() < 1.5 * CLEAR):
         said = ()
-    doubtful = tuple(one for one in judged if one.verdict != FINE)
-    wronged = {one.taken.key for one in doubtful}
-    off = {mark for (mark, _), taken in readings.by_mark.items() if taken.key in wronged}
     said = tuple(told_of(one, off) for one in said)
     whole = len(said) > 1 or (bool(said) and acceptable(readings, said[0][0][0]))
     certain = whole and said[0][1] >= SURE
@@ -178,7 +178,7 @@ def _of_board(
         prior = float(np.log(SOMETHING / max(1, len(gains))))
         for mark, gain in gains.items():
             rest.scores.append(prior + float(np.maximum(gain, 0.0).sum()))
-            if (far := float(told.off[mark].max())) > rest.off:
+            if mark in rest.marks and (far := float(told.off[mark].max())) > rest.off:
                 rest.off, rest.step = far, steps[mark]
         rest.scores += scores(told.multiples.values(), A_NUMBER)
     if number == 0:

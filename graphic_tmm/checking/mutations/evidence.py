@@ -175,21 +175,29 @@ def of_variations(
         _of_marks(readings, base, some, evidence)
     copied = np.array([way.copied for way in some])
     index = {id(taken): k for k, taken in enumerate(readings.drawing.rows)}
-    by_row = {id(one.taken): one for one in readings.columns}
-    for one in readings.columns:
-        k = index[id(one.taken)]
-        read = np.full(count, np.nan, dtype=complex)
-        for h, way in enumerate(some):
-            source = int(way.source[k])
-            if source < 0:
-                continue
-            other = by_row.get(id(readings.drawing.rows[source]))
-            if other is not None:
-                read[h] = way.factor[k] * other.found + way.plus[k]
+    at = [index[id(one.taken)] for one in readings.columns]
+    table = _written(
+        some, len(index), dict(zip(at, (one.found for one in readings.columns), strict=True)), at
+    )
+    for one, read in zip(readings.columns, table.T, strict=True):
         figure = np.asarray(np.ravel(due[one.at])[0] if one.at in due else one.due)
         unknown = np.where(copied, one.nearest, one.unknown)
         _add(evidence, one.place, one.told(figure, read), unknown, one.told(figure))
     return evidence
+
+
+def _written(
+    some: Sequence[Variation], rows: int, found: Mapping[int, complex], at: Sequence[int]
+) -> NDArray[np.complex128]:
+    """Return what each way of writing puts into some rows of a table, (way, row); NaN where that is nothing.
+
+    ``found``: what stands in rows; ``at``: the rows that are asked for.
+    """
+    stands = np.full(rows + 1, np.nan, dtype=np.complex128)  # the last one: nothing
+    stands[list(found)] = list(found.values())
+    ways = [(way.source[at], way.factor[at], way.plus[at]) for way in some]
+    source, factor, plus = (np.stack(part) for part in zip(*ways, strict=True))
+    return np.asarray(factor * stands[np.where(source < 0, rows, source)] + plus)
 
 
 def nothing(count: int, places: int) -> Evidence:
@@ -217,12 +225,9 @@ def _of_marks(
         for mark, row in readings.found.items()
     }
     read = {k: readings.found[mark][0, place] for k, (mark, place) in readings.marked.items()}
-    for k, (mark, place) in readings.marked.items():
-        for h, way in enumerate(some):
-            source = int(way.source[k])
-            if source in read:
-                value = way.factor[k] * read[source] + way.plus[k]
-                found[mark][h, place] = value if mark.kind is Point else value.real
+    table = _written(some, len(drawing.rows), read, list(read))
+    for (mark, place), row in zip(readings.marked.values(), table.T, strict=True):
+        found[mark][:, place] = row if mark.kind is Point else row.real
     own = Own(drawing, found, base.log)
     executed(base.log, base.given, (), found, own.seen)
     right = Own(drawing, readings.found, base.log)

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from graphic_tmm.board import roles
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Length, Number
-from graphic_tmm.checking.mutations.grammar import BY_UNIT, POWERS_OF_TEN
+from graphic_tmm.checking.mutations.calculated import BY_UNIT, POWERS_OF_TEN
 from graphic_tmm.checking.mutations.mutation import (
     CRANK,
     EXCHANGED,

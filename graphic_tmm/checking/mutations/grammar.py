@@ -8,7 +8,7 @@ into. What a step may be mistaken for hangs on kinds, units, views and roles alo
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache
 from typing import Any
 
@@ -23,10 +23,10 @@ from graphic_tmm.board.operations.instruments import (
     similar,
     square,
 )
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Construction, Step
 from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Side
-from graphic_tmm.checking.mutations import words
-from graphic_tmm.checking.mutations.formulas import is_product, otherwise, with_sense
+from graphic_tmm.checking.mutations import calculated, words
+from graphic_tmm.checking.mutations.formulas import is_product, with_sense
 from graphic_tmm.checking.mutations.mutation import (
     DIRECTION,
     EXCHANGED,
@@ -35,33 +35,18 @@ from graphic_tmm.checking.mutations.mutation import (
     MEETING,
     MIRRORED,
     OPERAND,
-    POWER,
     PREVIOUS,
-    SCALE,
     SENSE,
     START,
+    UNUSUAL,
     WRONG_END,
     Change,
+    Key,
     Mutation,
+    at_step,
+    using,
 )
 from graphic_tmm.checking.mutations.scope import MEASURES, Scope, is_scale
-
-Key = tuple[Any, ...]
-"""By what mutations of several steps are of one kind: made everywhere, they are one mistake."""
-POWERS_OF_TEN = (10.0, 0.1, 100.0, 0.01, 1000.0, 0.001)
-BY_UNIT: Mapping[str, tuple[float, ...]] = {
-    "1/s": (
-        *(np.pi / 30.0, 30.0 / np.pi, np.pi / 180.0, 180.0 / np.pi),
-        *(2.0 * np.pi, 0.5 / np.pi, np.pi, 1.0 / np.pi),
-    ),
-    "1/s²": (np.pi / 180.0, 180.0 / np.pi),
-    "°": (np.pi / 180.0, 180.0 / np.pi),
-    "N": (9.81, 1.0 / 9.81),
-    "N·m": (9.81, 1.0 / 9.81),
-}
-"""Factors that units are mistaken by: turns a minute (π left out, too), degrees, kilograms of force."""
-UNUSUAL = 3.0
-"""A mark squared that is not, or a scale factor doubled, is this much less usual than what is left out."""
 
 
 def mutations(log: Construction, wanted: Iterable[Step] | None = None) -> Iterator[Mutation]:
@@ -96,19 +81,11 @@ def _of(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         _openings,
         _directions,
         _meetings,
-        _formulas,
-        _factors,
-        _units,
+        calculated.formulas,
+        calculated.factors,
+        calculated.units,
     ):
         yield from read(step, scope)
-
-
-def _one(step: Step, family: str, says: str, change: Change, **told: Any) -> Mutation:
-    return Mutation(family, says, {step.it.slot: change}, {}, step, **told)
-
-
-def _with(step: Step, k: int, mark: Mark) -> Step:
-    return step._replace(uses=(*step.uses[:k], mark, *step.uses[k + 1 :]))
 
 
 def _operands(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
@@ -122,7 +99,7 @@ def _operands(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         for now in scope.others(was, step.it):
             if now in step.uses and was.kind is Point and len(step.uses) <= 3:
                 continue
-            other = Change(_with(step, k, now))
+            other = Change(using(step, k, now))
             if step.op.name == measure_along.name and was.kind is Point:
                 apart = step._replace(op=_apart(step.op), uses=(*other.step.uses, *step.uses[:2]))
                 other = Change(apart)
@@ -130,7 +107,7 @@ def _operands(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
                 uses = (*other.step.uses, *step.uses)
                 other = Change(step._replace(op=with_sense(step.op, step.op), uses=uses))
             usual = 1.0 if now.view == was.view else UNUSUAL
-            one = _one(step, family, says, other, was=was, now=now, usual=usual)
+            one = at_step(step, family, says, other, was=was, now=now, usual=usual)
             yield (), one
             if family == START and (measured := scope.measured(step, was, now)):
                 yield (), one._replace(changes={**one.changes, **measured})
@@ -156,7 +133,7 @@ def _segments(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
                 uses = (*step.uses[:k], first, last, *step.uses[k + 1 :], *step.uses)
                 change = Change(step._replace(op=_by_segment(step.op, k), uses=uses))
                 told = {"was": was, "now": was._replace(letter=f"{first.letter}{last.letter}")}
-                yield (), _one(step, OPERAND, words.CALCULATED, change, usual=1.5, **told)
+                yield (), at_step(step, OPERAND, words.CALCULATED, change, usual=1.5, **told)
 
 
 @cache
@@ -183,7 +160,7 @@ def _before(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
             if made is not None:
                 usual = 1.0 if was.kind is Line else UNUSUAL
                 told = {"was": was, "usual": usual}
-                yield (), _one(step, PREVIOUS, words.BEFORE, Change(step, before=k), **told)
+                yield (), at_step(step, PREVIOUS, words.BEFORE, Change(step, before=k), **told)
 
 
 def _exchanged(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
@@ -202,27 +179,35 @@ def _exchanged(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         family = WRONG_END if step.op is similar else SENSE
         key = (family, step.op.name, j) if step.it.role != roles.INERTIA else (roles.INERTIA,)
         says = words.LETTERS if step.op is similar else words.SENSE
-        yield key, _one(step, family, says, change, was=step.uses[j], now=step.uses[k])
+        yield key, at_step(step, family, says, change, was=step.uses[j], now=step.uses[k])
     if step.op is similar:
         change = Change(step._replace(op=_mirrored(step.op)))
-        yield (MIRRORED, "similar"), _one(step, MIRRORED, words.MIRRORED, change)
+        yield (MIRRORED, "similar"), at_step(step, MIRRORED, words.MIRRORED, change)
 
 
 def _openings(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     """Of two arcs that meet each is struck with the opening of the other."""
     arcs = [scope.step(mark) for mark in step.uses if mark.kind is Arc]
-    lengths = [mark for arc in arcs if arc for mark in arc.uses if mark.kind is Length]
-    made = [one for one in map(scope.step, lengths) if one is not None]
-    if len(arcs) != 2 or len(lengths) != 2 or len(made) != 2 or lengths[0] is lengths[1]:
+    if len(arcs) != 2 or any(arc is None or arc.op.takes != (Point, Length) for arc in arcs):
         return
-    first, second = made
-    if first.op is second.op and all(m.slot in scope.given for m in (*first.uses, *second.uses)):
-        changes = {
-            first.it.slot: Change(first._replace(uses=second.uses)),
-            second.it.slot: Change(second._replace(uses=first.uses)),
-        }
-        was, now = lengths
-        yield (), Mutation(EXCHANGED, words.EXCHANGED_WITH, changes, {}, step, was=was, now=now)
+    one, other = (arc for arc in arcs if arc is not None)
+    first, second = scope.step(one.uses[1]), scope.step(other.uses[1])
+    if first is None or second is None or first is second:
+        return
+    if all(mark.slot in scope.given for mark in (*first.uses, *second.uses)):
+        changes = {one.it.slot: _opened(one, second), other.it.slot: _opened(other, first)}
+        told: dict[str, Any] = {"was": first.it, "now": second.it}
+        yield (), Mutation(EXCHANGED, words.EXCHANGED_WITH, changes, {}, step, **told)
+
+
+def _opened(arc: Step, by: Step) -> Change:
+    """Return an arc struck with what another step calculates of what is given."""
+    return Change(arc._replace(op=_struck(arc.op, by.op), uses=(arc.uses[0], *by.uses)))
+
+
+@cache
+def _struck(arc: Operation, by: Operation) -> Operation:
+    return arc._replace(run=lambda centre, *given: arc.run(centre, by.run(*given)))
 
 
 @cache
@@ -252,13 +237,13 @@ def _directions(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         family = WRONG_END if normal else SENSE
         key: Key = (family, step.it.role) if normal else ()
         says = words.WRONG_END if normal else words.SENSE
-        yield key, _one(step, family, says, turned)
+        yield key, at_step(step, family, says, turned)
     if step.op in (parallel, square):
         other = square if step.op is parallel else parallel
         says = words.SQUARE if other is square else words.PARALLEL
         for sense in (1, -1):
             change = Change(step._replace(op=other, choice={"sense": sense}))
-            yield (), _one(step, DIRECTION, says, change, was=step.uses[1])
+            yield (), at_step(step, DIRECTION, says, change, was=step.uses[1])
     if "quarters" in step.choice:
         for quarters in (1, 2, 3):
             change = Change(
@@ -266,23 +251,23 @@ def _directions(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
             )
             told: dict[str, Any] = {"times": 90.0 * quarters}
             key = (DIRECTION, step.op.name, quarters)
-            yield key, _one(step, DIRECTION, words.TURNED, change, **told)
+            yield key, at_step(step, DIRECTION, words.TURNED, change, **told)
     if step.it.kind is Line and step.op not in (parallel, square):
         for quarters in (1, 2, 3):
             change = Change(step._replace(op=_turned(step.op, quarters)))
             told = {"times": 90.0 * quarters, "usual": UNUSUAL}
-            yield (), _one(step, DIRECTION, words.TURNED, change, **told)
+            yield (), at_step(step, DIRECTION, words.TURNED, change, **told)
     if step.op is lay_off:
         for factor in (2.0, 0.5):
             change = Change(step._replace(op=_times(step.op, factor)))
             told = {"was": step.uses[1], "times": factor}
-            yield (), _one(step, FACTOR, words.LAID_TIMES, change, **told)
+            yield (), at_step(step, FACTOR, words.LAID_TIMES, change, **told)
         change = Change(step._replace(op=_backwards(step.op)))
         says = words.SENSE if step.uses[0].role != roles.NORMAL else words.WRONG_END
-        yield (), _one(step, SENSE, says, change, was=step.uses[1])
+        yield (), at_step(step, SENSE, says, change, was=step.uses[1])
         nothing = Change(step._replace(op=_not_at_all(step.op)))
         told = {"was": step.uses[1], "usual": 1.5}
-        yield (), _one(step, LEFT_OUT, words.LEFT_OUT, nothing, **told)
+        yield (), at_step(step, LEFT_OUT, words.LEFT_OUT, nothing, **told)
 
 
 @cache
@@ -314,75 +299,13 @@ def _meetings(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     for k, kind in enumerate(step.op.takes):
         if kind is Side:
             change = Change(step._replace(op=_other_side(step.op, k)))
-            yield (), _one(step, MEETING, words.MEETING, change)
+            yield (), at_step(step, MEETING, words.MEETING, change)
 
 
 @cache
 def _other_side(op: Operation, side: int) -> Operation:
     run: Callable[..., Any] = op.run
     return op._replace(run=lambda *v, **c: run(*v[:side], -v[side], *v[side + 1 :], **c))
-
-
-def _formulas(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
-    """It is calculated by another formula."""
-    by = dict(zip(step.op.arguments, step.uses, strict=True))
-    for one in otherwise(step.op):
-        marks = [by[name] for name in one.touched]
-        only_scales = bool(marks) and all(map(is_scale, marks))
-        family = SCALE if only_scales else one.family
-        squared = one.op.formula.count("²") > step.op.formula.count("²")
-        odd = family == LEFT_OUT and len(one.touched) > 1
-        turned = only_scales or (any(map(is_scale, marks)) and family == POWER)
-        usual = UNUSUAL if squared or odd or turned else 1.0
-        change = Change(step._replace(op=one.op))
-        if is_product(step.op) and one.family != SENSE:
-            change = Change(step._replace(op=with_sense(one.op, step.op)))
-        key = (family, step.op.name, one.op.formula)
-        told = {"formula": one.op.formula, "usual": usual}
-        yield key, _one(step, family, words.FORMULA, change, **told)
-    scales = [(k, m) for k, m in enumerate(step.uses) if is_scale(m)]
-    for k, was in scales:
-        for now in scope.scales:
-            if now.unit != was.unit and now.name != was.name and step.op.formula:
-                change = Change(_with(step, k, now))
-                yield (
-                    (SCALE, was.slot, now.slot),
-                    _one(step, SCALE, words.ANOTHER_SCALE, change, was=was, now=now),
-                )
-
-
-def _factors(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
-    """What is calculated is so many times too large; nothing of it is left; its sign is the other one."""
-    if step.it.kind not in (Length, Number) or not step.op.formula or step.op.across:
-        return
-    unit = step.it.unit
-    for factor in (2.0, 0.5, *POWERS_OF_TEN, *BY_UNIT.get(unit, ())):
-        usual = 1.0 if factor in (2.0, 0.5) else 2.0
-        change = Change(step, factor=factor)
-        of = (FACTOR, step.op.name, factor)
-        yield of, _one(step, FACTOR, words.FACTOR, change, times=factor, usual=usual)
-    yield (LEFT_OUT, step.op.name), _one(step, LEFT_OUT, words.LEFT_OUT, Change(step, factor=0.0))
-    key: Key = (roles.INERTIA,) if step.it.role == roles.INERTIA else (SENSE, step.op.name)
-    yield key, _one(step, SENSE, words.SENSE, Change(step, factor=-1.0))
-
-
-def _units(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
-    """What is given is taken in another unit in one formula: turns a minute for rad/s, kilograms for N."""
-    if not step.op.formula or step.op.across:
-        return
-    for k, was in enumerate(step.uses):
-        if was.kind is Number and was.slot in scope.given:
-            for factor in BY_UNIT.get(was.unit, ()):
-                change = Change(step._replace(op=_used_times(step.op, k, factor)))
-                told = {"was": was, "times": factor, "usual": 2.0}
-                key = (FACTOR, step.op.name, was.name, factor)
-                yield key, _one(step, FACTOR, words.USED_TIMES, change, **told)
-
-
-@cache
-def _used_times(op: Operation, k: int, factor: float) -> Operation:
-    run: Callable[..., Any] = op.run
-    return op._replace(run=lambda *v, **c: run(*v[:k], factor * v[k], *v[k + 1 :], **c))
 
 
 def count(some: Sequence[Mutation]) -> dict[str, int]:

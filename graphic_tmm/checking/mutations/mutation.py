@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,11 @@ FAMILIES = (
 """What mistakes are of: a family has the same share of what is expected beforehand as any other.
 
 In the order in which they are told where nothing else tells mistakes apart."""
+
+UNUSUAL = 3.0
+"""A mark squared that is not, or a scale factor doubled, is this much less usual than what is left out."""
+Key = tuple[Any, ...]
+"""By what mutations of several steps are of one kind: made everywhere, they are one mistake."""
 
 
 class Change(NamedTuple):
@@ -68,3 +73,13 @@ class Mutation(NamedTuple):
     def slots(self) -> frozenset[int]:
         """The slots of what it changes."""
         return frozenset({*self.changes, *self.amiss})
+
+
+def at_step(step: Step, family: str, says: str, change: Change, **told: Any) -> Mutation:
+    """Return the mutation of one step."""
+    return Mutation(family, says, {step.it.slot: change}, {}, step, **told)
+
+
+def using(step: Step, k: int, mark: Mark) -> Step:
+    """Return a step whose use ``k`` is another mark."""
+    return step._replace(uses=(*step.uses[:k], mark, *step.uses[k + 1 :]))

@@ -14,8 +14,8 @@ from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Line, Number
 from graphic_tmm.checking.mutations.mutation import Change
 
-SLOWER = {"1/s²": "1/s"}
-"""Of what a rate is taken for the rate of: ω for ε."""
+TAKEN_FOR = {"1/s²": "1/s", "kg·m²": "kg"}
+"""What is taken for a quantity of another unit: ω for ε, the mass for the moment of inertia."""
 MEASURES = (measure.name, measure_along.name)
 
 
@@ -84,7 +84,7 @@ class Scope:
         """Return the marks that may be taken for one where another is made; those that are there before."""
         before, view = self.turn[it.slot], it.view
         if mark.kind is Number:
-            units = (mark.unit, SLOWER.get(mark.unit, "")) if mark.unit else ()
+            units = (mark.unit, TAKEN_FOR.get(mark.unit, "")) if mark.unit else ()
             found = [one for unit in units for one in self.alike.get(unit, ())]
         else:
             found = self.of[mark.kind, mark.view]

@@ -56,6 +56,7 @@ def two(
 ) -> tuple[Told, ...] | None:
     """Return two mistakes made at once, the first sure; None where there are not two, or none is sure."""
     firsts = [one for one in found if one.lost == 0 and float(one.gain.sum()) > CLEAR]
+    firsts = [one for one in firsts if rest.beyond - one.beyond >= REPEATED]
     firsts = sorted((one for one in firsts if isinstance(one.what, Mutation)), key=by_score)
     pairs = []
     for group in groups(firsts[:KEPT])[:FIRST]:

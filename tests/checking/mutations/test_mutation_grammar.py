@@ -107,10 +107,15 @@ def test_two_arcs_are_struck_with_one_another_s_opening() -> None:
     assert one.was is not None
     assert one.now is not None
     log, given = changed.made(board.construction, board.given, one, None)
-    drawn = execute(log, given, [one.was, one.now])
+    arcs = [s.it for s in log.steps if s.it.slot in one.changes]
+    ends = [s.uses[0] for s in board.construction.steps if s.it in arcs]
+    assert one.at is not None
+    drawn = execute(log, given, [*ends, one.at.it, one.was, one.now])
     lengths = execute(board.construction, board.given, [one.was, one.now])
-    for row, due in ((one.was, one.now), (one.now, one.was)):
-        assert np.ravel(drawn[row])[0] == pytest.approx(float(np.ravel(lengths[due])[0]))
+    openings = [np.abs(drawn[one.at.it] - drawn[end]) for end in ends]
+    assert openings[0] == pytest.approx(np.broadcast_to(lengths[one.now], openings[0].shape))
+    assert openings[1] == pytest.approx(np.broadcast_to(lengths[one.was], openings[1].shape))
+    assert drawn[one.was] == lengths[one.was], "it is calculated with the right ones"
 
 
 def test_an_angular_velocity_is_taken_for_an_angular_acceleration() -> None:

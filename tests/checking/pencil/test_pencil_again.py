@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from test_pencil_darkness import flat, paper, rubbed
+from support.photographed.rubbed import flat, paper, rubbed
 
 from graphic_tmm.checking.pencil.again import again
 from graphic_tmm.checking.pencil.doubting import robbed

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from support.photographed.rubbed import flat, paper, rubbed
 from support.photographed.student import exact
-from test_pencil_darkness import flat, paper, rubbed
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.pencil.expected import Line, Place, View, views

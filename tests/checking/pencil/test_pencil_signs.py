@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from test_pencil_darkness import DOTS, HEIGHT, flat, paper, rubbed
+from support.photographed.rubbed import DOTS, HEIGHT, flat, paper, rubbed
 
 from graphic_tmm.checking.pencil.expected import _chords
 from graphic_tmm.checking.pencil.points import MOVED

@@ -235,7 +235,7 @@ def _exchanged(given: dict[str, Any], rng: np.random.Generator, tools: Tools) ->
 
 ASSIGNMENT: tuple[Kind, ...] = (
     AtStep("crank turned the other way", ("crank",), ("crank",), taking(turn=-1), (EVERYWHERE,)),
-    AtStep("counted from the other dead centre", ("crank",), ("crank",), taking(first=np.pi),
+    AtStep("counted from the other dead centre", ("crank", "direction"), ("crank",), taking(first=np.pi),
            (EVERYWHERE,)),
     AtGiven("given misread", ("given",), _misread),
     AtGiven("givens exchanged", ("exchanged", "given"), _exchanged),

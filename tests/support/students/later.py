@@ -195,10 +195,10 @@ def _as_in_the_plan(step: Step, tools: Tools) -> Iterator[Variant]:
 
 
 STRENGTHS: tuple[Kind, ...] = (
-    AtStep("ω1 from n amiss", ("factor", "given"), ("speed",), _rpm, (EVERYWHERE, KIND)),
+    AtStep("ω1 from n amiss", ("factor", "given", "table"), ("speed",), _rpm, (EVERYWHERE, KIND)),
     AtStep("pa as long as the crank", ("factor", "scale"), ("speed",), _crank_for_scale,
            (EVERYWHERE,)),
-    AtStep("cm for m", ("factor", "scale"), ("speed", "normal"),
+    AtStep("cm for m", ("factor", "scale", "table"), ("speed", "normal"),
            strengths(100.0, 0.01, words=UNITS), (EVERYWHERE,)),
     AtStep("μ not squared", ("scale", "factor", "power"), ("normal",), _mu_once, (EVERYWHERE, KIND)),
     AtStep("length left out", ("left out", "power"), ("rate", "normal", "speed"), taking(power=0),
@@ -274,7 +274,7 @@ SENSES: tuple[Kind, ...] = (
 CRANK: tuple[Kind, ...] = (
     AtStep("crank counted from below", ("crank",), ("crank",), taking(first=-np.pi / 2),
            (EVERYWHERE,)),
-    AtStep("crank counted by the compass", ("crank",), ("crank",),
+    AtStep("crank counted by the compass", ("crank", "sense"), ("crank",),
            taking(turn=-1, first=-np.pi / 2), (EVERYWHERE,)),
     AtStep("circle divided into twelve", ("crank",), ("crank",), taking(part=2 / 3), (EVERYWHERE,)),
 )  # fmt: skip

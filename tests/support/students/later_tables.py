@@ -157,7 +157,7 @@ def _point_before(rows: Rows, rng: np.random.Generator, tools: Tools) -> Written
 QUANTITIES, POINTS = ("quantities", "both"), ("points",)
 TABLES: tuple[Kind, ...] = (
     AtTable("row shifted back", ("table",), _back),
-    AtTable("plan shifted", ("table",), _plan_shifted),
+    AtTable("plan shifted", ("table", "previous"), _plan_shifted),
     AtTable("row copied from another", ("table", "exchanged", "operand"), _row_copied),
     AtTable("figures of a column exchanged", ("exchanged", "table"), _cells_exchanged),
     AtTable("figure of the column before", ("previous", "table", "slip"), _one_cell),

@@ -61,7 +61,7 @@ def _rows(machine: str, mode: str, seed: int, ruler: float, mind: Mind) -> Rows 
     try:
         with np.errstate(all="ignore"):
             return rows_of(Student(ALL[machine], Hand(ruler=ruler), seed, mind).draw(), mode)
-    except KeyError:
+    except (KeyError, ArithmeticError):
         return None
 
 

@@ -167,8 +167,8 @@ def _mistaken(
         mind = mind_of(step, takes, position, kind if every else None)
         try:
             drawn = Student(ALL[machine], hand, seed, mind).draw()
-        except KeyError:
-            return None  # what he takes is not there yet
+        except (KeyError, ArithmeticError):
+            return None  # what he takes is not there yet, or has no direction
     places = own_places(step)
     if every:
         places |= {
