@@ -127,7 +127,7 @@ def _darkness(image: NDArray[np.uint8], dots: float) -> tuple[Greys, float]:
 
 
 def _least(colours: NDArray[np.uint8], half: int) -> Greys:
-    """Return how much darker than the paper each dot is, of the colour where it is least; ``half`` a line's width."""
+    """Return how much darker than the paper dots are, of the colour where it is least; ``half`` a line wide."""
     least: Any = None
     for k in range(colours.shape[2]):
         grey = _softened(colours[..., k])
