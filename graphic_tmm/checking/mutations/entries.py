@@ -103,7 +103,8 @@ class Own:
         if rows is None:
             self.base[step.it] = errors
         else:
-            self.rows[step.it].append((rows, errors))
+            drawn_at_all = np.isfinite(value)  # any point of two lines in one is on both of them
+            self.rows[step.it].append((rows, np.where(drawn_at_all, errors, np.nan)))
         going = read if step.it.kind is Point else slips.directed(read, value)
         return np.where(np.isnan(read), value, going)
 

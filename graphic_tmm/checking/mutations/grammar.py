@@ -97,7 +97,7 @@ def _operands(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
             continue  # of a length it tells the sense alone
         family, says = words.operand(step, k, scale=is_scale(was))
         for now in scope.others(was, step.it):
-            if now in step.uses and was.kind is Point and len(step.uses) <= 3:
+            if now in step.uses and was.kind in (Point, Line, Arc) and len(step.uses) <= 3:
                 continue
             other = Change(using(step, k, now))
             if step.op.name == measure_along.name and was.kind is Point:
