@@ -30,6 +30,7 @@ from graphic_tmm.checking.mutations.mutation import (
 )
 from graphic_tmm.checking.mutations.words import (
     COUNTED,
+    DIVIDED,
     EXCHANGED_WITH,
     GIVEN_TIMES,
     OPPOSITE_GIVEN,
@@ -39,6 +40,8 @@ from graphic_tmm.checking.mutations.words import (
 )
 
 Given = Mapping[Mark, object]
+PARTS = (6, 8, 10, 12, 16, 24)
+"""Into so many parts circles are divided."""
 DIGITS = 6
 """What has so many digits nobody has written down."""
 SENSED = ("1/s", "1/s²", "N", "N·m")
@@ -117,6 +120,7 @@ def _of(marks: Sequence[Mark], value: object) -> Iterator[Mutation]:
         yield _all(CRANK, OTHER_WAY, marks, -1.0)
         for plus in (180.0, 90.0, -90.0, *_interval(value)):
             yield _all(CRANK, COUNTED, marks, 1.0, plus, times=plus)
+        yield from _divided(marks, value)
         return
     if marks[0].unit in SENSED or np.all(np.asarray(value) < 0.0):
         yield _all(SENSE, OPPOSITE_GIVEN, marks, -1.0)
@@ -135,6 +139,16 @@ def digits_exchanged(value: float) -> Iterator[float]:
         changed = digits.replace(one + other, other + one, 1)
         if one != other and changed[0] != "0":
             yield float(f"0.{changed}") / float(f"0.{digits}")
+
+
+def _divided(marks: Sequence[Mark], value: object) -> Iterator[Mutation]:
+    """Yield the circle divided into another usual number of parts, from where the first position stands."""
+    first, step = float(np.ravel(np.asarray(value))[0]), _interval(value)
+    for parts in PARTS if step else ():
+        factor = 360.0 / parts / abs(step[0])
+        if abs(factor - 1.0) > 0.01:
+            plus = (1.0 - factor) * first
+            yield _all(CRANK, DIVIDED, marks, factor, plus, times=float(parts), usual=2.0)
 
 
 def _interval(value: object) -> tuple[float, ...]:

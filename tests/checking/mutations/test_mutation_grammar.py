@@ -118,6 +118,21 @@ def test_two_arcs_are_struck_with_one_another_s_opening() -> None:
     assert drawn[one.was] == lengths[one.was], "it is calculated with the right ones"
 
 
+def test_a_circle_is_divided_into_another_number_of_parts() -> None:
+    """About where the first position stands, all others at the distance of the parts told."""
+    board = exact("crank-rocker").boards[0]
+    log = late(board.construction)
+    found = [one for one in mistaken(log, board.given) if "divided" in one.says]
+    assert len(found) >= 4
+    for one in found:
+        assert one.was is not None
+        _, given = changed.made(log, board.given, one, None)
+        angles = np.ravel(np.asarray(given[one.was]))
+        assert angles[0] == pytest.approx(float(np.ravel(np.asarray(board.given[one.was]))[0]))
+        steps = np.abs(np.diff(angles))
+        assert np.median(steps) == pytest.approx(360.0 / one.times)
+
+
 def test_an_angular_velocity_is_taken_for_an_angular_acceleration() -> None:
     log = late(exact("crank-press").boards[0].construction)
     found = [
