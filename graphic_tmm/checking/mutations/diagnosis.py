@@ -51,7 +51,8 @@ class Diagnosis(NamedTuple):
     """What happened: groups of hypotheses that no reading tells apart, the plausible first, how sure each is.
 
     ``unknown``: the step that is farthest off where no name is given; None where there is one that leaves
-    nothing. ``left``: the wrong readings that a sure name leaves unexplained.
+    nothing. ``left``: the wrong readings that a sure name leaves unexplained. ``followed``: those with which
+    others were drawn, so that they were not only read amiss.
     """
 
     named: tuple[Told, ...]
@@ -60,6 +61,7 @@ class Diagnosis(NamedTuple):
     readings: Readings | None = None
     doubtful: tuple[Judged, ...] = ()
     left: tuple[Judged, ...] = ()
+    followed: frozenset[Key] = frozenset()
 
 
 def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged]) -> Diagnosis:
@@ -72,6 +74,7 @@ def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged])
     doubtful = tuple(one for one in judged if one.verdict != FINE)
     wronged = {one.taken.key for one in doubtful}
     off = {mark for (mark, _), taken in readings.by_mark.items() if taken.key in wronged}
+    followed = frozenset(one.follows.key for one in judged if one.follows is not None)
     found: list[Hypothesis] = []
     rest = Rest(off)
     for number, offered in enumerate(mistakes.boards):
@@ -87,11 +90,11 @@ def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged])
     whole = len(said) > 1 or (bool(said) and acceptable(readings, said[0][0][0]))
     certain = whole and said[0][1] >= SURE
     if not certain:
-        return Diagnosis(said, rest.step, wrong, readings, doubtful)
+        return Diagnosis(said, rest.step, wrong, readings, doubtful, (), followed)
     left = _left(readings, mistakes, said, wrong)
     steps = [step for one in left if (step := drawing.step(one.taken)) is not None]
     first = min(steps, key=lambda step: step.it.slot, default=None)
-    return Diagnosis(said, first, wrong, readings, doubtful, left)
+    return Diagnosis(said, first, wrong, readings, doubtful, left, followed)
 
 
 def _left(

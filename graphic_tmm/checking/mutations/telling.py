@@ -57,8 +57,9 @@ def told(diagnosis: Diagnosis, drawing: Comparison, language: str) -> tuple[Like
     whole = found and not diagnosis.left and (diagnosis.unknown is None or not sure)
     if whole or not diagnosis.wrong:
         return tuple(found)
-    rest = (_slip(roots, speech),) if alone else _unknown(diagnosis, drawing, speech)
-    return (*found, *rest)
+    unknown = _unknown(diagnosis, drawing, speech)
+    slip = alone and not (unknown and roots[0].taken.key in diagnosis.followed)
+    return (*found, *((_slip(roots, speech),) if slip else unknown))
 
 
 def _contradicted(one: Likely, diagnosis: Diagnosis) -> bool:

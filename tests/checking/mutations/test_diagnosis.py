@@ -133,6 +133,14 @@ def test_one_reading_ten_times_too_large_is_a_slip() -> None:
     assert "decimal point" in first.says
 
 
+def test_a_reading_with_which_others_were_drawn_was_not_only_read_amiss() -> None:
+    """Half of a normal component in one position, and what follows from it."""
+    half = planted(lambda one: of("n_{cb}", "factor")(one) and one.times == 0.5)
+    found = said_of(drawn_with(half, place=2))
+    assert all(one.kind != SLIP for one in found)
+    assert any("n_cb" in one.says for one in found)
+
+
 @pytest.mark.parametrize("times", [0.97, 1.03])
 def test_a_common_factor_is_no_mistake(times: float) -> None:
     rows = [one if one.mm is None else one._replace(mm=times * one.mm) for one in drawn_with(None)]
