@@ -124,7 +124,7 @@ def judged(
     report = check(
         scene, seen.taken, hand=hand, points="photo", trials=trials, limits=limits, source=source
     )
-    return report._replace(notes=(*report.notes, *asked(seen.found)))
+    return report._replace(notes=(*report.notes, *asked(seen.found, scene.language)))
 
 
 def write_seen(file: str, seen: Photographed, language: str) -> tuple[Path, ...]:

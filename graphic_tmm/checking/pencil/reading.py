@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.captions import view_name
 from graphic_tmm.checking.pencil.again import again
 from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import Name, View
@@ -18,10 +19,22 @@ from graphic_tmm.checking.pencil.lines import BAND, Track, tracks
 from graphic_tmm.checking.pencil.placing import THERE, placed, stood
 from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE, Spot, signs_of, spots
 from graphic_tmm.checking.records import Taken
+from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.said import said
 
 WIDE, WIDEST = 3.5, 10.0
 """Lines are followed so many deviations of the hand aside, and never farther, mm."""
+NO_PLAN = said(
+    "no plan of this sheet is seen in the photograph: is it upright, and is it this sheet (--sheet)?"
+)
+NOT_SURE = said(
+    "{plan}, position {position}: not sure of {points} in the photograph; read them off the paper"
+)
+NOT_SEEN = said("{plan}, position {position}: no {points} seen in the photograph")
+NO_POLE = said(
+    "{name}, position {positions}: not seen in the photograph; if it stands elsewhere on the sheet, "
+    "click its pole: --pole {plan}:{first}=x,y"
+)
 CLICKED = 3.0
 """About a pole that was clicked a plan is sought as far, mm."""
 
@@ -107,15 +120,11 @@ def readings(points: Iterable[Point]) -> tuple[Taken, ...]:
     )
 
 
-def asked(found: Found) -> tuple[str, ...]:
+def asked(found: Found, language: str = "en") -> tuple[str, ...]:
     """Return what the photograph does not tell, a sentence for every plan and position."""
+    speech = speaking(language)
     if found.missing and not found.points:
-        return (
-            said(
-                "no plan of this sheet is seen in the photograph: is it upright, and is it this sheet "
-                "(--sheet)?"
-            ),
-        )
+        return (speech(NO_PLAN),)
     by: dict[Pole, dict[str, list[str]]] = {}
     for one in found.points:
         plan, letter, position = one.name
@@ -124,35 +133,34 @@ def asked(found: Found) -> tuple[str, ...]:
     for (plan, position), how in by.items():
         if unsure := how.get(UNSURE):
             told.append(
-                said(
-                    "{plan}, position {position}: not sure of {points} in the photograph; read them off the "
-                    "paper",
-                    plan=plan,
+                speech(
+                    NOT_SURE,
+                    plan=view_name(plan, language),
                     position=position,
                     points=", ".join(unsure),
                 )
             )
         if unseen := how.get(UNSEEN):
             told.append(
-                said(
-                    "{plan}, position {position}: no {points} seen in the photograph",
-                    plan=plan,
+                speech(
+                    NOT_SEEN,
+                    plan=view_name(plan, language),
                     position=position,
                     points=", ".join(unseen),
                 )
             )
-    return (*told, *_missing(found.missing))
+    return (*told, *_missing(found.missing, speech))
 
 
-def _missing(poles: Iterable[Pole]) -> Iterator[str]:
+def _missing(poles: Iterable[Pole], speech: Speech) -> Iterator[str]:
     """Yield a sentence for every plan that is not there, at all its positions."""
     by: dict[str, list[str]] = {}
     for plan, position in poles:
         by.setdefault(plan, []).append(position)
     for plan, positions in by.items():
-        yield said(
-            "{plan}, position {positions}: not seen in the photograph; if it stands elsewhere on the "
-            "sheet, click its pole: --pole {plan}:{first}=x,y",
+        yield speech(
+            NO_POLE,
+            name=view_name(plan, speech.language),
             plan=plan,
             positions=", ".join(positions),
             first=positions[0],

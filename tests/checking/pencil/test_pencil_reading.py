@@ -87,8 +87,10 @@ def test_only_what_is_seen_is_a_reading() -> None:
 def test_what_is_not_seen_is_asked_for_by_name() -> None:
     points = (point("a", SEEN), point("b", UNSURE), point("c", UNSEEN), point("d", UNSURE))
     assert asked(Found(points, (("accelerations", "2"), ("accelerations", "5")))) == (
-        "velocities, position 3: not sure of b, d in the photograph; read them off the paper",
-        "velocities, position 3: no c seen in the photograph",
-        "accelerations, position 2, 5: not seen in the photograph; if it stands elsewhere on the sheet, "
+        "Velocity plan, position 3: not sure of b, d in the photograph; read them off the paper",
+        "Velocity plan, position 3: no c seen in the photograph",
+        "Acceleration plan, position 2, 5: not seen in the photograph; if it stands elsewhere on the sheet, "
         "click its pole: --pole accelerations:2=x,y",
     )
+    first = asked(Found(points, ()), "ru")[0]
+    assert first == "План скоростей, положение 3: на фотографии неясны b, d; снимите их с бумаги"
