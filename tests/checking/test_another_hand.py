@@ -140,12 +140,15 @@ LEAST = {
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", LEAST)
 @pytest.mark.parametrize("mode", MODES)
-def test_its_gross_errors_are_found(kind: str, mode: str, tmp_path: Path) -> None:
+def test_its_gross_errors_are_found(
+    kind: str, mode: str, tmp_path: Path, many: Callable[[int, int], int]
+) -> None:
+    """With ``--measured`` of 24 drawings a mechanism."""
     some = wrong = count = 0
     for name in MACHINES:
         planted = [
             gross(name, np.random.default_rng(seed), RULERS[seed % 3], mode, kind)
-            for seed in range(3000, 3024)
+            for seed in range(3000, 3000 + many(24, 8))
         ]
         texts = [csv_of(one.rows) for one in planted]
         found = checks(scene(name), read_back(texts, tmp_path), trials=400)
@@ -161,11 +164,13 @@ def test_its_gross_errors_are_found(kind: str, mode: str, tmp_path: Path) -> Non
 
 
 @pytest.mark.slow
-def test_a_ray_that_slipped_is_wrong_where_points_are_read_off_a_screen(tmp_path: Path) -> None:
+def test_a_ray_that_slipped_is_wrong_where_points_are_read_off_a_screen(
+    tmp_path: Path, many: Callable[[int, int], int]
+) -> None:
     wrong = count = 0
     for name in MACHINES:
         texts, places = [], []
-        for seed in range(4000, 4024):
+        for seed in range(4000, 4000 + many(24, 8)):
             one = gross(name, np.random.default_rng(seed), 0.1, "points", "ray", pointing=0.1)
             texts.append(csv_of(one.rows))
             places.append(one.position)
