@@ -23,6 +23,7 @@ from graphic_tmm.checking.mutations.choosing import (
     Rest,
     Told,
     acceptable,
+    at_step,
     by_score,
     plausible,
     tempered,
@@ -58,8 +59,11 @@ def two(
     firsts = [one for one in found if one.lost == 0 and float(one.gain.sum()) > CLEAR]
     firsts = [one for one in firsts if rest.beyond - one.beyond >= REPEATED]
     firsts = sorted((one for one in firsts if isinstance(one.what, Mutation)), key=by_score)
+    tried: dict[tuple[object, ...], list[Hypothesis]] = {}
+    for group in groups(firsts[:KEPT]):
+        tried.setdefault(at_step(group[0]), group)  # the best of each step and family
     pairs = []
-    for group in groups(firsts[:KEPT])[:FIRST]:
+    for group in list(tried.values())[:FIRST]:
         first = min(group, key=plausible)
         seconds = _allowed(readings, mistakes, least, first)
         if seconds:
@@ -82,13 +86,13 @@ def two(
 
 def _others(best: _Pairs, pairs: Iterable[_Pairs], single: Iterable[float]) -> float:
     """Return how likely it is (logarithm) that the first mistake is none of those of the best pairs."""
-    own = {id(one.what) for one in best.firsts}
+    own = {at_step(one) for one in best.firsts}
     other = [
         one.score
         for pair in pairs
         if pair is not best
         for one in pair.seconds
-        if id(one.what) not in own
+        if at_step(one) not in own
     ]
     return float(np.logaddexp.reduce([*single, *other]))
 

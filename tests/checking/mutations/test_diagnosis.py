@@ -18,9 +18,10 @@ from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardsticks
 from graphic_tmm.checking.mutations import changed
 from graphic_tmm.checking.mutations.diagnosis import diagnosed
+from graphic_tmm.checking.mutations.givens import mistaken
 from graphic_tmm.checking.mutations.grammar import mutations
 from graphic_tmm.checking.mutations.mistakes import Mistakes
-from graphic_tmm.checking.mutations.mutation import Mutation
+from graphic_tmm.checking.mutations.mutation import CRANK, Mutation
 from graphic_tmm.checking.mutations.scope import late
 from graphic_tmm.checking.mutations.telling import told
 from graphic_tmm.checking.records import INSTRUMENT, MISTAKE, SLIP, Likely, Taken
@@ -37,12 +38,12 @@ def offered() -> tuple[Mistakes, Yardsticks]:
     return Mistakes(made), Yardsticks(made, hand, Limits())
 
 
-def drawn_with(one: Mutation | None, place: int | None = None) -> list[Taken]:
-    """Return the lengths and rates of the plans of a student who draws with a mutation."""
+def drawn_with(*some: Mutation, place: int | None = None) -> list[Taken]:
+    """Return the lengths and rates of the plans of a student who draws with mutations."""
     made = exact(SCENE)
     (board,) = made.boards
     log, given = board.construction, board.given
-    if one is not None:
+    for one in some:
         log, given = changed.made(late(log), given, one, place)
     other = replace(board, project=replace(board.project, construction=log), given=given)
     drawn = DrawnScene(made.scene, (other.drawn_by(HANDS["student"]._replace(seed=SEED)),))
@@ -83,7 +84,7 @@ def of(letter: str, family: str, was: str = "", now: str = "") -> Callable[[Muta
 
 
 def test_an_honest_drawing_has_no_mistake() -> None:
-    assert not [one for one in said_of(drawn_with(None)) if one.kind == MISTAKE]
+    assert not [one for one in said_of(drawn_with()) if one.kind == MISTAKE]
 
 
 @pytest.mark.parametrize(
@@ -114,7 +115,7 @@ def test_sentences_are_in_the_language_asked_for() -> None:
 
 
 def test_a_row_written_one_too_far_is_told_as_such() -> None:
-    rows = drawn_with(None)
+    rows = drawn_with()
     column = [k for k, one in enumerate(rows) if one.segment == "pb" and one.plan == "velocities"]
     figures_ = [rows[k].mm for k in column]
     for k, mm in zip(column, figures_[-1:] + figures_[:-1], strict=True):
@@ -124,13 +125,25 @@ def test_a_row_written_one_too_far_is_told_as_such() -> None:
 
 
 def test_one_reading_ten_times_too_large_is_a_slip() -> None:
-    rows = drawn_with(None)
+    rows = drawn_with()
     k = next(k for k, one in enumerate(rows) if one.segment == "pb" and (one.mm or 0.0) > 20.0)
     rows[k] = rows[k]._replace(mm=10.0 * (rows[k].mm or 0.0))
     (first,) = said_of(rows)
     assert first.kind == SLIP
     assert first.lines == (rows[k].line,)
     assert "decimal point" in first.says
+
+
+@pytest.mark.parametrize("plus", [90.0, -90.0])
+def test_two_mistakes_are_told_whichever_explains_more(plus: float) -> None:
+    """A crank counted from elsewhere, which is like one that stands amiss, and a normal of another link."""
+    (board,) = exact(SCENE).boards
+    cranks = [one for one in mistaken(board.construction, board.given) if one.family == CRANK]
+    crank = next(one for one in cranks if one.times == plus)
+    normal = planted(of("n_{ab}", "operand", "AB", "OA"))
+    first, second = said_of(drawn_with(crank, normal))
+    assert (first.family, second.family) == (CRANK, "operand")
+    assert min(first.chance, second.chance) >= 0.8
 
 
 def test_a_reading_with_which_others_were_drawn_was_not_only_read_amiss() -> None:
@@ -143,5 +156,5 @@ def test_a_reading_with_which_others_were_drawn_was_not_only_read_amiss() -> Non
 
 @pytest.mark.parametrize("times", [0.97, 1.03])
 def test_a_common_factor_is_no_mistake(times: float) -> None:
-    rows = [one if one.mm is None else one._replace(mm=times * one.mm) for one in drawn_with(None)]
+    rows = [one if one.mm is None else one._replace(mm=times * one.mm) for one in drawn_with()]
     assert all(one.kind == INSTRUMENT or one.chance < 0.8 for one in said_of(rows))
