@@ -10,8 +10,9 @@ import pytest
 from support.students.drawings import HANDS, honest, planted
 from support.students.early import EARLY
 from support.students.measuring import Outcome, outcomes
+from support.students.outside import OUTSIDE
 
-from graphic_tmm.checking.records import FINE
+from graphic_tmm.checking.records import FINE, UNKNOWN
 
 SCENES, MODES = ("sc", "rpr", "fsc"), ("mm", "quantities")
 
@@ -51,6 +52,20 @@ def test_mistakes_are_named_rightly() -> None:
     }
     print(shares)
     assert all(shares[name] >= least for name, least in LEAST.items()), shares
+
+
+@pytest.mark.slow
+def test_where_nothing_is_named_it_is_looked_at_what_is_not_fine(tmp_path: Path) -> None:
+    """Of loads and diagrams, which are read off tables, too: a step that is told left a reading that is off."""
+    drawings = list(planted(OUTSIDE, 24, 63_000, ("fsc", "dsc"), MODES))
+    looked = 0
+    for one in outcomes(drawings, tmp_path):
+        off = {(r.taken.plan, r.taken.segment) for r in one.report.readings if r.verdict != FINE}
+        for told in one.report.mistakes:
+            if told.kind == UNKNOWN and told.step and told.chance == 0.0:
+                looked += 1
+                assert (told.plan, told.segment) in off
+    assert looked >= 3
 
 
 @pytest.mark.slow

@@ -134,6 +134,18 @@ def test_one_reading_ten_times_too_large_is_a_slip() -> None:
     assert "decimal point" in first.says
 
 
+def test_a_name_that_leaves_a_reading_of_its_segment_is_not_sure() -> None:
+    twice = planted(lambda one: of("ω_3", "factor")(one) and one.times == 2.0)
+    rows = drawn_with(twice)
+    first = said_of(rows)[0]
+    assert (first.kind, first.segment) == (MISTAKE, "omega3")
+    assert first.chance >= 0.8
+    own = [k for k, one in enumerate(rows) if one.segment == "omega3"]
+    k = max(own, key=lambda k: abs(rows[k].value or 0.0))
+    rows[k] = rows[k]._replace(value=0.3 * (rows[k].value or 0.0))
+    assert all(one.chance < 0.8 for one in said_of(rows) if one.kind == MISTAKE)
+
+
 @pytest.mark.parametrize("plus", [90.0, -90.0])
 def test_two_mistakes_are_told_whichever_explains_more(plus: float) -> None:
     """A crank counted from elsewhere, which is like one that stands amiss, and a normal of another link."""

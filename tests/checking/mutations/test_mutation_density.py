@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from graphic_tmm.checking.mutations.density import BEYOND, log_density, size_of
+from graphic_tmm.checking.mutations.density import BEYOND, SLIP, explained, log_density, size_of
 
 
 @pytest.mark.parametrize("size", [0.4, 1.0, 3.0])
@@ -33,3 +33,13 @@ def test_extremes_are_numbers() -> None:
             size = size_of(0.5, 10.0, 1.0, change)
             assert np.isfinite(size)
             assert not np.isnan(log_density(error, size, 10.0))
+
+
+def test_what_is_moved_and_left_beyond_counts_against_a_fit_as_one_slip() -> None:
+    before = np.array([9.0, 9.0, 9.0, 1.5, 2.0])
+    off = np.array([0.5, 1.0, 7.0, 1.5, 2.5])
+    moved, squares = explained(off, before)
+    assert moved.tolist() == [1.0, 1.0, 1.0, 0.0, 1.0]
+    assert squares.tolist() == [0.25, 1.0, SLIP**2, 0.0, 6.25]
+    passed, nothing = explained(np.array([20.0]), np.array([20.4]))
+    assert passed.sum() == nothing.sum() == 0.0, "far off before and after: not its own"

@@ -10,7 +10,7 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.grammar import OPERATIONS, operation
 from graphic_tmm.board.operations.instruments import lay_off, ray
 from graphic_tmm.board.record import Board, Construction, Step
-from graphic_tmm.board.values import Angle, Length, Line, Number, Point, Side
+from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Side
 from graphic_tmm.checking.mutations import changed
 from graphic_tmm.checking.mutations.givens import digits_exchanged, free, mistaken
 from graphic_tmm.checking.mutations.grammar import count, mutations
@@ -46,6 +46,17 @@ def test_every_one_is_of_a_mark_of_its_kind_that_is_there() -> None:
             assert one.was.kind is one.now.kind
             assert one.at is not None
             assert turn[one.now.slot] < turn[one.at.it.slot]
+
+
+def test_nothing_meets_itself() -> None:
+    """Where two lines, points or arcs are used none is taken for the other: any place would be on both."""
+    log = late(exact("windrower").boards[0].construction)
+    found = [one for one in mutations(log) if one.family == OPERAND and one.at is not None]
+    drawn = [one for one in found if one.was is not None and one.was.kind in (Point, Line, Arc)]
+    assert len(drawn) > 500
+    for one in drawn:
+        assert one.at is not None
+        assert len(one.at.uses) > 3 or one.now not in one.at.uses, one.at.it
 
 
 def test_readings_of_the_ruler_are_taken_late() -> None:
