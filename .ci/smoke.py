@@ -52,7 +52,28 @@ def main(program: str, home: Path) -> None:
     assert run(program, "check", "engine", *photo, "-f", "md")
     assert (home / "under-flat.png").exists()
     run(program, "accuracy", "cam", "--trials", 10, "--no-time", "-o", home)
+    (home / "variants.csv").write_text("variant,drive.speed\n1,1100 rpm\n2,1300 rpm\n")
+    tables = ("--make", "table", "-o", home / "batch", "--jobs", 2)
+    run(program, "batch", "crank-rocker", home / "variants.csv", *tables)
+    assert len(list((home / "batch").glob("?/crank-rocker-?.csv"))) == 2
+    compiled(home)
     serve(program, home / "mine")
+
+
+def compiled(home: Path) -> None:
+    """Move a mechanism at many angles by every road of a log: they lead to the same numbers."""
+    import numpy
+
+    import graphic_tmm
+
+    print("+ motion", flush=True)
+    scene, angles = graphic_tmm.read("windrower"), numpy.linspace(0.0, 360.0, 70_001)
+    one, two = (graphic_tmm.motion(scene, angles, ["D"], fast=fast) for fast in (False, True))
+    least = float(numpy.nanmax(abs(one["D"].acceleration))) * 1e-9
+    assert numpy.allclose(one["D"].acceleration, two["D"].acceleration, rtol=0.0, atol=least)
+    board = graphic_tmm.Board()
+    board.link(board.point("O", 0, 0), board.point("A", 40, 0))
+    board.save(home / "board.svg")
 
 
 def serve(program: str, scene: Path) -> None:

@@ -31,9 +31,9 @@ if TYPE_CHECKING:
     from graphic_tmm.fitting.choice import Ledger
     from graphic_tmm.fitting.scales import Fitting
     from graphic_tmm.language.catalogue import Speech
-    from graphic_tmm.moving import Between, Moving, Turn
+    from graphic_tmm.moving import Between, Moving, Passed, Told, Turn
     from graphic_tmm.note.document import Block, Runs
-    from graphic_tmm.paper.drawing import Drawing, Stroke
+    from graphic_tmm.paper.drawing import Drawing, Stroke, Wanted
     from graphic_tmm.project import Bench, Project
     from graphic_tmm.readers.columns import (
         Column,
@@ -103,7 +103,7 @@ class Size:
     least at a time. ``seen``: whether what comes of it is seen in scale factors. ``extent``: what there is to
     draw, SI, of a board's reach. ``fixed``: the key by which a scene itself says how large it is, "" if it
     does not; ``freed``: the scene without saying so; ``remedy``: of a drawing made with a free size, what to
-    write for the key.
+    write for the key. ``keys``: those of [scales] of which one fixes it.
     """
 
     name: str
@@ -119,6 +119,7 @@ class Size:
     fixed: Callable[[Scene], str] = lambda scene: ""
     freed: Callable[[Scene], Scene] = lambda scene: scene
     remedy: Callable[[Drawn, str], str] = lambda drawn, key: ""
+    keys: tuple[str, ...] = ()
 
 
 class Given(NamedTuple):
@@ -127,6 +128,41 @@ class Given(NamedTuple):
     symbol: str
     value: float | str
     unit: str = ""
+
+
+class Listed(NamedTuple):
+    """What a scene gives point by point, as a table: its title, its heads, its rows (mark-up)."""
+
+    name: str
+    title: str
+    heads: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+class Posed(NamedTuple):
+    """A mechanism in one position, for what acts on it to be shown.
+
+    ``spot``: a letter and the number of its link -> where it stands (complex, mm) and which way it goes (of
+    length 1, 0 where it stands still); KeyError if there is no such point. ``size``: of letters, mm.
+    """
+
+    spot: Callable[[str, int], tuple[complex, complex]]
+    size: float
+
+
+class Acting(NamedTuple):
+    """What is shown to act on a mechanism: ink, and its letters, which want a place."""
+
+    strokes: tuple[Stroke, ...]
+    wanted: tuple[Wanted, ...]
+
+
+class Scheme(NamedTuple):
+    """A mechanism as the sheet of a task shows it, to what scale, m/mm (0: none); what is told below it."""
+
+    view: Drawing
+    mu: float
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -139,7 +175,8 @@ class Place:
     they are drawn; ``follows``: the plans whose μ its room depends on. ``together``: it is these places, one
     after the other. ``attends``: it stands behind this one even where no sheet asks for it; ``tells``: a part
     of another place stands behind this one, on the sheet that shows it. ``sizes``: a scene and the name of a
-    view -> the sizes on which that depends, in the order in which they give way.
+    view -> the sizes on which that depends, in the order in which they give way. ``asks``: how the sheet of a
+    task asks for it, sentences in a language.
     """
 
     name: str
@@ -153,6 +190,7 @@ class Place:
     attends: str = ""
     tells: str = ""
     sizes: Callable[[Scene, str], tuple[str, ...]] = lambda scene, view: ()
+    asks: Callable[[Scene, str], Iterable[str]] = lambda scene, language: ()
 
 
 def _no_plan(
@@ -172,7 +210,9 @@ class Chapter:
     **What is asked.** ``sections``: what scenes may write for it; ``asked``: whether a scene calls for it;
     ``always``: then it is recorded whatever sheets show. ``needs``: what else has to be recorded for it, by
     name: a chapter, or what another chapter understands. ``given``: what a scene gives for it, as the sheet
-    of a task lists it; ``stated``: what it says besides in words, a sentence each in a language.
+    of a task lists it; ``stated``: what it says besides in words, a sentence each in a language; ``listed``:
+    what it gives point by point, as tables in a language. ``scheme``: what a task shows of it within a width
+    and a height (complex, mm), without its solution; ``acting``: what is shown there to act on it.
 
     **What it records and draws.** ``record``: what it leaves on its board; ``aside``: of what it made, what is
     calculated beside it when everything on the board was recorded, in views of its own and used by nothing, so
@@ -204,7 +244,9 @@ class Chapter:
 
     **What moves with the crank.** ``between``: of a drawn board, at any angles of a turn, what its own given
     marks are there, and those that are read off what is drawn, not run again; ``moving``: the figures that it
-    shows of one position, whichever it is.
+    shows of one position, whichever it is. ``passed``: how well the mechanism passes its motion on
+    over a turn; ``vectors``: the columns of the vectors that are measured on its plans. ``told``: what of it
+    can be had at any angle; ``free``: the scene as it is recorded for that.
 
     **What a check reads.** ``pointed``: the plans of which readings may give points; ``plan_at``: such a plan
     in one position, lettered clear of what is drawn upon it. ``named_marks``: marks by plan and the name that
@@ -223,6 +265,9 @@ class Chapter:
     needs: Callable[[Scene], Mapping[str, Any]] = lambda scene: {}
     given: Callable[[Scene], Iterable[Given]] = lambda scene: ()
     stated: Callable[[Scene, str], Iterable[str]] = lambda scene, language: ()
+    listed: Callable[[Scene, str], Iterable[Listed]] = lambda scene, language: ()
+    scheme: Callable[[Scene, complex], Scheme | None] = lambda scene, room: None
+    acting: Callable[[Scene, Posed], Iterable[Acting]] = lambda scene, posed: ()
     record: Callable[[Bench], Any] = lambda bench: None
     aside: Callable[[Bench], Any] = lambda bench: None
     charts: Callable[[Any], Iterable[Chart]] = lambda made: ()
@@ -265,6 +310,10 @@ class Chapter:
     accuracy: Accuracy = NOTHING
     between: Callable[[Drawn, Turn], Between] = lambda drawn, turn: {}
     moving: Callable[[Drawn], Iterable[Moving]] = lambda drawn: ()
+    passed: Callable[[Project], Passed | None] = lambda project: None
+    vectors: Callable[[Drawn], Iterable[Column]] = lambda drawn: ()
+    told: Callable[[Project], Iterable[Told]] = lambda project: ()
+    free: Callable[[Scene], Scene] = lambda scene: scene
 
 
 _ADDED: list[Chapter] = []
@@ -314,6 +363,14 @@ def _found() -> tuple[Chapter, ...]:
     book = import_module("graphic_tmm.chapters")
     rooms = sorted(module.name for module in pkgutil.iter_modules(book.__path__))
     return tuple(import_module(f"{book.__name__}.{room}").CHAPTER for room in rooms)
+
+
+@cache
+def whole_book() -> None:
+    """Import all of every chapter, late as it may be: every operation and every formula is known then."""
+    book = import_module("graphic_tmm.chapters")
+    for module in pkgutil.walk_packages(book.__path__, f"{book.__name__}."):
+        import_module(module.name)
 
 
 @contextmanager

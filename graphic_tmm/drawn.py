@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
-from typing import Any, NamedTuple
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute, needed
@@ -18,10 +18,24 @@ from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
+if TYPE_CHECKING:
+    from graphic_tmm.paper.drawing import Drawing
+
 Results = Mapping[str, tuple[Reals, str]]
 """Results by name: figures, (trial,), NaN where there is none, and their unit."""
 MEASURED: Mapping[Any, str] = {Angle: "°", Length: "mm"}
 """The units of what is measured on the sheet."""
+
+
+@dataclass(frozen=True)
+class Pieces:
+    """What draws the views of a place piece by piece, in order: each piece may depend on other sizes."""
+
+    each: tuple[Callable[[Drawn, bool], list[Drawing]], ...]
+
+    def __call__(self, drawn: Drawn, lettered: bool) -> list[Drawing]:
+        """Return the views of all pieces."""
+        return [view for draw in self.each for view in draw(drawn, lettered)]
 
 
 class Numbers(NamedTuple):
@@ -107,6 +121,11 @@ class Drawn:
     def cache(self) -> dict[str, Any]:
         """What chapters found out of this drawing and keep beside it, by what it is called."""
         return {}
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what another process needs: advice as it is given, for what gives it stays here."""
+        state = {name: value for name, value in self.__dict__.items() if name != "cache"}
+        return {**state, "advice": partial(tuple, tuple(self.advice()))}
 
     def drawn_by(self, hand: Hand) -> Drawn:
         """Return the same drawing, to the same scales, by another hand."""

@@ -8,6 +8,8 @@
     ├── ConstructionError     a step of a construction was recorded wrongly, or cannot be drawn
     ├── SheetError            the paper: a view that does not fit, a folder that cannot be written
     │   └── ViewError         a view that fits no sheet of its format
+    ├── AbsentError           a name that is asked for and is not there (a KeyError, too)
+    ├── MissingError          a package that is needed and not installed (an ImportError, too)
     └── BareError             the program runs without its docstrings, of which its sentences are made
 """
 
@@ -131,6 +133,18 @@ class ViewError(SheetError):
     def __init__(self, message: str, view: str, size: tuple[float, float]) -> None:
         super().__init__(message)
         self.view, self.size = view, size
+
+
+class AbsentError(TmmError, KeyError):
+    """A name that is asked for and is not there: a table, a segment, a position, a result."""
+
+    __str__ = Exception.__str__
+
+
+class MissingError(TmmError, ImportError):
+    """A package that is needed and is not installed."""
+
+    __str__ = Exception.__str__
 
 
 def own_fault(error: BaseException) -> str:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from functools import cached_property
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
@@ -23,14 +24,63 @@ class Turn:
     """Angles of the crank at which the log of a row of positions is run once more.
 
     ``turned``: how far it has turned from position zero, degrees, (angle,), with the sign in which it is drawn,
-    the zero position first; ``numbers``: where that is in the row, in intervals of it, which has ``count``.
-    ``read``: the numbers of marks at these angles, of what is known already.
+    the zero position first; ``whole``: how far it does over the row, degrees, with that sign, in ``count``
+    intervals. ``read``: the numbers of marks at these angles, of what is known already. ``angles``: the
+    direction of the crank itself where that is what is asked for, degrees, (1, angle): the state of a mechanism
+    that was never turned from anywhere; None where it is turned from the zero position on.
     """
 
     turned: Reals
-    numbers: Reals
+    whole: float
     count: int
     read: Callable[[Iterable[Mark]], Reading]
+    angles: Reals | None = None
+
+    @cached_property
+    def numbers(self) -> Reals:
+        """Where each angle is in the row, in intervals of it."""
+        whole = abs(self.whole)
+        along = self.turned if self.whole > 0.0 else -self.turned
+        return along % whole * self.count / whole
+
+
+Plan = Literal["positions", "velocities", "accelerations", "forces"]
+"""What motion is asked for, by the place of a sheet that shows it."""
+Quantity = Literal["places", "velocities", "accelerations", "omega", "epsilon", "forces", "balance"]
+"""What is told of a mechanism at any angle."""
+VECTORS: frozenset[Quantity] = frozenset({"places", "velocities", "accelerations", "forces"})
+"""Those that are x + iy."""
+Key = tuple[str, int] | int | str
+"""Of what it is told: a letter and the number of its link; a link; the name of a column."""
+
+
+class Told(NamedTuple):
+    """A quantity that can be had at any angle of the crank, in SI: where the log has it.
+
+    ``mark``: its number, in SI; or, with a ``scale`` (SI a mm), a
+    point of a plan, whose vector from ``start`` (None: from the pole, 0) times the scale it is, behind
+    ``origin`` (SI). ``known``: a number without which nobody knows it.
+    """
+
+    plan: Plan
+    quantity: Quantity
+    key: Key
+    mark: Mark
+    scale: Mark | None = None
+    start: Mark | None = None
+    origin: complex = 0j
+    known: Mark | None = None
+
+
+class Passed(NamedTuple):
+    """How a mechanism passes its motion on over a turn of its crank.
+
+    ``whole``: whether it assembles at every angle; ``least``: the least transmission angle of all its groups,
+    degrees, NaN where it assembles nowhere.
+    """
+
+    whole: bool
+    least: float
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -12,20 +13,29 @@ from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import ViewError
 from graphic_tmm.fitting.composition import Composition, beside, text
-from graphic_tmm.fitting.fit import fitted_boards, turned
 from graphic_tmm.fitting.formats import formatted
-from graphic_tmm.fitting.given import drawn_as
+from graphic_tmm.fitting.given import drawn_as, larger
 from graphic_tmm.fitting.remedies import refusal, refuse_tiny
+from graphic_tmm.late import late
+from graphic_tmm.packaged import scene_name
 from graphic_tmm.project import own_boards
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.scenes import scene_name
 
 if TYPE_CHECKING:
     from graphic_tmm.fitting.compose import Composed
     from graphic_tmm.paper.drawing import Sheet
 
+with late(__name__):
+    from graphic_tmm.fitting.compose import composed
+    from graphic_tmm.fitting.fit import fitted_boards, turned
+    from graphic_tmm.paper.write.dxf import dxf
+    from graphic_tmm.paper.write.export import pdf, png
+    from graphic_tmm.paper.write.svg import svg
+
 FORMATS = ("svg", "pdf", "png", "dxf")
 """What sheets can be written as."""
+Whole = Mapping[str, Callable[[DrawnScene, Sequence["Sheet"]], str | bytes]]
+"""Formats in which a file holds a whole scene."""
 
 
 def make(
@@ -85,19 +95,22 @@ def sheets(scene: Scene) -> tuple[DrawnScene, tuple[Sheet, ...]]:
     return made, found.sheets
 
 
-def composed_sheets(scene: Scene, given: Composition | None = None) -> tuple[DrawnScene, Composed]:
+def composed_sheets(
+    scene: Scene, given: Composition | None = None, *, near: bool = False
+) -> tuple[DrawnScene, Composed]:
     """Draw a scene onto its sheets, composed anew or as ``given``; what is told of that is the scene's to tell.
 
     A composition of another scene may be given: it is used as far as it fits, and if it is of no use even its
-    sizes are not.
+    sizes are not. ``near``: it is that of a scene like this one, to begin with: its plans are as large
+    as they are there, or a little larger, as long as that takes as many sheets, and nothing is told of it.
 
     Raises
     ------
     SheetError
         If a view fits no sheet: the key that makes it so large, and a remedy.
     """
-    from graphic_tmm.fitting.compose import composed
-
+    if near and given is not None:
+        return _begun_with(scene, given) or composed_sheets(scene)
     made = make(scene, wanted=scene.shown, given=given)
     try:
         found = composed(made.scene, made.boards, given)
@@ -109,6 +122,22 @@ def composed_sheets(scene: Scene, given: Composition | None = None) -> tuple[Dra
     return made._replace(scene=told), found
 
 
+def _begun_with(scene: Scene, given: Composition) -> tuple[DrawnScene, Composed] | None:
+    """Draw a scene onto as many sheets as one like it, plans about as large; None if that fails."""
+    scene = formatted(scene, given)
+    mechanism = draws_mechanism(scene, own_boards(scene))
+    for sizes in (larger(scene, given.sizes, mechanism=mechanism), given.sizes):
+        if sizes is None:
+            continue
+        with suppress(ViewError):
+            made = make(scene, wanted=scene.shown, given=given._replace(sizes=sizes))
+            found = composed(made.scene, made.boards, given, near=True)
+            if len(found.sheets) == len(given.sheets):
+                told = replace(made.scene, remarks=(*made.scene.remarks, *found.remarks))
+                return made._replace(scene=told), found
+    return None
+
+
 def sheet_files(
     scene: Scene,
     formats: Sequence[str] = ("svg",),
@@ -116,22 +145,31 @@ def sheet_files(
     strokes: bool = False,
     given: Composition | None = None,
     composition: bool = False,
-    whole: Mapping[str, Callable[[DrawnScene, Sequence[Sheet]], str | bytes]] | None = None,
+    whole: Whole | None = None,
 ) -> tuple[DrawnScene, dict[str, str | bytes]]:
-    """Draw a scene; return its files by name: a file for each sheet, but one PDF for all of them.
+    """Draw a scene; return its files by name, see `files_of`. ``given``: a composition to draw it by."""
+    made, found = composed_sheets(scene, given)
+    files = files_of(made, found, formats, strokes=strokes, composition=composition, whole=whole)
+    return made, files
 
-    ``strokes``: the letters of a DXF as strokes, not as text. ``given``: a composition to draw it by;
-    ``composition``: its own is a file, too. ``whole``: further formats in which a file holds the whole scene.
+
+def files_of(
+    made: DrawnScene,
+    found: Composed,
+    formats: Sequence[str],
+    *,
+    strokes: bool = False,
+    composition: bool = False,
+    whole: Whole | None = None,
+) -> dict[str, str | bytes]:
+    """Return the sheets of a scene as files by name: a file for each sheet, but one PDF for all of them.
+
+    ``strokes``: the letters of a DXF as strokes, not as text. ``composition``: theirs is a file, too.
+    ``whole``: further formats in which a file holds the whole scene.
     """
-    from graphic_tmm.paper.write.dxf import dxf
-    from graphic_tmm.paper.write.export import pdf, png
-    from graphic_tmm.paper.write.svg import svg
-
     lettered = partial(dxf, stroked=strokes)
     one: dict[str, Callable[[Sheet], str | bytes]] = {"svg": svg, "png": png, "dxf": lettered}
-    made, found = composed_sheets(scene, given)
-    drawn = found.sheets
-    stem = scene_name(scene.source)
+    drawn, stem = found.sheets, scene_name(made.scene.source)
     names = [stem if len(drawn) == 1 else f"{stem}-{k + 1}" for k in range(len(drawn))]
     files: dict[str, str | bytes] = {}
     for form in formats:
@@ -143,5 +181,5 @@ def sheet_files(
             for name, sheet in zip(names, drawn, strict=True):
                 files[f"{name}.{form}"] = one[form](sheet)
     if composition:
-        files[beside(scene.source).name] = text(found.composition, found.scales)
-    return made, files
+        files[beside(made.scene.source).name] = text(found.composition, found.scales)
+    return files

@@ -12,6 +12,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 # What is said to nobody in particular is in the terminal's language: English here, on every machine.
 os.environ["LC_ALL"] = "C.UTF-8"
+# Nothing is kept in the cache of whoever runs the tests.
+os.environ["GRAPHIC_TMM_CACHE"] = ""
 
 from support.examples import FEW
 from support.once import install

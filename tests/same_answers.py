@@ -10,9 +10,9 @@ import json
 from click.testing import CliRunner
 
 from graphic_tmm.__main__ import main
+from graphic_tmm.packaged import packaged
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.schema import schema
-from graphic_tmm.scenes import packaged
 from graphic_tmm.studio import sheet_files
 
 

@@ -27,6 +27,8 @@ ALLOWED = {
     "beginnings.py: 'cam'",
     "beginnings.py: 'engine'",
     "beginnings.py: 'planetary'",
+    # what motion is asked for: a word of the face, and of a place of sheets
+    "moving.py: 'forces'",
 }
 
 

@@ -134,6 +134,20 @@ def test_help_is_light() -> None:
 
 
 @pytest.mark.slow
+def test_drawing_sheets_imports_no_page(tmp_path: Path) -> None:
+    code = (
+        "import sys; from click.testing import CliRunner; from graphic_tmm.__main__ import main;"
+        f"done = CliRunner().invoke(main, ['draw', 'lettering', '-o', {str(tmp_path)!r}]);"
+        "assert done.exit_code == 0, done.output;"
+        "print(*sorted(n for n in sys.modules if n.startswith('graphic_tmm.page.')))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, check=True, text=True
+    )
+    assert done.stdout.strip() == ""
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize("arguments", [("table", "planetary"), ("steps", "planetary"), ("scenes",)])
 def test_what_is_printed_does_not_depend_on_hash_or_locale(arguments: tuple[str, ...]) -> None:
     first, second = (

@@ -14,7 +14,7 @@ from support.gallery import SHEETS, made
 from support.scenes import source, written
 
 from graphic_tmm.captions import captions
-from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN
+from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
 from graphic_tmm.language.units import known
 from graphic_tmm.readers.protocol import part_protocol
 from graphic_tmm.readers.table import table

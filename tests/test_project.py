@@ -19,7 +19,7 @@ from support.mechanisms import Sampled, mechanisms
 from support.oracle import poses_from_points, solve_fast
 
 from graphic_tmm.board.execute import execute
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.errors import StructureError, TmmError
 from graphic_tmm.mechanism.records import Extreme, Mechanism, Row
 from graphic_tmm.project import Project

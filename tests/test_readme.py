@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shlex
+import textwrap
 from pathlib import Path
 
 import pytest
@@ -69,6 +70,23 @@ def test_worked_commands_print_what_is_shown(
     printed = [line.rstrip() for line in ran.stdout.splitlines()]
     assert shown
     assert unlike(shown, printed) is None
+
+
+def test_what_is_shown_in_python_runs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The first block draws a scene, the second a construction, whose comment tells what is printed."""
+    section = README.split("## In Python")[1].split("\n## ")[0]
+    scene, board = re.findall(r"(?m)(?:^    .*\n)+", section)
+    monkeypatch.chdir(tmp_path)
+    known: dict[str, object] = {}
+    exec(textwrap.dedent(scene), known)
+    assert not capsys.readouterr().out
+    exec(textwrap.dedent(board), known)
+    due = re.search(r"# (\d+) mm, as this hand reads it", board)
+    assert due
+    assert capsys.readouterr().out.startswith(due[1])
+    assert sorted(one.name for one in tmp_path.iterdir()) == ["four-bar.svg", "sheet.svg"]
 
 
 def test_readme_is_short() -> None:

@@ -12,7 +12,7 @@ from support.boards import drawn_of
 from support.gallery import NAMES, scene
 from support.oracle import Motion, State, solve_from_points
 
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.positions import side_record, side_values
 from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.drawn import Drawn

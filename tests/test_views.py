@@ -8,7 +8,7 @@ import pytest
 import shapely
 from support.gallery import SHEETS
 
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.errors import SceneError
 from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.drawing import Drawing, Stroke
@@ -81,11 +81,6 @@ def test_a_scene_without_a_mechanism_draws_but_has_no_tables() -> None:
     assert len(paper) == 1
     with pytest.raises(SceneError, match=r"no mechanism.*\[frame\]"):
         fitted(scene)
-
-
-def test_a_notebook_shows_a_sheet_as_svg() -> None:
-    _, (sheet,) = sheets(read(SHEETS / "lettering"))
-    assert sheet._repr_svg_().startswith(("<svg", "<?xml"))
 
 
 @pytest.mark.slow

@@ -16,7 +16,7 @@ from support.gallery import NAMES, SHEETS, drawn
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import Finding
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.units import unit
 from graphic_tmm.readers.findings import finding

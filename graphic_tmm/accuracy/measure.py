@@ -30,8 +30,12 @@ GROUPS = 10
 """Into so many groups drawings are divided to see how far the error itself is known."""
 TRIED = 2
 """How often a draughtsman narrows the bracket of a position that is found by trying."""
-WARM, MOST, LEAST = 0.01, 11, 3
-"""Seconds for which a run is repeated, and how often at most and at least."""
+AGREE = 0.05
+"""Two runs agree that differ by no more than this share: what is told of them has two digits."""
+WARM, MOST, LEAST = 0.005, 12, 3
+"""Runs that do not agree are repeated for so many seconds, and so often at most and at least."""
+LONG = 0.01
+"""A run of so many seconds is repeated but once: its quartiles tell how far both are apart."""
 
 
 class Errors(NamedTuple):
@@ -112,16 +116,26 @@ def _within(deviations: Reals, share: float) -> float:
 
 
 def timed(run: Callable[[], object], clock: Callable[[], float] = time.perf_counter) -> Seconds:
-    """Return how long a call takes: after one to warm up, the median and the quartiles of some."""
-    run()
+    """Return how long a call takes: median and quartiles of runs, until one agrees with that before it.
+
+    The first run warms up: it counts only where the second agrees with it.
+    """
     found: list[float] = []
-    begin = clock()
-    while len(found) < LEAST or (clock() - begin < WARM and len(found) < MOST):
+    while not _settled(found):
         start = clock()
         run()
         found.append(clock() - start)
-    low, median, high = np.quantile(found, (0.25, 0.5, 0.75))
+    low, median, high = np.quantile(found[len(found) > 2 :], (0.25, 0.5, 0.75))
     return Seconds(float(median), float(low), float(high))
+
+
+def _settled(found: Sequence[float]) -> bool:
+    """Whether what was timed so far is enough."""
+    if len(found) < 2:
+        return False
+    agree = abs(found[-1] - found[-2]) <= AGREE * min(found[-2:])
+    enough = len(found) >= LEAST and sum(found[1:]) >= WARM
+    return agree or enough or min(found) >= LONG or len(found) >= MOST
 
 
 class Measure:

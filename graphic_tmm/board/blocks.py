@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board.hand import Hand, Slip, Slipping, slip_of
 from graphic_tmm.board.record import Step
-from graphic_tmm.board.values import Curve, arrays
+from graphic_tmm.board.values import Curve, Kind, arrays
 
 Values = dict[int, Any]
 
@@ -42,11 +42,12 @@ class Room:
 
 
 class Call(NamedTuple):
-    """A step made ready to run: the operation with its choice, the slots it takes, the slot it fills."""
+    """A step made ready to run: the operation with its choice, the slots it takes, what it fills, by kind."""
 
     op: Callable[..., Any]
     takes: tuple[int, ...]
     fills: int
+    kind: Kind
     reads: bool
     slip: Slip | None = None
 
@@ -63,7 +64,9 @@ def ready(step: Step) -> Call:
     """Return a step made ready to run."""
     op = partial(step.op.run, **step.choice) if step.choice else step.op.run
     slip = slip_of(step.op, *step.it.key)
-    return Call(op, tuple(mark.slot for mark in step.uses), step.it.slot, step.op.reads, slip)
+    return Call(
+        op, tuple(mark.slot for mark in step.uses), step.it.slot, step.it.kind, step.op.reads, slip
+    )
 
 
 def run(
@@ -75,14 +78,14 @@ def run(
 ) -> None:
     """Run calls at the positions of the values, which are this part of the row; everything is left behind."""
     if slipping is not None:
-        for op, takes, fills, _, slip in calls:
+        for op, takes, fills, _, _, slip in calls:
             value = op(*[values[i] for i in takes])
             values[fills] = value if slip is None else slipping.apply(slip, value, part)
     elif hand.ruler is None:
-        for op, takes, fills, _, _ in calls:
+        for op, takes, fills, *_ in calls:
             values[fills] = op(*[values[i] for i in takes])
     else:
-        for op, takes, fills, reads, _ in calls:
+        for op, takes, fills, _, reads, _ in calls:
             value = op(*[values[i] for i in takes])
             values[fills] = hand.read(value) if reads else value
 

@@ -1,231 +1,289 @@
-"""The log as one loop over positions, compiled by numba: a line a step, each calling its own operation.
+"""The log as loops over positions: its formulas taken down once, worked as machine code.
 
-A log is a straight-line program. Steps that do not vary with the position run before the loop; those that numba
-cannot compile (curves, searches) run by numpy, between two loops.
+A log is a straight-line program, so its operations noted on a tape (`traced`) are the whole calculation, each
+intermediate once. What cannot be noted (curves, searches) runs by numpy, between two loops.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from functools import cache, lru_cache, partial
+from collections.abc import Sequence
+from functools import lru_cache
+from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from graphic_tmm.board.blocks import Call, Calls, Room, Values, in_blocks, part_of, parted, run
+from graphic_tmm.board.blocks import Call, Calls, Room, Values, in_blocks, run
 from graphic_tmm.board.hand import Hand, rounded
-from graphic_tmm.board.scalars import numba, scalar
-from graphic_tmm.board.source import NotCompiled, defaults
-from graphic_tmm.board.values import Curve, arrays
+from graphic_tmm.board.loop_passes import WIDTH
+from graphic_tmm.board.loop_text import End, Loop, loop_of
+from graphic_tmm.board.machine import Run, made
+from graphic_tmm.board.record import ByIdentity
+from graphic_tmm.board.sources import RULER, Source, assembled, sources, taken_apart
+from graphic_tmm.board.tape import INPUT, Tape
+from graphic_tmm.board.threads import shared
+from graphic_tmm.board.traced import REFUSED, plainly_traced
+from graphic_tmm.board.unknown import NotTraced, Value
+from graphic_tmm.board.values import Curve, complexes
 
-STRIP = 256
-"""Positions that a compiled loop takes at a time: their numbers stay in the first-level cache."""
+
+class Form(NamedTuple):
+    """What a value is apart from its numbers: its type, which of its arrays are complex, which vary."""
+
+    kind: type
+    complex: tuple[bool, ...]
+    varies: tuple[bool, ...]
+
+
+class Result(NamedTuple):
+    """What a loop leaves in a slot: its kind, and where its arrays stand among the leaves of the loop."""
+
+    slot: int
+    kind: type
+    leaves: tuple[int, ...]
 
 
 class Part(NamedTuple):
-    """Calls of one stratum that run together, in a loop or by numpy, and the slots they leave behind."""
+    """A loop, what enters it and what it leaves; the calls that numpy has to do after it, and those after.
 
-    compiled: bool
-    calls: Calls
-    leaves: frozenset[int]
+    ``depends``: of each leaf of the loop, as bits, the inputs that it comes from.
+    """
+
+    loop: Loop
+    run: Run
+    feeds: tuple[Source, ...]
+    depends: tuple[int, ...]
+    results: tuple[Result, ...]
+    others: Calls
+    left: frozenset[int]
+    rest: Calls
+
+
+def at_hand(calls: Calls) -> bool:
+    """Whether a loop of these calls stands in memory already."""
+    return ByIdentity(calls) in _MADE
 
 
 def in_loops(
-    calls: Calls, values: Values, count: int, block: int, hand: Hand, kept: frozenset[int]
+    calls: Calls,
+    values: Values,
+    count: int,
+    block: int,
+    hand: Hand,
+    kept: frozenset[int],
+    threads: int | None = None,
 ) -> None:
     """Run pointwise calls at ``count`` positions as `in_blocks` does, in compiled loops where these exist."""
-    still, moving = parted(calls, values)
-    run(still, values, hand)
-    if not moving:
-        return
-    sample = {i: part_of(value, slice(0, 2), slice(0, 2)) for i, value in values.items()}
-    run(moving, sample, hand)
-    for part in _parts(moving, sample, kept):
-        if part.compiled:
-            _loop(part, values, sample, count, hand)
-        else:
-            in_blocks(part.calls, values, count, block, hand, part.leaves)
+    while calls:
+        forms = tuple([_form(values.get(i)) for i in _outer(ByIdentity(calls))])
+        if not any(form is not None and any(form.varies) for form in forms):
+            run(calls, values, hand)
+            return
+        part = _part(ByIdentity(calls), forms, hand.ruler is not None, kept)
+        if part.results:
+            _fill(part, values, count, hand, threads)
+        if part.others:
+            in_blocks(part.others, values, count, block, hand, part.left)
+        calls = part.rest
 
 
-def _parts(calls: Calls, sample: Values, kept: frozenset[int]) -> Iterator[Part]:
-    """Yield calls in turns: all that can be compiled and stand ready, then all others that do."""
-    waiting = list(calls)
-    missing = {call.fills for call in calls}
-    compiled = {call.fills: _compiles(call, sample) for call in calls}
-    turn = True
-    while waiting:
-        taken, rest = [], []
-        for call in waiting:
-            if compiled[call.fills] is turn and missing.isdisjoint(call.takes):
-                taken.append(call)
-                missing.discard(call.fills)
-            else:
-                rest.append(call)
-        waiting = rest
-        later = {i for call in waiting for i in call.takes}
-        if taken:
-            yield Part(turn, tuple(taken), frozenset({c.fills for c in taken} & (kept | later)))
-        turn = not turn
+@lru_cache(maxsize=256)
+def _outer(same: ByIdentity[Calls]) -> tuple[int, ...]:
+    """Return the slots that calls take and do not fill."""
+    fills = {call.fills for call in same.it}
+    return tuple(sorted({i for call in same.it for i in call.takes} - fills))
 
 
-def _compiles(call: Call, sample: Values) -> bool:
-    """Whether numba can compile a call for values as those of the sample, to such a result."""
-    values = [sample[i] for i in (*call.takes, call.fills)]
-    if any(isinstance(value, Curve) for value in values):
-        return False
-    function, choices = _function(call)
-    *types, due = map(_type, values)
-    return bool(_result(function, (*types, *map(numba().typeof, choices))) == due)
+def _form(value: Any) -> Form | None:
+    """Return the form of a value; None of a curve."""
+    if isinstance(value, tuple):
+        if isinstance(value, Curve):
+            return None
+        return Form(
+            type(value),
+            tuple([array.dtype.kind == "c" for array in value]),
+            tuple([array.shape[1] > 1 for array in value]),
+        )
+    return Form(np.ndarray, (value.dtype.kind == "c",), (value.shape[1] > 1,))
 
 
-def _function(call: Call) -> tuple[Callable[..., Any], tuple[int, ...]]:
-    """Return the function of an operation and its choices in the order of its arguments."""
-    if not isinstance(call.op, partial):
-        return call.op, defaults(call.op, {})
-    return call.op.func, defaults(call.op.func, call.op.keywords)
-
-
-def _type(value: Any) -> Any:
-    """Return numba's type of one number, or line, or arc, of a value."""
-    numbers = [array.flat[0].item() for array in arrays(value)]
-    return numba().typeof(type(value)(*numbers) if isinstance(value, tuple) else numbers[0])
-
-
-@cache
-def _result(function: Callable[..., Any], types: tuple[Any, ...]) -> Any:
-    """Return the type of what a compiled function returns; None if it cannot be compiled."""
-    from numba.core.errors import NumbaError
-
-    try:
-        made = scalar(function)
-        made.compile(types)
-        return made.overloads[types].signature.return_type
-    except (NumbaError, NotCompiled):
-        return None
-
-
-def _loop(part: Part, values: Values, sample: Values, count: int, hand: Hand) -> None:
-    """Fill the values that a part leaves behind by one compiled loop over trials and positions."""
-    fills = {call.fills for call in part.calls}
-    takes = sorted({i for call in part.calls for i in call.takes} - fills)
-    leaves = sorted(part.leaves)
-    text = _Text(hand.ruler is not None)
-    for i in takes:
-        text.take(i, values[i])
-    for call in part.calls:
-        text.call(call)
-    for i in leaves:
-        text.leave(i, sample[i])
-    entering = [np.ascontiguousarray(array) for i in takes for array in arrays(values[i])]
-    room = Room(sum(len(arrays(sample[i])) for i in leaves))
-    trials = max((array.shape[0] for array in entering), default=1)
-    for i in leaves:
-        found = [
-            room.empty((trials if a.shape[0] > 1 else 1, count if a.shape[1] > 1 else 1), a.dtype)
-            for a in arrays(sample[i])
-        ]
-        values[i] = type(sample[i])(*found) if isinstance(sample[i], tuple) else found[0]
-    leaving = [array for i in leaves for array in arrays(values[i])]
-    run = _compile(text.whole(), tuple(text.functions))
-    run(trials, count, hand.ruler or 1.0, *entering, *leaving)
-
-
-class _Text:
-    """The text of a loop while it is being written, and the functions f0, f1 ... that it calls.
-
-    The numbers of some positions at a time enter and leave through ``table``, whose rows lie at constant
-    distances: a compiler sees that no result falls upon another, and runs several positions in step.
-    """
-
-    def __init__(self, reads: bool) -> None:
-        self.reads = reads
-        self.functions: dict[Callable[..., Any], str] = {}
-        self.arguments: list[str] = []
-        self.before: list[str] = []
-        self.enter: list[str] = []
-        self.steps: list[str] = []
-        self.exit: list[str] = []
-        self.rows = 0
-
-    def named(self, function: Callable[..., Any]) -> str:
-        """Return the name of a function in the text."""
-        return self.functions.setdefault(function, f"f{len(self.functions)}")
-
-    def place(self) -> str:
-        """Return a new row of the table, at the position ``i``."""
-        self.rows += 1
-        return f"table[{(self.rows - 1) * STRIP} + i]"
-
-    def argument(self, name: str) -> None:
-        """Write a row of an array, that of the trial, as an argument."""
-        self.arguments.append(f"_{name}")
-        self.before.append(f"{name} = _{name}[t % _{name}.shape[0]]")
-
-    def take(self, slot: int, value: Any) -> None:
-        """Write that a value enters."""
-        parts = []
-        for k, array in enumerate(arrays(value)):
-            name = f"a{slot}_{k}"
-            self.argument(name)
-            if array.shape[1] == 1:
-                self.before.append(f"{name}c = {name}[0]")
-                parts.append(f"{name}c")
-            elif np.iscomplexobj(array):
-                x, y = self.place(), self.place()
-                self.enter += [f"{x} = {name}[at + i].real", f"{y} = {name}[at + i].imag"]
-                parts.append(f"complex({x}, {y})")
-            else:
-                x = self.place()
-                self.enter.append(f"{x} = {name}[at + i]")
-                parts.append(x)
-        whole = f"{self.named(type(value))}({', '.join(parts)})"
-        self.steps.append(f"v{slot} = {whole if isinstance(value, tuple) else parts[0]}")
-
-    def call(self, call: Call) -> None:
-        """Write a step."""
-        function, choices = _function(call)
-        taken = ", ".join([*(f"v{i}" for i in call.takes), *map(repr, choices)])
-        line = f"{self.named(function)}({taken})"
-        if self.reads and call.reads:
-            line = f"{self.named(rounded)}({line}, ruler)"
-        self.steps.append(f"v{call.fills} = {line}")
-
-    def leave(self, slot: int, value: Any) -> None:
-        """Write that a value, shaped as this one, is left behind."""
-        for k, array in enumerate(arrays(value)):
-            name = f"o{slot}_{k}"
-            self.argument(name)
-            field = f"v{slot}[{k}]" if isinstance(value, tuple) else f"v{slot}"
-            at = f"{name}[at + i]" if array.shape[1] > 1 else f"{name}[0]"
-            if np.iscomplexobj(array):
-                x, y = self.place(), self.place()
-                self.steps += [f"{x} = {field}.real", f"{y} = {field}.imag"]
-                self.exit.append(f"{at} = complex({x}, {y})")
-            else:
-                x = self.place()
-                self.steps.append(f"{x} = {field}")
-                self.exit.append(f"{at} = {x}")
-
-    def whole(self) -> str:
-        """Return the text."""
-        lines = [f"def loop(trials, count, ruler, {', '.join(self.arguments)}):"]
-        lines.append(f"  table = empty({self.rows * STRIP})")
-        lines.append("  for t in range(trials):")
-        lines += [f"    {line}" for line in self.before]
-        lines.append(f"    for at in range(0, count, {STRIP}):")
-        lines.append(f"      strip = min({STRIP}, count - at)")
-        for line in (*self.enter, None, *self.exit):
-            lines.append("      for i in range(strip):")
-            lines += [f"        {one}" for one in (self.steps if line is None else [line])]
-        return "\n".join(lines) + "\n"
+_MADE: dict[ByIdentity[Calls], None] = {}
+"""Calls of which a loop was made; the oldest go."""
 
 
 @lru_cache(maxsize=64)
-def _compile(source: str, functions: tuple[Callable[..., Any], ...]) -> Callable[..., None]:
-    space: dict[str, Any] = {
-        f"f{k}": function if isinstance(function, type) else scalar(function)
-        for k, function in enumerate(functions)
+def _part(
+    same: ByIdentity[Calls], forms: tuple[Form | None, ...], reads: bool, kept: frozenset[int]
+) -> Part:
+    """Make the loop of all calls that can be noted and do not wait for one that cannot."""
+    tape, feeds = Tape(), list[Source]()
+    found: dict[int, Any] = {}
+    for slot, form in zip(_outer(same), forms, strict=True):
+        if form is not None:
+            each = sources(slot, form.complex)
+            feeds += chain(*each)
+            parts = [
+                [tape.input(varies) for _ in numbers]
+                for numbers, varies in zip(each, form.varies, strict=True)
+            ]
+            found[slot] = assembled(form.kind, tape, parts)
+    ruler = None
+    if reads:
+        ruler = Value(tape, tape.input(moving=False))
+        feeds.append(RULER)
+    taken, others, rest = _sorted(same.it, found, ruler)
+    later = {i for call in (*others, *rest) for i in call.takes}
+    results: list[Result] = []
+    leaves: list[tuple[End, ...]] = []
+    for call in sorted(taken, key=lambda call: call.fills):
+        if call.fills in kept | later:
+            value = found[call.fills]
+            ends = [
+                tuple(tape.plain(part) for part in parts)
+                for parts in taken_apart(value, complexes(call.kind))
+            ]
+            places = tuple(range(len(leaves), len(leaves) + len(ends)))
+            kind = type(value) if isinstance(value, tuple) else np.ndarray
+            results.append(Result(call.fills, kind, places))
+            leaves += ends
+    loop = loop_of(tape, leaves)
+    after = {i for call in rest for i in call.takes}
+    left = frozenset({call.fills for call in others} & (kept | after))
+    while len(_MADE) >= 1024:
+        del _MADE[next(iter(_MADE))]
+    _MADE[same] = None
+    return Part(
+        loop,
+        made(loop.text),
+        tuple(feeds),
+        _depends(tape, leaves),
+        tuple(results),
+        others,
+        left,
+        rest,
+    )
+
+
+def _depends(tape: Tape, leaves: Sequence[Sequence[End]]) -> tuple[int, ...]:
+    """Return the inputs that numbers come from, as bits."""
+    bits: list[int] = []
+    inputs = 0
+    for node in tape.nodes:
+        own = 0
+        if node.does == INPUT:
+            own, inputs = 1 << inputs, inputs + 1
+        bits.append(_together(node.takes, bits, own))
+    return tuple(_together(ends, bits) for ends in leaves)
+
+
+def _together(ends: Sequence[End], bits: Sequence[int], found: int = 0) -> int:
+    for end in ends:
+        if isinstance(end, int):
+            found |= bits[end]
+    return found
+
+
+def _sorted(calls: Calls, found: dict[int, Any], ruler: Value | None) -> tuple[Calls, Calls, Calls]:
+    """Return calls that can be noted, that cannot, that wait for these; enter what is noted."""
+    taken: list[Call] = []
+    others: list[Call] = []
+    rest: list[Call] = []
+    missing: set[int] = set()
+    for call in calls:
+        if not missing.isdisjoint(call.takes):
+            rest.append(call)
+        else:
+            try:
+                found[call.fills] = _noted(call, found, ruler)
+                taken.append(call)
+                continue
+            except REFUSED:
+                others.append(call)
+        missing.add(call.fills)
+    return tuple(taken), tuple(others), tuple(rest)
+
+
+def _noted(call: Call, found: dict[int, Any], ruler: Value | None) -> Any:
+    if not all(i in found for i in call.takes):
+        raise NotTraced("a curve")
+    value = plainly_traced(call.op)(*[found[i] for i in call.takes])
+    if ruler is not None and call.reads:
+        value = plainly_traced(rounded)(value, ruler)
+    taken_apart(value, complexes(call.kind))
+    return value
+
+
+def _fill(part: Part, values: Values, count: int, hand: Hand, threads: int | None) -> None:
+    """Fill the values that a part leaves behind, for all trials."""
+    loop = part.loop
+    ruler = np.array([[hand.ruler or 1.0]])
+    entering = {
+        k: ruler if (feed := part.feeds[k]) is RULER else feed.of(values)
+        for k in (*loop.rows, *loop.still)
     }
-    space["empty"] = np.empty
-    exec(source, space)
-    return numba().njit(error_model="numpy")(space["loop"])  # type: ignore[no-any-return]
+    trials = max([array.shape[0] for array in entering.values()], default=1)
+    by_trial = sum(1 << k for k, array in entering.items() if array.shape[0] > 1)
+    stop = count if any(leaf.varies for leaf in loop.leaves) else WIDTH
+    wide = max(stop, WIDTH)
+    rows = [_row(entering[k], wide) for k in loop.rows]
+    room = Room(len(loop.leaves))
+    leaving = [
+        room.empty(
+            (trials if depends & by_trial else 1, wide if leaf.varies else 1),
+            np.complex128 if len(leaf.parts) == 2 else np.float64,
+        )
+        for leaf, depends in zip(loop.leaves, part.depends, strict=True)
+    ]
+    still = _still([entering[k] for k in loop.still], trials)
+    addresses = _addresses([*rows, *leaving], trials)
+    steps = [
+        (_at(still) + t * still.strides[0], _at(addresses) + t * addresses.strides[0])
+        for t in range(trials)
+    ]
+
+    def work(start: int, end: int) -> None:
+        for numbers, table in steps:
+            part.run(start, end, numbers, table)
+
+    shared(work, wide, WIDTH, threads)
+    if wide > count:
+        leaving = [
+            np.ascontiguousarray(array[:, :count]) if leaf.varies else array
+            for leaf, array in zip(loop.leaves, leaving, strict=True)
+        ]
+    for slot, kind, places in part.results:
+        found = [leaving[k] for k in places]
+        values[slot] = found[0] if kind is np.ndarray else kind(*found)
+
+
+def _row(array: NDArray[np.float64], wide: int) -> NDArray[np.float64]:
+    """Return numbers in rows of at least so many, as they lie in memory."""
+    if array.shape[1] < wide:
+        array = np.pad(array, ((0, 0), (0, wide - array.shape[1])), mode="edge")
+    return np.ascontiguousarray(array, dtype=np.float64)
+
+
+def _still(numbers: Sequence[NDArray[np.float64]], trials: int) -> NDArray[np.float64]:
+    """Return the numbers that do not vary with the position, (trial, input)."""
+    if trials == 1:
+        return np.array([[array.item() for array in numbers]])
+    whole = np.empty((trials, len(numbers)))
+    for k, array in enumerate(numbers):
+        whole[:, k] = array[:, 0]
+    return whole
+
+
+def _at(array: NDArray[Any]) -> int:
+    """Return the address of an array."""
+    found: int = array.__array_interface__["data"][0]
+    return found
+
+
+def _addresses(rows: Sequence[NDArray[Any]], trials: int) -> NDArray[np.int64]:
+    """Return the addresses of rows in each trial."""
+    first = np.array([[_at(row) for row in rows]], dtype=np.int64)
+    if trials == 1:
+        return first
+    step = np.array([row.strides[0] if row.shape[0] > 1 else 0 for row in rows], dtype=np.int64)
+    return np.ascontiguousarray(first + np.arange(trials)[:, None] * step)

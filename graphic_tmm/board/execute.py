@@ -6,9 +6,9 @@ that works across positions (a French curve) runs on whole arrays, between two s
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -16,6 +16,7 @@ import numpy as np
 from graphic_tmm.board.blocks import Calls, Values, in_blocks, part_of, ready, spread, stored
 from graphic_tmm.board.hand import EXACT, Hand, Slipping, Streams, trials_in_block
 from graphic_tmm.board.record import ByIdentity, Construction, Mark, Step
+from graphic_tmm.board.road import Road, road
 from graphic_tmm.board.values import Curve, at, blank
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.board.values import places as positions_of
@@ -24,6 +25,8 @@ from graphic_tmm.errors import ConstructionError
 if TYPE_CHECKING:
     from graphic_tmm.board.doubt import Doubts
 
+InParts = Callable[..., None]
+"""What runs pointwise steps: `in_blocks`, or another that is called as it is."""
 BLOCK = 16384
 """Positions in one block: what numpy's calls cost is little against it, and the arrays in use stay in cache."""
 
@@ -136,23 +139,28 @@ class Program(NamedTuple):
     strata: tuple[tuple[Calls, Calls], ...]
     wanted: frozenset[int]
     given: tuple[Mark, ...]
-    fast: bool = False
+    fast: bool | None = None
 
     def compiled(self) -> Program:
-        """Return the same program, whose pointwise steps run in loops compiled by numba.
+        """Return the same program, whose pointwise steps run in compiled loops at any number of positions.
 
-        Its first run compiles (seconds). The numbers are the same to rounding. Hands that slip, or keep few
-        digits, run as ever.
+        The numbers are the same to rounding. Hands that slip, or keep few digits, run as ever.
 
         Raises
         ------
         ConstructionError
-            If numba is not installed.
+            If llvmlite is not installed.
         """
-        from graphic_tmm.board.scalars import numba
+        from graphic_tmm.board.machine import machine
 
-        numba()
+        machine()
         return self._replace(fast=True)
+
+    def at_hand(self) -> bool:
+        """Whether it has run compiled in this process before: then that pays at few positions too."""
+        from graphic_tmm.board.compiled import at_hand
+
+        return any(at_hand(pointwise) for pointwise, _ in self.strata)
 
     def run(
         self,
@@ -162,10 +170,18 @@ class Program(NamedTuple):
         block: int = BLOCK,
         places: Any = None,
         whole: int | None = None,
+        fast: bool | None = None,
+        threads: int | None = None,
     ) -> Reading:
         """Run at all positions of ``given``; see `execute`.
 
         ``places``: where these stand among the ``whole`` positions, for the random streams of a hand.
+        ``fast``: None for what the program says.
+
+        Raises
+        ------
+        ConstructionError
+            If a value is missing, or ``fast`` is asked for without llvmlite.
         """
         values: Values = {}
         for mark in self.given:
@@ -175,7 +191,8 @@ class Program(NamedTuple):
             values[mark.slot] = as_value(value, mark.kind)
         count = max(map(positions_of, values.values()), default=1)
         if not hand.slips and hand.digits is None:
-            self._run(values, count, block, hand, None)
+            in_parts = self._in_parts(count, self.fast if fast is None else fast, threads)
+            self._run(values, count, block, hand, None, in_parts)
             return Reading({i: v for i, v in values.items() if i in self.wanted}, count)
         streams, found = Streams(hand), Values()
         whole = whole or count
@@ -185,24 +202,34 @@ class Program(NamedTuple):
             number = (hand.first + start) // most
             slipping = Slipping(hand, streams, number, trials, whole, places)
             local = dict(values)
-            self._run(local, count, block, hand, slipping)
+            self._run(local, count, block, hand, slipping, in_blocks)
             part = slice(start, start + trials)
             for i in self.wanted & local.keys():
                 found[i] = stored(found.get(i), local[i], part, hand.trials)
         return Reading(found, count)
 
+    def _in_parts(self, count: int, fast: bool | None, threads: int | None) -> InParts:
+        """Return what runs pointwise steps."""
+        way = road(fast, sum(len(pointwise) for pointwise, _ in self.strata), count)
+        if way is Road.LOOPS:
+            from graphic_tmm.board.compiled import in_loops
+
+            return partial(in_loops, threads=threads)
+        return in_blocks if way is Road.STEPS else _in_lines
+
     def _run(
-        self, values: Values, count: int, block: int, hand: Hand, slipping: Slipping | None
+        self,
+        values: Values,
+        count: int,
+        block: int,
+        hand: Hand,
+        slipping: Slipping | None,
+        in_parts: InParts,
     ) -> None:
+        slips = {} if slipping is None else {"slipping": slipping}
         with np.errstate(all="ignore"):
             for pointwise, across in self.strata:
-                kept = self._kept(pointwise)
-                if self.fast and slipping is None:
-                    from graphic_tmm.board.compiled import in_loops
-
-                    in_loops(pointwise, values, count, block, hand, kept)
-                else:
-                    in_blocks(pointwise, values, count, block, hand, kept, slipping)
+                in_parts(pointwise, values, count, block, hand, self._kept(pointwise), **slips)
                 for call in across:
                     value = call.op(*[spread(values[i], count) for i in call.takes])
                     if slipping is not None and call.slip is not None:
@@ -221,6 +248,16 @@ class Program(NamedTuple):
         return frozenset({call.fills for call in stratum} & (used | self.wanted))
 
 
+def _in_lines(
+    calls: Calls, values: Values, count: int, block: int, hand: Hand, kept: frozenset[int]
+) -> None:
+    """Run pointwise calls as one line of passes, where they can be written as one; else as `in_blocks`."""
+    from graphic_tmm.board.straight import in_line
+
+    if not in_line(calls, values, count, block, hand, kept):
+        in_blocks(calls, values, count, block, hand, kept)
+
+
 def prepare(construction: Construction, wanted: Iterable[Mark] | None = None) -> Program:
     """Slice the log to what ``wanted`` needs (everything if None) and sort it into strata."""
     slots = range(construction.size) if wanted is None else (mark.slot for mark in wanted)
@@ -228,8 +265,8 @@ def prepare(construction: Construction, wanted: Iterable[Mark] | None = None) ->
 
 
 @lru_cache(maxsize=64)
-def _prepared(log: ByIdentity, asked: frozenset[int]) -> Program:
-    construction = log.construction
+def _prepared(log: ByIdentity[Construction], asked: frozenset[int]) -> Program:
+    construction = log.it
     everything = (*construction.given, *(step.it for step in construction.steps))
     steps = needed(construction, (mark for mark in everything if mark.slot in asked))
     level: dict[int, int] = {}
@@ -253,7 +290,8 @@ def execute(
     hand: Hand = EXACT,
     positions: Sequence[int] | None = None,
     block: int = BLOCK,
-    fast: bool = False,
+    fast: bool | None = None,
+    threads: int | None = None,
 ) -> Reading:
     """Return the numbers of the wanted marks.
 
@@ -272,19 +310,20 @@ def execute(
     block
         Positions a block.
     fast
-        Whether numba compiles the steps; see `Program.compiled`.
+        Whether the steps are compiled, see `Program.compiled`; None where that pays, see `road`.
+    threads
+        How many threads compiled steps take at the most; None for all cores where that pays. The numbers are
+        the same for any.
 
     Raises
     ------
     ConstructionError
         If a value is missing, a curve across positions is asked for at some positions only, or ``fast`` is
-        asked for without numba.
+        asked for without llvmlite.
     """
     program = prepare(construction, wanted)
-    if fast:
-        program = program.compiled()
     if positions is None:
-        return program.run(given, hand=hand, block=block)
+        return program.run(given, hand=hand, block=block, fast=fast, threads=threads)
     if len(program.strata) > 1:
         raise ConstructionError("a curve across positions needs all positions of its row")
     rows = {
@@ -298,7 +337,9 @@ def execute(
     alone = at.size == 1 < whole and hand.slips
     at = np.repeat(at, 2) if alone else at
     cut = {**given, **{mark: value[:, at] for mark, value in rows.items()}}
-    found = program.run(cut, hand=hand, block=block, places=at, whole=whole)
+    found = program.run(
+        cut, hand=hand, block=block, places=at, whole=whole, fast=fast, threads=threads
+    )
     if not alone:
         return found
     return Reading({i: part_of(value, slice(0, 1)) for i, value in found.values.items()}, 1)

@@ -7,7 +7,7 @@ paragraph be the formula, and write no body::
     def rate(segment: Length, mu: Number, link: Length, mu_l: Number) -> Number:
         '''{segment}·{mu}/({link}·{mu_l})'''
 
-From that text come what is computed (by numpy, and by numba), the line of the calculation note and the unit of
+From that text come what is computed (by numpy, and compiled), the line of the calculation note and the unit of
 the result (`dimensions`). A function that has a body is computed by it: where the text as it stands would lose
 digits, or where it is silent about an end that the body knows. Tests hold every body against its text.
 """

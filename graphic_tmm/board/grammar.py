@@ -16,6 +16,7 @@ from __future__ import annotations
 import inspect
 import sys
 from collections.abc import Callable
+from importlib import import_module
 from typing import Any, NamedTuple, TypeVar, get_type_hints
 
 from graphic_tmm.board.values import KINDS, Kind, Reals
@@ -60,6 +61,18 @@ class Operation(NamedTuple):
 
     def __repr__(self) -> str:
         return self.name
+
+    def __reduce__(self) -> tuple[Callable[..., Operation], tuple[Any, ...]]:
+        """Return how another process finds it: by its name in the module that wrote it, if it was entered."""
+        if OPERATIONS.get(self.name) is self:
+            return entered, (self.run.__module__, self.name)
+        return Operation, tuple(self)
+
+
+def entered(module: str, name: str) -> Operation:
+    """Return an operation by its name, from the module that wrote it."""
+    import_module(module)
+    return OPERATIONS[name]
 
 
 OPERATIONS: dict[str, Operation] = {}

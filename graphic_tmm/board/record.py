@@ -6,14 +6,16 @@ drawing: a `Construction` is the same for every μ, every position and every han
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Mapping
-from typing import NamedTuple
+from typing import Generic, NamedTuple, TypeVar
 
 from graphic_tmm.board.dimensions import fault, unit_of
 from graphic_tmm.board.grammar import Operation
-from graphic_tmm.board.values import KINDS, Kind, Point
+from graphic_tmm.board.values import KINDS, Kind, Length, Point
 from graphic_tmm.errors import ConstructionError
 
+T = TypeVar("T")
 TALLY = "#"
 """What a letter bears that other marks of its view have too: it tells them apart and is shown to nobody."""
 
@@ -111,20 +113,28 @@ class Construction(NamedTuple):
 
     def step(self, mark: Mark) -> Step | None:
         """Return the step that left ``mark``; None for a given one."""
+        at = bisect_left(self.steps, mark.slot, key=_slot)
+        if at < len(self.steps) and self.steps[at].it == mark:
+            return self.steps[at]
+        # a log that was put together anew may have its steps in another order
         return next((step for step in self.steps if step.it == mark), None)
 
 
-class ByIdentity:
-    """A log that is known by being this one: comparing two would take longer than what is kept of them."""
+def _slot(step: Step) -> int:
+    return step.it.slot
 
-    def __init__(self, construction: Construction) -> None:
-        self.construction = construction
+
+class ByIdentity(Generic[T]):
+    """Something that is known by being this one: comparing two would take longer than what is kept of them."""
+
+    def __init__(self, it: T) -> None:
+        self.it = it
 
     def __hash__(self) -> int:
-        return id(self.construction)
+        return id(self.it)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, ByIdentity) and self.construction is other.construction
+        return isinstance(other, ByIdentity) and self.it is other.it
 
 
 class Board:
@@ -133,6 +143,8 @@ class Board:
     def __init__(self) -> None:
         self._given: list[Mark] = []
         self._steps: list[Step] = []
+        self._made: dict[int, Step] = {}
+        self._read: dict[tuple[Mark, ...], Mark] = {}
         self._views: list[View] = []
         self._figures: list[Figure] = []
         self._letters: set[tuple[str, str]] = set()
@@ -201,13 +213,25 @@ class Board:
             if says := fault(op.name, units, unit_of(op.leaves, unit)):
                 raise ConstructionError(f"{self._place(op, letter)} {says}")
         mark = self._mark(letter, op.leaves, unit, role, free or op.leaves is not Point)
-        self._steps.append(Step(op, mark, uses, choice, self._note, why))
+        step = Step(op, mark, uses, choice, self._note, why)
+        self._steps.append(step)
+        self._made[mark.slot] = step
+        if op.reads and op.leaves is Length:
+            self._read.setdefault(uses[:2], mark)
         self._note = ""
         return mark
 
     def uses(self, mark: Mark) -> tuple[Mark, ...]:
         """Return the marks that the step which left ``mark`` used."""
-        return next(step.uses for step in self._steps if step.it == mark)
+        return self.step(mark).uses
+
+    def step(self, mark: Mark) -> Step:
+        """Return the step that left ``mark``."""
+        return self._made[mark.slot]
+
+    def length(self, start: Mark, end: Mark) -> Mark | None:
+        """Return the first length that was read from one point to another; None if none was."""
+        return self._read.get((start, end))
 
     def free(self, letter: str) -> str:
         """Return the letter, with as many tallies as it takes to be new in the view that is open."""

@@ -1,4 +1,4 @@
-"""The source of an operation as a tree, for whoever writes it down in another language or compiles it."""
+"""The source of an operation as a tree, for whoever writes it down in another language."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any
 
 
 class NotCompiled(Exception):
-    """A function cannot be compiled, or written down in another language."""
+    """A function cannot be written down in another language."""
 
 
 class Plain(ast.NodeTransformer):

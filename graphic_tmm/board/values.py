@@ -69,6 +69,13 @@ def arrays(value: Any) -> tuple[NDArray[Any], ...]:
     return tuple(value) if isinstance(value, tuple) else (value,)
 
 
+def complexes(kind: Kind) -> tuple[bool, ...]:
+    """Return which of the arrays of a kind are complex."""
+    return {Point: (True,), Line: (True, True), Arc: (True, False), Curve: (True, True)}.get(
+        kind, (False,)
+    )
+
+
 def places(value: Any) -> int:
     """Return how many positions a value has: 1 where it does not vary, as a curve does not."""
     if isinstance(value, Curve):
@@ -104,6 +111,6 @@ def given(value: object, kind: Kind) -> Any:
     """
     if isinstance(value, tuple):
         return value
-    dtype = np.complex128 if kind is Point else np.float64
+    dtype = np.complex128 if complexes(kind)[0] else np.float64
     found = np.asarray(value, dtype=dtype)
     return found if found.ndim > 1 else np.array(found, ndmin=2)

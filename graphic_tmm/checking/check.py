@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells
@@ -19,13 +20,59 @@ from graphic_tmm.checking.mutations.telling import told
 from graphic_tmm.checking.mutations.unseen import Unseen
 from graphic_tmm.checking.mutations.unseen import told as told_unseen
 from graphic_tmm.checking.records import Report, Taken
+from graphic_tmm.fitting.composition import Composition
+from graphic_tmm.packaged import scene_name
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.scenes import scene_name
 from graphic_tmm.studio import make
 
 TRIALS = 400
 """How often the hand draws to tell how far it scatters. A standard deviation is then known to 3.5 % of itself,
 1/√800."""
+
+
+class Checked(NamedTuple):
+    """A report, and what its verdicts were found by: the readings beside the scene and the hand's drawings."""
+
+    report: Report
+    compared: Comparison
+
+
+class Checker:
+    """A scene drawn exactly, with all that its drawings are checked by: the hand draws once for them."""
+
+    def __init__(
+        self,
+        scene: Scene,
+        *,
+        hand: str = "student",
+        points: str = "paper",
+        trials: int = TRIALS,
+        limits: Limits = Limits(),  # noqa: B008
+        given: Composition | None = None,
+    ) -> None:
+        """Draw a scene; for the rest see `check`."""
+        self.scene, self._hand = scene, hand
+        self.made = make(scene, exact=True, given=given)
+        self._mistakes, self._teacher = Mistakes(self.made), Teacher(self.made)
+        drawing = HANDS[hand]._replace(trials=trials, seed=scene.seed)
+        self._yardsticks = Yardsticks(self.made, drawing, limits, points)
+        self._unseen = Unseen(self._mistakes)
+
+    def of(self, readings: Sequence[Taken], source: str = "readings") -> Checked:
+        """Return what there is to say of the readings of a drawing; raises as `check`."""
+        made, language = self.made, self.scene.language
+        rows, notes = known(made, readings, source)
+        by = self._yardsticks.of(rows)
+        judged = judge(made, rows, by)
+        parts = [part for taken in rows for part in taken.parts()]
+        compared = Comparison(made, parts, by, worse_of([one.times for one in judged]))
+        found = told(diagnosed(self._mistakes, compared, judged), compared, language)
+        found = found or groups(made, judged, by)
+        notes = (*notes, *told_unseen(self._unseen.of(compared), language))
+        lessons = self._teacher.lessons(judged, found, by.reader)
+        name, title = scene_name(self.scene.source), self.scene.title
+        report = Report(name, title, language, self._hand, judged, found, notes, lessons)
+        return Checked(report, compared)
 
 
 def check(
@@ -36,20 +83,22 @@ def check(
     points: str = "paper",
     trials: int = TRIALS,
     limits: Limits = Limits(),  # noqa: B008
+    given: Composition | None = None,
     source: str = "readings",
 ) -> Report:
     """Return the report on readings of a hand-made drawing of a scene.
 
     ``hand``: by whose drawings they are judged; ``points``: how x and y were read, one of ``POINTS``;
-    ``source``: the file of the readings, for messages.
+    ``given``: the composition that the drawing's sheets have, as for `make`; ``source``: the file of the
+    readings, for messages.
 
     Raises
     ------
     SceneError
         If readings name what the scene does not have.
     """
-    one = ((source, readings),)
-    return next(checks(scene, one, hand=hand, points=points, trials=trials, limits=limits))
+    checker = Checker(scene, hand=hand, points=points, trials=trials, limits=limits, given=given)
+    return checker.of(readings, source).report
 
 
 def checks(
@@ -65,23 +114,9 @@ def checks(
 
     The hand draws once for all of them. Otherwise as `check`.
     """
-    made = make(scene, exact=True)
-    mistakes, teacher = Mistakes(made), Teacher(made)
-    drawing = HANDS[hand]._replace(trials=trials, seed=scene.seed)
-    yardsticks = Yardsticks(made, drawing, limits, points)
-    unseen = Unseen(mistakes)
+    checker = Checker(scene, hand=hand, points=points, trials=trials, limits=limits)
     for source, readings in drawings:
-        rows, notes = known(made, readings, source)
-        by = yardsticks.of(rows)
-        judged = judge(made, rows, by)
-        parts = [part for taken in rows for part in taken.parts()]
-        compared = Comparison(made, parts, by, worse_of([one.times for one in judged]))
-        found = told(diagnosed(mistakes, compared, judged), compared, scene.language)
-        found = found or groups(made, judged, by)
-        notes = (*notes, *told_unseen(unseen.of(compared), scene.language))
-        lessons = teacher.lessons(judged, found, by.reader)
-        name = scene_name(scene.source)
-        yield Report(name, scene.title, scene.language, hand, judged, found, notes, lessons)
+        yield checker.of(readings, source).report
 
 
 def figures(scene: Scene) -> int:

@@ -19,8 +19,11 @@ from graphic_tmm.checking.readings.read import write_readings
 from graphic_tmm.checking.records import Judged, Report, Taken
 from graphic_tmm.errors import SheetError
 from graphic_tmm.files import write
+from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.language.said import said
-from graphic_tmm.paper.drawing import Drawing, Label, Stroke, circle, line
+from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke, Wanted, circle, line
+from graphic_tmm.paper.labels import leaders, place
+from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.ruled import Box
 from graphic_tmm.scene.records import Scene
 
@@ -118,11 +121,25 @@ def _on_sheet(shot: Shot, sheet: Box, pole: Pole, at: complex) -> complex:
 
 
 def judged(
-    scene: Scene, seen: Photographed, *, hand: str, trials: int, limits: Limits, source: str
+    scene: Scene,
+    seen: Photographed,
+    *,
+    hand: str,
+    trials: int,
+    limits: Limits,
+    given: Composition | None = None,
+    source: str,
 ) -> Report:
     """Return the report on what a photograph shows; its notes ask for what it does not."""
     report = check(
-        scene, seen.taken, hand=hand, points="photo", trials=trials, limits=limits, source=source
+        scene,
+        seen.taken,
+        hand=hand,
+        points="photo",
+        trials=trials,
+        limits=limits,
+        given=given,
+        source=source,
     )
     return report._replace(notes=(*report.notes, *asked(seen.found, scene.language)))
 
@@ -136,11 +153,14 @@ def write_seen(file: str, seen: Photographed, language: str) -> tuple[Path, ...]
     )
 
 
-def points_drawing(seen: Photographed, report: Report) -> Drawing:
-    """Return a cross at each point that was seen, with its letter and error, a ring at one that is not sure."""
+def points_drawing(seen: Photographed, report: Report, sheet: Sheet) -> Drawing:
+    """Return a cross at each point that was seen, with its letter and error, a ring at one that is not sure.
+
+    Letters keep off each other and off those of the ``sheet``.
+    """
     by = {one.taken.key: one for one in report.readings}
     strokes: list[Stroke] = []
-    labels: list[Label] = []
+    wanted: list[Wanted] = []
     for one in seen.found.points:
         plan, letter, position = one.name
         if one.how == SEEN:
@@ -153,8 +173,10 @@ def points_drawing(seen: Photographed, report: Report) -> Drawing:
         else:
             drawn, told = [circle("thin", one.at, RING)], f"{letter}?"
         strokes += [stroke._replace(title=told) for stroke in drawn]
-        labels.append(Label(_plain(told), one.at + (1 - 1j) * CROSS, LETTERS))
-    return Drawing("photographed", said("Points seen"), tuple(strokes), tuple(labels))
+        wanted.append(Wanted(escape(told), one.at, LETTERS, CROSS, 1 - 1j))
+    labels = place(wanted, strokes, [one for view in sheet.drawings for one in view.labels])
+    ink = (*strokes, *leaders(wanted, labels))
+    return Drawing("photographed", said("Points seen"), ink, labels)
 
 
 def _error(one: Judged | None) -> str:
@@ -162,10 +184,3 @@ def _error(one: Judged | None) -> str:
     if one is None:
         return ""
     return f"{abs(one.deviation if one.own is None else one.own):.1f}"
-
-
-def _plain(text: str) -> str:
-    """Return a text as lettering writes it."""
-    from graphic_tmm.paper.lettering.letters import escape
-
-    return escape(text)

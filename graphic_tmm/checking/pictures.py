@@ -11,9 +11,10 @@ from graphic_tmm.checking.overlay import overlay_sheet
 from graphic_tmm.checking.records import Report
 from graphic_tmm.errors import SheetError, printable
 from graphic_tmm.files import write
+from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import make, sheets
+from graphic_tmm.studio import composed_sheets, make
 
 if TYPE_CHECKING:
     from graphic_tmm.checking.photo.flatten import Photo
@@ -27,12 +28,17 @@ FINEST = 8
 _REMEDY = said("name another file with --overlay")
 
 
-def overlay(scene: Scene, report: Report, file: str, enlarge: float) -> Path:
-    """Write the exact plans thin under the points that were read; deviations ``enlarge`` times as large."""
+def overlay(
+    scene: Scene, report: Report, file: str, enlarge: float, given: Composition | None = None
+) -> Path:
+    """Write the exact plans thin under the points that were read; deviations ``enlarge`` times as large.
+
+    ``given``: the composition of the sheets, as for `make`.
+    """
     from graphic_tmm.paper.write.svg import svg
 
     path = drawing_file(file)
-    text = svg(overlay_sheet(make(scene, exact=True), report, enlarge))
+    text = svg(overlay_sheet(make(scene, exact=True, given=given), report, enlarge))
     (written,) = write(path.parent, {path.name: text}, remedy=_REMEDY)
     return written
 
@@ -46,10 +52,13 @@ class Laid(NamedTuple):
     flat: Photo
 
 
-def laid(scene: Scene, photo: str, corners: str, number: int = 1) -> Laid:
+def laid(
+    scene: Scene, photo: str, corners: str, number: int = 1, given: Composition | None = None
+) -> Laid:
     """Return a sheet's photograph, flattened to the sheet's true millimetres.
 
-    ``corners``: of the frame as they were typed, "" to find it. ``number``: of the sheet, from 1.
+    ``corners``: of the frame as they were typed, "" to find it. ``number``: of the sheet, from 1. ``given``:
+    the composition of the sheets, if they have one.
 
     Raises
     ------
@@ -61,7 +70,8 @@ def laid(scene: Scene, photo: str, corners: str, number: int = 1) -> Laid:
     from graphic_tmm.checking.photo.ruling import ruled
 
     clicked = _corners(corners) if corners else None
-    made, drawn = sheets(scene)
+    made, found = composed_sheets(scene, given)
+    drawn = found.sheets
     if number > len(drawn):
         raise SheetError(
             said(

@@ -60,7 +60,7 @@ def _figured(found: Study, output: str) -> tuple[Path, ...]:
     """Write the figure of a study into a folder; return its files."""
     from graphic_tmm.accuracy.figure import figures
     from graphic_tmm.files import write
-    from graphic_tmm.scenes import scene_name
+    from graphic_tmm.packaged import scene_name
 
     stem = scene_name(found.scene.source)
     files: dict[str, str | bytes] = {

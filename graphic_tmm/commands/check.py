@@ -8,6 +8,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from graphic_tmm.commands.shared.ending import WRONG
+from graphic_tmm.commands.shared.marking import (
+    MarkedBy,
+    mark_folder,
+    refuse_mixed,
+    refuse_without_class,
+)
 from graphic_tmm.commands.shared.numbers import Finite
 from graphic_tmm.commands.shared.progress import waiting
 from graphic_tmm.commands.shared.scenes import SceneName, read_scene
@@ -18,6 +24,7 @@ from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
     from graphic_tmm.checking.records import Report
+    from graphic_tmm.fitting.composition import Composition
     from graphic_tmm.scene.records import Scene
 
 
@@ -45,11 +52,28 @@ if TYPE_CHECKING:
     help=said("With --template: of which position; default: where the most plans are drawn."),
 )
 @click.option(
+    "--class",
+    "folder",
+    metavar="FOLDER",
+    help=said(
+        "Mark a class: FOLDER holds readings or photographs, named by variant and student. Status 1 if some of "
+        "them could not be read."
+    ),
+)
+@click.option(
+    "--variants",
+    metavar="FILE",
+    help=said("With --class: the table of variants; each is judged by that which its name names."),
+)
+@click.option(
+    "--marks", metavar="FILE", help=said("With --class: the rule for marks, a file as marks.toml.")
+)
+@click.option(
     "-o",
     "--output",
-    type=click.Path(dir_okay=False),
     help=said(
-        "With --template: the file, .csv or .xlsx; a short one has a picture of its letters."
+        "With --template: the file, .csv or .xlsx; a short one has a picture of its letters. With --class: the "
+        "folder for summary, gradebook and reports."
     ),
 )
 @click.option(
@@ -131,7 +155,7 @@ if TYPE_CHECKING:
     "-f",
     "--format",
     "form",
-    type=click.Choice(["text", "md", "json", "html"]),
+    type=click.Choice(["text", "md", "json", "html", "csv", "xlsx"]),
     default="text",
     show_default=True,
 )
@@ -142,6 +166,9 @@ def check(
     short: bool,
     only: tuple[str, ...],
     position: str | None,
+    folder: str | None,
+    variants: str | None,
+    marks: str | None,
     output: str | None,
     hand: str,
     points: str,
@@ -158,6 +185,13 @@ def check(
     form: str,
 ) -> None:
     """Compare READINGS of a hand-made drawing (a CSV file) with SCENE; status 1 if something is wrong."""
+    by = _By(hand, points, trials, (doubtful, wrong))
+    if folder is not None:
+        of_one = (readings, template, short, only, position, overlay, photo, corners, sheet)
+        refuse_mixed((*of_one, poles, readings_out), form, output)
+        mark_folder(MarkedBy(scene, folder, variants, marks, output, form), by.options)
+        return
+    refuse_without_class(variants, marks, form)
     if not template:
         _refuse_half_asked(scene, readings, photo, (sheet, corners, poles or None, readings_out))
         _refuse_twice_asked(readings, poles, readings_out)
@@ -166,7 +200,6 @@ def check(
     if template:
         write_template(task, short, only, position or "", output)
         return
-    by = _By(hand, points, trials, (doubtful, wrong))
     if photo is not None:
         wanted = _Wanted(photo, corners or "", overlay or "photo.svg", sheet or 1)
         report, written = _of_photo(task, readings, wanted, poles, readings_out, by)
@@ -192,6 +225,11 @@ class _By(NamedTuple):
     points: str
     trials: int
     beyond: tuple[float, float]
+
+    @property
+    def options(self) -> tuple[str, str, int, float, float]:
+        """All of it in a row, as the options come."""
+        return (self.hand, self.points, self.trials, *self.beyond)
 
 
 class _Wanted(NamedTuple):
@@ -250,8 +288,16 @@ def _judged(scene: Scene, readings: str, by: _By) -> Report:
         points=by.points,
         trials=by.trials,
         limits=limits,
+        given=_composition(scene),
         source=readings,
     )
+
+
+def _composition(scene: Scene) -> Composition | None:
+    """Return the composition beside a scene, by which its sheets are drawn; None if there is none."""
+    from graphic_tmm.fitting.composition import beside, read_composition
+
+    return read_composition(beside(scene.source))
 
 
 def _of_photo(
@@ -279,7 +325,8 @@ def _of_photo(
     other_place(readings_out, drawing_file(wanted.file))
     clicked = poles_of(poles)
     with waiting(said("drawing the plans")):
-        shown = laid(scene, wanted.photo, wanted.corners, wanted.number)
+        given = _composition(scene)
+        shown = laid(scene, wanted.photo, wanted.corners, wanted.number, given)
     for warning in shown.flat.warnings:
         tell(said("warning: {text}", text=warning))
     if readings is not None:
@@ -299,16 +346,27 @@ def _of_photo(
         return None, underlay(shown, wanted.file)
     with waiting(said("drawing by the hand, to tell what is usual")):
         limits, source = Limits(*by.beyond), readings_out or wanted.photo
-        report = judged(scene, seen, hand=by.hand, trials=by.trials, limits=limits, source=source)
+        report = judged(
+            scene,
+            seen,
+            hand=by.hand,
+            trials=by.trials,
+            limits=limits,
+            given=given,
+            source=source,
+        )
     written = () if readings_out is None else write_seen(readings_out, seen, scene.language)
-    return report, (*underlay(shown, wanted.file, (points_drawing(seen, report),)), *written)
+    return report, (
+        *underlay(shown, wanted.file, (points_drawing(seen, report, shown.sheet),)),
+        *written,
+    )
 
 
 def _overlaid(scene: Scene, report: Report, file: str | None, enlarge: float) -> tuple[Path, ...]:
     """Write the points that were read over their plans, where that is asked for; return the file."""
     from graphic_tmm.checking.pictures import overlay
 
-    return () if file is None else (overlay(scene, report, file, enlarge),)
+    return () if file is None else (overlay(scene, report, file, enlarge, _composition(scene)),)
 
 
 def _told(report: Report, form: str) -> str | list[Any]:

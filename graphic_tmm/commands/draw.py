@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -13,6 +15,10 @@ from graphic_tmm.commands.shared.scenes import SceneName, drawn_by, hands, read_
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import warn
 from graphic_tmm.language.said import said
+
+if TYPE_CHECKING:
+    from graphic_tmm.drawn import DrawnScene
+    from graphic_tmm.paper.drawing import Sheet
 
 
 @click.command(cls=Command)
@@ -51,7 +57,7 @@ def draw(
     """Draw the sheets of SCENE as files, true to the millimetre."""
     from graphic_tmm.files import write
     from graphic_tmm.fitting.composition import beside, read_composition
-    from graphic_tmm.page.page import FORMAT, page
+    from graphic_tmm.page import FORMAT
     from graphic_tmm.studio import FORMATS, sheet_files
 
     wanted = chosen(forms, (*FORMATS, FORMAT))
@@ -64,8 +70,15 @@ def draw(
             strokes=strokes,
             given=given,
             composition=composition,
-            whole={FORMAT: page},
+            whole={FORMAT: _page},
         )
     for path in write(Path(output), texts, remedy=said("name another folder with -o")):
         click.echo(str(path))
     warn(made, sheets=True)
+
+
+def _page(made: DrawnScene, drawn: Sequence[Sheet]) -> str:
+    """Return the page of a scene; what it is made with is imported only where one is asked for."""
+    from graphic_tmm.page.page import page
+
+    return page(made, drawn)

@@ -108,10 +108,10 @@ def _refuse_old(target: Path) -> None:
 def _write(target: Path, one: Beginning | None, like: str | None) -> None:
     """Write the files of a new scene, and tell their names."""
     from graphic_tmm.files import write
+    from graphic_tmm.packaged import scene_path
     from graphic_tmm.scene.document import document
     from graphic_tmm.scene.new import begun, begun_with
     from graphic_tmm.scene.read import FILE, SCENE, read
-    from graphic_tmm.scenes import scene_path
 
     source = scene_path(like if one is None else one.scene)
     file = source / FILE if source.is_dir() else source

@@ -32,7 +32,7 @@ def page(
 
     from graphic_tmm.files import write
     from graphic_tmm.fitting.composition import beside, read_composition
-    from graphic_tmm.page.page import FORMAT
+    from graphic_tmm.page import FORMAT
     from graphic_tmm.page.page import page as written
     from graphic_tmm.studio import sheet_files
 

@@ -76,13 +76,15 @@ def steps(
     forms: str | None,
 ) -> None:
     """Print the numbered protocol of a plan in one position, with the calculation note."""
+    from graphic_tmm.fitting.composition import beside, read_composition
     from graphic_tmm.readers.protocol import plans, steps_of
     from graphic_tmm.studio import make
 
     wanted = _formats(forms, output, sheets=sheets)
     task = read_scene(scene, lettered=sheets)
+    given = read_composition(beside(task.source))
     with waiting(said("drawing the plans")):
-        drawn = make(task, exact=exact)
+        drawn = make(task, exact=exact, given=given)
     chosen = plans() if plan == "all" else (plan,)
     lines = steps_of(drawn, chosen, position, task.language, why=why)
     if sheets:
@@ -95,7 +97,7 @@ def steps(
 def _formats(forms: str | None, output: str | None, *, sheets: bool) -> list[str]:
     """Return what the sheets are written as; refuse what is none of it, and what is asked of no sheets."""
     from graphic_tmm.errors import SheetError
-    from graphic_tmm.handout.handout import FORMATS
+    from graphic_tmm.handout import FORMATS
 
     if not sheets and (forms is not None or output is not None):
         raise SheetError(said("-o and -f tell where sheets are written and as what: add --sheets"))

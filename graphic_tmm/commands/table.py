@@ -58,13 +58,15 @@ def table(
     budget: str | None,
 ) -> None:
     """Print what SCENE calls for, whether or not a sheet shows it: segments in mm, quantities in SI."""
+    from graphic_tmm.fitting.composition import beside, read_composition
     from graphic_tmm.readers.table import table as told
     from graphic_tmm.studio import make
 
     task = within(drawn_by(read_scene(scene), hand, seed), budget)
+    given = read_composition(beside(task.source))
     wide = width or terminal_width()
     with waiting(said("drawing the plans")):
-        drawn = make(task, exact=exact)
+        drawn = make(task, exact=exact, given=given)
         text = told(drawn, form, trials, width=wide, comma=decimal == "comma")
     show("\ufeff" + text if bom and form == "csv" and isinstance(text, str) else text, wide)
     warn(drawn)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from graphic_tmm.board.scales import LENGTHS as STANDARD
 from graphic_tmm.board.scales import Scale
@@ -13,7 +13,7 @@ from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.composition import Composition, Placed, named
 from graphic_tmm.fitting.formats import oversized, room_on, views_of
-from graphic_tmm.fitting.given import Laid, restored_sheets
+from graphic_tmm.fitting.given import restored_sheets
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
@@ -24,6 +24,9 @@ from graphic_tmm.paper.formats import size_of
 from graphic_tmm.paper.frame.frame import frame
 from graphic_tmm.paper.packing import Room, settled
 from graphic_tmm.scene.records import Scene, SheetOrder
+
+if TYPE_CHECKING:
+    from graphic_tmm.fitting.given import Laid
 
 LENGTHS = "m/mm"
 """The unit of the scale factors of views in which lengths stand as they are, but for graphs."""
@@ -56,7 +59,7 @@ def composed(
     """Return the sheets of a scene, each order followed by the sheets it spills onto; as ``given`` if it is.
 
     What is given and of no use comes to no sheets, and remarks that tell why; ``near``: all is composed anew
-    then, no larger or smaller than it is drawn.
+    then, no larger or smaller than it is drawn, and of what is given nothing is told.
 
     Raises
     ------
@@ -72,6 +75,7 @@ def composed(
     boxes = [outline for order in wanted for outline in order.outlines]
     names = named(view.name for view in there)
     laid, remarks = restored_sheets(wanted, names, given) if given is not None else (None, ())
+    remarks = () if near else remarks
     if laid is None and given is not None and not near:
         return Composed((), given, remarks)
     if laid is None:

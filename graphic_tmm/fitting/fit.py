@@ -62,6 +62,15 @@ def fitted_boards(
     return tuple(one for one in found if one is not None)
 
 
+def sheets_taken(scene: Scene, *, mechanism: bool) -> float:
+    """Return how many sheets a scene takes in the sizes found for it, with all letters; inf: no number does.
+
+    ``mechanism``: as for `fitted_boards`, which has found them.
+    """
+    *_, search, sizes = _searched(scene, mechanism)
+    return search.written.count(sizes)
+
+
 def turned(scene: Scene, *, mechanism: bool) -> Scene:
     """Return a scene of which sheets are turned that hold one of their views only so, whatever its size.
 

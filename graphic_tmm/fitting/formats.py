@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
+from typing import TYPE_CHECKING
 
 from graphic_tmm.chapter import places
 from graphic_tmm.drawn import Drawn
@@ -14,15 +15,20 @@ from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.scales import usual
 from graphic_tmm.fitting.tried import Board, Mechanism, Part
 from graphic_tmm.language.said import said
-from graphic_tmm.paper.compose.search import fits
-from graphic_tmm.paper.compose.sheets import Order, Shared
-from graphic_tmm.paper.compose.units import Outline
-from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.late import late
 from graphic_tmm.paper.formats import AUTO, FORMATS, USUAL, growing, turned
-from graphic_tmm.paper.frame.frame import drawing_area
-from graphic_tmm.paper.packing import Room, settled
 from graphic_tmm.project import own_boards
 from graphic_tmm.scene.records import Scene, SheetOrder
+
+if TYPE_CHECKING:
+    from graphic_tmm.paper.compose.sheets import Order, Shared
+    from graphic_tmm.paper.drawing import Drawing
+
+with late(__name__):
+    from graphic_tmm.paper.compose.search import fits
+    from graphic_tmm.paper.compose.units import Outline
+    from graphic_tmm.paper.frame.frame import drawing_area
+    from graphic_tmm.paper.packing import Room, settled
 
 TRIED = {"A4": "A4", "A3": "A3", "A2": "A2", "A1": "A2"}
 """As large as usual on which format things are drawn to find out whether one holds them."""

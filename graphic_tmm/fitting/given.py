@@ -3,26 +3,37 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence, Set
+from typing import TYPE_CHECKING
 
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.composition import FILE, Composition
 from graphic_tmm.fitting.scales import usual
 from graphic_tmm.fitting.tried import Board, Mechanism, Part
 from graphic_tmm.language.said import said
-from graphic_tmm.paper.compose.restored import restored
-from graphic_tmm.paper.compose.sheet import Places
-from graphic_tmm.paper.compose.sheets import Order, Shared
+from graphic_tmm.late import late
 from graphic_tmm.project import own_boards
 from graphic_tmm.scene.records import Scene
 
+if TYPE_CHECKING:
+    from graphic_tmm.paper.compose.sheet import Places
+    from graphic_tmm.paper.compose.sheets import Order, Shared
+
+    Laid = Sequence[tuple[Shared, Places]]
+
+with late(__name__):
+    from graphic_tmm.paper.compose.restored import restored
+
 LEAST = 0.5
 """A composition that names less of the views than this share is of something else."""
+BOARDS = "boards"
+"""What is kept beside a scene: its boards, recorded once whatever sizes they are drawn in."""
+LARGER, SMALL = 1.25, 0.85
+"""So much larger a plan may be than in the scene that its composition is from, where it leaves so much of its
+size. The next standard μ is 1.25 to 2 times as large; a size is found in steps of 1.1."""
 _MOVED = said(
     "{file}: the view '{name}' does not fit there any more: it stands at {x:.1f}, {y:.1f}"
 )
 _ADDED = said("{file}: the view '{name}' is not in it: it stands at {x:.1f}, {y:.1f}")
-
-Laid = Sequence[tuple[Shared, Places]]
 
 
 def drawn_as(
@@ -34,12 +45,46 @@ def drawn_as(
     mechanism: bool,
 ) -> tuple[Drawn, ...]:
     """Return the boards of a scene drawn in sizes that were found before: nothing is tried."""
-    known = usual(scene)
-    found = {**known, **{name: size for name, size in sizes.items() if name in known}}
-    boards: list[Board] = [Mechanism(scene)] if mechanism else []
-    boards += [Part(scene, board) for board in own_boards(scene)]
+    boards, found = _boards(scene, mechanism), _known(scene, sizes)
     drawn = (board.final(found, wanted, exact=exact) for board in boards)
     return tuple(one for one in drawn if one is not None)
+
+
+def _known(scene: Scene, sizes: Mapping[str, float]) -> dict[str, float]:
+    known = usual(scene)
+    return {**known, **{name: size for name, size in sizes.items() if name in known}}
+
+
+def _boards(scene: Scene, mechanism: bool) -> list[Board]:
+    key = (BOARDS, mechanism)
+    if key not in scene.cache:
+        own: list[Board] = [Mechanism(scene)] if mechanism else []
+        scene.cache[key] = [*own, *(Part(scene, board) for board in own_boards(scene))]
+    boards: list[Board] = scene.cache[key]
+    return boards
+
+
+def all_fixed(scene: Scene, *, mechanism: bool) -> bool:
+    """Whether a scene fixes all that it is drawn by: in whatever sizes, every figure is the same."""
+    return all(
+        size.fixed(scene) for board in _boards(scene, mechanism) for size in board.sizes.values()
+    )
+
+
+def larger(scene: Scene, sizes: Mapping[str, float], *, mechanism: bool) -> dict[str, float] | None:
+    """Return sizes of a scene like this one in which no plan is small for a little; None if none is.
+
+    A plan of which the longest vector would be a little longer than its size is drawn by the next standard μ:
+    it is allowed to be so much longer.
+    """
+    found = _known(scene, sizes)
+    small = {
+        name: LARGER * found[name]
+        for board in _boards(scene, mechanism)
+        for name, size in board.sizes.items()
+        if size.in_mm and not size.fixed(scene) and board.mm(name, found) < SMALL * found[name]
+    }
+    return {**found, **small} if small else None
 
 
 def restored_sheets(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.chapter import places
@@ -30,6 +30,7 @@ SLACK = 0.5
 """How much larger, mm, than with the exact hand a view may come out by the scene's own."""
 
 Key = tuple[object, ...]
+Draw = Callable[[Drawn, bool], list[Drawing]]
 Cells = list[Drawing]
 """The room of views: each a cell alone."""
 
@@ -62,10 +63,10 @@ class Rooms:
         self.boards = {board.name: board for board in boards}
         self.orders = orders(scene)
         self._cells: dict[Key, Cells] = {}
-        self._depends: dict[str, tuple[str, ...]] = {}
+        self._depends: dict[tuple[str, Draw], tuple[str, ...]] = {}
         self._counts: dict[Key, float] = {}
         self._several: set[Key] = set()
-        self._last: dict[str, tuple[Key | None, list[Drawing]]] = {}
+        self._last: dict[tuple[str, Draw], tuple[Key, list[Drawing]]] = {}
 
     def count(self, sizes: Sizes) -> float:
         """Return how many sheets the scene takes; without end if one of its views fits none."""
@@ -181,33 +182,50 @@ class Rooms:
             yield from known[place][1].together or (place,)
 
     def _room(self, place: str, within: Within, sizes: Sizes) -> Cells:
-        key = (within, *self._key(place, sizes))
-        if key not in self._cells:
-            whole = self._views(place, sizes)
-            self._cells[key] = [part for view in whole for part in _parts(view, within)]
-        return self._cells[key]
+        found: Cells = []
+        for piece in pieces(place):
+            key = (within, *self._of_piece(place, piece, sizes))
+            if key not in self._cells:
+                whole = self._views(place, piece, sizes)
+                self._cells[key] = [part for view in whole for part in _parts(view, within)]
+            found += self._cells[key]
+        return found
 
-    def _views(self, place: str, sizes: Sizes) -> list[Drawing]:
-        """Return the views of a place as they are drawn, before any of them comes apart."""
+    def _views(self, place: str, piece: Draw, sizes: Sizes) -> list[Drawing]:
+        """Return the views of a piece of a place as they are drawn, before any of them comes apart."""
         board = self.boards.get(places()[place][0].board)
-        drawn = [board.draw(sizes)] if board is not None else []
-        key = (place, *(tuple(sizes[name] for name in board.sizes) if board is not None else ()))
-        if self._last.get(place, (None, []))[0] != key:
-            self._last[place] = (key, views_of(place, self.scene, drawn, self.lettered))
-        return self._last[place][1]
+        if board is None:
+            return views_of(place, self.scene, (), self.lettered)
+        key = tuple(sizes[name] for name in board.sizes)
+        own = (place, piece)
+        if own not in self._last or self._last[own][0] != key:
+            self._last[own] = (key, piece(board.draw(sizes), self.lettered))
+        return self._last[own][1]
 
     def _key(self, place: str, sizes: Sizes) -> Key:
         """Return what the room of a place's views depends on."""
+        return tuple(self._of_piece(place, piece, sizes) for piece in pieces(place))
+
+    def _of_piece(self, place: str, piece: Draw, sizes: Sizes) -> Key:
+        """Return what the room of a piece of a place depends on."""
         chapter, shown = places()[place]
-        board = self.boards.get(chapter.board)
+        board, own = self.boards.get(chapter.board), (place, piece)
         if board is None:
-            return (place,)
-        if place not in self._depends:
-            views = self._views(place, sizes)
+            return own
+        if own not in self._depends:
+            views = self._views(place, piece, sizes)
             found = [*shown.follows]
             found += [name for view in views for name in shown.sizes(self.scene, view.name)]
-            self._depends[place] = tuple(n for n in dict.fromkeys(found) if n in board.sizes)
-        return (place, *(board.comes_of(name, sizes) for name in self._depends[place]))
+            self._depends[own] = tuple(n for n in dict.fromkeys(found) if n in board.sizes)
+        return (*own, *(board.comes_of(name, sizes) for name in self._depends[own]))
+
+
+def pieces(place: str) -> tuple[Draw, ...]:
+    """Return what draws the views of a place, piece by piece."""
+    draw = places()[place][1].draw
+    # by what it has: it may be imported late, and is no `Pieces` by its type then
+    each: tuple[Draw, ...] = getattr(draw, "each", (draw,))
+    return each
 
 
 def sheets_of(scene: Scene, boards: Sequence[Drawn]) -> int:

@@ -7,12 +7,15 @@ from dataclasses import replace
 from graphic_tmm.chapter import MECHANISM, Size, chapters
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SheetError, ViewError
-from graphic_tmm.fitting.compose import orders
-from graphic_tmm.fitting.fit import fitted
-from graphic_tmm.fitting.search import depends
 from graphic_tmm.language.said import said
+from graphic_tmm.late import late
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.scene.registry import size_keys
+
+with late(__name__):
+    from graphic_tmm.fitting.compose import orders
+    from graphic_tmm.fitting.fit import fitted
+    from graphic_tmm.fitting.search import depends
 
 TINY = 5.0
 """A plan that a fixed μ draws smaller than this, mm, is no plan: nothing can be measured on it. Half a division

@@ -12,13 +12,11 @@ from graphic_tmm.handout.series import Series, series
 from graphic_tmm.handout.sheets import framed, pages
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
+from graphic_tmm.packaged import scene_name
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.readers.protocol import plans as every_plan
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.scenes import scene_name
 
-FORMATS = ("svg", "pdf", "png")
-"""What the sheets can be written as."""
 OVERVIEW = said("Overview of the pictures")
 
 

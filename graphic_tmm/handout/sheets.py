@@ -260,8 +260,12 @@ def framed(
     language: str,
     *,
     check: bool,
+    stem: str = "steps",
 ) -> list[Sheet]:
-    """Return sheets in their frames; each is told by what it is called and what stands on it."""
+    """Return sheets in their frames; each is told by what it is called and what stands on it.
+
+    ``stem``: what they are called besides their numbers.
+    """
     width, height = size_of(FORMAT)
     found = []
     for n, (called, drawings) in enumerate(made, 1):
@@ -274,5 +278,7 @@ def framed(
             fields={**fields, "name": called},
             check=check,
         )
-        found.append(Sheet(f"steps-{n}", title, FORMAT, width, height, (edge, *drawings), language))
+        found.append(
+            Sheet(f"{stem}-{n}", title, FORMAT, width, height, (edge, *drawings), language)
+        )
     return found

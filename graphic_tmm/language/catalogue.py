@@ -71,7 +71,12 @@ class _Figure:
 
 def languages() -> tuple[str, ...]:
     """Return the codes of all languages, English first."""
-    found = {path.stem for path in FOLDER.glob("*.po")}
+    return _languages(FOLDER)
+
+
+@cache
+def _languages(folder: Path) -> tuple[str, ...]:
+    found = {path.stem for path in folder.glob("*.po")}
     return (SOURCE, *sorted(found - {SOURCE}))
 
 

@@ -2,26 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable
 
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Link, Mechanism
-
-
-def shared(bodies: Iterable[Mapping[str, complex]]) -> frozenset[str]:
-    """Return the letters that stand on more than one body: these are turning pairs, whatever the letter."""
-    once: set[str] = set()
-    again: set[str] = set()
-    for points in bodies:
-        again |= once & points.keys()
-        once |= points.keys()
-    return frozenset(again)
-
-
-def pins(mechanism: Mechanism) -> frozenset[str]:
-    """Return the letters of the turning pairs of a mechanism."""
-    return shared(link.points for link in mechanism.by_number.values())
 
 
 def free_points(points: Iterable[str], joined: Collection[str]) -> tuple[str, ...]:
@@ -39,7 +24,7 @@ def mass_centre(mechanism: Mechanism, link: Link) -> str:
     """
     if link.centre is not None and link.centre in link.points:
         return link.centre
-    free = free_points(link.points, pins(mechanism))
+    free = free_points(link.points, mechanism.pins)
     meant = next(iter((*free, *link.points)), f"S{link.number}")
     points = said("it has no point yet")
     if link.points:

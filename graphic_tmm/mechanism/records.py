@@ -6,8 +6,9 @@ several links is a turning pair there. The frame is a link too, its own axes are
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 
 @dataclass(frozen=True)
@@ -78,6 +79,16 @@ class Drive:
     acceleration: float = 0.0
 
 
+def shared(bodies: Iterable[Mapping[str, complex]]) -> frozenset[str]:
+    """Return the letters that stand on more than one body: these are turning pairs, whatever the letter."""
+    once: set[str] = set()
+    again: set[str] = set()
+    for points in bodies:
+        again |= once & points.keys()
+        once |= points.keys()
+    return frozenset(again)
+
+
 @dataclass(frozen=True)
 class Mechanism:
     """The frame, the moving links in the order of the scene, and the drive."""
@@ -91,6 +102,11 @@ class Mechanism:
         object.__setattr__(
             self, "by_number", {link.number: link for link in (self.frame, *self.links)}
         )
+
+    @cached_property
+    def pins(self) -> frozenset[str]:
+        """The letters that stand on more than one link: these are its turning pairs, whatever the letter."""
+        return shared(link.points for link in self.by_number.values())
 
 
 @dataclass(frozen=True)

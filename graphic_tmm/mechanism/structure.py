@@ -7,6 +7,9 @@ that could come next, the one with the smallest numbers comes first, so the orde
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from heapq import heappop, heappush
+from itertools import combinations
 from typing import NamedTuple
 
 from graphic_tmm.errors import StructureError
@@ -111,10 +114,11 @@ def dissect(mechanism: Mechanism) -> Structure:
             )
         )
     groups: list[Group] = []
-    left = sorted({link.number for link in mechanism.links} - {mechanism.drive.link})
-    while left:
-        group = _next_group(mechanism, known, left)
+    attachment = _Attachment(mechanism, known)
+    while attachment.left:
+        group = attachment.next()
         if group is None:
+            left = sorted(attachment.left)
             names = ", ".join(map(str, left))
             raise StructureError(
                 said(
@@ -126,9 +130,8 @@ def dissect(mechanism: Mechanism) -> Structure:
                 *(f"link {number}" for number in left),
             )
         groups.append(group)
-        for leg in group.legs:
-            known.append(leg.link)
-            left.remove(leg.link)
+        known += [leg.link for leg in group.legs]
+        attachment.attach(group)
     pin = _pin(mechanism, pivot)
     order = {number: place for place, number in enumerate(known)}
     return Structure(
@@ -237,22 +240,35 @@ def _refuse_loose_and_double(mechanism: Mechanism, pairs: tuple[Pair, ...]) -> N
             said("link {links} slides on itself", links=slide_owner.links[0]),
             f"link {slide_owner.links[0]}, slides",
         )
-    numbers = list(mechanism.by_number)
-    for place, first in enumerate(numbers):
-        for second in numbers[place + 1 :]:
-            shared = _shared(mechanism.by_number[first], mechanism.by_number[second])
-            if len(shared) > 1:
-                raise StructureError(
-                    said(
-                        "links {first} and {second} share {listed}: they cannot move against each "
-                        "other; make them one link",
-                        first=first,
-                        second=second,
-                        listed=joined(said(" and "), shared),
-                    ),
-                    f"link {first}, points",
-                    f"link {second}, points",
-                )
+    for first, second in _neighbours(mechanism, pairs):
+        shared = _shared(mechanism.by_number[first], mechanism.by_number[second])
+        if len(shared) > 1:
+            raise StructureError(
+                said(
+                    "links {first} and {second} share {listed}: they cannot move against each "
+                    "other; make them one link",
+                    first=first,
+                    second=second,
+                    listed=joined(said(" and "), shared),
+                ),
+                f"link {first}, points",
+                f"link {second}, points",
+            )
+
+
+def _neighbours(mechanism: Mechanism, pairs: tuple[Pair, ...]) -> list[tuple[int, int]]:
+    """Return links that share something, two by two, as they stand in the scene."""
+    place = {number: k for k, number in enumerate(mechanism.by_number)}
+    letters: dict[str, list[int]] = {}
+    for number, link in mechanism.by_number.items():
+        for letter in link.points:
+            letters.setdefault(letter, []).append(number)
+    found = {two for on in letters.values() for two in combinations(on, 2)}
+    for pair in pairs:
+        if pair.kind == "P" and pair.links[1] in place:
+            first, second = sorted(pair.links, key=place.__getitem__)
+            found.add((first, second))
+    return sorted(found, key=lambda two: (place[two[0]], place[two[1]]))
 
 
 def _shared(first: Link, second: Link) -> list[str]:
@@ -265,38 +281,94 @@ def _shared(first: Link, second: Link) -> list[str]:
     return [letter for letter in first.points if letter in second.points] + slides
 
 
-def _joints(mechanism: Mechanism, number: int, among: list[int]) -> list[Pair]:
-    """Return the pairs of a link with bodies among the given ones; a letter counts once."""
-    link = mechanism.by_number[number]
-    found = []
-    for letter in link.points:
-        other = next(
-            (k for k in among if k != number and letter in mechanism.by_number[k].points), None
-        )
-        if other is not None:
-            found.append(Pair("R", letter, (number, other)))
-    for k in among:
-        body = mechanism.by_number[k]
-        found += [Pair("P", s.guide.name, (number, k), s) for s in link.slides if s.on == k]
-        found += [Pair("P", s.guide.name, (k, number), s) for s in body.slides if s.on == number]
-    return found
+class _Attachment:
+    """What is there of a mechanism while it grows group by group, and how the links left hold on to it.
 
+    Each link is looked at when something that it is joined to comes: the work grows with the number of pairs.
+    """
 
-def _next_group(mechanism: Mechanism, known: list[int], left: list[int]) -> Group | None:
-    outer = {number: _joints(mechanism, number, known) for number in left}
-    there = {letter for number in known for letter in mechanism.by_number[number].points}
-    for place, first in enumerate(left):
-        for second in left[place + 1 :]:
-            if len(outer[first]) != 1 or len(outer[second]) != 1:
+    def __init__(self, mechanism: Mechanism, known: Sequence[int]) -> None:
+        self.bodies = mechanism.by_number
+        self.left = {link.number for link in mechanism.links} - {mechanism.drive.link}
+        self.there: set[str] = set()
+        self.outer: dict[int, list[Pair]] = {number: [] for number in self.left}
+        self.waiting: list[tuple[int, int]] = []
+        self.standing: dict[str, list[int]] = {}
+        self.sliders: dict[int, list[tuple[int, Slide]]] = {}
+        for number, link in self.bodies.items():
+            for letter in link.points:
+                self.standing.setdefault(letter, []).append(number)
+            for slide in link.slides:
+                self.sliders.setdefault(slide.on, []).append((number, slide))
+        for number in known:
+            self._enter(number)
+        self._look(tuple(self.left))
+
+    def attach(self, group: Group) -> None:
+        """Put a group to what is there."""
+        for leg in group.legs:
+            self.left.discard(leg.link)
+        met = [number for leg in group.legs for number in self._enter(leg.link)]
+        self._look(met)
+
+    def next(self) -> Group | None:
+        """Return the group with the smallest numbers of those that can come; None if none can."""
+        while self.waiting:
+            first, second = heappop(self.waiting)
+            if not (self._ready(first) and self._ready(second)):
                 continue
-            inner = [
-                p
-                for p in _joints(mechanism, first, [second])
-                if p.kind == "P" or p.name not in there
-            ]
+            inner = self._inner(first, second)
             if len(inner) == 1:
-                return _group(outer[first][0], outer[second][0], inner[0], first, second)
-    return None
+                legs = self.outer[first][0], self.outer[second][0]
+                return _group(*legs, inner[0], first, second)
+        return None
+
+    def _ready(self, number: int) -> bool:
+        """Whether a link that is left holds on to what is there by one pair."""
+        return number in self.left and len(self.outer[number]) == 1
+
+    def _enter(self, number: int) -> list[int]:
+        """Count a link to what is there; return the links left that are joined to it."""
+        link, met = self.bodies[number], []
+        for letter in link.points:
+            if letter not in self.there:
+                self.there.add(letter)
+                others = [k for k in self.standing[letter] if k in self.left]
+                for other in others:
+                    self.outer[other].append(Pair("R", letter, (other, number)))
+                met += others
+        for slide in link.slides:
+            if slide.on in self.left:
+                self.outer[slide.on].append(Pair("P", slide.guide.name, (number, slide.on), slide))
+                met.append(slide.on)
+        for other, slide in self.sliders.get(number, ()):
+            if other in self.left:
+                self.outer[other].append(Pair("P", slide.guide.name, (other, number), slide))
+                met.append(other)
+        return met
+
+    def _look(self, met: Sequence[int]) -> None:
+        """Let links wait, two by two, that are joined to each other and each by one pair to what is there."""
+        for number in filter(self._ready, dict.fromkeys(met)):
+            link = self.bodies[number]
+            near = [k for letter in link.points for k in self.standing[letter]]
+            near += [slide.on for slide in link.slides]
+            near += [k for k, _ in self.sliders.get(number, ())]
+            for other in filter(self._ready, set(near) - {number}):
+                heappush(self.waiting, (min(number, other), max(number, other)))
+
+    def _inner(self, first: int, second: int) -> list[Pair]:
+        """Return the pairs by which two links are joined that are not there yet."""
+        one, other = self.bodies[first], self.bodies[second]
+        return [
+            *(
+                Pair("R", letter, (first, second))
+                for letter in one.points
+                if letter in other.points and letter not in self.there
+            ),
+            *(Pair("P", s.guide.name, (first, second), s) for s in one.slides if s.on == second),
+            *(Pair("P", s.guide.name, (second, first), s) for s in other.slides if s.on == first),
+        ]
 
 
 def _group(one: Pair, two: Pair, inner: Pair, first: int, second: int) -> Group:

@@ -7,18 +7,19 @@ positions of the sheet alone (a chord between two of them) is left out.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from graphic_tmm.board import roles
+from graphic_tmm.board.again import again, kept
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.findings import examine, step_number
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Construction, Mark
-from graphic_tmm.board.values import Reals, places
+from graphic_tmm.board.values import Reals
 from graphic_tmm.drawn import Drawn, Numbers
 from graphic_tmm.moving import Turn
 from graphic_tmm.project import Project
@@ -59,18 +60,19 @@ def dense(drawn: Drawn) -> Dense | None:
     by = next((mark for mark in log.given if mark.role == roles.CRANK_ANGLE), None)
     if by is None:
         return None
-    turned, numbers, whole, at = _turned(drawn, by)
-    known = _kept(sheet)
+    turned, span, whole, at = _turned(drawn, by)
+    numbers = np.abs(turned) * drawn.project.count / whole
+    known = kept(sheet.construction, sheet.given, sheet.numbers.drawn.values)
     known |= {mark: numbers[None, :] for mark in log.given if mark.role == roles.STATION}
 
     def read(marks: Iterable[Mark]) -> Reading:
-        return execute(_again(log, known), known, marks)
+        return execute(again(log, known), known, marks)
 
-    turn = Turn(turned, numbers, drawn.project.count, read)
+    turn = Turn(turned, span, drawn.project.count, read)
     for chapter in drawn.project.chapters:
         known |= chapter.between(sheet, turn)
-    again = _again(log, known)
-    reading = execute(again, known)
+    following = again(log, known)
+    reading = execute(following, known)
     angles = np.array(drawn.project.angles[0] or 0.0) + turned
     names = tuple(f"{angle % WHOLE:g}°" for angle in angles)
     everywhere = tuple(range(turned.size))
@@ -78,11 +80,11 @@ def dense(drawn: Drawn) -> Dense | None:
     project = replace(
         drawn.project, names=names, angles=tuple(float(a) for a in angles % WHOLE), rows=rows
     )
-    bad, why = _undrawn(project, again, reading, known)
+    bad, why = _undrawn(project, following, reading, known)
     numbers_there = Numbers(reading, dict.fromkeys(rows, reading), reading)
     there = replace(sheet, project=project, numbers=numbers_there, hand=EXACT, undrawn=bad)
     there.cache.update(sheet.cache)
-    return Dense(there, sheet, turned, angles, whole, at, why, again, known)
+    return Dense(there, sheet, turned, angles, whole, at, why, following, known)
 
 
 def _exact(drawn: Drawn) -> bool:
@@ -90,8 +92,8 @@ def _exact(drawn: Drawn) -> bool:
     return hand.ruler is None and not hand.slips and hand.digits is None
 
 
-def _turned(drawn: Drawn, by: Mark) -> tuple[Reals, Reals, int, tuple[int, ...]]:
-    """Return how far the crank has turned at every angle, its number in the row; see `Dense` for the others."""
+def _turned(drawn: Drawn, by: Mark) -> tuple[Reals, float, int, tuple[int, ...]]:
+    """Return how far the crank has turned at every angle, how far over the row; see `Dense` for the others."""
     count = drawn.project.count
     row = np.asarray(drawn.given[by], dtype=float)[0]
     assert drawn.scene.mechanism is not None
@@ -108,37 +110,11 @@ def _turned(drawn: Drawn, by: Mark) -> tuple[Reals, Reals, int, tuple[int, ...]]
         else:
             at.append(len(turned))
             turned.append(sense * own)
-    found = np.array(turned)
-    return found, np.abs(found) * count / degrees, degrees, tuple(at)
-
-
-def _kept(sheet: Drawn) -> dict[Mark, Any]:
-    """Return what is given that does not vary, and what is drawn across positions, once for all of them."""
-    drawn, steps = sheet.numbers.drawn, sheet.construction.steps
-    known: dict[Mark, Any] = {
-        mark: value
-        for mark, value in sheet.given.items()
-        if not (isinstance(value, np.ndarray) and value.ndim == 2 and value.shape[1] > 1)
-    }
-    across = [step.it for step in steps if step.op.across and step.it in drawn]
-    return known | {mark: drawn[mark] for mark in across if places(drawn[mark]) == 1}
-
-
-def _again(log: Construction, known: Collection[Mark]) -> Construction:
-    """Return the log of what follows from what is known, and from nothing else."""
-    there, steps = set(known), []
-    for step in log.steps:
-        if step.it in known:
-            continue
-        if not step.op.across and there.issuperset(step.uses):
-            there.add(step.it)
-            steps.append(step)
-    begun = tuple(mark for mark in (*log.given, *(s.it for s in log.steps)) if mark in known)
-    return log._replace(given=begun, steps=tuple(steps))
+    return np.array(turned), sense * degrees, degrees, tuple(at)
 
 
 def _undrawn(
-    project: Project, again: Construction, reading: Reading, known: Mapping[Mark, Any]
+    project: Project, following: Construction, reading: Reading, known: Mapping[Mark, Any]
 ) -> tuple[tuple[int, ...], dict[int, str]]:
     """Return the angles at which the mechanism cannot be drawn, and of each the sentence that tells why."""
     found: set[int] = set()
@@ -146,9 +122,9 @@ def _undrawn(
         found |= set(chapter.undrawn(project, reading))
     bad, why = tuple(sorted(found)), dict[int, str]()
     if bad:
-        marks = [step.it for step in again.steps]
+        marks = [step.it for step in following.steps]
         for run in _runs(bad):
-            told = examine(again, known, marks, positions=run)
+            told = examine(following, known, marks, positions=run)
             first = next((one for one in told if one.kind == "undrawn"), None)
             if first is not None:
                 first = first._replace(number=step_number(project.construction, first.step))

@@ -29,9 +29,6 @@ from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.write.svg import ids, svg
 from graphic_tmm.templates import environment
 
-FORMAT = "html"
-"""What files of pages are called."""
-
 
 def page(
     made: DrawnScene, sheets: Sequence[Sheet], *, practised: bool = False, seed: int | None = None

@@ -194,12 +194,6 @@ class Sheet(NamedTuple):
     drawings: tuple[Drawing, ...]
     language: str = ""
 
-    def _repr_svg_(self) -> str:
-        """Return the sheet as SVG: a notebook shows it."""
-        from graphic_tmm.paper.write.svg import svg
-
-        return svg(self)
-
 
 def shifted(stroke: Ink, by: complex) -> Ink:
     """Return a stroke translated by ``by`` (complex, mm)."""

@@ -7,7 +7,8 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.paper.drawing import Drawing, Wanted
-from graphic_tmm.paper.labels import CLEAR, interrupt, leaders, place
+from graphic_tmm.paper.label_places import CLEAR
+from graphic_tmm.paper.labels import interrupt, leaders, place
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.packing import bounds
 

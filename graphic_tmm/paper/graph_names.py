@@ -12,7 +12,7 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Curve, Reals
 from graphic_tmm.paper.drawing import Wanted
 from graphic_tmm.paper.graph_rules import Graph, curve_over_base, ends_of
-from graphic_tmm.paper.labels import polylines
+from graphic_tmm.paper.label_places import polylines
 from graphic_tmm.paper.seen import finite
 from graphic_tmm.paper.shapes import flat
 

@@ -119,6 +119,21 @@ class Occupied:
         first, last = spans(starts[None, :], ends[None, :], *edges)
         return np.asarray((first <= last).any(axis=1))
 
+    def alone(self, rect: Rect, past: float) -> bool:
+        """Whether no label can stand level beside a rectangle, and no leader nearer than ``past`` mm."""
+        about = Rect(rect.left - ROW, rect.bottom, rect.right + ROW, rect.top)
+        near = list(_squares(about.grown(past)))
+        if any(square in self._leaders for square in near):
+            return False
+        others = (self.rects[k] for square in near for k in self._letters.get(square, ()))
+        return not any(
+            one.left <= about.right
+            and about.left <= one.right
+            and one.bottom <= about.top
+            and about.bottom <= one.top
+            for one in others
+        )
+
     def level(
         self, left: Reals, bottom: Reals, right: Reals, top: Reals
     ) -> tuple[NDArray[np.int64], Reals, Reals, Reals, Reals]:

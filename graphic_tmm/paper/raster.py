@@ -46,11 +46,16 @@ class Raster:
         spots = _samples(*_inside(*_pieces(lines), frame), self.cell / SAMPLES)
         x = np.minimum(np.floor((spots.real - left) / self.cell).astype(np.int64), self.wide - 1)
         y = np.minimum(np.floor((spots.imag - bottom) / self.cell).astype(np.int64), self.high - 1)
-        cells = np.maximum(y, 0) * self.wide + np.maximum(x, 0)
-        ink = np.bincount(cells, minlength=self.wide * self.high).reshape(self.high, self.wide)
-        self.sums = np.zeros((self.high + 1, self.wide + 1), dtype=np.int64)
-        np.cumsum(ink, axis=0, out=self.sums[1:, 1:])
+        row, column = (
+            np.maximum(y, 0) + 1,
+            np.maximum(x, 0) + 1,
+        )  # before the first there is nothing
+        shape = (self.high + 1, self.wide + 1)
+        ink = np.bincount(row * shape[1] + column, minlength=shape[0] * shape[1])
+        self.sums = ink.astype(np.int32).reshape(shape)
         np.cumsum(self.sums, axis=1, out=self.sums)
+        for before, now in pairwise(self.sums):  # several times as fast as a sum along columns
+            now += before
 
     def length(self, left: Reals, bottom: Reals, right: Reals, top: Reals) -> Reals:
         """Return about how long the lines are inside boxes, mm; arrays of one shape."""

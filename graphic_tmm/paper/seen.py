@@ -76,13 +76,13 @@ class Seen:
 
 
 @lru_cache(maxsize=8)
-def _by_mark(log: ByIdentity) -> Mapping[Mark, Step]:
-    return {step.it: step for step in log.construction.steps}
+def _by_mark(log: ByIdentity[Construction]) -> Mapping[Mark, Step]:
+    return {step.it: step for step in log.it.steps}
 
 
 @lru_cache(maxsize=64)
-def _steps(log: ByIdentity, views: tuple[str, ...]) -> tuple[Step, ...]:
-    return tuple(s for s in log.construction.steps if s.it.view in views)
+def _steps(log: ByIdentity[Construction], views: tuple[str, ...]) -> tuple[Step, ...]:
+    return tuple(s for s in log.it.steps if s.it.view in views)
 
 
 def _uses(steps: Sequence[Step]) -> Mapping[Mark, tuple[Step, ...]]:

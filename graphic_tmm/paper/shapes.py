@@ -9,6 +9,7 @@ from functools import lru_cache
 import numpy as np
 import shapely
 
+from graphic_tmm.board.values import Reals
 from graphic_tmm.paper.clipping import Frame
 from graphic_tmm.paper.drawing import Bezier, Label, Stroke
 from graphic_tmm.paper.lettering.letters import letter
@@ -63,8 +64,10 @@ def outline(stroke: Stroke | Bezier) -> list[complex]:
     """Return the corners of a stroke; curves by points near enough for placing."""
     if isinstance(stroke, Bezier):
         return flat(stroke.controls)
-    points: list[complex] = []
-    count = len(stroke.path)
+    if not any(bulge for _, _, bulge in stroke.path):
+        points = [complex(x, y) for x, y, _ in stroke.path]
+        return [*points, points[0]] if stroke.closed else points
+    points, count = [], len(stroke.path)
     for k, (x, y, bulge) in enumerate(stroke.path):
         points.append(complex(x, y))
         if bulge and (stroke.closed or k + 1 < count):
@@ -82,11 +85,16 @@ def flat(controls: Sequence[complex]) -> list[complex]:
         a, b, c, d = controls[k : k + 4]
         bend = 6 * max(abs(a - 2 * b + c), abs(b - 2 * c + d))  # of the arc, at most
         count = _count(math.sqrt(bend / (8 * TRUE)), 8)
-        t = np.linspace(0.0, 1.0, count + 1)[1:]
-        points += list(
-            (1 - t) ** 3 * a + 3 * (1 - t) ** 2 * t * b + 3 * (1 - t) * t**2 * c + t**3 * d
-        )
+        own, second, third, last = _weights(count)
+        points += list(own * a + second * b + third * c + last * d)
     return points
+
+
+@lru_cache(maxsize=CHORDS)
+def _weights(count: int) -> tuple[Reals, Reals, Reals, Reals]:
+    """Return what each control point of an arc counts at the ends of so many chords, but for the first."""
+    t = np.linspace(0.0, 1.0, count + 1)[1:]
+    return (1 - t) ** 3, 3 * (1 - t) ** 2 * t, 3 * (1 - t) * t**2, t**3
 
 
 def _bow(start: complex, end: complex, bulge: float) -> list[complex]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
@@ -63,22 +64,21 @@ def captioned(
     view: Drawing,
     *lines: str,
     heights: Heights = HEIGHTS["A4"],
-    series: Sequence[Drawing] = (),
+    narrowest: float = math.inf,
     known: Sequence[Mark] = (),
 ) -> Drawing:
     """Return a view with lines of lettering below it: in the middle, below a table from its left edge.
 
-    The first of them is the title, broken where it is much wider than its view, or than the narrowest of the
-    ``series`` that it is one of; a table has its own above it. Where a sheet is too narrow, all lines are
+    The first of them is the title, broken where it is much wider than its view, or than the ``narrowest`` of a
+    series that it is one of, mm; a table has its own above it. Where a sheet is too narrow, all lines are
     broken, and the view comes apart if it can. ``known``: the marks that the lines behind the second one tell:
     these appear with them.
     """
-    of = tuple(mark.slot for mark in known)
-    boxes = [bounds(one) for one in (view, *series)]
-    width = min(right - left for left, _, right, _ in boxes)
+    view, of = view._replace(cell=bounds(view)), tuple(mark.slot for mark in known)
     if view.name.startswith("table"):
         told = [_Line(text, heights.number) for text in lines]
     else:
+        width = min(narrowest, width_of(view))
         titles = [_titled(text, heights.title, width) for text in lines[:1]]
         told = [_Line(part, heights.title) for parts in titles for part in parts]
         told += [_Line(text, heights.point, of if k else ()) for k, text in enumerate(lines[1:])]
@@ -94,6 +94,12 @@ def captioned(
         ]
 
     return _above(told, view)._replace(apart=apart)
+
+
+def width_of(*views: Drawing) -> float:
+    """Return how wide the narrowest of some views is, mm."""
+    boxes = map(bounds, views)
+    return min((right - left for left, _, right, _ in boxes), default=math.inf)
 
 
 def _titled(text: str, size: float, width: float) -> list[str]:
@@ -128,7 +134,8 @@ class _Line(NamedTuple):
 
 def _above(lines: Sequence[_Line], view: Drawing) -> Drawing:
     """Return a view with lines below it, each in its height; it does not come apart."""
-    left, low, right, top = bounds(view)
+    left, bottom, right, top = bounds(view)
+    low = bottom
     tabular, middle = view.name.startswith("table"), (left + right) / 2
     anchor = "start" if tabular else "middle"
     # leaning tops reach out at the right, tails at the left
@@ -142,7 +149,7 @@ def _above(lines: Sequence[_Line], view: Drawing) -> Drawing:
         low -= made.descent
         half = max(made.right - made.width / 2, tail + made.width / 2)
         widest = max(widest, tail + made.right if tabular else 2 * half)
-    foot = view.foot + bounds(view)[1] - low
+    foot = view.foot + bottom - low
     reach = max(right - left, widest) / 2
     cell = (middle - reach, low, middle + reach, top)
     if tabular:

@@ -49,6 +49,17 @@ class Column:
         mm, value = (np.where(gone, np.nan, rows) for rows in (self.mm, self.value))
         return replace(self, mm=mm, value=value)
 
+    def placed_as(self, other: Column) -> Column:
+        """Return the column with its positions in the order of those of another.
+
+        A list stands in the order of its first drawing: the lists of two blocks of drawings may differ in it.
+        """
+        if self.at == other.at:
+            return self
+        names = [name for name, _ in self.at]
+        order = [names.index(name) for name, _ in other.at]
+        return replace(self, mm=self.mm[:, order], value=self.value[:, order], at=other.at)
+
     @property
     def drawn(self) -> bool:
         """Whether anything of it is measured in mm."""

@@ -31,7 +31,7 @@ def reason(found: Finding, project: Project, language: str) -> str:
         plan=_in_sentence(project, found.step.it.view, language),
         number=found.number,
         it=spoken(found.step.it, language),
-        why=_why(found, _),
+        why=why_of(found, _),
     )
 
 
@@ -43,12 +43,13 @@ def finding(found: Finding, project: Project, language: str) -> str:
         plan=_in_sentence(project, found.step.it.view, language),
         number=found.number,
         it=spoken(found.step.it, language),
-        why=_why(found, _),
+        why=why_of(found, _),
         places=", ".join(project.names[i] for i in found.positions),
     )
 
 
-def _why(found: Finding, speech: Speech) -> str:
+def why_of(found: Finding, speech: Speech) -> str:
+    """Return why something cannot be drawn, or is in doubt."""
     if found.kind == "undrawn":
         return _undrawn(found, speech)
     sure = max(0, math.floor(-math.log10(found.amount))) if 0.0 < found.amount < 1.0 else 0

@@ -3,20 +3,28 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from graphic_tmm.captions import captions
 from graphic_tmm.chapter import MECHANISM, Given, Place, chapters
-from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.paper.blocks import breakable
-from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.late import late
 from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights, heights
-from graphic_tmm.paper.lettering.indices import markup
-from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.scene.quantities import turns_a_minute
 from graphic_tmm.scene.records import Scene
+
+if TYPE_CHECKING:
+    from graphic_tmm.drawn import Drawn
+    from graphic_tmm.paper.drawing import Drawing
+
+with late(__name__):
+    from graphic_tmm.paper.blocks import breakable
+    from graphic_tmm.paper.lettering.indices import markup
+    from graphic_tmm.paper.lettering.letters import escape
+    from graphic_tmm.readers.protocol import synthesis
 
 NAME = "table-given"
 TALL = 12
@@ -49,14 +57,30 @@ def given_place(board: str) -> Place:
     return Place(name, 0, draw, attends=board)
 
 
-def given_table(scene: Scene, heights: Heights = HEIGHTS["A1"], board: str = MECHANISM) -> Drawing:
-    """Return the table of what is given; its rows stand side by side where there are many."""
+def sought(scene: Scene) -> frozenset[str]:
+    """Return the symbols of what the synthesis finds, if a scene states a task: it is given, but not told."""
+    found = synthesis(scene)
+    return frozenset(step.it.name for step in found.construction.steps) if found else frozenset()
+
+
+def given_table(
+    scene: Scene,
+    heights: Heights = HEIGHTS["A1"],
+    board: str = MECHANISM,
+    rows: Sequence[Given] | None = None,
+    tall: int = TALL,
+) -> Drawing:
+    """Return the table of what is given; its rows stand side by side where there are more than ``tall``.
+
+    ``rows``: of these, if not of all that is given.
+    """
+    told = given_rows(scene, board) if rows is None else rows
     language, size = scene.language, heights.number
     words = captions(language)
-    rows = [_cells(row, language) for row in given_rows(scene, board)]
-    beside = max(1, math.ceil(len(rows) / TALL))
-    tall = math.ceil(len(rows) / beside)
-    padded = [*rows, *[("", "", "")] * (tall * beside - len(rows))]
+    cells = [_cells(row, language) for row in told]
+    beside = max(1, math.ceil(len(cells) / tall))
+    tall = math.ceil(len(cells) / beside)
+    padded = [*cells, *[("", "", "")] * (tall * beside - len(cells))]
     lines = [[cell for row in padded[k::tall] for cell in row] for k in range(tall)]
     heads = [words["letter"], words["figure"], words["unit"]] * beside
     return breakable(

@@ -17,7 +17,7 @@ from graphic_tmm.language.names import plain
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.readers.equations import Equation, equations, heading
-from graphic_tmm.readers.sentences import calculation, reason, sentence
+from graphic_tmm.readers.sentences import calculation, figure, reason, sentence
 
 
 class Line(NamedTuple):
@@ -25,7 +25,8 @@ class Line(NamedTuple):
 
     ``first``: the number of the first of the steps that the line tells, where it tells several. ``why``: the
     reason of the step. ``step``: the step itself, None of a remark; ``place``: the position (index) in which it
-    is told; ``equation``: the one that a remark is.
+    is told; ``equation``: the one that a remark is. ``value``: the figure that the step leaves, in its
+    ``unit``; None where that is no figure.
     """
 
     number: int
@@ -36,6 +37,8 @@ class Line(NamedTuple):
     step: Step | None = None
     place: int = 0
     equation: Equation | None = None
+    value: float | None = None
+    unit: str = ""
 
     @property
     def label(self) -> str:
@@ -83,7 +86,8 @@ def protocol(
         note = calculation(step, reading, at, language, terms)
         why = reason(step, language, reading, at)
         told_so = sentence(step, language, reading, at)
-        yield Line(counted, told_so, note, first, why, step, at)
+        value, of = figure(step, reading, at)
+        yield Line(counted, told_so, note, first, why, step, at, value=value, unit=of)
         first = 0
     yield from _left_out(left_out, language)
 

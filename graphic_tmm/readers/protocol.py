@@ -56,7 +56,9 @@ def steps_of(
         As `told`.
     """
     return [
-        line for one in told(made, wanted, position, language) for line in _text(one, language, why)
+        line
+        for one in told(made, wanted, position, language)
+        for line in text_of(one, language, why)
     ]
 
 
@@ -105,7 +107,7 @@ def protocol(
         If there is no such position, or the only plan asked for is not drawn in it.
     """
     for one in _told(drawn, wanted, position, language):
-        yield from _text(one, language, why)
+        yield from text_of(one, language, why)
 
 
 def part_protocol(
@@ -127,10 +129,11 @@ def part_protocol(
         If the part has no such position.
     """
     for one in _part_told(drawn, wanted, position, language):
-        yield from _text(one, language, why)
+        yield from text_of(one, language, why)
 
 
-def _text(one: Told, language: str, why: bool) -> Iterator[str]:
+def text_of(one: Told, language: str, why: bool) -> Iterator[str]:
+    """Yield a protocol as lines of text; ``why``: with the reasons of its steps, in a language."""
     yield one.title
     yield from _printed(one.lines, language if why else "")
     yield ""

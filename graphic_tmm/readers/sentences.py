@@ -15,6 +15,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Angle, Length, Number, Side
 from graphic_tmm.captions import captions, view_name
+from graphic_tmm.drawn import MEASURED
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import spoken
 from graphic_tmm.language.numbers import number
@@ -154,6 +155,15 @@ def _closed(formula: str, numbers: dict[str, str]) -> dict[str, str]:
         name: f"({told})" if name in bound and _POWER in told and told[0] != "(" else told
         for name, told in numbers.items()
     }
+
+
+def figure(step: Step, reading: Reading, place: int) -> tuple[float | None, str]:
+    """Return the figure that a step leaves in a position, and its unit; None where it leaves none."""
+    if not worth(step) or step.it.kind not in (Length, Number, Angle):
+        return None, ""
+    value = _value(reading, step.it, place)
+    of = MEASURED.get(step.it.kind, step.it.unit)
+    return (value if np.isfinite(value) else None), of
 
 
 def worth(step: Step) -> bool:

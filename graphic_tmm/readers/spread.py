@@ -1,8 +1,11 @@
-"""How figures scatter over many drawings by one hand: median, 5th and 95th hundredths beside each column."""
+"""How figures scatter over many drawings by one hand: median, 5th and 95th hundredths beside each column.
+
+The drawings come block by block, and no more of their figures is kept than those quantiles need.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,77 +15,92 @@ from graphic_tmm.drawn import Results
 from graphic_tmm.readers.columns import (
     Column,
 )
+from graphic_tmm.readers.quantiles import SURE, Quantiles
 
 QUANTILES = {"median": 0.5, "p5": 0.05, "p95": 0.95}
 """What is told of the trials, by the end of a column's name."""
+ATTEMPTS = (SURE, 4 * SURE, 1e12)
+"""How sure it is made, attempt by attempt, that all needed is kept; the last one keeps everything."""
 
 
-def spread_columns(base: Sequence[Column], trials: Sequence[Column]) -> list[Column]:
-    """Return each column followed by its quantiles over the trials; a trial that failed is left out of them.
+class Scattered:
+    """Figures along some places over ``trials`` drawings; one row as long as all drawings are alike."""
 
-    ``trials``: the same columns of many drawings, in the order of ``base``.
-    """
-    found = []
-    for column, drawn in zip(base, trials, strict=True):
-        found.append(column)
-        rows = zip(quantiles(drawn.mm), quantiles(drawn.value), strict=True)
-        for name, (mm, value) in zip(QUANTILES, rows, strict=True):
-            segment, letter = f"{column.segment}_{name}", f"{column.letter} {name}"
-            told = {"segment": segment, "letter": letter, "mm": mm[None], "value": value[None]}
-            found.append(replace(column, **told))
-    return found
+    def __init__(self, trials: int, sure: float) -> None:
+        self._alike: Reals | None = None
+        self._times = 0
+        self._quantiles = Quantiles(tuple(QUANTILES.values()), trials, sure)
 
+    def add(self, rows: Reals, trials: int) -> None:
+        """Take a block of drawings in, (trial, place), or the one row (1, place) of all of them."""
+        first = self._alike if self._alike is not None else rows
+        if self._quantiles.empty and len(rows) == 1 and np.array_equal(first, rows, equal_nan=True):
+            self._alike, self._times = first, self._times + trials
+            return
+        if self._alike is not None:
+            self._quantiles.add(np.broadcast_to(self._alike.T, (rows.shape[1], self._times)))
+            self._alike = None
+        self._quantiles.add(np.broadcast_to(rows, (trials, rows.shape[1])).T)
 
-def spread_results(base: Results, trials: Results) -> Results:
-    """Return each result followed by its quantiles over the trials that have it."""
-    found: dict[str, tuple[Reals, str]] = {}
-    for name, (figures, unit) in base.items():
-        found[name] = figures, unit
-        if name in trials and np.isfinite(trials[name][0]).any():
-            told = quantiles(trials[name][0][:, None])
-            keys = (f"{name}_{key}" for key in QUANTILES)
-            found |= {key: (figure, unit) for key, figure in zip(keys, told, strict=True)}
-    return found
+    @property
+    def missed(self) -> bool:
+        """Whether too little was kept."""
+        return self._quantiles.missed
 
-
-def joined_columns(blocks: Sequence[tuple[int, Sequence[Column]]]) -> list[Column]:
-    """Return the columns of blocks of drawings, each of so many trials, as those of all of them."""
-    trials = [n for n, _ in blocks]
-    found = []
-    for same in zip(*(columns for _, columns in blocks), strict=True):
-        mm, value = (
-            _joined(rows, trials) for rows in zip(*((c.mm, c.value) for c in same), strict=True)
-        )
-        found.append(replace(same[0], mm=mm, value=value))
-    return found
+    def told(self) -> Reals:
+        """Return the `QUANTILES`, (quantile, place); NaN where no drawing has a figure."""
+        if self._alike is None:
+            return self._quantiles.told()
+        row = np.where(np.isfinite(self._alike), self._alike, np.nan)
+        return np.repeat(row, len(QUANTILES), axis=0)
 
 
-def joined_results(blocks: Sequence[tuple[int, Results]]) -> Results:
-    """Return the results of blocks of drawings, each of so many trials, as those of all of them."""
-    trials, nothing = [n for n, _ in blocks], np.full(1, np.nan)
-    units = {name: unit for _, some in blocks for name, (_, unit) in some.items()}
-    rows = {name: [some.get(name, (nothing,))[0] for _, some in blocks] for name in units}
-    return {name: (_joined(rows[name], trials), unit) for name, unit in units.items()}
+class Spread:
+    """The columns and results of a drawing, and how those of ``trials`` drawings scatter about them."""
+
+    def __init__(
+        self, columns: Sequence[Column], results: Results, trials: int, sure: float = SURE
+    ) -> None:
+        self._columns, self._results = columns, results
+        self._scattered = [Scattered(trials, sure) for _ in columns]
+        self._figures = {name: Scattered(trials, sure) for name in results}
+
+    def add(self, columns: Sequence[Column], results: Results, trials: int) -> None:
+        """Take the same columns, and the results, of a block of so many drawings in."""
+        for held, base, column in zip(self._scattered, self._columns, columns, strict=True):
+            held.add(_beside(column.placed_as(base)), trials)
+        for name, figure in self._figures.items():
+            rows = results[name][0] if name in results else np.full(1, np.nan)
+            figure.add(rows[:, None], trials)
+
+    @property
+    def missed(self) -> bool:
+        """Whether too little was kept to tell all quantiles."""
+        return any(one.missed for one in (*self._scattered, *self._figures.values()))
+
+    def columns(self) -> Iterator[Column]:
+        """Yield each column followed by its quantiles; a drawing that failed is left out of them."""
+        for column, held in zip(self._columns, self._scattered, strict=True):
+            yield column
+            for name, row in zip(QUANTILES, held.told(), strict=True):
+                mm, value = np.split(row[None], 2, axis=1)
+                segment, letter = f"{column.segment}_{name}", f"{column.letter} {name}"
+                yield replace(column, segment=segment, letter=letter, mm=mm, value=value)
+
+    def results(self) -> Results:
+        """Return each result followed by its quantiles over the drawings that have it."""
+        found: dict[str, tuple[Reals, str]] = {}
+        for name, (figures, unit) in self._results.items():
+            found[name] = figures, unit
+            told = self._figures[name].told()
+            if np.isfinite(told).any():
+                rows = zip(QUANTILES, told, strict=True)
+                found |= {f"{name}_{key}": (figure, unit) for key, figure in rows}
+        return found
 
 
-def _joined(blocks: Sequence[Reals], trials: Sequence[int]) -> Reals:
-    """Return rows of blocks one below the other; a single one where nothing varies."""
-    first = blocks[0]
-    if len(first) == 1 and all(np.array_equal(rows, first, equal_nan=True) for rows in blocks):
-        return first
-    pairs = zip(blocks, trials, strict=True)
-    return np.concatenate([np.broadcast_to(rows, (n, *rows.shape[1:])) for rows, n in pairs])
-
-
-def quantiles(rows: Reals) -> Reals:
-    """Return the `QUANTILES` over the trials, (quantile, position); NaN where no trial has a figure.
-
-    ``rows``: (trial, position), NaN where a trial failed.
-    """
-    rows = np.sort(np.where(np.isfinite(rows), rows, np.nan), axis=0)
-    there = np.isfinite(rows).sum(axis=0)
-    found = np.full((len(QUANTILES), rows.shape[1]), np.nan)
-    for count in np.unique(there[there > 0]):
-        alike = there == count
-        found[:, alike] = np.quantile(rows[:count, alike], tuple(QUANTILES.values()), axis=0)
-    return found
+def _beside(column: Column) -> Reals:
+    """Return mm and figures of a column beside one another, (trial, place)."""
+    count = max(len(column.mm), len(column.value))
+    rows = (np.broadcast_to(one, (count, one.shape[1])) for one in (column.mm, column.value))
+    return np.concatenate(tuple(rows), axis=1)

@@ -10,19 +10,14 @@ from typing import Any
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn, DrawnScene, Results, hand_of, single
+from graphic_tmm.packaged import scene_name
 from graphic_tmm.readers.columns import (
     Column,
     Positions,
 )
-from graphic_tmm.readers.spread import (
-    joined_columns,
-    joined_results,
-    spread_columns,
-    spread_results,
-)
-from graphic_tmm.readers.text import result_tables, rich_tables
+from graphic_tmm.readers.spread import ATTEMPTS, Spread
+from graphic_tmm.readers.text import result_tables, text_tables
 from graphic_tmm.readers.writing import as_csv, as_json, decimals_of
-from graphic_tmm.scenes import scene_name
 from graphic_tmm.studio import blocks
 
 WIDTH = 220
@@ -60,7 +55,7 @@ def scene_results(made: DrawnScene) -> Results:
 def table(
     made: DrawnScene, form: str, trials: int = 1, *, width: int = WIDTH, comma: bool = False
 ) -> str | list[Any]:
-    """Return the tables of a scene as CSV or JSON text, or as rich tables for ``form`` "text".
+    """Return the tables of a scene as CSV or JSON text, or framed for ``form`` "text".
 
     ``width``: the characters that a line of text has; ``comma``: CSV with decimal commas. ``trials``:
     how often the scene's hand draws everything; more than once, each figure is followed by the median and the
@@ -69,26 +64,36 @@ def table(
     scene = made.scene
     found, numbers = scene_columns(made), scene_results(made)
     if trials > 1:
-        hand = hand_of(scene, trials)
-        drawn = [(one.trials, scene_columns(one), scene_results(one)) for one in blocks(made, hand)]
-        found = spread_columns(found, joined_columns([(n, some) for n, some, _ in drawn]))
-        numbers = spread_results(numbers, joined_results([(n, some) for n, _, some in drawn]))
+        spread = _spread(made, found, numbers, trials)
+        found, numbers = list(spread.columns()), spread.results()
     told = single(numbers)
     positions = positions_of(made)
     if form == "csv":
         return as_csv(positions, found, None if made.exact else made.division, comma=comma)
     if form == "text":
         decimals = 3 if made.exact else decimals_of(made.division)
-        tables = rich_tables(found, positions, scene.language, scene.title, decimals, width)
+        tables = text_tables(found, positions, scene.language, scene.title, decimals, width)
         return [*tables, *result_tables(told, scene.language, scene.title)]
-    results = _facts(made)
+    results = facts_of(made)
     for name, (value, of) in told.items():
         if math.isfinite(value):
             results[name] = {"value": value, "unit": of}
-    return as_json(scene_name(scene.source), _scales(made), positions, found, results)
+    return as_json(scene_name(scene.source), scales_of(made), positions, found, results)
 
 
-def _scales(made: DrawnScene) -> dict[str, Any]:
+def _spread(made: DrawnScene, columns: list[Column], results: Results, trials: int) -> Spread:
+    """Return how figures scatter when the scene's hand draws them so often; a block is held at a time."""
+    for sure in ATTEMPTS:
+        spread = Spread(columns, results, trials, sure)
+        for one in blocks(made, hand_of(made.scene, trials)):
+            spread.add(scene_columns(one), scene_results(one), one.trials)
+            del one  # lest it be held while the next is drawn
+        if not spread.missed:
+            break
+    return spread
+
+
+def scales_of(made: DrawnScene) -> dict[str, Any]:
     """Return the scale factors under the names that machines read."""
     found = {}
     for drawn in made.boards:
@@ -129,7 +134,8 @@ def positions_of(made: DrawnScene) -> Positions:
     return ()
 
 
-def _facts(made: DrawnScene) -> dict[str, Any]:
+def facts_of(made: DrawnScene) -> dict[str, Any]:
+    """Return what is told of a scene beside its results: its mobility W, its formula."""
     found: dict[str, Any] = {}
     for drawn in made.boards:
         for chapter in drawn.project.chapters:

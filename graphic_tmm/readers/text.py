@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
-from typing import Any
 
 from graphic_tmm.captions import captions
 from graphic_tmm.chapter import chapters
@@ -13,6 +12,7 @@ from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.symbols import result_symbol, symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.readers.columns import Column, Positions, known_at
+from graphic_tmm.readers.framed import Framed
 from graphic_tmm.readers.spread import QUANTILES
 from graphic_tmm.readers.told import told_as
 
@@ -21,33 +21,41 @@ FRAME = 3
 Rows = list[list[str]]
 
 
-def rich_tables(
+def text_tables(
     table: Sequence[Column],
     positions: Positions,
     language: str,
     title: str,
     decimals: int,
     width: int,
-) -> list[Any]:
+) -> list[Framed]:
     """Return the tables for a terminal of so many characters, a plan after the other; positions run across.
 
     mm are told with ``decimals``. What does not fit beside one another stands in blocks below one another, each
     with its heads.
     """
-    words, made = captions(language), []
+    words = captions(language)
+    made: list[Framed] = []
     for (plan, at), group in groupby(table, key=lambda column: (column.plan, column.at)):
-        columns = list(group)
-        names = [name for name, _ in at or positions]
-        shown = known_at(columns)
-        heads = [words["segment"], words["unit"], *(names[k] for k in shown)]
-        rows = [row for column in columns for row in _rows(column, shown, decimals, language)]
+        rows = table_rows(list(group), at or positions, language, decimals)
         told = f"{title}. {words.get(plan, plan)}"
-        for k, block in enumerate(_blocks([heads, *rows], width)):
-            made += _ruled(told if k == 0 else f"{told} ({words['continued']})", block)
+        for k, block in enumerate(_blocks(rows, width)):
+            made.append(Framed(told if k == 0 else f"{told} ({words['continued']})", block))
     return made
 
 
-def result_tables(results: Mapping[str, tuple[float, str]], language: str, title: str) -> list[Any]:
+def table_rows(
+    columns: Sequence[Column], positions: Positions, language: str, decimals: int
+) -> Rows:
+    """Return columns of the same positions as rows of cells, heads first: of each its mm, and its quantity."""
+    words, names, shown = captions(language), [name for name, _ in positions], known_at(columns)
+    heads = [words["segment"], words["unit"], *(names[k] for k in shown)]
+    return [heads, *(row for one in columns for row in _rows(one, shown, decimals, language))]
+
+
+def result_tables(
+    results: Mapping[str, tuple[float, str]], language: str, title: str
+) -> list[Framed]:
     """Return the table of results for a terminal; none if there are none."""
     if not results:
         return []
@@ -55,7 +63,7 @@ def result_tables(results: Mapping[str, tuple[float, str]], language: str, title
     rows = [[words["results"], words["value"], words["unit"]]]
     for name, (value, of) in results.items():
         rows.append([result_name(name, language), number(value, language, 6), unit(of, language)])
-    return _ruled(f"{title}. {words['results']}", rows, left=True)
+    return [Framed(f"{title}. {words['results']}", rows, left=True)]
 
 
 def column_name(column: Column, language: str) -> str:
@@ -107,16 +115,3 @@ def _blocks(rows: Rows, width: int) -> Iterator[Rows]:
         at = end
         if at >= len(needed):
             return
-
-
-def _ruled(title: str, rows: Rows, *, left: bool = False) -> list[Any]:
-    """Return the title, which may be longer than its table is wide, and the table."""
-    from rich.table import Table
-    from rich.text import Text
-
-    out = Table()
-    for head in rows[0]:
-        out.add_column(Text(head), justify="left" if left else "right", no_wrap=True)
-    for row in rows[1:]:
-        out.add_row(*map(Text, row))
-    return [Text(title, style="italic"), out]

@@ -125,8 +125,10 @@ def _measured(columns: Sequence[Column]) -> Iterator[Figures]:
     places = _common(columns)
     for column in columns:
         lengths, values = column.told
-        roughly = [_worth(column, k, ROUGH, places) for k in range(len(values))]
-        finely = [_worth(column, k, FINE, places) for k in range(len(values))]
+        roughly, finely = (
+            [_at(told_as(*pair, few), places) for pair in zip(lengths, values, strict=True)]
+            for few in (ROUGH, FINE)
+        )
         fine = ROUGH if roughly == finely else FINE
         yield Figures([_at(x, fine) for x in lengths], fine, finely, places)
 
@@ -135,12 +137,6 @@ def _common(columns: Sequence[Column]) -> int:
     """Return the decimals of what is drawn to one μ."""
     by_mm = math.floor(-math.log10(COARSEST * _mu(columns[0]))) + 1
     return max(by_mm, decimals([x for column in columns for x in column.told[1]]))
-
-
-def _worth(column: Column, k: int, fine: int, places: int) -> float | None:
-    """Return the quantity that a length stands for at a position (index) as it is written."""
-    mm, value = (row[k] for row in column.told)
-    return _at(told_as(mm, value, fine), places)
 
 
 def _at(value: float | None, places: int) -> float | None:

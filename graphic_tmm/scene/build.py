@@ -6,8 +6,17 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from graphic_tmm.mechanism.masses import shared
-from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide
+from graphic_tmm.mechanism.records import (
+    Drive,
+    Extreme,
+    Guide,
+    Link,
+    Mechanism,
+    Row,
+    Side,
+    Slide,
+    shared,
+)
 from graphic_tmm.scene import drawing, geometry, places, registry
 from graphic_tmm.scene import mechanism as m
 from graphic_tmm.scene.checks import centres_of

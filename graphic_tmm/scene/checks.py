@@ -10,7 +10,8 @@ from typing import Any
 
 from graphic_tmm.bounds import TaskError
 from graphic_tmm.language.said import joined, said
-from graphic_tmm.mechanism.masses import free_points, shared
+from graphic_tmm.mechanism.masses import free_points
+from graphic_tmm.mechanism.records import shared
 from graphic_tmm.scene import geometry, registry
 from graphic_tmm.scene.declare import Found, Path, Said, Section, build
 from graphic_tmm.scene.document import table

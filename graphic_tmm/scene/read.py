@@ -12,11 +12,12 @@ from graphic_tmm.language.said import said
 from graphic_tmm.scene import build, checks, references
 from graphic_tmm.scene.declare import Found
 from graphic_tmm.scene.document import Document, document, parsed
-from graphic_tmm.scene.faults import fault, key_of
+from graphic_tmm.scene.faults import fault
 from graphic_tmm.scene.lines import line_of, locate
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.remarks import remarks
 from graphic_tmm.scene.sections import understand
+from graphic_tmm.scene.vary import told
 
 FILE = "scene.toml"
 SCENE = Kind(
@@ -56,20 +57,22 @@ def judged(data: bytes, file: Path, *, missing: Callable[[str], str] = lambda te
     return _scene(file, *parsed(data, file), missing)
 
 
-def _scene(file: Path, text: str, doc: Document, missing: Callable[[str], str]) -> Scene:
+def understood(
+    doc: Document, source: str, *, missing: Callable[[str], str] = lambda text: ""
+) -> Scene:
+    """Return the scene of tables that no file holds; errors as `read`, without lines."""
+    return _scene(Path(source), None, doc, missing)
+
+
+def _scene(file: Path, text: str | None, doc: Document, missing: Callable[[str], str]) -> Scene:
     parts, found = understand(doc)
     found.extend(references.check(doc, missing))
     found.extend(checks.check(parts))
     if found:
-        raise SceneError(str(file), _in_order(text, doc, found))
+        raise SceneError(str(file), _in_order(text or "", doc, found))
     made = build.scene(parts, str(file))
-    return replace(made, remarks=remarks(parts), told=_told(text, doc))
-
-
-def _told(text: str, doc: Document) -> dict[str, int]:
-    """Return the lines of the file's sections, and of their keys, as people write them."""
-    lines = locate(text)
-    return {key_of(doc, path): line for path, line in lines.items() if len(path) < 4}
+    lines = None if text is None else locate(text)
+    return replace(made, remarks=remarks(parts), told=told(doc, lines), doc=doc)
 
 
 def _in_order(text: str, doc: Document, found: list[Found]) -> tuple[Fault, ...]:

@@ -28,6 +28,7 @@ class Scene:
     section (`chapter.Asked`). ``letters``: how high letters of points, titles, numbers are, mm; None:
     by the formats of the sheets. ``remarks``: what of the file comes to nothing, and defaults that matter, a
     line each. ``told``: the keys that the file writes in its sections, as section.key, each with its line.
+    ``doc``: all that is written, as TOML gives it.
     """
 
     source: str
@@ -52,6 +53,7 @@ class Scene:
     author: Author = field(default_factory=Author)
     remarks: tuple[str, ...] = ()
     told: Mapping[str, int] = field(default_factory=dict)
+    doc: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
 
     @cached_property
     def cache(self) -> dict[Any, Any]:
@@ -61,6 +63,50 @@ class Scene:
     def __getstate__(self) -> dict[str, Any]:
         """Return what another process needs: what was found out of the scene is found there again."""
         return {name: value for name, value in self.__dict__.items() if name != "cache"}
+
+    def with_(self, values: Mapping[str, object] | None = None, /, **named: object) -> Scene:
+        """Return the scene that says something else at some of its keys; this one stays as it is.
+
+        Parameters
+        ----------
+        values : mapping, optional
+            By key, written as in a table of variants: ``"drive.speed"``, ``"link 3, mass"`` or
+            ``"links.3.mass"``, a name of ``[lengths]`` alone (``"OA"`` or ``"links.1.OA"``), a section
+            (``"hand"``). A value is what a scene holds: a number in SI units, a text with its unit
+            (``"95 mm"``), true or false, a list, a table; None takes out what is written there.
+        **named
+            The same, for keys that Python can spell: ``OA="120 mm"``, ``language="en"``.
+
+        Returns
+        -------
+        Scene
+            Read anew from what is written, so all that a scene file is refused for is refused here.
+
+        Raises
+        ------
+        SceneError
+            With every fault, each at its key.
+
+        Examples
+        --------
+        >>> from graphic_tmm import read
+        >>> faster = read("windrower").with_({"drive.speed": "400 rpm", "task.stroke": 0.1})
+        >>> round(faster.mechanism.drive.speed, 2)
+        41.89
+        """
+        from graphic_tmm.scene.named import scene_name
+        from graphic_tmm.scene.read import understood
+        from graphic_tmm.scene.vary import changed
+
+        source = scene_name(self.source)
+        return understood(changed(self.doc, {**(values or {}), **named}, source), source)
+
+    def __str__(self) -> str:
+        return f"<Scene {self.title!r}: {self.source}>"
+
+    def _repr_pretty_(self, printer: Any, cycle: bool) -> None:
+        """Write for a notebook what scene it is; all that it says would fill the screen."""
+        printer.text(str(self))
 
     def asking(self, **tasks: object) -> Scene:
         """Return the scene asking for other tasks of chapters, by section; None: not asking."""

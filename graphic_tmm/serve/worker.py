@@ -62,7 +62,7 @@ class Worker:
         self._first, self._patient = first, patient
         self._waiting: asyncio.PriorityQueue[_Asked] = asyncio.PriorityQueue(WAITING)
         self._numbers = itertools.count()
-        self._thread = ThreadPoolExecutor(1, initializer=_deaf)
+        self._thread = ThreadPoolExecutor(1)
         self._process: Any = None
         self._line: Connection | None = None
         self._closed = False
@@ -141,6 +141,8 @@ class Worker:
             context = multiprocessing.get_context("spawn")
             self._line, far = context.Pipe()
             self._process = context.Process(target=_works, args=(far, self._patient), daemon=True)
+            _track()
+            _deaf()
             self._process.start()
             far.close()
             if self._closed:
@@ -168,6 +170,14 @@ class Worker:
                 os.killpg(process.pid, signal.SIGKILL)  # what it has begun itself, too
         process.kill()
         process.join(1.0)
+
+
+def _track() -> None:
+    """Begin what counts resources of processes: begun by the first of these, it would let Ctrl-C in again."""
+    if os.name == "posix":
+        from multiprocessing import resource_tracker
+
+        resource_tracker.ensure_running()
 
 
 def _deaf() -> None:

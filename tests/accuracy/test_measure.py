@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from itertools import count as count_up
+from typing import Any
 
 import numpy as np
 import pytest
+from support.gallery import SHEETS
 from support.tasks import by, drawing, measure, quantity, scales, scene
 
 from graphic_tmm.accuracy.cost import count
 from graphic_tmm.accuracy.drawing import draw, tried
-from graphic_tmm.accuracy.measure import LEAST, off, timed, work_of
+from graphic_tmm.accuracy.measure import LEAST, LONG, MOST, Seconds, off, timed, work_of
 from graphic_tmm.accuracy.repetition import varying
 from graphic_tmm.accuracy.settings import at_count
-from graphic_tmm.board.execute import execute
+from graphic_tmm.accuracy.study import study
+from graphic_tmm.board.execute import Program, Reading, execute
+from graphic_tmm.board.hand import EXACT
 from graphic_tmm.mechanism.records import Extreme
+from graphic_tmm.scene.read import read
 
 
 def test_nine_readings_of_ten_keep_within_the_error() -> None:
@@ -57,13 +64,57 @@ def test_nothing_due_is_no_error() -> None:
     assert np.isnan(off(np.ones((1, 2)), np.full((1, 2), np.nan), 1.0).error)
 
 
-def test_a_run_is_timed_warm_and_its_quartiles_stand_in_order() -> None:
+def timed_by(*seconds: float) -> tuple[Seconds, int]:
+    """What is told of runs that take so long one after the other, and how many there were."""
+    looks = [0.0]
+    for each in seconds:
+        looks += [looks[-1] + each] * 2
     calls: list[int] = []
-    # the first look at the clock is the beginning; the first call is not timed
-    found = timed(lambda: calls.append(1), iter([0.0, 0.0, 0.3, 0.3, 0.4, 0.4, 0.6, 9.0]).__next__)
-    assert len(calls) == 1 + LEAST
-    assert found.median == pytest.approx(0.2)
-    assert (found.low, found.high) == (pytest.approx(0.15), pytest.approx(0.25))
+    return timed(lambda: calls.append(1), iter(looks).__next__), len(calls)
+
+
+def test_a_run_is_timed_warm_and_its_quartiles_stand_in_order() -> None:
+    """The first run is slower: it counts for nothing; the last one agrees with that before it."""
+    found, runs = timed_by(9e-4, 3e-4, 5e-4, 4e-4, 4.1e-4, 9.0)
+    assert runs == 5
+    assert found.median == pytest.approx(4.05e-4)
+    assert found[1:] == pytest.approx((3.75e-4, 4.325e-4))
+
+
+def test_runs_are_repeated_as_often_as_it_takes_them_to_agree() -> None:
+    assert timed_by(1.0, 1.04)[1] == 2
+    assert timed_by(1e-4, 1.04e-4)[1] == 2
+    assert timed_by(4e-3, 3e-3, 2e-3, 9.0)[1] == LEAST
+    assert timed_by(*[1e-4, 2e-4] * MOST)[1] == MOST
+    # a long one is not repeated, whatever came of it: its quartiles tell
+    found, runs = timed_by(3 * LONG, LONG, 9.0)
+    assert runs == 2
+    assert found[1:] == pytest.approx((1.5 * LONG, 2.5 * LONG))
+
+
+def test_a_study_runs_less_to_time_than_to_measure(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Counted in steps times drawings; by a clock on which every run takes a second."""
+    done = {"measured": 0, "timed": 0}
+    now = ["measured"]
+    looks = count_up(0.0)
+    run_ = Program.run
+
+    def counted(self: Program, given: Any, **choice: Any) -> Reading:
+        steps = sum(len(calls) for stratum in self.strata for calls in stratum)
+        done[now[0]] += steps * choice.get("hand", EXACT).trials
+        return run_(self, given, **choice)
+
+    def clocked(run: Callable[[], object]) -> Seconds:
+        now[0] = "timed"
+        try:
+            return timed(run, lambda: next(looks))
+        finally:
+            now[0] = "measured"
+
+    monkeypatch.setattr(Program, "run", counted)
+    monkeypatch.setattr("graphic_tmm.accuracy.measure.timed", clocked)
+    study(read(SHEETS / "crank-rocker"), trials=20)
+    assert 0 < done["timed"] < done["measured"]
 
 
 @pytest.mark.slow

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import resource
+import statistics
 import subprocess
 import sys
+import time
 import tracemalloc
 from functools import partial
 from pathlib import Path
@@ -18,16 +21,23 @@ from graphic_tmm.board.blocks import Room  # isort: skip
 from graphic_tmm.board.execute import prepare  # isort: skip
 from graphic_tmm.board.hand import HANDS  # isort: skip
 from graphic_tmm.board.values import Number  # isort: skip
-from support.boards import drawn_of
+from support.boards import drawn_of, recorded
+from support.chains import chain
 
+from graphic_tmm.chapters.forces.task import ForcesTask, Load
 from graphic_tmm.fitting.compose import compose
 from graphic_tmm.fitting.fit import fitted
+from graphic_tmm.mechanism.records import Row as RowOfPositions
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 
 POSITIONS = tuple(1 << k for k in range(18, 22))
 TRIALS = tuple(1000 << k for k in range(6))
 COPIES = (1, 2, 4, 8, 16)
+DYADS = (2, 5, 10, 20, 40)
+STEEPEST = 1.1
+TABLES = (2000, 10_000)
+LONGEST, FLAT = 8.0, 1.1
 NEAR = 0.05
 
 
@@ -73,12 +83,66 @@ def elements() -> Row:
     return line("elements of a sheet (written as SVG)", tuple(counts.values()), seconds)
 
 
+def links() -> Row:
+    """Return the line of recording chains of dyads: all plans, forces with weights and inertia; CPU seconds."""
+    order = ForcesTask(("all",), (Load(3, None, 10.0, 0.0),), gravity=True, inertia=True)
+    row = RowOfPositions(accelerations=("all",))
+    sizes = tuple(2 * n + 1 for n in DYADS)
+    times: dict[int, list[float]] = {n: [] for n in sizes}
+    for _ in range(10):
+        for dyads, n in zip(DYADS, sizes, strict=True):
+            start = time.process_time()
+            recorded(chain(dyads), row, forces=order)
+            times[n].append(time.process_time() - start)
+    medians = [statistics.median(each[1:]) for each in times.values()]
+    found = slope(sizes, medians)
+    return Row(
+        f"recording by links, {sizes[0]} to {sizes[-1]} (dissected, all plans, forces): slope in log–log",
+        f"{found:.3f} ({1e3 * medians[-1]:.0f} ms for {sizes[-1]} links)",
+        f"≤ {STEEPEST}",
+        found <= STEEPEST,
+    )
+
+
+def tables() -> list[Row]:
+    """Return the lines of `table --trials`: CPU seconds and the most memory of processes of their own."""
+    held, spent = [], 0.0
+    for trials in TABLES:
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        # what a process has held stands in its own status: there its end is awaited
+        code = (
+            "import sys; from graphic_tmm.__main__ import main\n"
+            f"sys.argv = ['graphic-tmm', 'table', 'windrower', '--hand', 'student', '--trials', '{trials}']\n"
+            "try: main()\n"
+            "except SystemExit: pass\n"
+            "print(open('/proc/self/status').read().split('VmHWM:')[1].split()[0], file=sys.stderr)"
+        )
+        out = subprocess.run(
+            [sys.executable, "-c", code], capture_output=True, text=True, check=True
+        )
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        held.append(float(out.stderr.split()[-1]) / 1024)
+        spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    told = " and ".join(f"{mb:.0f} MB for {n}" for n, mb in zip(TABLES, held, strict=True))
+    flat = held[1] <= FLAT * held[0]
+    return [
+        Row(
+            f"`table windrower --trials {TABLES[-1]}`, student's hand, CPU seconds",
+            f"{spent:.1f}",
+            f"≤ {LONGEST}",
+            spent <= LONGEST,
+        ),
+        Row("the most memory of such a table", told, "flat", flat),
+    ]
+
+
 def beyond(count: int) -> float:
     """Return the most MB held at once beyond what is given and the results, by a run at many positions.
 
     Pieces of results are reserved whole and used as far as needed: what is reserved is not held.
     """
     one = kinematics.case(bare.BARE[0], count)
+    one.log(one.program, kinematics.RULER)  # the first run writes the line, which then is kept
     reserved = 0
     taken = Room.empty
 
@@ -120,8 +184,6 @@ def most_held() -> float:
     if status.exists():
         words = next(line for line in status.read_text().splitlines() if "VmHWM" in line).split()
         return int(words[1]) / 1024
-    import resource
-
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
 
@@ -141,7 +203,7 @@ def memory() -> list[Row]:
 
 def main() -> None:
     """Print the table."""
-    show("growth", [positions(), trials(), elements(), *memory()])
+    show("growth", [positions(), trials(), elements(), links(), *tables(), *memory()])
 
 
 if __name__ == "__main__":

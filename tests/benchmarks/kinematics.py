@@ -7,8 +7,12 @@ before anything is timed. A row is one mechanism; its ratios are of medians take
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 import time
 from collections.abc import Callable, Sequence
+from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,7 +23,10 @@ from support.drawn import Board, board  # isort: skip
 
 from graphic_tmm.board.execute import Program, Reading, prepare
 from graphic_tmm.board.hand import EXACT, Hand
+from graphic_tmm.board.machine import machine
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.road import MANY
+from graphic_tmm.board.threads import shared
 from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
 
 COUNT = 1_000_000
@@ -84,9 +91,14 @@ class Case(NamedTuple):
     given: dict[Mark, Any]
     phi: Any
 
-    def log(self, program: Program, hand: Hand = EXACT) -> Reading:
-        """Run the log."""
-        return program.run(self.given, hand=hand)
+    def log(self, program: Program, hand: Hand = EXACT, threads: int = 1) -> Reading:
+        """Run the log, executed unless the program is compiled."""
+        return program.run(self.given, hand=hand, fast=bool(program.fast), threads=threads)
+
+    def at(self, angles: Any, program: Program) -> Reading:
+        """Run the log at other angles."""
+        phi = {self.drawn.positions.phi: np.asarray(angles)[None, :]}
+        return program.run({**self.given, **phi}, fast=bool(program.fast))
 
     def numpy(self, block: int) -> Any:
         """Run the hand-written numpy."""
@@ -151,14 +163,17 @@ def rows(form: bare.Bare) -> list[Row]:
     """Return the lines of one mechanism."""
     one = case(form)
     loop = bare.looped(form.form)
-    start = time.perf_counter()
+    machine()
+    start = time.process_time()
     fast = one.program.compiled()
-    fast.run({**one.given, one.drawn.positions.phi: np.linspace(0.0, 9.0, 99)[None, :]})
-    compiling = time.perf_counter() - start
+    one.at(np.linspace(0.0, 9.0, 99), fast)
+    compiling = time.process_time() - start
     due, plain = one.numpy(8192), one.log(one.program)
     agree(one.by_numba(loop), due)
     agree(numbers(one, plain), due)
-    off = worst(one.log(fast), plain, one.marks)
+    # so few that the log is executed step by step
+    some = np.linspace(0.0, 360.0, MANY - 1)
+    off = worst(one.at(some, fast), one.at(some, one.program), one.marks)
     assert off < 1e-12, off
     del due, plain
     seconds = in_turns(
@@ -171,7 +186,15 @@ def rows(form: bare.Bare) -> list[Row]:
             "numba": lambda: one.by_numba(loop),
             "fast": lambda: one.log(fast),
             "fast read": lambda: one.log(fast, RULER),
+            "fast, 2 threads": lambda: one.log(fast, threads=2),
+            "alone": _spin(1),
+            "two at once": _spin(2),
         }
+    )
+    twelve = np.arange(0.0, 360.0, 30.0)
+    few = in_turns(
+        {"log": lambda: one.at(twelve, one.program), "fast": lambda: one.at(twelve, fast)},
+        least=100,
     )
     numpy = min(each for name, each in seconds.items() if name.startswith("numpy"))
     numba = seconds["numba"]
@@ -185,15 +208,84 @@ def rows(form: bare.Bare) -> list[Row]:
 
     return [
         Row(f"{form.name}: hand-written numpy, blocked", f"{COUNT / numpy / 1e6:.1f} M/s"),
-        line("log, exact / numpy", "log", numpy),
-        line("log with readings / numpy", "log read", numpy, 0.6),
+        line("log, exact / numpy", "log", numpy, 0.7),
+        line("log with readings / numpy", "log read", numpy, 0.7),
         line("compiled log with readings / numpy", "fast read", numpy, 0.6),
         Row(f"{form.name}: hand-written numba", f"{COUNT / numba / 1e6:.1f} M/s"),
-        line("compiled log, exact / numba", "fast", numba, 0.7),
-        line("compiled log with readings / numba", "fast read", numba, 0.7),
+        line("compiled log, exact / numba", "fast", numba, 0.85),
+        line("compiled log with readings / numba", "fast read", numba, 0.85),
+        line("compiled log, two threads / one", "fast, 2 threads", seconds["fast"], 1.7),
+        Row(
+            f"{form.name}: what two threads of numpy gain on this machine now",
+            f"ratio {seconds['alone'] / seconds['two at once']:.2f}",
+        ),
+        Row(
+            f"{form.name}: 12 angles, compiled / executed",
+            f"{few['fast'] * 1e6:.0f} µs, ratio {few['log'] / few['fast']:.2f}",
+            "≥ 1",
+            few["log"] >= few["fast"],
+        ),
         Row(f"{form.name}: compiled against executed", f"{off:.0e}", "≤ 1e-12", off <= 1e-12),
-        Row(f"{form.name}: compiling, once", f"{compiling:.1f} s"),
+        Row(f"{form.name}: compiling, nothing kept", f"{compiling * 1e3:.0f} ms of the processor"),
     ]
+
+
+def _spin(threads: int) -> Callable[[], object]:
+    """Return a call that works twice as long as one thread does, by so many threads: sines, in cache."""
+    angles = np.linspace(0.0, 9.0, 4096)
+
+    def half(start: int = 0, stop: int = 0) -> None:
+        for _ in range(200):
+            np.sin(angles)
+
+    def alone() -> None:
+        half()
+        half()
+
+    return alone if threads == 1 else lambda: shared(half, 2, 1, threads)
+
+
+FIRST = """
+import time
+start = time.process_time()
+import kinematics
+one = kinematics.case(kinematics.bare.BARE[{k}], 999)
+ready = time.process_time()
+one.program.run(one.given, fast=True)
+print(ready - start, time.process_time() - ready, time.process_time())
+"""
+"""A process of its own: seconds of the processor until the log is recorded, of its first run, and in all."""
+
+
+def processes() -> list[Row]:
+    """Return what the first compiled run costs in a process: with nothing kept, then with what that kept."""
+    found = []
+    for k, form in enumerate(bare.BARE):
+        with TemporaryDirectory() as folder:
+            env = {
+                **os.environ,
+                "GRAPHIC_TMM_CACHE": folder,
+                "PYTHONPATH": os.pathsep.join(sys.path),
+            }
+            command = [sys.executable, "-c", FIRST.format(k=k)]
+            runs = [
+                [float(word) for word in subprocess.check_output(command, env=env).split()]
+                for _ in range(4)
+            ]
+        first, second = runs[0], min(runs[1:], key=lambda run: run[1])
+        found += [
+            Row(
+                f"{form.name}: first run, nothing kept",
+                f"{first[1]:.2f} s, {first[2]:.2f} s in all",
+            ),
+            Row(
+                f"{form.name}: first run in a second process",
+                f"{second[1]:.2f} s, {second[2]:.2f} s in all",
+                "≤ 0.4 s",
+                second[1] <= 0.4,
+            ),
+        ]
+    return found
 
 
 def main() -> None:
@@ -202,6 +294,7 @@ def main() -> None:
         "1 000 000 positions: places, velocities, accelerations",
         [row for form in bare.BARE for row in rows(form)],
     )
+    show("seconds of the processor, a process of its own", processes())
 
 
 if __name__ == "__main__":

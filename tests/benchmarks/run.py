@@ -12,7 +12,16 @@ import platform
 import sys
 from importlib.metadata import version
 
-SCRIPTS = ("kinematics", "small", "growth", "effects_cost", "slips", "speed_sheet", "letters")
+SCRIPTS = (
+    "kinematics",
+    "motion",
+    "small",
+    "growth",
+    "effects_cost",
+    "slips",
+    "speed_sheet",
+    "letters",
+)
 
 
 def main() -> None:

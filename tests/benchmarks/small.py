@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
@@ -77,6 +79,9 @@ def cold() -> list[Row]:
             f"[write(Path({out!r}) / name, sheet_files(read(Path('sheets') / name))[1])"
             f" for name in {PROJECT!r}]"
         )
+        composed = str(Path(out) / "composed")
+        shutil.copytree(ROOT / "sheets" / "windrower", composed)
+        process("-m", "graphic_tmm", "draw", "-o", composed, "--composition")()
         calls: dict[str, Callable[[], object]] = {
             "pass": process("-c", "pass"),
             "libraries": process("-c", LIBRARIES),
@@ -84,6 +89,10 @@ def cold() -> list[Row]:
             "names": process("-c", NAMES),
             "help": process("-m", "graphic_tmm", "--help"),
             "draw": process("-m", "graphic_tmm", "draw", "-o", out),
+            "searched": process("-m", "graphic_tmm", "table"),
+            "table": process("-m", "graphic_tmm", "table", composed),
+            "steps": process("-m", "graphic_tmm", "steps", composed),
+            "composed": process("-m", "graphic_tmm", "draw", composed, "-o", out),
             "project": process("-c", both),
         }
         seconds = in_turns(calls, rounds=5)
@@ -98,6 +107,10 @@ def cold() -> list[Row]:
         Row(f"python -c '{NAMES}' (every public name)", f"{seconds['names']:.2f} s"),
         Row("graphic-tmm --help", f"{seconds['help']:.2f} s"),
         line("graphic-tmm draw (the default scene, three A1 sheets), cold", "draw", 1.5),
+        line("graphic-tmm draw, the same from its composition", "composed", 0.9),
+        line("graphic-tmm table, the same; sizes are searched", "searched", 0.45),
+        line("graphic-tmm table, from its composition", "table", 0.45),
+        line("graphic-tmm steps, from its composition", "steps", 0.45),
         line(f"{', '.join(PROJECT)}: all A1 sheets, one cold process", "project", 4.0),
     ]
 

@@ -1,4 +1,4 @@
-"""A compiled log says what the executed one says; what numba cannot compile runs as ever."""
+"""A compiled log says what the executed one says; what cannot be compiled runs as ever."""
 
 from __future__ import annotations
 
@@ -13,6 +13,8 @@ from support.mechanisms import sample
 from graphic_tmm.board import compiled
 from graphic_tmm.board.execute import Reading, execute, prepare
 from graphic_tmm.board.hand import HANDS, Hand
+from graphic_tmm.board.loop_passes import WIDTH
+from graphic_tmm.board.machine import machine
 from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.operations.formulas import rate
 from graphic_tmm.board.operations.instruments import cross, join, lay_off, measure, ray, strike
@@ -22,7 +24,7 @@ from graphic_tmm.errors import ConstructionError
 
 ANGLES = np.linspace(0.0, 360.0, 601)[None, :]
 TOLERANCE = 1e-12
-"""Of the largest number of a mark: sines and complex quotients are computed by other series and formulas."""
+"""Of the largest number of a mark: sines, lengths and complex quotients come by other formulas."""
 
 
 class Fourbar:
@@ -69,7 +71,7 @@ class Fourbar:
 
     def both(self, **options: Any) -> tuple[Reading, Reading]:
         """The log executed and compiled."""
-        plain = execute(self.log, self.given, **options)
+        plain = execute(self.log, self.given, fast=False, **options)
         return plain, execute(self.log, self.given, fast=True, **options)
 
 
@@ -88,7 +90,6 @@ def same(log: Construction, plain: Reading, fast: Reading, within: float = TOLER
                 assert np.abs(one[drawn] - other[drawn]).max() <= within * top, step.it
 
 
-@pytest.mark.slow
 def test_three_plans_of_two_groups() -> None:
     """A crank behind a stone on a rocker: kinds 3 and 2, with their Coriolis terms and readings."""
     drawn = next(d for d in sample(60, seed=4, dyads=(2, 2)) if set(d.kinds) == {"RPR", "RRP"})
@@ -99,10 +100,9 @@ def test_three_plans_of_two_groups() -> None:
     wanted += [images[letter] for letter in last.points]
     given = one.given | {one.positions.phi: ANGLES}
     program = prepare(one.log, wanted)
-    same(one.log, program.run(given), program.compiled().run(given), 1e-11)
+    same(one.log, program.run(given, fast=False), program.compiled().run(given), 1e-11)
 
 
-@pytest.mark.slow
 def test_a_reading_rounds_alike() -> None:
     bar = Fourbar()
     plain, fast = bar.both(hand=Hand(ruler=0.5))
@@ -112,7 +112,6 @@ def test_a_reading_rounds_alike() -> None:
     np.testing.assert_array_equal(halves, np.rint(halves))
 
 
-@pytest.mark.slow
 def test_what_fails_is_undefined_there_only() -> None:
     bar = Fourbar()
     _, fast = bar.both()
@@ -120,7 +119,6 @@ def test_what_fails_is_undefined_there_only() -> None:
     np.testing.assert_array_equal(bad, np.flatnonzero(ANGLES[0] > 350.0))
 
 
-@pytest.mark.slow
 def test_trials_run_in_the_loop_too() -> None:
     bar = Fourbar()
     bar.given[bar.marks["OA"]] = np.array([[28.0], [30.0], [32.0]])
@@ -132,7 +130,7 @@ def test_trials_run_in_the_loop_too() -> None:
 def test_one_position_is_not_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
     bar = Fourbar()
     bar.given |= {bar.marks["φ"]: 40.0, bar.marks["AB"]: 80.0}
-    monkeypatch.setattr(compiled, "_compile", None)
+    monkeypatch.setattr(compiled, "made", None)
     plain, fast = bar.both()
     for step in bar.log.steps:
         for one, other in zip(arrays(plain[step.it]), arrays(fast[step.it]), strict=True):
@@ -142,14 +140,13 @@ def test_one_position_is_not_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("hand", [HANDS["student"]._replace(trials=2), Hand(ruler=0.1, digits=4)])
 def test_a_hand_that_slips_draws_the_very_same(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
     bar = Fourbar()
-    monkeypatch.setattr(compiled, "_compile", None)
+    monkeypatch.setattr(compiled, "made", None)
     plain, fast = bar.both(hand=hand)
     for step in bar.log.steps:
         for one, other in zip(arrays(plain[step.it]), arrays(fast[step.it]), strict=True):
             np.testing.assert_array_equal(one, other)
 
 
-@pytest.mark.slow
 def test_what_cannot_be_compiled_runs_between_the_loops() -> None:
     """A step across positions, and one whose function is bound to its surroundings."""
     bar = Fourbar(curve=True, closed=True)
@@ -159,7 +156,55 @@ def test_what_cannot_be_compiled_runs_between_the_loops() -> None:
     np.testing.assert_array_equal(curve.knots, fast[bar.marks["B"]][:, :600])
 
 
-def test_without_numba_the_remedy_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "numba", None)
-    with pytest.raises(ConstructionError, match=r"pip install 'graphic-tmm\[fast\]'"):
-        prepare(Fourbar().log).compiled()
+def test_one_position_more_than_a_width_and_one_less() -> None:
+    bar = Fourbar()
+    for count in (2, WIDTH - 1, WIDTH, WIDTH + 1, 3 * WIDTH - 1):
+        bar.given |= {bar.marks["φ"]: ANGLES[:, :count], bar.marks["AB"]: 80.0}
+        same(bar.log, *bar.both())
+
+
+@pytest.mark.parametrize("threads", [2, 3, 7])
+def test_threads_change_no_byte(threads: int) -> None:
+    bar = Fourbar()
+    bar.given[bar.marks["OA"]] = np.array([[28.0], [32.0]])
+    one, other = (execute(bar.log, bar.given, fast=True, threads=n) for n in (1, threads))
+    for step in bar.log.steps:
+        for a, b in zip(arrays(one[step.it]), arrays(other[step.it]), strict=True):
+            assert a.tobytes() == b.tobytes()
+
+
+def test_positions_have_the_same_bytes_whoever_stands_beside_them() -> None:
+    bar = Fourbar()
+    _, whole = bar.both()
+    bar.given |= {bar.marks[name]: bar.given[bar.marks[name]][:, 100:113] for name in ("φ", "AB")}
+    _, some = bar.both()
+    for name in ("A", "B", "ω"):
+        np.testing.assert_array_equal(some[bar.marks[name]], whole[bar.marks[name]][:, 100:113])
+
+
+def test_a_loop_is_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    bar = Fourbar()
+    program = prepare(bar.log)
+    assert not program.at_hand()
+    first = program.run(bar.given, fast=True)
+    assert program.at_hand()
+    monkeypatch.setattr(compiled, "made", None)
+    again = prepare(bar.log).run({**bar.given, bar.marks["OA"]: 31.0}, fast=True)
+    assert not np.array_equal(first[bar.marks["A"]], again[bar.marks["A"]])
+
+
+def test_what_was_never_wanted_is_not_left_behind() -> None:
+    bar = Fourbar()
+    found = execute(bar.log, bar.given, [bar.marks["B"]], fast=True)
+    assert set(found.values) == {bar.marks["B"].slot}
+
+
+def test_without_llvmlite_the_remedy_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    machine.cache_clear()
+    try:
+        monkeypatch.setitem(sys.modules, "llvmlite", None)
+        monkeypatch.setitem(sys.modules, "llvmlite.binding", None)
+        with pytest.raises(ConstructionError, match=r"pip install 'graphic-tmm\[fast\]'"):
+            prepare(Fourbar().log).compiled()
+    finally:
+        machine.cache_clear()

@@ -19,7 +19,7 @@ from graphic_tmm.board.grammar import OPERATIONS, Operation
 from graphic_tmm.board.script import Script
 from graphic_tmm.board.source import NotCompiled
 from graphic_tmm.board.values import Angle, Arc, Curve, Length, Line, Number, Point, Side, arrays
-from graphic_tmm.chapter import chapters
+from graphic_tmm.chapter import whole_book
 from graphic_tmm.page.practice.pack import HEAD
 
 TIMES = 12
@@ -28,7 +28,7 @@ NEAR = 1e-9
 
 def _written() -> dict[str, Operation]:
     """All operations of the board and of its chapters that can be written down."""
-    chapters()
+    whole_book()
     found, script = {}, Script()
     for name, op in OPERATIONS.items():
         if op.across or Curve in (*op.takes, op.leaves):

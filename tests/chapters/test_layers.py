@@ -19,7 +19,7 @@ LAYERS = (
     (),  # plans: what no other layer names
     ("table", "results", "tables", "scales", "findings", "assumed", "any"),
     ("ink", "outline", "accuracy", "choice", "columns", "verdict"),
-    ("views", "turning"),
+    ("views", "turning", "scheme"),
     ("note", "conclusions"),
     ("__init__",),
 )

@@ -13,6 +13,8 @@ from graphic_tmm.checking.photographed import Photographed, points_drawing, pole
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import FINE, Judged, Report
 from graphic_tmm.errors import SheetError
+from graphic_tmm.paper.drawing import Drawing, Label, Sheet
+from graphic_tmm.paper.shapes import box
 
 
 def test_poles_are_read_as_they_are_clicked() -> None:
@@ -54,10 +56,27 @@ def test_every_point_seen_is_shown_with_its_letter_and_error() -> None:
     )
     seen = Photographed(Found(points, ()), readings(points))
     judged = Judged(seen.taken[0], 50.0, 51.0, 1.26, 2.0, 0.5, FINE, own=0.84)
-    drawing = points_drawing(seen, Report("scene", "", "en", "student", (judged,), ()))
+    report = Report("scene", "", "en", "student", (judged,), ())
+    drawing = points_drawing(seen, report, Sheet("s", "", "A4", 210.0, 297.0, ()))
     assert [label.text for label in drawing.labels] == ["a: 0.8", "b?"]
     middles = [sum(complex(x, y) for x, y, _ in one.path) / 2 for one in drawing.strokes]
     assert middles == pytest.approx([30 + 40j, 30 + 40j, 70 + 80j])
+
+
+def test_letters_of_points_that_lie_together_keep_off_each_other_and_off_the_sheet() -> None:
+    letters = ("c", "d", "s3", "b", "e", "s4")
+    points = tuple(
+        Point(("velocities", letter, "3"), z, z, SEEN, z)
+        for letter, z in zip(letters, (50 + 50j, 50.4 + 50j, 51 + 50.5j) * 2, strict=True)
+    )
+    seen = Photographed(Found(points, ()), readings(points))
+    own = Label("c", 52 + 46j, 5.0)
+    sheet = Sheet("s", "", "A4", 210.0, 297.0, (Drawing("plan", "", (), (own,)),))
+    drawing = points_drawing(seen, Report("scene", "", "en", "student", (), ()), sheet)
+    assert [label.text for label in drawing.labels] == list(letters)
+    boxes = [box(label) for label in (own, *drawing.labels)]
+    met = [(a.intersects(b), k, j) for k, a in enumerate(boxes) for j, b in enumerate(boxes[:k])]
+    assert not any(hit for hit, *_ in met), met
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from support.command import invoke, printed, rows, warned
 from support.gallery import FOLDERS
 from support.scenes import MECHANISM, SECTIONS, calling
 
-from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.project import record
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.remarks import unplaced

@@ -12,11 +12,11 @@ from support.each import each
 
 from graphic_tmm.beginnings import BEGINNINGS
 from graphic_tmm.commands import new as command
+from graphic_tmm.packaged import packaged
 from graphic_tmm.scene.declare import MISSING, Kind, keys_of
 from graphic_tmm.scene.new import MANNER, SCHEMA, shown
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.sections import declared
-from graphic_tmm.scenes import packaged
 
 NAMES = [one.name for one in BEGINNINGS]
 EVERYDAY = ("swinging-cylinder", "planetary")

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from support.boards import drawn_of
-from support.columns import along
 from support.command import invoke
 from support.drawn import board
 from support.gallery import NAMES, SHEETS
@@ -18,16 +16,8 @@ from support.hard_mechanisms import four_bar, slider_crank
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import Curve, arrays, undefined
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.columns import Column, empty
-from graphic_tmm.readers.spread import (
-    QUANTILES,
-    joined_columns,
-    joined_results,
-    spread_columns,
-    spread_results,
-)
 from graphic_tmm.scene.read import read
 
 # a few positions
@@ -144,36 +134,6 @@ def test_quantiles_of_the_trials_that_can_be_drawn_know_nothing_of_the_others() 
     levels = [0.05, 0.5, 0.95]
     found = np.quantile(some[np.isfinite(some).all(axis=1)], levels, axis=0)
     np.testing.assert_array_equal(found, np.quantile(all_, levels, axis=0))
-
-
-def test_quantiles_of_a_table_leave_out_the_trials_that_failed() -> None:
-    """Every seventh trial lacks its second position, all lack the third; a result may not be there at all."""
-    rows = np.random.default_rng(8).standard_normal((50, 3))
-    bad = np.arange(50) % 7 == 3
-    base = Column("velocities", "pb", "pb", "m/s", empty(3), along(0.0, 0.0, None))
-    trials = np.where(bad[:, None] & [False, True, False], np.nan, rows)
-    trials[:, 2] = np.nan
-    found = {c.segment: c for c in spread_columns([base], [replace(base, value=trials)])}
-    for name, share in QUANTILES.items():
-        due = [np.quantile(rows[:, 0], share), np.quantile(rows[~bad, 1], share)]
-        assert found[f"pb_{name}"].told == ([None] * 3, [*due, None])
-    one, results = {"J": (np.ones(1), "kg")}, {"J": (np.where(bad, np.nan, rows[:, 0]), "kg")}
-    results["J"][0][:2] = np.nan, np.inf
-    told = spread_results(one, results)
-    assert told["J_median"] == (np.median(rows[2:][~bad[2:], 0]), "kg")
-    assert spread_results(one, {}) == one
-
-
-def test_blocks_of_drawings_are_one_row_of_trials() -> None:
-    """Where nothing varies one trial stands for all; a last one may be alone; a result may be missing."""
-    rows = np.random.default_rng(9).standard_normal((7, 2))
-    base = Column("velocities", "pb", "pb", "m/s", along(1.0, 2.0), along(0.0, 0.0))
-    blocks = [(3, rows[:3]), (3, rows[:1]), (1, rows[6:])]
-    (made,) = joined_columns([(n, [replace(base, value=some)]) for n, some in blocks])
-    assert made.mm is base.mm
-    assert made.value.tolist() == [*rows[:3].tolist(), *[rows[0].tolist()] * 3, rows[6].tolist()]
-    results = joined_results([(2, {}), (1, {"J": (rows[0, :1], "kg")})])
-    np.testing.assert_array_equal(results["J"][0], [np.nan, np.nan, rows[0, 0]])
 
 
 # numpy's own errors

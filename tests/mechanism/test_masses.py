@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from graphic_tmm.errors import StructureError
-from graphic_tmm.mechanism.masses import mass_centre, pins, shared
-from graphic_tmm.mechanism.records import Drive, Link, Mechanism
+from graphic_tmm.mechanism.masses import mass_centre
+from graphic_tmm.mechanism.records import Drive, Link, Mechanism, shared
 
 
 def mechanism(**rod: object) -> Mechanism:
@@ -17,7 +17,7 @@ def mechanism(**rod: object) -> Mechanism:
 
 
 def test_a_pin_is_a_letter_on_two_links_whatever_the_letter() -> None:
-    assert pins(mechanism()) == {"O", "S", "S2", "C"}
+    assert mechanism().pins == {"O", "S", "S2", "C"}
     assert shared([{"A": 0j}, {"A": 0j, "B": 0j}, {"A": 0j, "C": 0j}]) == {"A"}
 
 

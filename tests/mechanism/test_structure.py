@@ -9,6 +9,7 @@ import re
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.chains import chain
 from support.examples import most
 from support.gallery import SHEETS
 from support.mechanisms import KINDS, Sampled, mechanisms, sample
@@ -291,3 +292,41 @@ def test_a_pair_taken_away_is_always_refused(drawn: Sampled, data: st.DataObject
         return
     # only a letter that made no pair can go without harm
     assert len(found.pairs) == before
+
+
+def by_trying(mechanism: Mechanism) -> list[set[int]]:
+    """The groups in their order, each found by trying all pairs of links that are left."""
+    bodies = {link.number: link for link in (mechanism.frame, *mechanism.links)}
+    known = [mechanism.frame.number, mechanism.drive.link]
+    left = sorted(bodies.keys() - set(known))
+
+    def ties(one: int, others: list[int]) -> int:
+        letters = {p for k in others for p in bodies[k].points}
+        slides = sum(s.on in others for s in bodies[one].slides)
+        slides += sum(s.on == one for k in others for s in bodies[k].slides)
+        return len(bodies[one].points.keys() & letters) + slides
+
+    found = []
+    while left:
+        there = {p for k in known for p in bodies[k].points}
+        for one, other in itertools.combinations(left, 2):
+            shared = (bodies[one].points.keys() & bodies[other].points.keys()) & there
+            inner = ties(one, [other]) - len(shared)
+            if ties(one, known) == ties(other, known) == inner == 1:
+                break
+        else:
+            raise AssertionError(left)
+        found.append({one, other})
+        known += [one, other]
+        left = [k for k in left if k not in (one, other)]
+    return found
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_groups_come_in_the_order_that_trying_all_links_gives(seed: int) -> None:
+    drawn = [one.mechanism for one in sample(60, seed=seed, dyads=(1, 5))]
+    rng = random.Random(seed)
+    for one in [*drawn, chain(9)]:
+        links = rng.sample(one.links, len(one.links))
+        shuffled = Mechanism(one.frame, tuple(links), one.drive)
+        assert [set(group.links) for group in dissect(shuffled).groups] == by_trying(one)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from support.boards import recorded
 from support.examples import most
 
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.errors import TmmError
 from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide

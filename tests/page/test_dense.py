@@ -11,7 +11,7 @@ from support.mechanisms import Sampled, sample
 from support.oracle import OracleError, solve_fast
 
 from graphic_tmm.board.values import Curve, arrays
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS, PLANS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS, PLANS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Mechanism, Row
 from graphic_tmm.page.dense import Dense, dense

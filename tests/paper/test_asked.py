@@ -18,8 +18,8 @@ from support.scenes import written
 
 from graphic_tmm.board.values import Point
 from graphic_tmm.chapter import places
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.flywheel.names import FLYWHEEL
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.errors import SheetError
 from graphic_tmm.fitting.scales import usual

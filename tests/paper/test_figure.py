@@ -13,6 +13,7 @@ from support.gallery import PLANS, drawn
 from graphic_tmm.board.grammar import OPERATIONS
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.values import Arc, Curve, Line, Point
+from graphic_tmm.chapter import whole_book
 from graphic_tmm.chapters.diagrams.views import diagram_views
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
 from graphic_tmm.chapters.kinematics.views import position_views
@@ -32,6 +33,7 @@ def plan(work: Drawn, which: str, index: int) -> Drawing:
 
 
 def test_every_operation_leaves_ink_or_none_by_name() -> None:
+    whole_book()
     for op in OPERATIONS.values():
         if op.formula or op.leaves in (Line, Arc, Curve, Point) or op.name in RULES:
             continue

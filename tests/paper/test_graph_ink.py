@@ -14,7 +14,7 @@ from support.gallery import SHEETS
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.values import Curve
-from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
+from graphic_tmm.chapters.diagrams.names import DIAGRAMS
 from graphic_tmm.chapters.diagrams.task import KinematicTask
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.curve_parts import points

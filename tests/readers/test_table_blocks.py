@@ -16,7 +16,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from rich.console import Console
-from rich.table import Table
 from support.columns import along
 from support.command import invoke, printed
 from support.examples import most
@@ -26,8 +25,9 @@ from graphic_tmm.checking.readings.decoding import text_of
 from graphic_tmm.readers.columns import (
     Column,
 )
+from graphic_tmm.readers.framed import Framed
 from graphic_tmm.readers.table import scene_columns, table
-from graphic_tmm.readers.text import rich_tables
+from graphic_tmm.readers.text import text_tables
 from graphic_tmm.readers.writing import as_csv, decimals_of
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
@@ -81,8 +81,8 @@ def test_a_single_column_that_is_wider_than_the_terminal_is_printed_whole() -> N
         "velocities", "pb", "pb", "m/s", along(1.0, 1.0, 1.0), along(123456.0, 1.0, 2.0)
     )
     positions = tuple((f"{k}" * 12, 0.0) for k in range(3))
-    parts = rich_tables([column], positions, "en", "T", 1, 20)
-    tables = [part for part in parts if isinstance(part, Table)]
+    parts = text_tables([column], positions, "en", "T", 1, 20)
+    tables = [part for part in parts if isinstance(part, Framed)]
     assert len(tables) == 3
     out = io.StringIO()
     for one in tables:
@@ -98,13 +98,13 @@ def test_blocks_hold_as_many_positions_as_fit(count: int, width: int, digits: in
     column = Column("velocities", "pb", "pb", "m/s", *[along(*[value] * count)] * 2)
     positions = tuple((str(k), 0.0) for k in range(count))
     tables = [
-        p for p in rich_tables([column], positions, "en", "T", 1, width) if isinstance(p, Table)
+        p for p in text_tables([column], positions, "en", "T", 1, width) if isinstance(p, Framed)
     ]
-    heads = [[str(c.header) for c in one.columns][2:] for one in tables]
+    heads = [one.rows[0][2:] for one in tables]
     assert [name for block in heads for name in block] == [name for name, _ in positions]
     console = Console(width=1000)
     for one, block in zip(tables, heads, strict=True):
-        wide = console.measure(one).maximum
+        wide = console.measure(one.parts()[1]).maximum
         assert wide <= width or len(block) == 1
         # one more of the next would not have fitted
         if one is not tables[-1]:

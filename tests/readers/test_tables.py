@@ -23,11 +23,11 @@ from support.scenes import edited
 
 from graphic_tmm.board.naming import segment_name
 from graphic_tmm.chapter import MECHANISM, places
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.table import plan_columns
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.table import columns_of, table
-from graphic_tmm.readers.text import rich_tables
+from graphic_tmm.readers.text import text_tables
 from graphic_tmm.readers.writing import as_csv, as_json
 from graphic_tmm.scene.read import read
 
@@ -234,14 +234,14 @@ def printed(*tables: Any) -> str:
 
 def test_a_table_for_people_says_what_the_scene_says_literally() -> None:
     positions = (("1", 0.0), ("[red]2", 1.0), ("3", 2.0))
-    text = printed(*rich_tables([COLUMN], positions, "en", "[bold]T[/bold] [/]", 1, 200))
+    text = printed(*text_tables([COLUMN], positions, "en", "[bold]T[/bold] [/]", 1, 200))
     assert "[bold]T[/bold] [/]. Velocity plan" in text
     assert "[red]2" in text
 
 
 def test_a_table_for_people_shows_only_positions_that_have_a_plan() -> None:
     positions = (("1", 0.0), ("2", 1.0), ("3", 2.0))
-    text = printed(*rich_tables([COLUMN], positions, "ru", "T", 1, 200))
+    text = printed(*text_tables([COLUMN], positions, "ru", "T", 1, 200))
     assert "План скоростей" in text
     head = next(line for line in text.splitlines() if "Отрезок" in line)
     assert [word for word in head.replace("┃", " ").split() if word.isdigit()] == ["1", "2"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import time
+from contextlib import closing
 from http.client import HTTPConnection
 from pathlib import Path
 
@@ -25,6 +26,14 @@ def children(process: int) -> list[int]:
     told = Path(f"/proc/{process}/task").glob("*/children")
     own = [int(one) for file in told for one in file.read_text().split()]
     return [*own, *(far for one in own for far in children(one))]
+
+
+def begun_below(process: int, wait: float = 10.0) -> list[int]:
+    """The processes that one has begun, awaited: what it says first may come before it begins any."""
+    until = time.monotonic() + wait
+    while not (found := children(process)) and time.monotonic() < until:
+        time.sleep(0.02)
+    return found
 
 
 def gone(process: int) -> bool:
@@ -73,25 +82,25 @@ def test_ctrl_c_before_it_has_told_where_it_is_leaves_nothing(tmp_path: Path) ->
 
 
 def test_ctrl_c_does_not_wait_for_who_follows(tmp_path: Path) -> None:
-    with serving(small(tmp_path)) as server:
-        line = HTTPConnection(server.host, server.port, timeout=60)
+    with (
+        serving(small(tmp_path)) as server,
+        closing(HTTPConnection(server.host, server.port, timeout=60)) as line,
+    ):
         line.request("GET", server.base + "/s/small/events")
-        following = line.getresponse()
-        assert following.readline() == b"event: state\n"
-        below = children(server.process.pid)
-        assert below
-        status, errors = server.interrupted()
-        assert (status, errors.strip()) == (ENDED, "")
-        assert all_gone(below)
-        following.close()
-        line.close()
+        with line.getresponse() as following:
+            assert following.readline() == b"event: state\n"
+            below = begun_below(server.process.pid)
+            assert below
+            status, errors = server.interrupted()
+            assert (status, errors.strip()) == (ENDED, "")
+            assert all_gone(below)
 
 
 def test_a_server_that_is_killed_leaves_no_process(tmp_path: Path) -> None:
     with serving(small(tmp_path)) as server:
         status, _ = server.ask("/s/small/form")
         assert status == 200
-        below = children(server.process.pid)
+        below = begun_below(server.process.pid)
         assert below
         server.process.kill()
         server.process.communicate()

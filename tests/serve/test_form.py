@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 from support.gallery import ROOT
 
+from graphic_tmm.scene.keyed import path_of
 from graphic_tmm.scene.schema import schema
 from graphic_tmm.serve.fields import Field
 from graphic_tmm.serve.form import MOST, form, told
-from graphic_tmm.serve.keyed import path_of
 
 SCENES = sorted((ROOT / "sheets").glob("*/scene.toml"))
 WINDROWER = ROOT / "sheets" / "windrower" / "scene.toml"

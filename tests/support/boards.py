@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from graphic_tmm.chapter import MECHANISM
-from graphic_tmm.chapters.kinematics.plan import PLANS
+from graphic_tmm.chapters.kinematics.names import PLANS
 from graphic_tmm.drawn import Drawn, DrawnScene, doubted
 from graphic_tmm.fitting.given import drawn_as
 from graphic_tmm.fitting.scales import executed, reach_of, usual

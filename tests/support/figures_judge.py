@@ -15,9 +15,9 @@ import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
 
 from graphic_tmm.board.operations.instruments import measure, measure_along
-from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.task import ForcesTask
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Mechanism, Row
 from graphic_tmm.readers.columns import (

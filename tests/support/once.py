@@ -6,9 +6,9 @@ from functools import cache, wraps
 from pathlib import Path
 from typing import Any
 
+from graphic_tmm.packaged import packaged
 from graphic_tmm.scene import read as reading
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.scenes import packaged
 
 ANEW = reading.read
 """The reader itself."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from graphic_tmm.board.execute import execute
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.mechanism.records import Extreme, Mechanism, Row
 from graphic_tmm.project import Project
 from support.boards import recorded

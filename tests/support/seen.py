@@ -13,7 +13,7 @@ from itertools import pairwise
 
 import shapely
 
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Link, Slide
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke

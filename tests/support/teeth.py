@@ -15,7 +15,8 @@ from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.gears.checks import Verdict, verdicts
-from graphic_tmm.chapters.gears.plan import GEARS, Gear, gear_scales
+from graphic_tmm.chapters.gears.names import GEARS
+from graphic_tmm.chapters.gears.plan import Gear, gear_scales
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.chapters.gears.teeth import Flank

@@ -16,7 +16,7 @@ from graphic_tmm.board.hand import HANDS
 from graphic_tmm.board.operations.instruments import lay_off, meet
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Line
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.checking.cells import Cell, Key, cells, cells_and_points
 from graphic_tmm.checking.check import TRIALS
 from graphic_tmm.checking.judging.judge import judge

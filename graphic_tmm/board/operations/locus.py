@@ -7,6 +7,7 @@ them. Sixteen parts a pass and fourteen passes leave less than the last bit of a
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -44,19 +45,25 @@ def narrow(tried: Callable[[Reals], Reals], low: Reals, high: Reals) -> Reals:
     return np.asarray((low + high) / 2.0)
 
 
+@dataclass(frozen=True, eq=False)
+class _Refine:
+    """The smaller construction, narrowed down; no function within another, so that a log can be pickled."""
+
+    tried: Callable[[Reals], Reals]
+
+    def __call__(self, low: Angle, high: Angle) -> Angle:
+        return Angle(narrow(self.tried, low, high))
+
+
 def refinement(tried: Callable[[Reals], Reals], sentence: str) -> Operation:
     """Return the operation that finds, between two angles, where a smaller construction changes its sign.
 
     ``tried`` runs the smaller construction at a row of angles (degrees) and returns its last reading;
     ``sentence`` names the angles as {low} and {high}, what is found as {it}.
     """
-
-    def refine(low: Angle, high: Angle) -> Angle:
-        return Angle(narrow(tried, low, high))
-
     return Operation(
         REFINE,
-        refine,
+        _Refine(tried),
         (Angle, Angle),
         ("low", "high"),
         Angle,

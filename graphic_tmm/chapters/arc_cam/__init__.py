@@ -28,20 +28,30 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from graphic_tmm.chapter import Chapter, Place, Size
-from graphic_tmm.chapters.arc_cam.beside import record_beside
 from graphic_tmm.chapters.arc_cam.captions import CAPTIONS, SYMBOLS
-from graphic_tmm.chapters.arc_cam.choice import choose
-from graphic_tmm.chapters.arc_cam.given import given
-from graphic_tmm.chapters.arc_cam.note import note
-from graphic_tmm.chapters.arc_cam.note_conclusions import concludes
-from graphic_tmm.chapters.arc_cam.plan import ARC_CAM, record
-from graphic_tmm.chapters.arc_cam.table import arc_columns, results
+from graphic_tmm.chapters.arc_cam.names import ARC_CAM
 from graphic_tmm.chapters.arc_cam.task import ASKED, SECTIONS
-from graphic_tmm.chapters.arc_cam.views import arc_views
-from graphic_tmm.drawn import view_scales
+from graphic_tmm.late import late
 from graphic_tmm.readers.given import given_place
-from graphic_tmm.scene.records import Scene
+
+if TYPE_CHECKING:
+    from graphic_tmm.scene.records import Scene
+
+with late(__name__):
+    from graphic_tmm.chapters.arc_cam.asks import asks
+    from graphic_tmm.chapters.arc_cam.beside import record_beside
+    from graphic_tmm.chapters.arc_cam.choice import choose
+    from graphic_tmm.chapters.arc_cam.given import given
+    from graphic_tmm.chapters.arc_cam.note import note
+    from graphic_tmm.chapters.arc_cam.note_conclusions import concludes
+    from graphic_tmm.chapters.arc_cam.plan import record
+    from graphic_tmm.chapters.arc_cam.scheme import scheme
+    from graphic_tmm.chapters.arc_cam.table import arc_columns, results
+    from graphic_tmm.chapters.arc_cam.views import arc_views
+    from graphic_tmm.drawn import view_scales
 
 
 def _fixed(scene: Scene) -> str:
@@ -55,12 +65,13 @@ CHAPTER = Chapter(
     board=ARC_CAM.chapter,
     builds_on=("cam",),
     places=(
-        Place("arc_cam", 105, arc_views, sizes=lambda scene, view: (ARC_CAM.chapter,)),
+        Place("arc_cam", 105, arc_views, sizes=lambda scene, view: (ARC_CAM.chapter,), asks=asks),
         given_place("arc_cam"),
     ),
     sizes=(Size(ARC_CAM.chapter, small=0.75, cap=0.6, step=1.25, fixed=_fixed),),
     asked=lambda scene: ASKED.of(scene) is not None,
     given=given,
+    scheme=scheme,
     sections=SECTIONS,
     record=record,
     aside=record_beside,

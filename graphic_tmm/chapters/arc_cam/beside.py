@@ -7,7 +7,7 @@ from typing import NamedTuple
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapter import Made, aside
-from graphic_tmm.chapters.arc_cam.plan import ARC_CAM
+from graphic_tmm.chapters.arc_cam.names import ARC_CAM
 from graphic_tmm.chapters.arc_cam.task import ROCKER
 from graphic_tmm.chapters.cam.formulas import follower_acceleration, follower_velocity
 from graphic_tmm.project import Bench

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.arc_cam.plan import ARC_CAM, reach_of
+from graphic_tmm.chapters.arc_cam.names import ARC_CAM
+from graphic_tmm.chapters.arc_cam.plan import reach_of
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Ledger
 

@@ -58,24 +58,24 @@ def lie(order: ArcTask) -> Lie:
     for flank, name in ((order.rise, "flank"), (order.fall, "return_flank")):
         _refuse_flank(order, flank, name)
     _refuse_follower(order)
-    normals = (*_normals(order, order.rise, 1), *_normals(order, order.fall, -1)[::-1])
+    ways = (*normals(order, order.rise, 1), *normals(order, order.fall, -1)[::-1])
     reach = order.roller
     nose = -1j * order.distance
     centres = (
-        (order.base + reach) * normals[0],
-        nose + (order.nose + reach) * normals[1],
-        nose + (order.nose + reach) * normals[2],
-        (order.base + reach) * normals[3],
+        (order.base + reach) * ways[0],
+        nose + (order.nose + reach) * ways[1],
+        nose + (order.nose + reach) * ways[2],
+        (order.base + reach) * ways[3],
     )
     angles = tuple(
-        _angle(order, centre, normal) for centre, normal in zip(centres, normals, strict=True)
+        _angle(order, centre, normal) for centre, normal in zip(centres, ways, strict=True)
     )
     _refuse_order(order, angles, centres)
     first, second, third, last = angles
     return Lie((first, second, third, last))
 
 
-def _normals(order: ArcTask, flank: Flank, side: int) -> tuple[complex, complex]:
+def normals(order: ArcTask, flank: Flank, side: int) -> tuple[complex, complex]:
     """Return the outward normals where a flank meets the base circle and the nose; ``side``: 1 to the left."""
     d, nose = order.distance, -1j * order.distance
     if flank.radius is None:
@@ -111,7 +111,7 @@ def side_on_straight(order: ArcTask, flank: Flank, side: int) -> int:
 
     1 where it is reached to the left of the flank's outward normal.
     """
-    normal = _normals(order, flank, side)[0]
+    normal = normals(order, flank, side)[0]
     middle = (order.base + order.roller) * normal + 1e-3j * side * normal * order.distance
     assert order.centres is not None
     pivot = 1j * order.centres * cmath.exp(1j * math.radians(_angle(order, middle, normal)))
@@ -229,8 +229,8 @@ def _along(order: ArcTask, centres: tuple[complex, ...]) -> list[float]:
     reach, nose = order.roller, -1j * order.distance
     ends = [(centres[0], centres[1]), (centres[1], centres[2]), (centres[2], centres[3])]
     middles: list[tuple[complex | None, float]]
-    middles = [_middle(order, order.rise, 1), (nose, order.nose + reach)]
-    middles.append(_middle(order, order.fall, -1))
+    middles = [centre_of(order, order.rise, 1), (nose, order.nose + reach)]
+    middles.append(centre_of(order, order.fall, -1))
     found: list[float] = []
     for (start, end), (centre, radius) in zip(ends, middles, strict=True):
         share = np.linspace(0.0, 1.0, PROBES)
@@ -245,11 +245,11 @@ def _along(order: ArcTask, centres: tuple[complex, ...]) -> list[float]:
     return found
 
 
-def _middle(order: ArcTask, flank: Flank, side: int) -> tuple[complex | None, float]:
+def centre_of(order: ArcTask, flank: Flank, side: int) -> tuple[complex | None, float]:
     """Return the centre of a flank's arc, and the radius on which the roller's centre goes about it."""
     if flank.radius is None:
         return None, 0.0
     sign = -1.0 if flank.hollow else 1.0
-    normal = _normals(order, flank, side)[0]
+    normal = normals(order, flank, side)[0]
     centre = (order.base - sign * flank.radius) * normal
     return centre, flank.radius + sign * order.roller

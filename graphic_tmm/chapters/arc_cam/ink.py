@@ -104,7 +104,7 @@ def draw_contour_ink(
     )
 
 
-def _from_to(pen: str, centre: complex, start: complex, end: complex, sense: int) -> list[Ink]:
+def from_to(pen: str, centre: complex, start: complex, end: complex, sense: int) -> list[Ink]:
     """Return the arc about a centre from one place to another; none where it has no length."""
     if not finite(centre, start, end):
         return []
@@ -130,7 +130,7 @@ def _contour(ink: _Ink) -> Iterator[Ink]:
             yield from body([line("main", spots[start], spots[end])], "contour", of)
             continue
         turned = -sense if one.hollow else sense
-        made = _from_to("main", ink.one(one.centre), spots[start], spots[end], turned)
+        made = from_to("main", ink.one(one.centre), spots[start], spots[end], turned)
         yield from body(made, "contour", [one.centre, *of])
 
 
@@ -168,7 +168,7 @@ def _pitch(ink: _Ink) -> Iterator[Ink]:
             yield from body([line("medium", spots[start], spots[end])], "path", of)
             continue
         turned = -sense if one.hollow else sense
-        made = _from_to("medium", ink.one(one.centre), spots[start], spots[end], turned)
+        made = from_to("medium", ink.one(one.centre), spots[start], spots[end], turned)
         yield from body(made, "path", of)
 
 

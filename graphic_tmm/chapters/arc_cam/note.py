@@ -13,7 +13,8 @@ from graphic_tmm.chapters.arc_cam import note_words as words
 from graphic_tmm.chapters.arc_cam.beside import BESIDE
 from graphic_tmm.chapters.arc_cam.beside import VIEW as CALCULATED
 from graphic_tmm.chapters.arc_cam.contour import VIEW
-from graphic_tmm.chapters.arc_cam.plan import ARC_CAM, VIEWS, ArcCam
+from graphic_tmm.chapters.arc_cam.names import ARC_CAM
+from graphic_tmm.chapters.arc_cam.plan import VIEWS, ArcCam
 from graphic_tmm.chapters.arc_cam.table import arc_columns
 from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER
 from graphic_tmm.chapters.arc_cam.views import arc_views

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.arc_cam import note_words as words
-from graphic_tmm.chapters.arc_cam.plan import ARC_CAM
+from graphic_tmm.chapters.arc_cam.names import ARC_CAM
 from graphic_tmm.chapters.arc_cam.table import arc_columns, results
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking

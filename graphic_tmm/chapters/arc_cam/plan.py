@@ -14,11 +14,11 @@ from graphic_tmm.board.operations.formulas import rescaled
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard_length
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.arc_cam import formulas as f
 from graphic_tmm.chapters.arc_cam.contour import Contour, draw_contour
 from graphic_tmm.chapters.arc_cam.follower import Follower, draw_follower
 from graphic_tmm.chapters.arc_cam.geometry import SAME, Lie, lie
+from graphic_tmm.chapters.arc_cam.names import ARC_CAM
 from graphic_tmm.chapters.arc_cam.task import ASKED, ROCKER, ArcTask
 from graphic_tmm.project import Bench
 
@@ -48,9 +48,6 @@ class ArcCam:
     follower: Follower
     base: Base
     charts: dict[str, Chart]
-
-
-ARC_CAM: Made[ArcCam] = Made("arc_cam")
 
 
 def record(bench: Bench) -> ArcCam | None:

@@ -8,7 +8,8 @@ import numpy as np
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.arc_cam.beside import BESIDE
-from graphic_tmm.chapters.arc_cam.plan import ARC_CAM, marks
+from graphic_tmm.chapters.arc_cam.names import ARC_CAM
+from graphic_tmm.chapters.arc_cam.plan import marks
 from graphic_tmm.chapters.arc_cam.task import ROCKER
 from graphic_tmm.drawn import Drawn, Results
 from graphic_tmm.readers.columns import Column, empty, row_of

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.arc_cam.ink import ArcNames, draw_contour_ink
-from graphic_tmm.chapters.arc_cam.plan import ARC_CAM, LETTERS, VIEWS, ArcCam
+from graphic_tmm.chapters.arc_cam.names import ARC_CAM
+from graphic_tmm.chapters.arc_cam.plan import LETTERS, VIEWS, ArcCam
 from graphic_tmm.chapters.arc_cam.table import PLAN, arc_columns
 from graphic_tmm.chapters.arc_cam.table import results as figures
 from graphic_tmm.drawn import Drawn, single

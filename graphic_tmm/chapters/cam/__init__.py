@@ -34,23 +34,35 @@ windrower (scene ``windrower``).
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from graphic_tmm.chapter import Chapter, Place, Size
-from graphic_tmm.chapters.cam.accuracy import ACCURACY
-from graphic_tmm.chapters.cam.beside import record_beside
 from graphic_tmm.chapters.cam.captions import CAPTIONS, SYMBOLS
-from graphic_tmm.chapters.cam.choice import choose
-from graphic_tmm.chapters.cam.findings import cam_findings, changes
-from graphic_tmm.chapters.cam.given import given, stated
-from graphic_tmm.chapters.cam.note import note
-from graphic_tmm.chapters.cam.note_conclusions import concludes
-from graphic_tmm.chapters.cam.plan import CAM, GRAPHS, record
-from graphic_tmm.chapters.cam.table import cam_columns, results
+from graphic_tmm.chapters.cam.names import CAM, GRAPHS
 from graphic_tmm.chapters.cam.task import ASKED, SECTIONS
-from graphic_tmm.chapters.cam.verdict import verdict
-from graphic_tmm.chapters.cam.views import cam_views, scheme_views
-from graphic_tmm.drawn import Drawn, view_scales
+from graphic_tmm.late import late
 from graphic_tmm.readers.given import given_place
-from graphic_tmm.scene.records import Scene
+
+if TYPE_CHECKING:
+    from graphic_tmm.drawn import Drawn
+    from graphic_tmm.scene.records import Scene
+
+with late(__name__):
+    from graphic_tmm.chapters.cam import asks
+    from graphic_tmm.chapters.cam.accuracy import ACCURACY
+    from graphic_tmm.chapters.cam.beside import record_beside
+    from graphic_tmm.chapters.cam.choice import choose
+    from graphic_tmm.chapters.cam.findings import cam_findings, changes
+    from graphic_tmm.chapters.cam.given import given, stated
+    from graphic_tmm.chapters.cam.note import note
+    from graphic_tmm.chapters.cam.note_conclusions import concludes
+    from graphic_tmm.chapters.cam.plan import record
+    from graphic_tmm.chapters.cam.scheme import scheme
+    from graphic_tmm.chapters.cam.table import cam_columns, results
+    from graphic_tmm.chapters.cam.verdict import verdict as judged
+    from graphic_tmm.chapters.cam.views import cam_views, scheme_views
+    from graphic_tmm.drawn import view_scales
+
 
 FIGURES = ("cam profile", "cam scheme", "cam centre", "profile", "centre")
 """What is drawn of a cam besides graphs."""
@@ -87,14 +99,16 @@ CHAPTER = Chapter(
     captions=CAPTIONS,
     board=CAM.chapter,
     places=(
-        Place("cam", 100, cam_views, sizes=_sizes),
-        Place("cam scheme", 0, scheme_views, sizes=_sizes),
+        Place("cam", 100, cam_views, sizes=_sizes, asks=asks.asks),
+        Place("cam scheme", 0, scheme_views, sizes=_sizes, asks=asks.scheme),
         given_place("cam"),
     ),
     sizes=(_told("cam.mu_l"), _told("cam.base")),
     asked=lambda scene: ASKED.of(scene) is not None,
     given=given,
     stated=stated,
+    listed=asks.listed,
+    scheme=scheme,
     sections=SECTIONS,
     record=record,
     aside=record_beside,
@@ -106,7 +120,7 @@ CHAPTER = Chapter(
     columns=cam_columns,
     results=results,
     accuracy=ACCURACY,
-    concludes=lambda drawn, language: (*concludes(drawn, language), *verdict(drawn, language)),
+    concludes=lambda drawn, language: (*concludes(drawn, language), *judged(drawn, language)),
     note=note,
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from graphic_tmm.chapters.cam.plan import CAM
+from graphic_tmm.chapters.cam.names import CAM
 from graphic_tmm.chapters.cam.task import ASKED
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said

@@ -9,7 +9,8 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.cam import formulas as f
-from graphic_tmm.chapters.cam.plan import CAM, Cam
+from graphic_tmm.chapters.cam.names import CAM
+from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.task import CamTask, FlatFollower, RockerFollower
 from graphic_tmm.project import Bench
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graphic_tmm.board.operations.choice import accepted
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.cam.plan import CAM
+from graphic_tmm.chapters.cam.names import CAM
 from graphic_tmm.chapters.cam.task import ASKED
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Ledger

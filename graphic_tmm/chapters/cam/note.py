@@ -19,8 +19,8 @@ from graphic_tmm.chapters.cam.centre import VIEW as CENTRE
 from graphic_tmm.chapters.cam.centre import Centre, Path
 from graphic_tmm.chapters.cam.diagrams import VIEWS
 from graphic_tmm.chapters.cam.ink_scheme import NAME as SCHEME
+from graphic_tmm.chapters.cam.names import CAM
 from graphic_tmm.chapters.cam.note_page import CamPage
-from graphic_tmm.chapters.cam.plan import CAM
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
 from graphic_tmm.chapters.cam.table import cam_columns
 from graphic_tmm.chapters.cam.turn import CURVATURE, PRESSURE

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.cam.plan import CAM
+from graphic_tmm.chapters.cam.names import CAM
 from graphic_tmm.chapters.cam.table import cam_marks
 from graphic_tmm.drawn import Drawn, results_of
 from graphic_tmm.language.catalogue import speaking

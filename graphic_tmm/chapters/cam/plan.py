@@ -9,11 +9,11 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard_length
 from graphic_tmm.board.values import Number
-from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam.centre import Centre, Path, draw_centre
 from graphic_tmm.chapters.cam.diagrams import Diagrams, draw_diagrams
 from graphic_tmm.chapters.cam.flat import Convexity, draw_convexity
+from graphic_tmm.chapters.cam.names import CAM, GRAPHS
 from graphic_tmm.chapters.cam.phases import divide
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
 from graphic_tmm.chapters.cam.profile import Profile, draw_flat_profile, draw_profile
@@ -63,11 +63,6 @@ class Cam:
     def least(self) -> Mark:
         """The least r0 allowed (Number, m)."""
         return self.centre.least
-
-
-CAM: Made[Cam] = Made("cam")
-GRAPHS = "cam graphs"
-"""The size of a cam's diagrams; that of its other views is called as the chapter is."""
 
 
 def record(bench: Bench) -> Cam | None:

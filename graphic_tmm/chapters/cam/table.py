@@ -9,7 +9,8 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.cam.beside import BESIDE
 from graphic_tmm.chapters.cam.centre import Centre
-from graphic_tmm.chapters.cam.plan import CAM, Cam
+from graphic_tmm.chapters.cam.names import CAM
+from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.task import RockerFollower
 from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.readers.columns import (

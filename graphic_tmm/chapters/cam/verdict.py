@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.cam.findings import cam_findings
-from graphic_tmm.chapters.cam.plan import CAM
+from graphic_tmm.chapters.cam.names import CAM
 from graphic_tmm.chapters.cam.table import results
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking

@@ -17,7 +17,8 @@ from graphic_tmm.chapters.cam.ink_flat import draw_convexity_ink
 from graphic_tmm.chapters.cam.ink_graphs import RULES
 from graphic_tmm.chapters.cam.ink_rocker import draw_rocker_ink
 from graphic_tmm.chapters.cam.ink_scheme import SchemeNames, draw_scheme_ink, position_of
-from graphic_tmm.chapters.cam.plan import CAM, Cam
+from graphic_tmm.chapters.cam.names import CAM
+from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.table import PLAN, cam_columns, cam_marks
 from graphic_tmm.chapters.cam.turn import CURVATURE

@@ -17,19 +17,30 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from graphic_tmm.board import roles
-from graphic_tmm.chapter import Chapter, Holder, Place, Size
-from graphic_tmm.chapters.cycle.accuracy import ACCURACY
-from graphic_tmm.chapters.cycle.note import concludes, note
-from graphic_tmm.chapters.cycle.plan import CYCLE, record, record_beside
+from graphic_tmm.chapter import Chapter, Place, Size
+from graphic_tmm.chapters.cycle.names import CYCLE
 from graphic_tmm.chapters.cycle.task import ASKED, SECTIONS
-from graphic_tmm.chapters.cycle.views import cycle_columns, cycle_results, cycle_views, given
-from graphic_tmm.chapters.flywheel.captions import graph_title
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS
+from graphic_tmm.chapters.flywheel.names import FLYWHEEL, VIEWS
 from graphic_tmm.fitting.scales import GRAPH, GRAPHS
-from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
+from graphic_tmm.late import late
 from graphic_tmm.readers.given import given_place
+
+if TYPE_CHECKING:
+    from graphic_tmm.chapter import Holder
+
+with late(__name__):
+    from graphic_tmm.chapters.cycle.accuracy import ACCURACY
+    from graphic_tmm.chapters.cycle.asks import asks, listed
+    from graphic_tmm.chapters.cycle.note import concludes, note
+    from graphic_tmm.chapters.cycle.plan import record, record_beside
+    from graphic_tmm.chapters.cycle.views import cycle_columns, cycle_results, cycle_views, given
+    from graphic_tmm.chapters.flywheel.captions import graph_title
+    from graphic_tmm.language.catalogue import speaking
+
 
 _NAME = CYCLE.chapter
 SCALE_KEYS = {
@@ -61,6 +72,7 @@ CHAPTER = Chapter(
             _NAME,
             55,
             cycle_views,
+            asks=asks,
             sizes=lambda scene, view: ("cycle sketch" if view == "flywheel" else GRAPHS,),
         ),
         given_place(_NAME),
@@ -68,6 +80,7 @@ CHAPTER = Chapter(
     sizes=(GRAPH, Size("cycle sketch", small=0.6, cap=0.4, step=1.6, seen=False)),
     asked=lambda scene: ASKED.of(scene) is not None,
     given=given,
+    listed=listed,
     sections=SECTIONS,
     record=record,
     aside=record_beside,

@@ -9,9 +9,9 @@ import numpy as np
 
 from graphic_tmm.board.charts import ScaleOrder, distances
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.cycle.plan import CYCLE
+from graphic_tmm.chapters.cycle.names import CYCLE
 from graphic_tmm.chapters.cycle.task import ASKED, CycleTask
-from graphic_tmm.chapters.flywheel.plan import VIEWS
+from graphic_tmm.chapters.flywheel.names import VIEWS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.cycle.plan import BESIDE, CYCLE
+from graphic_tmm.chapters.cycle.names import CYCLE
+from graphic_tmm.chapters.cycle.plan import BESIDE
 from graphic_tmm.chapters.cycle.views import cycle_columns, cycle_results, cycle_views
 from graphic_tmm.chapters.flywheel.conclusions import concluded
 from graphic_tmm.chapters.flywheel.note import FlywheelPage

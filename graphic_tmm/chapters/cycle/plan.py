@@ -19,10 +19,11 @@ from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapter import Made, aside
+from graphic_tmm.chapters.cycle.names import CYCLE
 from graphic_tmm.chapters.cycle.task import ASKED, CycleTask
 from graphic_tmm.chapters.flywheel.beside import Beside, calculate
+from graphic_tmm.chapters.flywheel.names import VIEWS
 from graphic_tmm.chapters.flywheel.plan import (
-    VIEWS,
     Flywheel,
     Works,
     angle_per_mm,
@@ -45,7 +46,6 @@ class Cycle(NamedTuple):
     speed: Mark
 
 
-CYCLE: Made[Cycle] = Made("cycle")
 BESIDE: Made[Beside] = Made(aside("cycle"))
 
 

@@ -6,7 +6,8 @@ import math
 from collections.abc import Iterator
 
 from graphic_tmm.chapter import Given
-from graphic_tmm.chapters.cycle.plan import BESIDE, CYCLE
+from graphic_tmm.chapters.cycle.names import CYCLE
+from graphic_tmm.chapters.cycle.plan import BESIDE
 from graphic_tmm.chapters.cycle.task import ASKED
 from graphic_tmm.chapters.flywheel.given import given_of
 from graphic_tmm.chapters.flywheel.table import columns_of, results_for, too_wide

@@ -32,27 +32,38 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
-from collections.abc import Container
+from typing import TYPE_CHECKING
 
 from graphic_tmm.board import roles
-from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.chapter import Chapter, Holder, Place
-from graphic_tmm.chapters.diagrams.accuracy import ACCURACY
-from graphic_tmm.chapters.diagrams.beside import CALCULATED, record_beside
-from graphic_tmm.chapters.diagrams.captions import CAPTIONS, SYMBOLS, called
-from graphic_tmm.chapters.diagrams.choice import choose
-from graphic_tmm.chapters.diagrams.note import note
-from graphic_tmm.chapters.diagrams.note_conclusions import concludes
-from graphic_tmm.chapters.diagrams.plan import BASE_VIEW, DIAGRAMS, VIEWS, record
-from graphic_tmm.chapters.diagrams.table import diagram_columns
+from graphic_tmm.chapter import Chapter, Place
+from graphic_tmm.chapters.diagrams.captions import CAPTIONS, SYMBOLS
+from graphic_tmm.chapters.diagrams.names import BASE_VIEW, CALCULATED, DIAGRAMS, VIEWS
 from graphic_tmm.chapters.diagrams.task import ASKED, SECTIONS
-from graphic_tmm.chapters.diagrams.views import diagram_views
-from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
 from graphic_tmm.fitting.scales import GRAPH, GRAPHS
-from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.project import Project
+from graphic_tmm.late import late
+
+if TYPE_CHECKING:
+    from collections.abc import Container
+
+    from graphic_tmm.board.execute import Reading
+    from graphic_tmm.board.record import Mark
+    from graphic_tmm.chapter import Holder
+    from graphic_tmm.project import Project
+
+with late(__name__):
+    from graphic_tmm.chapters.diagrams.accuracy import ACCURACY
+    from graphic_tmm.chapters.diagrams.asks import asks
+    from graphic_tmm.chapters.diagrams.beside import record_beside
+    from graphic_tmm.chapters.diagrams.captions import called
+    from graphic_tmm.chapters.diagrams.choice import choose
+    from graphic_tmm.chapters.diagrams.note import note
+    from graphic_tmm.chapters.diagrams.note_conclusions import concludes
+    from graphic_tmm.chapters.diagrams.plan import record
+    from graphic_tmm.chapters.diagrams.table import diagram_columns
+    from graphic_tmm.chapters.diagrams.views import diagram_views
+    from graphic_tmm.language.catalogue import speaking
 
 
 def _named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
@@ -78,6 +89,7 @@ CHAPTER = Chapter(
             DIAGRAMS.chapter,
             30,
             diagram_views,
+            asks=asks,
             beside=(ACCELERATIONS,),
             follows=(POSITIONS,),
             sizes=lambda scene, view: (GRAPHS,),

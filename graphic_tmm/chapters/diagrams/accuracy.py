@@ -9,10 +9,10 @@ import numpy as np
 
 from graphic_tmm.board.charts import STANDARD, ScaleOrder, distances
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.diagrams.plan import DIAGRAMS, VIEWS
+from graphic_tmm.chapters.diagrams.names import DIAGRAMS, VIEWS
 from graphic_tmm.chapters.diagrams.standard import BASE, settled
 from graphic_tmm.chapters.diagrams.task import ASKED, KinematicTask
-from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, KINEMATICS, VELOCITIES
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project

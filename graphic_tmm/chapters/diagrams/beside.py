@@ -15,13 +15,13 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number, Point
 from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.diagrams import reasons as why
-from graphic_tmm.chapters.diagrams.plan import DIAGRAMS, Kinematic
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS, KinematicPlans
+from graphic_tmm.chapters.diagrams.names import CALCULATED, DIAGRAMS
+from graphic_tmm.chapters.diagrams.plan import Kinematic
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
 
-CALCULATED = "diagrams-calculation"
-"""The view of what is calculated beside."""
 WHOLE = 1e-9
 """An extra position that is nearer to one of the row, in intervals, stands on its boundary."""
 

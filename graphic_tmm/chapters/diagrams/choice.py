@@ -6,7 +6,7 @@ from graphic_tmm.board.operations.choice import nearest_standard
 from graphic_tmm.board.operations.formulas import time_per_mm, turn_per_mm
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapters.diagrams.plan import DIAGRAMS, VIEWS
+from graphic_tmm.chapters.diagrams.names import DIAGRAMS, VIEWS
 from graphic_tmm.chapters.diagrams.standard import chain, wanted_base
 from graphic_tmm.chapters.diagrams.task import ASKED
 from graphic_tmm.drawn import Drawn

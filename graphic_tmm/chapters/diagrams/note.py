@@ -11,9 +11,10 @@ from collections.abc import Iterator, Sequence
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.diagrams import note_words as words
-from graphic_tmm.chapters.diagrams.beside import BESIDE, CALCULATED
+from graphic_tmm.chapters.diagrams.beside import BESIDE
+from graphic_tmm.chapters.diagrams.names import CALCULATED, DIAGRAMS, VIEWS
 from graphic_tmm.chapters.diagrams.note_middles import intervals, middles_table
-from graphic_tmm.chapters.diagrams.plan import DIAGRAMS, VIEWS, Kinematic
+from graphic_tmm.chapters.diagrams.plan import Kinematic
 from graphic_tmm.chapters.diagrams.table import diagram_columns
 from graphic_tmm.chapters.diagrams.views import diagram_views
 from graphic_tmm.drawn import Drawn

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.diagrams import note_words as words
-from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
+from graphic_tmm.chapters.diagrams.names import DIAGRAMS
 from graphic_tmm.chapters.diagrams.table import diagram_columns
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking

@@ -26,22 +26,19 @@ from graphic_tmm.board.operations.graphs import at_zero
 from graphic_tmm.board.operations.instruments import measure_along
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.diagrams import reasons as why
+from graphic_tmm.chapters.diagrams.names import VIEWS
 from graphic_tmm.chapters.diagrams.standard import BASE, settled
 from graphic_tmm.chapters.diagrams.task import ASKED, KinematicTask
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
 
-VIEWS = {"S": "diagram S", "V": "diagram V", "a": "diagram a"}
-BASE_VIEW = "base"
-"""Under which the scale of the common base is told."""
 UNITS = {"S": "m", "V": "m/s", "a": "m/s²"}
 """Of the diagrams over time."""
 ROOM = 50.0
@@ -92,9 +89,6 @@ class _Found(NamedTuple):
     charts: dict[str, Chart]
     laid: Mark
     derived: tuple[_Derived, ...]
-
-
-DIAGRAMS: Made[Kinematic] = Made("diagrams")
 
 
 def record(bench: Bench) -> Kinematic | None:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
+from graphic_tmm.chapters.diagrams.names import DIAGRAMS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import (
     Column,

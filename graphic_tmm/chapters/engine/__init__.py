@@ -27,40 +27,46 @@ Sources: the book chapter on the forces in the crank mechanism of a steam engine
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from graphic_tmm.chapter import Chapter, Place, Size
-from graphic_tmm.chapters.engine.accuracy import ACCURACY
-from graphic_tmm.chapters.engine.beside import CALCULATED, MASSES, WORKS_VIEW, record_beside
 from graphic_tmm.chapters.engine.captions import CAPTIONS, SYMBOLS
-from graphic_tmm.chapters.engine.choice import choose
-from graphic_tmm.chapters.engine.conclusions import concludes
-from graphic_tmm.chapters.engine.given import given
-from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
-from graphic_tmm.chapters.engine.note import note
-from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, record
-from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named, reach
-from graphic_tmm.chapters.engine.table import engine_columns, engine_results
-from graphic_tmm.chapters.engine.task import ASKED, SECTIONS
-from graphic_tmm.chapters.engine.transfer import VIEW as TRANSFER
-from graphic_tmm.chapters.engine.turning import moving
-from graphic_tmm.chapters.engine.views import (
+from graphic_tmm.chapters.engine.names import (
+    CALCULATED,
+    ENGINE,
+    HARMONICS,
+    MASSES,
+    TRANSFER,
     TRANSFER_PLACE,
-    engine_diagram_views,
-    engine_views,
-    transfer_views,
+    VIEW,
+    WORKS_VIEW,
 )
-from graphic_tmm.chapters.forces.plan import FORCES
-from graphic_tmm.chapters.indicator.beside import CALCULATED as STROKE
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR
+from graphic_tmm.chapters.engine.task import ASKED, SECTIONS
+from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.indicator.names import CALCULATED as STROKE
+from graphic_tmm.chapters.indicator.names import INDICATOR
 from graphic_tmm.chapters.indicator.task import Wish
-from graphic_tmm.chapters.kinematics.plan import (
-    ACCELERATIONS,
-    KINEMATICS,
-    POSITIONS,
-    VELOCITIES,
-)
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
 from graphic_tmm.fitting.scales import GRAPH, GRAPHS
-from graphic_tmm.project import Project
-from graphic_tmm.scene.records import Scene
+from graphic_tmm.late import late
+
+if TYPE_CHECKING:
+    from graphic_tmm.project import Project
+    from graphic_tmm.scene.records import Scene
+
+with late(__name__):
+    from graphic_tmm.chapters.engine import asks
+    from graphic_tmm.chapters.engine.accuracy import ACCURACY
+    from graphic_tmm.chapters.engine.beside import record_beside
+    from graphic_tmm.chapters.engine.choice import choose
+    from graphic_tmm.chapters.engine.conclusions import concludes
+    from graphic_tmm.chapters.engine.given import given
+    from graphic_tmm.chapters.engine.note import note
+    from graphic_tmm.chapters.engine.plan import record
+    from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named, reach
+    from graphic_tmm.chapters.engine.table import engine_columns, engine_results
+    from graphic_tmm.chapters.engine.turning import moving
+    from graphic_tmm.chapters.engine.views import engine_diagram_views, engine_views, transfer_views
 
 
 def _needs(scene: Scene) -> dict[str, object]:
@@ -89,11 +95,12 @@ CHAPTER = Chapter(
     captions=CAPTIONS,
     builds_on=(KINEMATICS.chapter, INDICATOR.chapter, FORCES.chapter),
     places=(
-        Place("engine", 70, engine_views, follows=(POSITIONS,), sizes=_sizes),
+        Place("engine", 70, engine_views, follows=(POSITIONS,), sizes=_sizes, asks=asks.plan),
         Place(
             TRANSFER_PLACE,
             0,
             transfer_views,
+            asks=asks.transfer,
             follows=(POSITIONS,),
             sizes=lambda scene, view: (TRANSFER, POSITIONS),
         ),
@@ -101,6 +108,7 @@ CHAPTER = Chapter(
             "engine diagrams",
             71,
             engine_diagram_views,
+            asks=asks.diagrams,
             follows=(POSITIONS,),
             sizes=lambda scene, view: (GRAPHS,),
         ),
@@ -113,6 +121,8 @@ CHAPTER = Chapter(
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
     given=given,
+    listed=asks.listed,
+    acting=asks.acting,
     sections=SECTIONS,
     record=record,
     aside=record_beside,

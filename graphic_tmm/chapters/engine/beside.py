@@ -29,21 +29,17 @@ from graphic_tmm.chapters.engine.formulas import (
     moment_of_rod,
     tipping_couple,
 )
-from graphic_tmm.chapters.engine.plan import ENGINE, Engine
+from graphic_tmm.chapters.engine.names import CALCULATED, ENGINE, MASSES, WORKS_VIEW
+from graphic_tmm.chapters.engine.plan import Engine
 from graphic_tmm.chapters.engine.transfer import Transfer, draw_transfer
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
+from graphic_tmm.chapters.indicator.cylinder import Cylinder, Machine, machine_of
+from graphic_tmm.chapters.indicator.names import INDICATOR
 from graphic_tmm.chapters.indicator.plan import Side
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Link
 from graphic_tmm.project import Bench
 
 _SQUARE = "the rod stands square to the guide"
-CALCULATED = "engine-calculation"
-"""The view of what is calculated beside."""
-MASSES = "engine-masses"
-"""The view of the sum of the masses that go to and fro."""
-WORKS_VIEW = "engine-works"
-"""The view of the works over a turn."""
 WORKS = ("work_T", "work_P", "work_apart")
 """What the results of the works are called."""
 

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from graphic_tmm.chapters.engine.beside import BESIDE
-from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
-from graphic_tmm.chapters.engine.plan import ENGINE, VIEW
-from graphic_tmm.chapters.engine.transfer import VIEW as TRANSFER
+from graphic_tmm.chapters.engine.names import ENGINE, HARMONICS, TRANSFER, VIEW
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Ledger
 

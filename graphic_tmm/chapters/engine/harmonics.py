@@ -25,9 +25,8 @@ from graphic_tmm.chapters.engine.formulas import (
     second_order,
 )
 from graphic_tmm.chapters.engine.lumping import Legs
+from graphic_tmm.chapters.engine.names import HARMONICS as VIEW
 from graphic_tmm.chapters.indicator.cylinder import Machine
-
-VIEW = "harmonics"
 
 
 class Harmonics(NamedTuple):

@@ -6,19 +6,26 @@ from collections.abc import Iterator, Mapping
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.engine import note_words as words
-from graphic_tmm.chapters.engine.beside import BESIDE, CALCULATED, MASSES, WORKS_VIEW
-from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
-from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, Engine
+from graphic_tmm.chapters.engine.beside import BESIDE
+from graphic_tmm.chapters.engine.names import (
+    CALCULATED,
+    ENGINE,
+    HARMONICS,
+    MASSES,
+    TRANSFER,
+    VIEW,
+    WORKS_VIEW,
+)
+from graphic_tmm.chapters.engine.plan import Engine
 from graphic_tmm.chapters.engine.table import engine_columns
-from graphic_tmm.chapters.engine.transfer import VIEW as TRANSFER
 from graphic_tmm.chapters.engine.views import (
     engine_diagram_views,
     engine_views,
     transfer_views,
 )
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR
+from graphic_tmm.chapters.indicator.names import INDICATOR
 from graphic_tmm.chapters.indicator.note import Worked, gas
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.note.bricks import asked, columns, heading, referred

@@ -27,7 +27,6 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.operations.statics import moment_on_arm
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.engine import reasons as why
 from graphic_tmm.chapters.engine.formulas import (
     KGF,
@@ -38,16 +37,17 @@ from graphic_tmm.chapters.engine.formulas import (
 )
 from graphic_tmm.chapters.engine.harmonics import Harmonics, draw_harmonics
 from graphic_tmm.chapters.engine.lumping import Lumped, lump
+from graphic_tmm.chapters.engine.names import VIEW
 from graphic_tmm.chapters.engine.task import ASKED, EngineTask
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
+from graphic_tmm.chapters.indicator.cylinder import Cylinder, Machine, machine_of
+from graphic_tmm.chapters.indicator.names import INDICATOR
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
 
-VIEW = "engine"
 ROOM = 55.0
 """Room for the highest ordinate of a diagram, mm."""
 DIAGRAMS = ("P", "N", "Q", "T", "K", "M")
@@ -85,9 +85,6 @@ class Engine:
     curves: dict[str, tuple[str, ...]]
     guide: Mark
     turning: tuple[Axes, Mark]
-
-
-ENGINE: Made[Engine] = Made("engine")
 
 
 def record(bench: Bench) -> Engine | None:

@@ -12,9 +12,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard
 from graphic_tmm.chapters.engine.beside import BESIDE
-from graphic_tmm.chapters.engine.harmonics import VIEW as HARMONICS
-from graphic_tmm.chapters.engine.plan import ENGINE, VIEW
-from graphic_tmm.chapters.engine.transfer import VIEW as TRANSFER
+from graphic_tmm.chapters.engine.names import ENGINE, HARMONICS, TRANSFER, VIEW
 from graphic_tmm.fitting.scales import GRAPHS, Fitting, unscaled
 from graphic_tmm.project import Project
 

@@ -6,8 +6,9 @@ from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.engine.beside import BESIDE, WORKS
 from graphic_tmm.chapters.engine.formulas import KGF
-from graphic_tmm.chapters.engine.plan import ENGINE, Engine
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR
+from graphic_tmm.chapters.engine.names import ENGINE
+from graphic_tmm.chapters.engine.plan import Engine
+from graphic_tmm.chapters.indicator.names import INDICATOR
 from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.readers.columns import (
     Column,

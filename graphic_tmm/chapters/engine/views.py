@@ -7,12 +7,12 @@ from graphic_tmm.captions import captions
 from graphic_tmm.chapters.engine.beside import BESIDE, WORKS
 from graphic_tmm.chapters.engine.ink import draw_rotating, draw_triangles
 from graphic_tmm.chapters.engine.ink_transfer import Shown, draw_all_forces
-from graphic_tmm.chapters.engine.plan import ENGINE, VIEW, Engine
+from graphic_tmm.chapters.engine.names import ENGINE, TRANSFER, TRANSFER_PLACE, VIEW
+from graphic_tmm.chapters.engine.plan import Engine
 from graphic_tmm.chapters.engine.table import PRESSURES, engine_columns, engine_results
-from graphic_tmm.chapters.engine.transfer import VIEW as TRANSFER
 from graphic_tmm.chapters.forces.ink_polygons import bar
 from graphic_tmm.chapters.indicator.views import indicator_views
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS, POSITIONS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS, POSITIONS
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
@@ -27,7 +27,7 @@ from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.views import captioned, in_rows, mu_text, stacked
+from graphic_tmm.paper.views import captioned, in_rows, mu_text, stacked, width_of
 from graphic_tmm.readers.result_table import result_table, results
 
 SUMS = ", ".join(
@@ -35,8 +35,6 @@ SUMS = ", ".join(
     for whole, one, other in (("P′", "Q", "N"), ("Q", "K", "T"))
 )
 """What the force triangles say: P′ of the rod's Q and the pressure N on the guide, Q of K and T."""
-TRANSFER_PLACE = "engine forces"
-"""The place of the figure of all forces."""
 COUPLES = "M = T·R = Q·h, M′ = N·OB"
 """What the couples of that figure are."""
 
@@ -124,9 +122,9 @@ def _triangles(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
         for place in _shown(drawn)
     ]
     titles = [view.title for view in views]
-    told = f"{mu_text(scale, language)}; {SUMS}"
+    told, narrowest = f"{mu_text(scale, language)}; {SUMS}", width_of(*views)
     shown = [
-        captioned(view, escape(title), told, heights=high, series=views)
+        captioned(view, escape(title), told, heights=high, narrowest=narrowest)
         for view, title in zip(views, titles, strict=True)
     ]
     return in_rows(shown, VIEW)

@@ -34,32 +34,43 @@ single-cylinder engine (scene ``engine``).
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from graphic_tmm.board import roles
-from graphic_tmm.chapter import Chapter, Holder, Place, Size
-from graphic_tmm.chapters.flywheel.accuracy import ACCURACY
-from graphic_tmm.chapters.flywheel.beside import CALCULATED, record_beside
-from graphic_tmm.chapters.flywheel.captions import CAPTIONS, SYMBOLS, graph_title
-from graphic_tmm.chapters.flywheel.conclusions import concludes
-from graphic_tmm.chapters.flywheel.energy_mass import VIEW as ENERGY_MASS
-from graphic_tmm.chapters.flywheel.given import given
-from graphic_tmm.chapters.flywheel.note import note
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, record
-from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_results, rim_too_wide
+from graphic_tmm.chapter import Chapter, Place, Size
+from graphic_tmm.chapters.flywheel.captions import CAPTIONS, SYMBOLS
+from graphic_tmm.chapters.flywheel.names import CALCULATED, ENERGY_MASS, FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.task import ASKED, SECTIONS
-from graphic_tmm.chapters.flywheel.views import flywheel_views
-from graphic_tmm.chapters.forces.plan import FORCES
-from graphic_tmm.chapters.indicator.beside import CALCULATED as STROKE
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR
+from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.indicator.names import CALCULATED as STROKE
+from graphic_tmm.chapters.indicator.names import INDICATOR
 from graphic_tmm.chapters.indicator.task import Wish
-from graphic_tmm.chapters.kinematics.assumed import assumed
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS, POSITIONS, TURNS, VELOCITIES
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.chapters.kinematics.names import KINEMATICS, POSITIONS, TURNS, VELOCITIES
 from graphic_tmm.fitting.scales import GRAPH, GRAPHS
-from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.names import plain
-from graphic_tmm.scene.records import Scene
+from graphic_tmm.late import late
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from graphic_tmm.chapter import Holder
+    from graphic_tmm.drawn import Drawn
+    from graphic_tmm.scene.records import Scene
+
+with late(__name__):
+    from graphic_tmm.chapters.flywheel.accuracy import ACCURACY
+    from graphic_tmm.chapters.flywheel.asks import acting, asks, listed
+    from graphic_tmm.chapters.flywheel.beside import record_beside
+    from graphic_tmm.chapters.flywheel.captions import graph_title
+    from graphic_tmm.chapters.flywheel.conclusions import concludes
+    from graphic_tmm.chapters.flywheel.given import given
+    from graphic_tmm.chapters.flywheel.note import note
+    from graphic_tmm.chapters.flywheel.plan import record
+    from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_results, rim_too_wide
+    from graphic_tmm.chapters.flywheel.views import flywheel_views
+    from graphic_tmm.chapters.kinematics.assumed import assumed
+    from graphic_tmm.language.catalogue import speaking
+    from graphic_tmm.language.names import plain
+
 
 SCALE_KEYS = {
     VIEWS["moment"]: "mu_M",
@@ -101,6 +112,7 @@ CHAPTER = Chapter(
             FLYWHEEL.chapter,
             50,
             flywheel_views,
+            asks=asks,
             follows=(POSITIONS,),
             sizes=lambda scene, view: ("sketch" if view == FLYWHEEL.chapter else GRAPHS,),
         ),
@@ -109,6 +121,8 @@ CHAPTER = Chapter(
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
     given=given,
+    listed=listed,
+    acting=acting,
     sections=SECTIONS,
     record=record,
     aside=record_beside,

@@ -9,7 +9,7 @@ import numpy as np
 
 from graphic_tmm.board.charts import ScaleOrder, distances
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS
+from graphic_tmm.chapters.flywheel.names import FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.task import ASKED
 from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged
 from graphic_tmm.drawn import Drawn

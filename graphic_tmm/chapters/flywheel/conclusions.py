@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
+from graphic_tmm.chapters.flywheel.names import FLYWHEEL
 from graphic_tmm.chapters.flywheel.table import flywheel_results
 from graphic_tmm.chapters.flywheel.task import FlywheelTask
 from graphic_tmm.drawn import Drawn, Results, single

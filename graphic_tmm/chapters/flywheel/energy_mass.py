@@ -22,8 +22,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.flywheel import reasons as why
 from graphic_tmm.chapters.flywheel.energy import Energies
-
-VIEW = "energy-mass"
+from graphic_tmm.chapters.flywheel.names import ENERGY_MASS as VIEW
 
 
 class Surplus(NamedTuple):

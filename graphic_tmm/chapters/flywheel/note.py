@@ -7,12 +7,12 @@ from collections.abc import Iterator, Sequence
 from graphic_tmm.chapter import chapters
 from graphic_tmm.chapters.flywheel import note_words as words
 from graphic_tmm.chapters.flywheel.beside import BESIDE, Beside
-from graphic_tmm.chapters.flywheel.energy_mass import VIEW as ENERGY_MASS
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, Flywheel
+from graphic_tmm.chapters.flywheel.names import ENERGY_MASS, FLYWHEEL, VIEWS
+from graphic_tmm.chapters.flywheel.plan import Flywheel
 from graphic_tmm.chapters.flywheel.table import flywheel_columns
 from graphic_tmm.chapters.flywheel.views import flywheel_views
 from graphic_tmm.chapters.indicator.note import Worked, gas
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS, VELOCITIES
+from graphic_tmm.chapters.kinematics.names import KINEMATICS, VELOCITIES
 from graphic_tmm.chapters.kinematics.table import kinematic_columns
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.note.bricks import columns, heading, referred, results

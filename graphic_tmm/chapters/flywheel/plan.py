@@ -35,21 +35,21 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.flywheel import reasons as why
 from graphic_tmm.chapters.flywheel.energy import Energies, draw_energies
 from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass, Surplus, draw_energy_mass
+from graphic_tmm.chapters.flywheel.names import VIEWS
 from graphic_tmm.chapters.flywheel.rim import DrawnRim, draw_rim
 from graphic_tmm.chapters.flywheel.task import ASKED, FlywheelTask
-from graphic_tmm.chapters.forces.plan import FORCES, Forces
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
+from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.plan import Forces
+from graphic_tmm.chapters.indicator.cylinder import Cylinder, Machine, machine_of
+from graphic_tmm.chapters.indicator.names import INDICATOR
 from graphic_tmm.chapters.indicator.plan import Indicator
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.declare import bound_of
-
-VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
 
 
 @dataclass(frozen=True)
@@ -77,9 +77,6 @@ class Flywheel:
     inertia: Mark
     energy_mass: EnergyMass | None
     rim: DrawnRim | None
-
-
-FLYWHEEL: Made[Flywheel] = Made("flywheel")
 
 
 def record(bench: Bench) -> Flywheel | None:

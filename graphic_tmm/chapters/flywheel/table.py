@@ -10,7 +10,8 @@ from graphic_tmm.board.naming import (
     segment_name,
 )
 from graphic_tmm.chapters.flywheel.beside import BESIDE, Beside
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, Flywheel
+from graphic_tmm.chapters.flywheel.names import FLYWHEEL, VIEWS
+from graphic_tmm.chapters.flywheel.plan import Flywheel
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
 from graphic_tmm.drawn import Drawn, Results, results_of, single
 from graphic_tmm.language.catalogue import speaking

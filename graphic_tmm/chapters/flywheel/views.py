@@ -15,7 +15,8 @@ from graphic_tmm.chapters.flywheel.ink_energy import (
     draw_energy_mass_ink,
 )
 from graphic_tmm.chapters.flywheel.ink_sketch import Sizes, draw_flywheel
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, VIEWS, Flywheel
+from graphic_tmm.chapters.flywheel.names import FLYWHEEL, VIEWS
+from graphic_tmm.chapters.flywheel.plan import Flywheel
 from graphic_tmm.chapters.flywheel.rim import DrawnRim
 from graphic_tmm.chapters.flywheel.table import (
     OFF_SHEET,
@@ -25,7 +26,7 @@ from graphic_tmm.chapters.flywheel.table import (
     rim_too_wide,
 )
 from graphic_tmm.chapters.indicator.views import indicator_views
-from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.drawn import Drawn, Pieces, single
 from graphic_tmm.language import symbols
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
@@ -45,22 +46,38 @@ SKETCH = 110.0
 """Room for the outer diameter of the sketch, mm."""
 
 
-def flywheel_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
-    """Return the views of the flywheel, none if the scene asks for none."""
+def _graph_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the diagrams and graphs of the flywheel, none if the scene asks for none."""
     made = FLYWHEEL.of(drawn)
     if made is None:
         return []
-    language = drawn.scene.language
     views = indicator_views(drawn, lettered, FLYWHEEL.chapter)
     views.append(stacked("flywheel-graphs", graphs(drawn, made, lettered)))
     if made.energy_mass is not None:
         views.append(_energy_mass(drawn, made.energy_mass, lettered))
-    if made.rim is not None and math.isfinite(_value(drawn, made.rim.width)):
-        views.append(sketch(drawn, made.rim, rim_too_wide(drawn, language)))
+    return views
+
+
+def _sketch_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the sketch of the flywheel, if it has a rim."""
+    made = FLYWHEEL.of(drawn)
+    if made is None or made.rim is None or not math.isfinite(_value(drawn, made.rim.width)):
+        return []
+    return [sketch(drawn, made.rim, rim_too_wide(drawn, drawn.scene.language))]
+
+
+def _tables(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the tables of the flywheel."""
+    if FLYWHEEL.of(drawn) is None:
+        return []
+    language, high = drawn.scene.language, heights(drawn.scene, PLAN)
     rows = tuple(flywheel_columns(drawn))
-    high = heights(drawn.scene, PLAN)
     told = result_table(PLAN, rows, drawn.names, language, heights=high)
-    return [*views, told, results_of(drawn, single(flywheel_results(drawn)))]
+    return [told, results_of(drawn, single(flywheel_results(drawn)))]
+
+
+flywheel_views = Pieces((_graph_views, _sketch_views, _tables))
+"""The views of the flywheel, none if the scene asks for none."""
 
 
 def graphs(drawn: Drawn, made: Flywheel, lettered: bool, place: str = PLAN) -> list[Drawing]:

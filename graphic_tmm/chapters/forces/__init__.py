@@ -33,38 +33,48 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
 
-from graphic_tmm.chapter import Chapter, Place
-from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
-from graphic_tmm.chapters.forces import views
-from graphic_tmm.chapters.forces.accuracy import ACCURACY
-from graphic_tmm.chapters.forces.captions import CAPTIONS, SYMBOLS, called
-from graphic_tmm.chapters.forces.choice import choose
-from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
-from graphic_tmm.chapters.forces.given import given, stated
-from graphic_tmm.chapters.forces.note import concludes, note
-from graphic_tmm.chapters.forces.plan import FORCES, record
-from graphic_tmm.chapters.forces.scales import SIZES, force_scales, named, reach, scale_key
+from graphic_tmm.chapter import Chapter, Place, Size
+from graphic_tmm.chapters.diagrams.names import DIAGRAMS
+from graphic_tmm.chapters.forces.captions import CAPTIONS, SYMBOLS
+from graphic_tmm.chapters.forces.names import FORCES, LOADS
 from graphic_tmm.chapters.forces.sections import SECTIONS
-from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.forces.task import ASKED
-from graphic_tmm.chapters.forces.turning import between, moving
-from graphic_tmm.chapters.forces.views_loads import PLACE, load_views
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR
+from graphic_tmm.chapters.indicator.names import INDICATOR
 from graphic_tmm.chapters.indicator.task import Wish
-from graphic_tmm.chapters.kinematics.assumed import assumed
-from graphic_tmm.chapters.kinematics.plan import (
+from graphic_tmm.chapters.kinematics.names import (
     ACCELERATIONS,
     KINEMATICS,
     POSITIONS,
     TURNS,
     VELOCITIES,
 )
-from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.scales import GRAPH, GRAPHS
-from graphic_tmm.project import Project
-from graphic_tmm.scene.records import Scene
+from graphic_tmm.late import late
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+    from graphic_tmm.drawn import Drawn
+    from graphic_tmm.project import Project
+    from graphic_tmm.scene.records import Scene
+
+with late(__name__):
+    from graphic_tmm.chapters.forces import asks, views
+    from graphic_tmm.chapters.forces.accuracy import ACCURACY
+    from graphic_tmm.chapters.forces.any_angle import free, told
+    from graphic_tmm.chapters.forces.captions import called
+    from graphic_tmm.chapters.forces.choice import choose
+    from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
+    from graphic_tmm.chapters.forces.given import given, stated
+    from graphic_tmm.chapters.forces.note import concludes, note
+    from graphic_tmm.chapters.forces.plan import record
+    from graphic_tmm.chapters.forces.scales import force_scales, named, reach, scale_key
+    from graphic_tmm.chapters.forces.table import force_columns
+    from graphic_tmm.chapters.forces.turning import between, moving
+    from graphic_tmm.chapters.forces.views_loads import load_views
+    from graphic_tmm.chapters.kinematics.assumed import assumed
 
 
 def _needs(scene: Scene) -> dict[str, object]:
@@ -96,6 +106,18 @@ def _views(project: Project) -> Mapping[str, list[str]]:
     return {FORCES.chapter: [view for view in there if made.owns(view)]}
 
 
+def _fixed(scene: Scene) -> str:
+    order = ASKED.of(scene)
+    return "forces.mu_F" if order is not None and order.mu is not None else ""
+
+
+SIZES = (
+    Size("forces", least=0.1, small=0.5, cap=0.42, fixed=_fixed),
+    Size("groups", least=0.25, small=0.6, cap=0.42),
+    Size("lever", least=0.05, small=0.6, cap=0.45),
+)
+"""Of polygons, of detached groups, of the lever: shares of the usual room."""
+
 CHAPTER = Chapter(
     name=FORCES.chapter,
     number=6,
@@ -103,22 +125,32 @@ CHAPTER = Chapter(
     called=called,
     builds_on=(KINEMATICS.chapter, DIAGRAMS.chapter, INDICATOR.chapter),
     places=(
-        Place("forces", 60, views.force_views, follows=(POSITIONS,), sizes=_sizes),
+        Place(
+            "forces",
+            60,
+            views.force_views,
+            follows=(POSITIONS,),
+            sizes=_sizes,
+            asks=asks.polygons,
+        ),
         Place(
             "lever",
             61,
             views.lever_views,
             follows=(POSITIONS, VELOCITIES),
             sizes=lambda scene, view: ("lever",),
+            asks=asks.lever,
         ),
-        Place("force table", 62, views.force_table, follows=(POSITIONS,)),
-        Place(PLACE, 0, load_views, follows=(POSITIONS,), attends=POSITIONS),
+        Place("force table", 62, views.force_table, follows=(POSITIONS,), asks=asks.table),
+        Place(LOADS, 0, load_views, follows=(POSITIONS,), attends=POSITIONS),
     ),
     sizes=(GRAPH, *SIZES),
     asked=lambda scene: ASKED.of(scene) is not None,
     needs=_needs,
     given=given,
     stated=stated,
+    listed=asks.listed,
+    acting=asks.acting,
     sections=SECTIONS,
     record=record,
     reach=reach,
@@ -139,6 +171,8 @@ CHAPTER = Chapter(
     accuracy=ACCURACY,
     between=between,
     moving=moving,
+    told=told,
+    free=free,
     note=note,
     concludes=concludes,
     sources=("artobolevsky", "popov"),

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.task import ASKED
 from graphic_tmm.chapters.indicator.accuracy import at_count
 from graphic_tmm.chapters.kinematics.accuracy import renamed, resampled

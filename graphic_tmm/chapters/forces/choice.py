@@ -6,10 +6,10 @@ import math
 
 from graphic_tmm.board.operations.choice import next_ratio, times_larger
 from graphic_tmm.board.values import Length
+from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.pictured import ACROSS, UP, pictured
-from graphic_tmm.chapters.forces.plan import FORCES
 from graphic_tmm.chapters.forces.scales import Reaches, polygon_scales
-from graphic_tmm.chapters.kinematics.plan import VELOCITIES
+from graphic_tmm.chapters.kinematics.names import VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Ledger
 

@@ -11,7 +11,7 @@ from graphic_tmm.board.execute import needed
 from graphic_tmm.board.findings import Finding, step_number
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
 

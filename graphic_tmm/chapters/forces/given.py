@@ -40,8 +40,16 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
         yield _(_BOTH)
     elif order.gravity or order.inertia:
         yield _(_WEIGHT if order.gravity else _INERTIA)
-    if order.positions != ("all",):
-        yield _(_POSITIONS, n=len(order.positions), listed=", ".join(order.positions))
+    if told := wanted_positions(scene, language):
+        yield told
+
+
+def wanted_positions(scene: Scene, language: str) -> str:
+    """Tell in which positions forces are wanted; "" if in all of them."""
+    order = ASKED.of(scene)
+    if order is None or order.positions == ("all",):
+        return ""
+    return speaking(language)(_POSITIONS, n=len(order.positions), listed=", ".join(order.positions))
 
 
 _BOTH = said("Weights and inertia forces of the links are taken into account.")

@@ -9,13 +9,14 @@ from graphic_tmm.chapters.forces.captions import called
 from graphic_tmm.chapters.forces.ink_balances import driver_rows, group_rows, lever_rows
 from graphic_tmm.chapters.forces.lever import VIEW as LEVER
 from graphic_tmm.chapters.forces.loads import VIEW as LOADS
+from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.note_lever import applied, compared
 from graphic_tmm.chapters.forces.note_sums import Kept, sums
-from graphic_tmm.chapters.forces.plan import FORCES, Forces
+from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.polygons import Polygon
 from graphic_tmm.chapters.forces.table import DIFFERENCE, force_columns
 from graphic_tmm.chapters.forces.views import EXACTLY, force_views, lever_views, vectors_of
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number

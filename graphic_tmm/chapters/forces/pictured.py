@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.given import braced, letters, sizes_of, varies
-from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.task import Load
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn
 
 ACROSS, UP = 70.0, 40.0

@@ -12,7 +12,6 @@ from typing import NamedTuple
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.statics import apart_percent, efficiency, settled, still_open
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.forces.detached import Detached
 from graphic_tmm.chapters.forces.driving import Driven, Driver, solve_driver
 from graphic_tmm.chapters.forces.friction import Joint, Rub, Rubbing, joints
@@ -21,9 +20,11 @@ from graphic_tmm.chapters.forces.loads import Acting, Couple, Force, Ground, Loa
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction, Views
 from graphic_tmm.chapters.forces.statics import Solved, hand_on, solve_group
 from graphic_tmm.chapters.forces.task import ASKED, ForcesTask
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR, Cylinder, Machine, machine_of
+from graphic_tmm.chapters.indicator.cylinder import Cylinder, Machine, machine_of
+from graphic_tmm.chapters.indicator.names import INDICATOR
 from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, KINEMATICS, chosen
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import chosen
 from graphic_tmm.project import Bench
 
 VIEW = "forces"
@@ -74,9 +75,6 @@ class Forces:
         """The reactions in the order in which they were found."""
         found = [reaction for group in self.groups for reaction in group.reactions]
         return (*found, self.driven.reaction)
-
-
-FORCES: Made[Forces] = Made("forces")
 
 
 def record(bench: Bench) -> Forces | None:

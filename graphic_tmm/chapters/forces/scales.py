@@ -14,15 +14,13 @@ from graphic_tmm.board.operations.choice import ENLARGED
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Point
-from graphic_tmm.chapter import Size
 from graphic_tmm.chapters.forces.detached import Detached
-from graphic_tmm.chapters.forces.plan import FORCES, VIEW
-from graphic_tmm.chapters.forces.task import ASKED
-from graphic_tmm.chapters.kinematics.plan import VELOCITIES
+from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.plan import VIEW
+from graphic_tmm.chapters.kinematics.names import VELOCITIES
 from graphic_tmm.fitting.scales import Fitting, extent, unscaled
 from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
-from graphic_tmm.scene.records import Scene
 
 LEVER = 150.0
 """Room for the lever, mm."""
@@ -30,19 +28,6 @@ DETACHED = 0.6
 """Room for the links of a detached group: a share of that for a plan of positions. About them go the arrows."""
 POLYGON = 200.0
 """Room for a polygon of forces, mm."""
-
-
-def _fixed(scene: Scene) -> str:
-    order = ASKED.of(scene)
-    return "forces.mu_F" if order is not None and order.mu is not None else ""
-
-
-SIZES = (
-    Size("forces", least=0.1, small=0.5, cap=0.42, fixed=_fixed),
-    Size("groups", least=0.25, small=0.6, cap=0.42),
-    Size("lever", least=0.05, small=0.6, cap=0.45),
-)
-"""Of polygons, of detached groups, of the lever: shares of the usual room."""
 
 
 def polygon_scales(project: Project) -> list[Mark]:

@@ -11,7 +11,8 @@ from graphic_tmm.board.naming import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.forces.plan import FORCES, Forces
+from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.polygons import Reaction
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import (
@@ -90,13 +91,17 @@ def _place(reaction: Reaction) -> list[_Row]:
     return [_Row(f"h{name}", f"h_{{{name}}}", "m", reaction.place[0], *reaction.place)]
 
 
+def balance_segments(made: Forces) -> dict[str, Mark]:
+    """Return what balances the crank, by the name of its column: by groups, by the lever."""
+    sign = "P" if made.order.balance == "force" else "M"
+    marks = (made.balance, made.lever.balance)
+    return {f"{sign}{end}": mark for end, mark in zip(BALANCES, marks, strict=True)}
+
+
 def _balance(made: Forces) -> list[_Row]:
     sign, unit = ("P", "N") if made.order.balance == "force" else ("M", "N·m")
     rows = [
-        *(
-            _Row(f"{sign}{end}", f"{sign}{end}", unit, mark)
-            for end, mark in zip(BALANCES, (made.balance, made.lever.balance), strict=True)
-        ),
+        *(_Row(name, name, unit, mark) for name, mark in balance_segments(made).items()),
         _Row(f"{sign}_{DIFFERENCE}", DIFFERENCE, "%", made.difference),
     ]
     if made.open is not None and made.efficiency is not None:

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from graphic_tmm.chapter import Asked
 from graphic_tmm.chapters.forces import kinds as w
 from graphic_tmm.chapters.indicator.task import IndicatorTask
-from graphic_tmm.mechanism.masses import pins
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Others, Said, key, made
@@ -202,7 +201,7 @@ def joined(others: Others) -> Mapping[str, object]:
 def friction(rubbed: Rubbed, mechanism: Mechanism) -> Friction:
     """Return the coefficient and the radius of every pair, its own or the common one."""
     guides = [slide.guide.name for link in mechanism.links for slide in link.slides]
-    bodies, joined = (mechanism.frame, *mechanism.links), pins(mechanism)
+    bodies, joined = (mechanism.frame, *mechanism.links), mechanism.pins
     turning = [k for k in dict.fromkeys(k for link in bodies for k in link.points) if k in joined]
     return Friction(
         {name: rubbed.pairs.get(name, rubbed.f) for name in (*turning, *guides)},

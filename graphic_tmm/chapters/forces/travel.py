@@ -17,7 +17,7 @@ from graphic_tmm.board.operations.graphs import at_zero
 from graphic_tmm.board.operations.instruments import measure
 from graphic_tmm.board.operations.supports import farthest
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number
+from graphic_tmm.board.values import Number, Reals
 from graphic_tmm.chapters.diagrams.plan import sliding_leg
 from graphic_tmm.chapters.forces import reasons as why
 from graphic_tmm.chapters.forces.task import Travel
@@ -28,8 +28,7 @@ from graphic_tmm.mechanism.records import Mechanism
 
 SLACK = 1e-9
 """A share of the stroke that is over by less than this is on the part still."""
-_Part = tuple[float, float, float, float]
-_NOTHING: _Part = (0.0, 1.0, 0.0, 0.0)
+_NOTHING = (0.0, 1.0, 0.0, 0.0)
 
 
 def by_travel(
@@ -56,9 +55,9 @@ def by_travel(
     stroke = draft.draw(measure, f"s_{{{travel.of}max}}", start, last, why=why.STROKE)
     parts = _parts(draft, travel, (point, start, last), way, stroke, numbers)
     units = (unit, unit, "", "")
-    values = np.array([(p[2], p[3], p[0], p[1]) for p in parts]).T
     given = [
-        draft.take(Number, "", row[None, :], of) for of, row in zip(units, values, strict=True)
+        draft.take(Number, "", parts[k][None, :], of)
+        for of, k in zip(units, (2, 3, 0, 1), strict=True)
     ]
     return draft.draw(between, letter, *given, way, stroke, unit=unit)
 
@@ -70,8 +69,8 @@ def _parts(
     way: Mark,
     stroke: Mark,
     numbers: np.ndarray,
-) -> list[_Part]:
-    """Return of every position its part: from and to which share, from and to which size.
+) -> Reals:
+    """Return of every position its part: from and to which share, from and to which size, (4, position).
 
     ``ends``: the point, where it begins, where it is farthest from there.
     """
@@ -80,7 +79,7 @@ def _parts(
     point, start, last = (reading[mark][0] for mark in ends)
     shares = np.asarray(reading[way][0] / reading[stroke][0, 0])
     if not np.isfinite(shares).all():
-        return [_NOTHING] * len(numbers)
+        return part_of_travel((), shares)
     along = ((point - start) * np.conj(last - start)).real / np.abs(last - start) ** 2
     if along.min() < -SLACK:
         raise StructureError(
@@ -94,16 +93,19 @@ def _parts(
             head="load",
         )
     turn = numbers[int(np.argmax(shares))]
-    return [
-        part_of_travel(travel.out if n <= turn else travel.back, float(share))
-        for n, share in zip(numbers, shares, strict=True)
-    ]
+    out, back = (part_of_travel(part, shares) for part in (travel.out, travel.back))
+    return np.where(numbers <= turn, out, back)
 
 
-def part_of_travel(points: tuple[tuple[float, float], ...], share: float) -> _Part:
-    """Return the part that a share of the stroke stands on; nothing acts outside of them."""
+def part_of_travel(points: tuple[tuple[float, float], ...], shares: Reals) -> Reals:
+    """Return the part that each share of the stroke stands on; nothing acts outside of them.
+
+    From and to which share, from and to which size: (4, share).
+    """
     ordered = sorted(points)
-    for (a, p), (b, q) in pairwise(ordered):
-        if a - SLACK <= share <= b + SLACK:
-            return (a, b, p, q)
-    return _NOTHING
+    found = np.repeat(np.array(_NOTHING)[:, None], shares.size, axis=1)
+    # where two parts meet, it is the first one
+    for (a, p), (b, q) in reversed(list(pairwise(ordered))):
+        on = (a - SLACK <= shares) & (shares <= b + SLACK)
+        found[:, on] = np.array((a, b, p, q))[:, None]
+    return found

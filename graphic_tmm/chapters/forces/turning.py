@@ -14,14 +14,15 @@ from graphic_tmm.chapters.forces.given import varies
 from graphic_tmm.chapters.forces.ink_groups import Shown, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import draw_polygon, whole
+from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.pictured import travelled
-from graphic_tmm.chapters.forces.plan import FORCES, Forces
+from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.forces.task import Load
 from graphic_tmm.chapters.forces.travel import part_of_travel
 from graphic_tmm.chapters.forces.views import decimals_told, driver_shown, group_shown
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -54,21 +55,19 @@ def between(drawn: Drawn, turn: Turn) -> Between:
 def _by_travel(drawn: Drawn, turn: Turn, load: Load, size: Mark, at: Reals) -> dict[Mark, object]:
     """Return the part of its diagram on which a load stands at every angle.
 
-    The stroke out ends with the position that is farthest, as it does for the positions drawn.
+    The stroke out ends with the position that is farthest, as it does for the positions drawn, extra ones among
+    them.
     """
     way, stroke = travelled(drawn, size)
     given = next(step.uses[:4] for step in drawn.construction.steps if step.it == size)
-    sheet = drawn.numbers.drawn[way][0, : KINEMATICS.on(drawn).in_turn]
+    sheet, plans = drawn.numbers.drawn[way][0], KINEMATICS.on(drawn)
     reading = turn.read([way, stroke])
     shares = reading[way][0] / reading[stroke][0, 0]
-    far = int(np.argmax(sheet)) if np.isfinite(sheet).all() else 0
+    far = plans.numbers[int(np.argmax(sheet))] % plans.in_turn if np.isfinite(sheet).all() else 0
     assert load.travel is not None
-    parts = [
-        part_of_travel(load.travel.out if n <= far else load.travel.back, float(share))
-        for n, share in zip(at, shares, strict=True)
-    ]
-    values = np.array([(p[2], p[3], p[0], p[1]) for p in parts]).T
-    return {mark: row[None, :] for mark, row in zip(given, values, strict=True)}
+    out, back = (part_of_travel(part, shares) for part in (load.travel.out, load.travel.back))
+    from_, to, first, last = np.where(at <= far, out, back)
+    return dict(zip(given, (one[None, :] for one in (first, last, from_, to)), strict=True))
 
 
 def moving(drawn: Drawn) -> Iterator[Moving]:

@@ -24,13 +24,14 @@ from graphic_tmm.chapters.forces.ink_groups import Reactive, Rubbed, Shown, draw
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
 from graphic_tmm.chapters.forces.loads import Couple
-from graphic_tmm.chapters.forces.plan import FORCES, Forces
+from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.chapters.forces.statics import Solved
 from graphic_tmm.chapters.forces.table import BALANCES, DIFFERENCE, force_columns
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.bodies import PinLeg
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking

@@ -30,22 +30,31 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from graphic_tmm.chapter import Chapter, Place, Size
-from graphic_tmm.chapters.gears.accuracy import ACCURACY
-from graphic_tmm.chapters.gears.beside import record_beside
 from graphic_tmm.chapters.gears.captions import CAPTIONS, SYMBOLS
-from graphic_tmm.chapters.gears.choice import choose
-from graphic_tmm.chapters.gears.columns import gear_columns
-from graphic_tmm.chapters.gears.given import given, stated
-from graphic_tmm.chapters.gears.note import concludes, note
-from graphic_tmm.chapters.gears.plan import GEARS, gear_scales, record
-from graphic_tmm.chapters.gears.results import gear_results
+from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.chapters.gears.task import ASKED, SECTIONS
-from graphic_tmm.chapters.gears.verdict import verdict
-from graphic_tmm.chapters.gears.views import gear_views
-from graphic_tmm.drawn import view_scales
+from graphic_tmm.late import late
 from graphic_tmm.readers.given import given_place
-from graphic_tmm.scene.records import Scene
+
+if TYPE_CHECKING:
+    from graphic_tmm.scene.records import Scene
+
+with late(__name__):
+    from graphic_tmm.chapters.gears.accuracy import ACCURACY
+    from graphic_tmm.chapters.gears.asks import asks
+    from graphic_tmm.chapters.gears.beside import record_beside
+    from graphic_tmm.chapters.gears.choice import choose
+    from graphic_tmm.chapters.gears.columns import gear_columns
+    from graphic_tmm.chapters.gears.given import given, stated
+    from graphic_tmm.chapters.gears.note import concludes, note
+    from graphic_tmm.chapters.gears.plan import gear_scales, record
+    from graphic_tmm.chapters.gears.results import gear_results
+    from graphic_tmm.chapters.gears.verdict import verdict as judged
+    from graphic_tmm.chapters.gears.views import gear_views
+    from graphic_tmm.drawn import view_scales
 
 
 def _fixed(scene: Scene) -> str:
@@ -58,7 +67,7 @@ CHAPTER = Chapter(
     captions=CAPTIONS,
     board=GEARS.chapter,
     places=(
-        Place("gears", 110, gear_views, sizes=lambda scene, view: (GEARS.chapter,)),
+        Place("gears", 110, gear_views, sizes=lambda scene, view: (GEARS.chapter,), asks=asks),
         given_place("gears"),
     ),
     sizes=(Size(GEARS.chapter, small=0.75, cap=0.9, step=1.25, fixed=_fixed),),
@@ -76,7 +85,7 @@ CHAPTER = Chapter(
     columns=gear_columns,
     results=gear_results,
     accuracy=ACCURACY,
-    concludes=lambda drawn, language: (*concludes(drawn, language), *verdict(drawn, language)),
+    concludes=lambda drawn, language: (*concludes(drawn, language), *judged(drawn, language)),
     note=note,
     sources=("artobolevsky", "popov", "contour", "geometry"),
     symbols=SYMBOLS,

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from math import pi
 
-from graphic_tmm.chapters.gears.plan import GEARS
+from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.chapters.gears.task import ASKED
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said

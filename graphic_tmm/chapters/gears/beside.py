@@ -10,7 +10,8 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
 from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.gears import formulas as g
-from graphic_tmm.chapters.gears.plan import GEARS, Gear
+from graphic_tmm.chapters.gears.names import GEARS
+from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.project import Bench
 
 VIEW = "gear-calculation"

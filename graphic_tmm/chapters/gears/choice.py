@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.gears.plan import GEARS
+from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Ledger
 

@@ -8,7 +8,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle
 from graphic_tmm.chapters.gears.beside import BESIDE
 from graphic_tmm.chapters.gears.dimensions import VIEW
-from graphic_tmm.chapters.gears.plan import GEARS
+from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.chapters.gears.stations import stations
 from graphic_tmm.chapters.gears.tables import WHEEL, pair_sizes, size_of
 from graphic_tmm.drawn import Drawn

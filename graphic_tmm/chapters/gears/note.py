@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapter import chapters
-from graphic_tmm.chapters.gears.plan import GEARS
+from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking

@@ -8,11 +8,11 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard, standard_length
-from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.gears.checks import Check, record_checks
 from graphic_tmm.chapters.gears.contact import Contact, draw_contact
 from graphic_tmm.chapters.gears.dimensions import GearSizes, calculate_sizes
 from graphic_tmm.chapters.gears.line import ActionLine, draw_action_line
+from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.chapters.gears.refusals import refuse_order, refuse_sizes
 from graphic_tmm.chapters.gears.rows import Rows, choose_rows
 from graphic_tmm.chapters.gears.sliding import ROOM as SLIDING
@@ -40,9 +40,6 @@ class Gear:
     contact: Contact
     sliding: Sliding
     checks: tuple[Check, ...]
-
-
-GEARS: Made[Gear] = Made("gears")
 
 
 def record(bench: Bench) -> Gear | None:

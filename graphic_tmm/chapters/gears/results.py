@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.gears.beside import BESIDE
-from graphic_tmm.chapters.gears.plan import GEARS
+from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.drawn import Drawn, Results
 
 

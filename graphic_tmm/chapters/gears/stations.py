@@ -9,7 +9,7 @@ import numpy as np
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.gears.beside import BESIDE
-from graphic_tmm.chapters.gears.plan import GEARS
+from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.drawn import Drawn
 
 

@@ -10,7 +10,7 @@ from graphic_tmm.board.values import Angle
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.gears.beside import BESIDE
 from graphic_tmm.chapters.gears.dimensions import WheelSizes
-from graphic_tmm.chapters.gears.plan import GEARS
+from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.chapters.gears.stations import stations
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking

@@ -8,7 +8,8 @@ from graphic_tmm.chapters.gears.ink import draw_gear_ink
 from graphic_tmm.chapters.gears.ink_rolling import NAME as ROLLING
 from graphic_tmm.chapters.gears.ink_rolling import draw_rolling_ink
 from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
-from graphic_tmm.chapters.gears.plan import GEARS, Gear
+from graphic_tmm.chapters.gears.names import GEARS
+from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.tables import dimension_table, sliding_table
 from graphic_tmm.drawn import Drawn, single

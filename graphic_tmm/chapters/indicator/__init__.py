@@ -25,14 +25,18 @@ course project of the flywheel of a single-cylinder engine (scene ``engine``).
 from __future__ import annotations
 
 from graphic_tmm.chapter import Chapter
-from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
-from graphic_tmm.chapters.indicator.beside import record_beside
+from graphic_tmm.chapters.diagrams.names import DIAGRAMS
 from graphic_tmm.chapters.indicator.captions import CAPTIONS
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR, record
-from graphic_tmm.chapters.indicator.plan import VIEW
+from graphic_tmm.chapters.indicator.names import INDICATOR, VIEW
 from graphic_tmm.chapters.indicator.task import SECTIONS
-from graphic_tmm.chapters.indicator.turning import between
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.late import late
+
+with late(__name__):
+    from graphic_tmm.chapters.indicator.beside import record_beside
+    from graphic_tmm.chapters.indicator.cylinder import record
+    from graphic_tmm.chapters.indicator.turning import between
+
 
 CHAPTER = Chapter(
     name=INDICATOR.chapter,

@@ -8,11 +8,8 @@ from graphic_tmm.board.operations.choice import scale_of
 from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapter import Made, aside
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR
+from graphic_tmm.chapters.indicator.names import CALCULATED, INDICATOR
 from graphic_tmm.project import Bench
-
-CALCULATED = "indicator-calculation"
-"""The view of what is calculated beside."""
 
 
 class Beside(NamedTuple):

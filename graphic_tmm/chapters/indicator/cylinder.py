@@ -11,14 +11,15 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations.graphs import at_zero
 from graphic_tmm.board.operations.instruments import measure
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.diagrams.plan import sliding_leg
+from graphic_tmm.chapters.indicator.names import INDICATOR
 from graphic_tmm.chapters.indicator.plan import Indicator, draw_indicator
 from graphic_tmm.chapters.indicator.stretches import Row
 from graphic_tmm.chapters.indicator.task import IndicatorTask, Wish
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS, crank_length
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import crank_length
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError
@@ -59,9 +60,6 @@ class Cylinder:
     leg: GuideLeg
     outward: float
     shown_by: str = ""
-
-
-INDICATOR: Made[Cylinder] = Made("indicator")
 
 
 def machine_of(bench: Bench) -> Machine:

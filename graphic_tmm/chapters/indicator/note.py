@@ -10,8 +10,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.captions import captions
-from graphic_tmm.chapters.indicator.beside import CALCULATED as STROKE
-from graphic_tmm.chapters.indicator.plan import VIEW
+from graphic_tmm.chapters.indicator.names import CALCULATED as STROKE
+from graphic_tmm.chapters.indicator.names import VIEW
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.numbers import fixed

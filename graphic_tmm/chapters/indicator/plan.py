@@ -26,12 +26,12 @@ from graphic_tmm.board.operations.supports import farthest, planimeter
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number, Point
 from graphic_tmm.chapters.indicator import reasons as why
+from graphic_tmm.chapters.indicator.names import VIEW
 from graphic_tmm.chapters.indicator.stretches import Row, by_stretches
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 
-VIEW = "indicator"
 AUXILIARY = -30.0
 """The angle of the auxiliary ray below the base, degrees."""
 NAMES = {"cover": "k", "shaft": "v"}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graphic_tmm.board.operations.curve import over
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR
+from graphic_tmm.chapters.indicator.names import INDICATOR
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.moving import Between, Turn
 

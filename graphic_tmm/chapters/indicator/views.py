@@ -5,9 +5,8 @@ from __future__ import annotations
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.indicator.beside import BESIDE
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR
 from graphic_tmm.chapters.indicator.ink import draw_indicator_ink
-from graphic_tmm.chapters.indicator.plan import VIEW
+from graphic_tmm.chapters.indicator.names import INDICATOR, VIEW
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit

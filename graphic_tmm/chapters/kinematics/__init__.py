@@ -39,38 +39,55 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.values import Curve, undefined
+from graphic_tmm.board.values import Curve
 from graphic_tmm.chapter import Chapter, Place
-from graphic_tmm.chapters.kinematics import views
-from graphic_tmm.chapters.kinematics.accuracy import ACCURACY
 from graphic_tmm.chapters.kinematics.captions import CAPTIONS, SYMBOLS
-from graphic_tmm.chapters.kinematics.choice import choose
-from graphic_tmm.chapters.kinematics.extremes import VIEW as EXTREMES
-from graphic_tmm.chapters.kinematics.given import given, stated
-from graphic_tmm.chapters.kinematics.note import note
-from graphic_tmm.chapters.kinematics.plan import (
+from graphic_tmm.chapters.kinematics.names import (
     ACCELERATIONS,
+    EXTREMES,
+    GIVEN,
     KINEMATICS,
     PLANS,
     POSITIONS,
     VELOCITIES,
-    record,
 )
-from graphic_tmm.chapters.kinematics.scales import (
-    SCALE_KEYS,
-    SIZES,
-    extents,
-    outlying,
-    plan_scales,
-    sizes_of,
-)
-from graphic_tmm.chapters.kinematics.table import kinematic_columns, rate_marks, speed_marks
-from graphic_tmm.chapters.kinematics.turning import between, moving
-from graphic_tmm.language.said import joined
-from graphic_tmm.project import Project
+from graphic_tmm.chapters.kinematics.scales import SIZES
+from graphic_tmm.late import late
+
+if TYPE_CHECKING:
+    from graphic_tmm.board.execute import Reading
+    from graphic_tmm.project import Project
+
+with late(__name__):
+    from graphic_tmm.board.values import undefined
+    from graphic_tmm.chapters.kinematics import asks, views
+    from graphic_tmm.chapters.kinematics.accuracy import ACCURACY
+    from graphic_tmm.chapters.kinematics.any_angle import free, told
+    from graphic_tmm.chapters.kinematics.choice import choose
+    from graphic_tmm.chapters.kinematics.given import given, stated
+    from graphic_tmm.chapters.kinematics.note import note
+    from graphic_tmm.chapters.kinematics.plan import record
+    from graphic_tmm.chapters.kinematics.scales import (
+        SCALE_KEYS,
+        extents,
+        outlying,
+        plan_scales,
+        sizes_of,
+    )
+    from graphic_tmm.chapters.kinematics.scheme import scheme
+    from graphic_tmm.chapters.kinematics.table import (
+        kinematic_columns,
+        measured_vectors,
+        rate_marks,
+        speed_marks,
+    )
+    from graphic_tmm.chapters.kinematics.transmission import passed
+    from graphic_tmm.chapters.kinematics.turning import between, moving
+    from graphic_tmm.language.said import joined
 
 
 def _undrawn(project: Project, reading: Reading) -> tuple[int, ...]:
@@ -95,12 +112,20 @@ CHAPTER = Chapter(
     number=2,
     captions=CAPTIONS,
     places=(
-        Place(views.GIVEN, 20, views.given_views, attends=POSITIONS),
-        Place(POSITIONS, 19, views.position_views, follows=(POSITIONS,), sizes=sizes_of),
+        Place(GIVEN, 20, views.given_views, attends=POSITIONS),
+        Place(
+            POSITIONS,
+            19,
+            views.position_views,
+            follows=(POSITIONS,),
+            sizes=sizes_of,
+            asks=asks.positions,
+        ),
         Place(
             VELOCITIES,
             21,
             views.velocity_views,
+            asks=asks.velocities,
             follows=(POSITIONS, VELOCITIES),
             sizes=sizes_of,
         ),
@@ -108,6 +133,7 @@ CHAPTER = Chapter(
             ACCELERATIONS,
             22,
             views.acceleration_views,
+            asks=asks.accelerations,
             follows=(POSITIONS, ACCELERATIONS),
             sizes=sizes_of,
         ),
@@ -115,6 +141,7 @@ CHAPTER = Chapter(
             "equations",
             23,
             views.equation_views,
+            asks=asks.equations,
             shows=_BOTH,
             follows=(POSITIONS,),
             together=("velocity equations", "acceleration equations"),
@@ -123,6 +150,7 @@ CHAPTER = Chapter(
             "velocity equations",
             0,
             views.velocity_equations,
+            asks=asks.velocity_equations,
             shows=(VELOCITIES,),
             follows=(POSITIONS,),
             tells=VELOCITIES,
@@ -131,6 +159,7 @@ CHAPTER = Chapter(
             "acceleration equations",
             0,
             views.acceleration_equations,
+            asks=asks.acceleration_equations,
             shows=(ACCELERATIONS,),
             follows=(POSITIONS,),
             tells=ACCELERATIONS,
@@ -139,6 +168,7 @@ CHAPTER = Chapter(
             "velocity table",
             0,
             views.velocity_table,
+            asks=asks.velocity_table,
             shows=(VELOCITIES,),
             follows=(POSITIONS, VELOCITIES),
         ),
@@ -146,6 +176,7 @@ CHAPTER = Chapter(
             "acceleration table",
             0,
             views.acceleration_table,
+            asks=asks.acceleration_table,
             shows=(ACCELERATIONS,),
             follows=(POSITIONS, ACCELERATIONS),
         ),
@@ -153,6 +184,7 @@ CHAPTER = Chapter(
             "results",
             99,
             views.both_tables,
+            asks=asks.both_tables,
             shows=_BOTH,
             together=("velocity table", "acceleration table"),
         ),
@@ -162,6 +194,7 @@ CHAPTER = Chapter(
     always=True,
     given=given,
     stated=stated,
+    scheme=scheme,
     record=record,
     reach=extents,
     plan_scales=plan_scales,
@@ -180,6 +213,10 @@ CHAPTER = Chapter(
     accuracy=ACCURACY,
     between=between,
     moving=moving,
+    passed=passed,
+    vectors=measured_vectors,
+    told=told,
+    free=free,
     note=note,
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,

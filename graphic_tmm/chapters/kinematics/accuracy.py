@@ -10,13 +10,8 @@ import numpy as np
 from graphic_tmm.board.operations.locus import REFINE
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapters.kinematics.plan import (
-    ACCELERATIONS,
-    ALL,
-    KINEMATICS,
-    POSITIONS,
-    VELOCITIES,
-)
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.plan import ALL
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Extreme, Row

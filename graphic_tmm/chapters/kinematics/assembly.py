@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.grammar import Gap
 from graphic_tmm.board.operations.locus import narrow
 from graphic_tmm.board.record import Mark, Step
@@ -76,11 +77,18 @@ def check_assembly(survey: Survey) -> Assembly:
     """
     names: list[str] = []
     critical: list[float] = []
+    closing: dict[str, list[Closure]] = {}
+    for closure in closures(survey):
+        closing.setdefault(closure.group.name, []).append(closure)
+    # one slice of the log for all groups: a slice each would run the first groups as often as there are others
+    angles, turned = survey.turn(
+        mark for each in closing.values() for closure in each for mark in closure.step.uses
+    )
     for group in survey.structure.groups:
         touched: list[float] = []
         partly = False
-        for closure in (c for c in closures(survey) if c.group == group):
-            rooms = _room(survey, closure)
+        for closure in closing.get(group.name, ()):
+            rooms = angles, _gap(closure, turned, angles)
             critical += _refuse_never(survey, closure, rooms)
             size = _size(survey, closure)
             lows = _lows(survey, closure, rooms)
@@ -97,15 +105,14 @@ def check_assembly(survey: Survey) -> Assembly:
 
 
 def _measured(survey: Survey, closure: Closure, angles: Reals) -> Reals:
-    reading = survey.at(angles, closure.step.uses)
+    return _gap(closure, survey.at(angles, closure.step.uses), angles)
+
+
+def _gap(closure: Closure, reading: Reading, angles: Reals) -> Reals:
+    """Return the gap of a step at the crank angles of a reading."""
     with np.errstate(all="ignore"):
         room = closure.gap.measure(*(reading[mark] for mark in closure.step.uses))
     return np.broadcast_to(room, angles.shape)
-
-
-def _room(survey: Survey, closure: Closure) -> tuple[Reals, Reals]:
-    angles = np.arange(STEPS, dtype=np.float64)[None, :] * (360.0 / STEPS)
-    return angles, _measured(survey, closure, angles)
 
 
 def _size(survey: Survey, closure: Closure) -> float:

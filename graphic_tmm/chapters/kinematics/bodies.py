@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from graphic_tmm.board.draft import ROUNDING, Draft
 from graphic_tmm.board.operations.instruments import (
@@ -17,6 +17,7 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics import reasons as why
+from graphic_tmm.errors import ConstructionError
 from graphic_tmm.mechanism.guides import direction, level, turn
 from graphic_tmm.mechanism.records import Link
 from graphic_tmm.mechanism.structure import Group, Pair
@@ -54,6 +55,14 @@ class Body:
         if self._axis is None:
             self._axis = self.draw_axis()
         return self._axis
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what another process needs: the board on which its axis would be drawn stays here."""
+        return {**self.__dict__, "draw_axis": _without_board}
+
+
+def _without_board() -> Mark:
+    raise ConstructionError("the axis of a link can be drawn only where its board is")
 
 
 class Closing(NamedTuple):

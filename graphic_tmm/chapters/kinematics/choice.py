@@ -6,12 +6,7 @@ from graphic_tmm.board.operations.choice import scale_by_turning
 from graphic_tmm.board.operations.formulas import product, product_of_squares
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics.images import image_letter
-from graphic_tmm.chapters.kinematics.plan import (
-    ACCELERATIONS,
-    KINEMATICS,
-    POSITIONS,
-    VELOCITIES,
-)
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
 from graphic_tmm.chapters.kinematics.scales import Extents, crank_sizes
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Ledger

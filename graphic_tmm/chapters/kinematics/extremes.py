@@ -7,6 +7,7 @@ board: the crank's angle at which the image of the point lies square to the aske
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -22,6 +23,7 @@ from graphic_tmm.chapters.kinematics import reasons as why
 from graphic_tmm.chapters.kinematics.assembly import check_assembly
 from graphic_tmm.chapters.kinematics.bodies import Body, draw_guide
 from graphic_tmm.chapters.kinematics.dyads import rocker_offset
+from graphic_tmm.chapters.kinematics.names import EXTREMES as VIEW
 from graphic_tmm.chapters.kinematics.positions import side_record
 from graphic_tmm.chapters.kinematics.survey import STEPS, Survey
 from graphic_tmm.errors import StructureError
@@ -30,7 +32,6 @@ from graphic_tmm.mechanism.guides import level
 from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.mechanism.structure import Group
 
-VIEW = "extremes"
 SAME = 1e-6
 """Degrees: a drawn extreme that is nearer than this to the one tried out is the same."""
 STILL = 1e-9
@@ -113,7 +114,7 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
         )
     best = int(np.nanargmax(way * place))
     low, high = _bracket(survey, axis, float(angles[0, best]))
-    tried = refinement(_velocity(survey, axis), "").run(np.array([[low]]), np.array([[high]]))
+    tried = refinement(_Velocity(survey, axis), "").run(np.array([[low]]), np.array([[high]]))
     angle = float(tried[0, 0])
     if not np.isfinite(angle) and not np.isfinite(place).all():
         raise StructureError(
@@ -148,25 +149,29 @@ def _bracket(survey: Survey, axis: Mark, best: float) -> tuple[float, float]:
     At the end of the crank's range the point stops for want of room, not because it stands still.
     """
     row = best + np.array([[-1.0, 0.0, 1.0]]) * (360.0 / STEPS)
-    value = _velocity(survey, axis)(row)[0]
+    value = _Velocity(survey, axis)(row)[0]
     for low, high in ((0, 2), (0, 1), (1, 2)):
         if value[low] * value[high] <= 0.0:  # not so of NaN
             return float(row[0, low]), float(row[0, high])
     return float("nan"), float("nan")
 
 
-def _velocity(survey: Survey, axis: Mark):  # type: ignore[no-untyped-def]
-    def tried(row: Reals) -> Reals:
-        return np.asarray(survey.at(row, [axis])[axis])
+@dataclass(frozen=True, eq=False)
+class _Velocity:
+    """How fast a point moves along an axis, at a row of crank angles (degrees): a reading of the survey."""
 
-    return tried
+    survey: Survey
+    axis: Mark
+
+    def __call__(self, row: Reals) -> Reals:
+        return np.asarray(self.survey.at(row, [self.axis])[self.axis])
 
 
 def _refined(draft: Draft, survey: Survey, extreme: Extreme, tried: _Tried, tag: str) -> Mark:
     name, _ = _WAY[extreme.at]
     axis = survey.axes[extreme.point, name]
     step = refinement(
-        _velocity(survey, axis),
+        _Velocity(survey, axis),
         said(
             "Try crank angles between {low} and {high}, each time narrowing to where the image of {point} "
             "passes the pole; this is {it}.",

@@ -12,14 +12,13 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.chapters.kinematics.bodies import Body, Closing, GuideLeg, nearest
 from graphic_tmm.mechanism.guides import level
-from graphic_tmm.mechanism.masses import pins
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Pair
 
 
 def tell_link(draft: Draft, mechanism: Mechanism, body: Body) -> None:
     """Tell the points of a link, and its mass centre apart from them unless that is a turning pair."""
-    link, joined = body.link, pins(mechanism)
+    link, joined = body.link, mechanism.pins
     own = {letter: body.marks[letter] for letter in link.points}
     centre = None
     if link.centre is not None and link.centre not in joined:

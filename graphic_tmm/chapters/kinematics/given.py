@@ -27,7 +27,7 @@ def given(scene: Scene) -> Iterator[Given]:
     if scene.task is not None:
         yield Given("K_v", scene.task.K_v)
         yield Given("S", scene.task.stroke * MM, "mm")
-    rows = [*_lengths(mechanism), *_frame(mechanism)]
+    rows = [*_lengths(mechanism), *frame_sizes(mechanism)]
     yield from dict.fromkeys(Given(name, size * MM, "mm") for name, size in rows)
     yield from _directions(mechanism)
     yield from _drive(mechanism)
@@ -68,7 +68,7 @@ def _guides(link: Link, origin: complex) -> Iterator[tuple[str, float]]:
             yield f"e_{{{guide.name}}}", abs(off)
 
 
-def _frame(mechanism: Mechanism) -> Iterator[tuple[str, float]]:
+def frame_sizes(mechanism: Mechanism) -> Iterator[tuple[str, float]]:
     """Where the fixed pivots and guides stand, m, seen from the pivot of the crank."""
     frame, pivot = mechanism.frame, dissect(mechanism).pivot
     for letter, at in frame.points.items():
@@ -105,11 +105,19 @@ def _direction(guide: Guide, base: float) -> Given:
 
 def stated(scene: Scene, language: str) -> Iterator[str]:
     """Tell from where positions are counted, and in which of them accelerations are wanted."""
-    _, zero, wanted = speaking(language), scene.row.zero, scene.row.accelerations
+    _, zero = speaking(language), scene.row.zero
     if isinstance(zero, Extreme):
         yield _(_ZERO, extreme=remark(f"{zero.point}: {zero.at}", language))
-    if wanted and len(wanted) < scene.row.count:
-        yield _(_ACCELERATIONS, n=len(wanted), listed=", ".join(wanted))
+    if told := wanted_accelerations(scene, language):
+        yield told
+
+
+def wanted_accelerations(scene: Scene, language: str) -> str:
+    """Tell in which positions accelerations are wanted; "" if in all of them, or in none."""
+    wanted = scene.row.accelerations
+    if not wanted or len(wanted) >= scene.row.count:
+        return ""
+    return speaking(language)(_ACCELERATIONS, n=len(wanted), listed=", ".join(wanted))
 
 
 _ZERO = said("Positions are counted from the {extreme}.")

@@ -18,7 +18,6 @@ from graphic_tmm.board.operations.curve import bezier, french_curve
 from graphic_tmm.board.operations.locus import REFINE
 from graphic_tmm.board.record import Construction, Figure, Mark, Step
 from graphic_tmm.board.values import Curve
-from graphic_tmm.chapters.kinematics.extremes import VIEW as EXTREMES
 from graphic_tmm.chapters.kinematics.ink_links import LinksInk
 from graphic_tmm.chapters.kinematics.ink_numbers import (
     PIN,
@@ -26,6 +25,7 @@ from graphic_tmm.chapters.kinematics.ink_numbers import (
     link_numbers,
     path_numbers,
 )
+from graphic_tmm.chapters.kinematics.names import EXTREMES
 from graphic_tmm.chapters.kinematics.reaches import VIEW as PLAN
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Stroke, Wanted, circle

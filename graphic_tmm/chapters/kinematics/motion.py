@@ -8,7 +8,6 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import measure, measure_along
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.kinematics import reasons as why
 from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
 from graphic_tmm.chapters.kinematics.images import Base, Hanging, Images, image_letter
@@ -108,13 +107,9 @@ def reading_of(draft: Draft, plan: Motion, image: Mark) -> Mark | None:
     pole = plan.images.pole
     if image == pole:
         return None
-    for step in draft.board.construction().steps:
-        if step.op.reads and step.it.kind is Length and step.uses[:2] == (pole, image):
-            return step.it
-    return draft.uses(image)[1]
+    return draft.board.length(pole, image) or draft.uses(image)[1]
 
 
 def is_signed(draft: Draft, reading: Mark) -> bool:
     """Whether a reading was taken along a line."""
-    step = draft.board.construction().step(reading)
-    return step is not None and step.op is measure_along
+    return draft.board.step(reading).op is measure_along

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.kinematics import views
-from graphic_tmm.chapters.kinematics.extremes import VIEW as EXTREMES
-from graphic_tmm.chapters.kinematics.plan import ACCELERATIONS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, EXTREMES, POSITIONS, VELOCITIES
 from graphic_tmm.chapters.kinematics.table import kinematic_columns
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.note.bricks import columns, worked

@@ -11,10 +11,14 @@ import numpy as np
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.record import Figure, Mark
-from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.assembly import Assembly, check_assembly
 from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.chapters.kinematics.names import (
+    ACCELERATIONS,
+    TURNS,
+    VELOCITIES,
+)
 from graphic_tmm.chapters.kinematics.positions import (
     Positions,
     draw_frame,
@@ -34,11 +38,6 @@ from graphic_tmm.project import Bench
 
 LAST = 12
 """Decimals of an angle in degrees that are not rounding."""
-POSITIONS, VELOCITIES, ACCELERATIONS = "positions", "velocities", "accelerations"
-"""The plans: places of sheets, views of the board, and what other chapters need."""
-PLANS = (POSITIONS, VELOCITIES, ACCELERATIONS)
-TURNS = "turns"
-"""What else may be needed of the plans: that their row goes over so many turns of the crank."""
 ALL = ("all",)
 """What is written for the positions of a row where none is left out."""
 
@@ -97,9 +96,6 @@ class KinematicPlans:
     def motion(self, plan: str) -> Motion | None:
         """Return the plan of velocities or of accelerations, if there is one."""
         return {VELOCITIES: self.velocities, ACCELERATIONS: self.accelerations}.get(plan)
-
-
-KINEMATICS: Made[KinematicPlans] = Made("kinematics")
 
 
 def record(bench: Bench) -> KinematicPlans:

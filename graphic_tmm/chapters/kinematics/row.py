@@ -15,7 +15,8 @@ from graphic_tmm.board.operations.instruments import stand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.kinematics.bodies import Body
-from graphic_tmm.chapters.kinematics.extremes import OPPOSITE, VIEW, draw_extreme
+from graphic_tmm.chapters.kinematics.extremes import OPPOSITE, draw_extreme
+from graphic_tmm.chapters.kinematics.names import EXTREMES as VIEW
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said

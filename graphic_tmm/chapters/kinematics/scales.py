@@ -11,19 +11,20 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from graphic_tmm.board.doubt import Doubts
-from graphic_tmm.board.record import Figure
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Construction, Figure
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Curve, Point
 from graphic_tmm.captions import captions
 from graphic_tmm.chapter import Size
-from graphic_tmm.chapters.kinematics.plan import (
+from graphic_tmm.chapters.kinematics.names import (
     ACCELERATIONS,
     KINEMATICS,
     PLANS,
     POSITIONS,
     VELOCITIES,
-    KinematicPlans,
 )
+from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 from graphic_tmm.chapters.kinematics.reaches import Reach, reach_of
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.scales import Fitting, extent, unscaled
@@ -180,10 +181,17 @@ def reaches(drawn: Drawn) -> dict[Figure, Reach]:
 
 def _reaches(drawn: Drawn) -> dict[Figure, Reach]:
     made, mu = KINEMATICS.on(drawn), drawn.scales[POSITIONS].value
+    return reaches_at(made, drawn.construction, drawn.reading, mu)
+
+
+def reaches_at(
+    made: KinematicPlans, log: Construction, reading: Reading, mu: float
+) -> dict[Figure, Reach]:
+    """Return the same of a reading to a scale, m/mm."""
     circle = 2.0 * crank_sizes(made)[0] / mu
     found = {}
     for guide, whole in made.reaches.items():
-        part = reach_of(drawn.construction, drawn.reading, guide, whole.anchor)
+        part = reach_of(log, reading, guide, whole.anchor)
         found[guide] = whole.times(1.0 / mu).near(part, circle)
     return found
 
@@ -224,6 +232,7 @@ def _size(plan: str, usual: Callable[[Scene], float], cap: float, small: float =
         fixed=fixed,
         freed=freed,
         remedy=remedy,
+        keys=keys,
     )
 
 

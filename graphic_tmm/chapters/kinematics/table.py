@@ -9,7 +9,7 @@ import numpy as np
 from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapters.kinematics.plan import (
+from graphic_tmm.chapters.kinematics.names import (
     ACCELERATIONS,
     KINEMATICS,
     PLANS,
@@ -29,10 +29,11 @@ RATE_NAMES = {VELOCITIES: "omega", ACCELERATIONS: "epsilon"}
 """What the rates of links are called where machines read them."""
 
 
-def plan_columns(drawn: Drawn, plan: str) -> tuple[Column, ...]:
+def plan_columns(drawn: Drawn, plan: str, *, read: bool = False) -> tuple[Column, ...]:
     """Return the columns of one plan at its positions: segments, magnitudes; rates with their sign.
 
-    On a sheet a segment is called by the letters at its ends, elsewhere by that of its length.
+    On a sheet a segment is called by the letters at its ends, elsewhere by that of its length. ``read``: only
+    the segments that are measured, not those that were calculated before they were laid off.
     """
     motion, reading, log = KINEMATICS.on(drawn).motion(plan), drawn.of(plan), drawn.construction
     view = log.view(plan)
@@ -47,7 +48,7 @@ def plan_columns(drawn: Drawn, plan: str) -> tuple[Column, ...]:
         if (
             step.it.view == plan
             and step.it.kind is Length
-            and (step.op.reads or motion is not None)
+            and (step.op.reads or (motion is not None and not read))
         ):
             mm, value = (np.abs(reading.figure(step.it, by)) for by in (None, view.scale))
             rows = row_of(mm, places, count), row_of(value, places, count)
@@ -58,7 +59,7 @@ def plan_columns(drawn: Drawn, plan: str) -> tuple[Column, ...]:
             found.append(
                 Column(plan, segment, step.it.name, unit, *rows, quantity=sought, ends=ends)
             )
-    for link, mark in sorted(motion.rates.items()) if motion is not None else ():
+    for link, mark in sorted(motion.rates.items()) if motion is not None and not read else ():
         letter = f"{RATE_LETTERS[plan]}_{link}"
         row = row_of(reading.figure(mark), places, count)
         found.append(Column(plan, segment_name(letter), letter, mark.unit, empty(count), row))
@@ -69,6 +70,12 @@ def kinematic_columns(drawn: Drawn) -> Iterator[Column]:
     """Yield the columns of all plans."""
     for plan in PLANS:
         yield from plan_columns(drawn, plan)
+
+
+def measured_vectors(drawn: Drawn) -> Iterator[Column]:
+    """Yield the columns of the vectors that are measured on the plans of velocities and of accelerations."""
+    for plan in (VELOCITIES, ACCELERATIONS):
+        yield from plan_columns(drawn, plan, read=True)
 
 
 def rate_marks(project: Project) -> dict[tuple[str, str], Mark]:

@@ -10,6 +10,7 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.operations.instruments import stand
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Reals
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
 from graphic_tmm.chapters.kinematics.ink_positions import (
@@ -18,15 +19,9 @@ from graphic_tmm.chapters.kinematics.ink_positions import (
     drawn_path,
     path_stays,
 )
-from graphic_tmm.chapters.kinematics.plan import (
-    ACCELERATIONS,
-    KINEMATICS,
-    POSITIONS,
-    VELOCITIES,
-    KinematicPlans,
-    sides_at,
-)
-from graphic_tmm.chapters.kinematics.positions import side_record
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.plan import KinematicPlans, sides_at
+from graphic_tmm.chapters.kinematics.positions import side_record, side_values
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
 from graphic_tmm.drawn import Drawn
@@ -40,6 +35,8 @@ from graphic_tmm.paper.views import mu_text
 def between(drawn: Drawn, turn: Turn) -> Between:
     """Return how far the crank has turned, that no angle is an extra one, on which side each group stands."""
     made, log = KINEMATICS.on(drawn), drawn.construction
+    if turn.angles is not None:
+        return _standing(made, turn.angles)
     found: dict[Mark, object] = {
         mark: turn.turned[None, :] for mark in log.given if mark.role == roles.CRANK_ANGLE
     }
@@ -51,6 +48,16 @@ def between(drawn: Drawn, turn: Turn) -> Between:
         if group.name in made.positions.sides and side is not None:
             mark = made.positions.sides[group.name]
             found[mark] = sides_at(side, angles, made.mechanism.drive)
+    return found
+
+
+def _standing(made: KinematicPlans, angles: Reals) -> dict[Mark, object]:
+    """Return the direction of the crank, and the side of each group that flips, where it is nothing else."""
+    found: dict[Mark, object] = {made.positions.phi: angles}
+    for group in made.structure.groups:
+        side = side_record(made.mechanism, group)
+        if group.name in made.positions.sides and side is not None and side.flips_at:
+            found[made.positions.sides[group.name]] = side_values(side, angles)
     return found
 
 

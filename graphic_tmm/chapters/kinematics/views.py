@@ -13,13 +13,14 @@ from graphic_tmm.chapters.kinematics.ink_plans import (
     draw_plan,
 )
 from graphic_tmm.chapters.kinematics.ink_positions import draw_position_ink, draw_positions_ink
-from graphic_tmm.chapters.kinematics.plan import (
+from graphic_tmm.chapters.kinematics.names import (
     ACCELERATIONS,
+    GIVEN,
     KINEMATICS,
     POSITIONS,
     VELOCITIES,
-    KinematicPlans,
 )
+from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
 from graphic_tmm.chapters.kinematics.transmission import best
@@ -32,13 +33,11 @@ from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.views import captioned, in_rows, mu_text, noted
+from graphic_tmm.paper.views import captioned, in_rows, mu_text, noted, width_of
 from graphic_tmm.readers.equations import equations
 from graphic_tmm.readers.given import given_table
 from graphic_tmm.readers.result_table import result_table
 
-GIVEN = "given"
-"""The place of the table of what is given."""
 EQUATIONS = {
     VELOCITIES: said("Equations of velocities"),
     ACCELERATIONS: said("Equations of accelerations"),
@@ -150,9 +149,9 @@ def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawin
         for name, title, stood in orders
     ]
     mu = mu_text(scale, drawn.scene.language)
-    titles = [view.title for view in views]
+    titles, narrowest = [view.title for view in views], width_of(*views)
     told = [
-        captioned(view, escape(title), mu, heights=size, series=views)
+        captioned(view, escape(title), mu, heights=size, narrowest=narrowest)
         for view, title in zip(views, titles, strict=True)
     ]
     return in_rows(told, plan, "" if plan == VELOCITIES else VELOCITIES)

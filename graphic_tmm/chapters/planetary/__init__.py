@@ -29,20 +29,32 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from graphic_tmm.chapter import Chapter, Place, Size
-from graphic_tmm.chapters.planetary.beside import record_beside
 from graphic_tmm.chapters.planetary.captions import CAPTIONS, SYMBOLS
-from graphic_tmm.chapters.planetary.choice import choose_steps
-from graphic_tmm.chapters.planetary.columns import planetary_columns
-from graphic_tmm.chapters.planetary.given import given
-from graphic_tmm.chapters.planetary.note import concludes, note
-from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN, record
+from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
 from graphic_tmm.chapters.planetary.task import ASKED, SECTIONS
-from graphic_tmm.chapters.planetary.verdict import train_results, verdict
-from graphic_tmm.chapters.planetary.views import planetary_views
-from graphic_tmm.drawn import view_scales
+from graphic_tmm.late import late
 from graphic_tmm.readers.given import given_place
-from graphic_tmm.scene.records import Scene
+
+if TYPE_CHECKING:
+    from graphic_tmm.scene.records import Scene
+
+with late(__name__):
+    from graphic_tmm.chapters.planetary.asks import asks
+    from graphic_tmm.chapters.planetary.beside import record_beside
+    from graphic_tmm.chapters.planetary.choice import choose_steps
+    from graphic_tmm.chapters.planetary.columns import planetary_columns
+    from graphic_tmm.chapters.planetary.given import given
+    from graphic_tmm.chapters.planetary.note import concludes, note
+    from graphic_tmm.chapters.planetary.plan import record
+    from graphic_tmm.chapters.planetary.scheme import scheme
+    from graphic_tmm.chapters.planetary.verdict import train_results
+    from graphic_tmm.chapters.planetary.verdict import verdict as judged
+    from graphic_tmm.chapters.planetary.views import planetary_views
+    from graphic_tmm.drawn import view_scales
+
 
 _NAME = PLANETARY_TRAIN.chapter
 SCALE_KEYS = {
@@ -63,12 +75,13 @@ CHAPTER = Chapter(
     captions=CAPTIONS,
     board=_NAME,
     places=(
-        Place("planetary", 120, planetary_views, sizes=lambda scene, view: (_NAME,)),
+        Place("planetary", 120, planetary_views, sizes=lambda scene, view: (_NAME,), asks=asks),
         given_place("planetary"),
     ),
     sizes=(Size(_NAME, small=0.75, cap=0.65, step=1.25, fixed=_fixed),),
     asked=lambda scene: ASKED.of(scene) is not None,
     given=given,
+    scheme=scheme,
     sections=SECTIONS,
     record=record,
     aside=record_beside,
@@ -79,7 +92,7 @@ CHAPTER = Chapter(
     columns=planetary_columns,
     results=train_results,
     note=note,
-    concludes=lambda drawn, language: (*concludes(drawn, language), *verdict(drawn, language)),
+    concludes=lambda drawn, language: (*concludes(drawn, language), *judged(drawn, language)),
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,
 )

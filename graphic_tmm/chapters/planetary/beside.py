@@ -13,7 +13,8 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.planetary import formulas as t
 from graphic_tmm.chapters.planetary.dimensions import rings_of
-from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN, Planetary
+from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
+from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.project import Bench
 
 CALCULATED, BEHIND = "planetary-calculation", "planetary-behind"

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN, Planetary
+from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
+from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Ledger
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle
-from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN
+from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
 from graphic_tmm.chapters.planetary.tables import CHOICE, trains_wanted
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.names import plain

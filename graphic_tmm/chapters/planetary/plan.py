@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapter import Made
 from graphic_tmm.chapters.planetary.dimensions import Dimensions, calculate_train
+from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
 from graphic_tmm.chapters.planetary.pictures import (
     VIEW,
     AxialView,
@@ -44,9 +44,6 @@ class Planetary:
     rates: Rates
     results: Mapping[str, Mark]
     pair: PairView | None = None
-
-
-PLANETARY_TRAIN: Made[Planetary] = Made("planetary")
 
 
 def record(bench: Bench) -> Planetary | None:

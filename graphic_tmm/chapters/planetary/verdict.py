@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.planetary.beside import BESIDE
-from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN
+from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
 from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said

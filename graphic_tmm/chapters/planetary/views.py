@@ -5,7 +5,7 @@ from __future__ import annotations
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.planetary.beside import BESIDE
 from graphic_tmm.chapters.planetary.ink import Captions, draw_planetary_ink
-from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN
+from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
 from graphic_tmm.chapters.planetary.tables import (
     condition_table,
     rate_table,

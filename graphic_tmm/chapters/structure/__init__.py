@@ -28,14 +28,24 @@ Sources: Ассур Л. В., Исследование плоских стерж�
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from graphic_tmm.chapter import Chapter, Made, Place
-from graphic_tmm.chapters.structure.mobility import PARTS, VIEW, record_mobility
-from graphic_tmm.chapters.structure.note import note
-from graphic_tmm.chapters.structure.tables import SYMBOLS
-from graphic_tmm.chapters.structure.views import part_views, structure_views
-from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.structure import Structure, dissect
-from graphic_tmm.project import Bench
+from graphic_tmm.chapters.structure.captions import CAPTIONS, SYMBOLS
+from graphic_tmm.chapters.structure.names import PARTS, VIEW
+from graphic_tmm.late import late
+
+if TYPE_CHECKING:
+    from graphic_tmm.mechanism.structure import Structure
+    from graphic_tmm.project import Bench
+
+with late(__name__):
+    from graphic_tmm.chapters.structure import asks
+    from graphic_tmm.chapters.structure.mobility import record_mobility
+    from graphic_tmm.chapters.structure.note import note
+    from graphic_tmm.chapters.structure.views import part_views, structure_views
+    from graphic_tmm.mechanism.structure import dissect
+
 
 STRUCTURE: Made[Structure] = Made("structure")
 
@@ -51,8 +61,8 @@ CHAPTER = Chapter(
     number=1,
     builds_on=("kinematics",),
     places=(
-        Place("structure", 90, structure_views, shows=()),
-        Place(PARTS, 0, part_views, shows=(), follows=("positions",)),
+        Place("structure", 90, structure_views, shows=(), asks=asks.tables),
+        Place(PARTS, 0, part_views, shows=(), follows=("positions",), asks=asks.parts),
     ),
     asked=lambda scene: scene.mechanism is not None,
     always=True,
@@ -60,10 +70,7 @@ CHAPTER = Chapter(
     aside=record_mobility,
     plans=(VIEW,),
     views=lambda project: {VIEW: (VIEW,)},
-    captions={
-        "structure": said("Structure"),
-        "chapter structure": said("Structure of the mechanism"),
-    },
+    captions=CAPTIONS,
     facts=lambda drawn: {
         "W": STRUCTURE.on(drawn).mobility,
         "formula": STRUCTURE.on(drawn).formula,

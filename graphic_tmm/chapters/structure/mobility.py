@@ -9,13 +9,13 @@ from graphic_tmm.board.formula import formula
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapter import Made, aside
+from graphic_tmm.chapters.structure.names import PARTS, VIEW
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
 
-VIEW = "structure"
-STRUCTURE, PARTS = "structure", "groups of structure"
-"""The places of the tables, and of the parts by themselves."""
+STRUCTURE = "structure"
+"""The place of the tables."""
 
 
 @formula(

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.chapters.structure.mobility import MOBILITY, VIEW, Mobility
+from graphic_tmm.chapters.structure.mobility import MOBILITY, Mobility
+from graphic_tmm.chapters.structure.names import VIEW
 from graphic_tmm.chapters.structure.roles import link_name, pair_name
 from graphic_tmm.chapters.structure.tables import WORDS
 from graphic_tmm.chapters.structure.views import part_views

@@ -107,7 +107,3 @@ def structure_lines(structure: Structure, language: str) -> tuple[str, ...]:
     mobility = f"n = {n}, p_5 = {p}, p_4 = 0, W = 3·{n} − 2·{p} = {structure.mobility}"
     highest = words["class II" if structure.groups else "class I"]
     return (mobility, f"{words['formula']}: {structure.formula}", *groups, highest)
-
-
-SYMBOLS = (("W", said("mobility"), ""),)
-"""Its letters in a note: what they stand for, their units."""

@@ -5,7 +5,8 @@ from __future__ import annotations
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.kinematics.views import main_position
 from graphic_tmm.chapters.structure.ink_groups import draw_part
-from graphic_tmm.chapters.structure.mobility import MOBILITY, PARTS, STRUCTURE, parts
+from graphic_tmm.chapters.structure.mobility import MOBILITY, STRUCTURE, parts
+from graphic_tmm.chapters.structure.names import PARTS
 from graphic_tmm.chapters.structure.tables import WORDS, link_table, pair_table, structure_lines
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.numbers import number

@@ -122,7 +122,7 @@ def table(text: str) -> tuple[Head, Iterator[Row]] | None:
         (head_of(first, separator), following)
         for separator in SEPARATORS
         for following in (rows(text, separator),)
-        for first in (_first(following),)
+        for first in (first_row(following),)
         if first is not None
     ]
     return max(found, key=lambda one: (len(one[0].places), len(one[0].titles)), default=None)
@@ -145,7 +145,7 @@ def rows(text: str, separator: str) -> Iterator[Row]:
             yield Row(line, [], str(error))
 
 
-def _first(following: Iterator[Row]) -> Row | None:
+def first_row(following: Iterator[Row]) -> Row | None:
     """Return the row of titles: not a comment that a spreadsheet has quoted, nor its line ``sep=;``."""
     for row in following:
         start = "".join(row.cells[:2])

@@ -10,15 +10,16 @@ from graphic_tmm.checking.readings.csv_cells import HEADS, SEPARATORS, Head, Row
 from graphic_tmm.checking.readings.decoding import READINGS, decoded
 from graphic_tmm.checking.readings.digits import meant
 from graphic_tmm.checking.readings.figures import decimal_comma, half_unit, millimetres, value_of
+from graphic_tmm.checking.readings.grid import is_book, too_many, torn
 from graphic_tmm.checking.readings.twice import twice
-from graphic_tmm.checking.readings.workbook import OLD, START, sheet_table
+from graphic_tmm.checking.readings.workbook import sheet_table
 from graphic_tmm.checking.readings.writing import template, write_readings
 from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.errors import Fault, SceneError, first_of
 from graphic_tmm.files import read
 from graphic_tmm.language.said import joined, said
 
-__all__ = ["read_readings", "template", "write_readings"]
+__all__ = ["read_readings", "readings_of", "template", "write_readings"]
 
 TOLD = 20
 """So many faults of a file are told; how many more there are is counted."""
@@ -74,7 +75,12 @@ def read_readings(path: Path | str) -> tuple[Taken, ...]:
         With the file's faults, the first 20 of them, each with its column and line, and how many more.
     """
     file = Path(path)
-    found = _table(file, read(file, READINGS))
+    return readings_of(file, read(file, READINGS))
+
+
+def readings_of(file: Path, data: bytes) -> tuple[Taken, ...]:
+    """Return the readings of a file of which the bytes are known; as `read_readings`."""
+    found = _table(file, data)
     if found is None:
         _refuse(
             file,
@@ -98,11 +104,8 @@ def read_readings(path: Path | str) -> tuple[Taken, ...]:
 
 def _table(file: Path, data: bytes) -> tuple[Head, Iterator[Row]] | None:
     """Return the row of titles and the others of a text or a workbook; None if it is empty."""
-    if data.startswith(START):
+    if is_book(file, data):
         return sheet_table(file, data)
-    if data.startswith(OLD):
-        says = said("an old workbook, or one with a password; save the sheet as CSV or xlsx")
-        _refuse(file, [Fault("", 0, says)])
     return table(decoded(file, data))
 
 
@@ -122,7 +125,7 @@ def _taken(file: Path, head: Head, rows: Iterable[Row]) -> tuple[Taken, ...]:
 def _faults_of(head: Head) -> list[Fault]:
     """Return what is wrong with the row of titles."""
     if head.wrong:
-        return [Fault("", head.line, _torn(head.wrong))]
+        return [Fault("", head.line, torn(head.wrong))]
     faults = [
         Fault(title, head.line, said("this column stands twice; take one out, or rename it"))
         for title in head.twice
@@ -155,10 +158,10 @@ def _cells(row: Row, head: Head, columns: tuple[int, ...], faults: list[Fault]) 
     """Return the cells of a row by columns; None, and a fault, if it does not fit under the titles."""
     cells, width = row.cells, len(head.titles)
     if row.wrong:
-        faults.append(Fault("", row.line, _torn(row.wrong)))
+        faults.append(Fault("", row.line, torn(row.wrong)))
         return None
     if len(cells) > width and any(cell.strip() for cell in cells[width:]):
-        faults.append(Fault("", row.line, _too_many(len(cells), head)))
+        faults.append(Fault("", row.line, too_many(len(cells), len(head.titles), head.separator)))
         return None
     if len(cells) == 1 < width and not cells[0].lstrip().startswith("#"):
         says = said(
@@ -171,27 +174,6 @@ def _cells(row: Row, head: Head, columns: tuple[int, ...], faults: list[Fault]) 
     cells[width] = ""
     chosen = [cells[place] for place in columns]
     return _Cells(row.line, *[cell and " ".join(cell.split()) for cell in chosen])
-
-
-def _torn(why: str) -> str:
-    """Return what is wrong with a row that the csv reader cannot split."""
-    return said(
-        "the row cannot be split into cells ({why}); "
-        'a quoted cell ends with its quote, and a quote inside it is written twice: ""',
-        why=why,
-    )
-
-
-def _too_many(count: int, head: Head) -> str:
-    remedy = said("take the surplus ones out, or give their columns titles")
-    if head.separator == ",":
-        remedy = said('quote a number with a decimal comma, "17,5", or write 17.5')
-    return said(
-        "the row has {count} cells, the first row {titles}; {remedy}",
-        count=count,
-        titles=len(head.titles),
-        remedy=remedy,
-    )
 
 
 def _comma_seen(cells: Sequence[_Cells]) -> bool:

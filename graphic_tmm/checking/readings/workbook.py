@@ -30,7 +30,7 @@ _FIGURES = ("mm", "value", "x", "y")
 _DECIMALS = re.compile(r"0\.(0+)(?![#0])")
 
 
-class _Sheet(NamedTuple):
+class Sheet(NamedTuple):
     """A sheet: its name, its rows that hold something."""
 
     name: str
@@ -47,7 +47,7 @@ def sheet_table(file: Path, data: bytes) -> tuple[Head, Iterator[Row]] | None:
     SceneError
         If openpyxl is missing, the file is no workbook, damaged, or too large, or two sheets hold readings.
     """
-    sheets = [one for one in _sheets(file, data) if one.rows]
+    sheets = [one for one in sheets_of(file, data) if one.rows]
     found = [(one.name, *_below(one.rows)) for one in sheets]
     titled = [one for one in found if one[1] is not None]
     filled = [
@@ -82,8 +82,14 @@ def _filled(head: Head, row: Row) -> bool:
     return any(row.cells[head.places[name]] for name in _FIGURES if name in head.places)
 
 
-def _sheets(file: Path, data: bytes) -> list[_Sheet]:
-    """Return the sheets of a workbook; a formula has the result that the spreadsheet has saved."""
+def sheets_of(file: Path, data: bytes, columns: int = COLUMNS) -> list[Sheet]:
+    """Return the sheets of a workbook; a formula has the result that the spreadsheet has saved.
+
+    Raises
+    ------
+    SceneError
+        If openpyxl is missing, the file is no workbook, damaged, or too large.
+    """
     _measure(file, data)
     try:
         from openpyxl import load_workbook
@@ -93,9 +99,9 @@ def _sheets(file: Path, data: bytes) -> list[_Sheet]:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:
-            typed = _read(load_workbook, data, results=False)
+            typed = _read(load_workbook, data, columns, results=False)
             if any(cell.startswith("=") for one in typed for row in one.rows for cell in row.cells):
-                typed = _with_results(typed, _read(load_workbook, data, results=True))
+                typed = _with_results(typed, _read(load_workbook, data, columns, results=True))
         except SceneError:
             raise
         except Exception:  # whatever openpyxl, a parser of XML or zlib makes of a damaged file
@@ -114,19 +120,19 @@ def _measure(file: Path, data: bytes) -> None:
         _refuse(file, said("the workbook is too large; delete sheets that hold no readings"))
 
 
-def _read(load_workbook: Any, data: bytes, *, results: bool) -> list[_Sheet]:
+def _read(load_workbook: Any, data: bytes, columns: int, *, results: bool) -> list[Sheet]:
     book = load_workbook(io.BytesIO(data), read_only=True, data_only=results, keep_links=False)
     try:
-        return [_Sheet(sheet.title, list(_rows(sheet))) for sheet in book.worksheets]
+        return [Sheet(sheet.title, list(_rows(sheet, columns))) for sheet in book.worksheets]
     finally:
         book.close()
 
 
-def _rows(sheet: Any) -> Iterator[Row]:
+def _rows(sheet: Any, columns: int) -> Iterator[Row]:
     """Yield the rows of a sheet that hold something and are no comment; ValueError beyond all rows."""
     sheet.reset_dimensions()  # a file may tell fewer than it has
     before = None
-    for line, cells in enumerate(sheet.iter_rows(max_col=COLUMNS), 1):
+    for line, cells in enumerate(sheet.iter_rows(max_col=columns), 1):
         if line > ROWS:
             raise ValueError(line)
         if cells is before:  # openpyxl fills up missing rows with one and the same
@@ -139,7 +145,7 @@ def _rows(sheet: Any) -> Iterator[Row]:
             yield Row(line, texts)
 
 
-def _with_results(typed: list[_Sheet], worked: list[_Sheet]) -> list[_Sheet]:
+def _with_results(typed: list[Sheet], worked: list[Sheet]) -> list[Sheet]:
     """Return sheets as they were typed, results in the places of formulas; without one a formula stays."""
     found = []
     for sheet, values in zip(typed, worked, strict=True):

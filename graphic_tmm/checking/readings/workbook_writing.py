@@ -33,23 +33,42 @@ def workbook(rows: Iterable[Cells], *, language: str, told: Sequence[str] = ()) 
     SheetError
         If openpyxl is missing.
     """
+    name = speaking(language)(said("readings", context="sheet"))
+    widths = [_WIDTHS.get(head, _WIDTH) for head in HEADS]
+    table = (heads(language), *rows)
+    return workbook_of(name, table, widths, language=language, frozen="D2", told=told)
+
+
+def workbook_of(
+    name: str,
+    rows: Iterable[Cells],
+    widths: Sequence[float],
+    *,
+    language: str,
+    frozen: str,
+    told: Sequence[str] = (),
+) -> bytes:
+    """Return a workbook of one sheet, its first row bold titles; parameters and errors as `workbook`.
+
+    ``widths``: of the first columns, in letters; ``frozen``: the cell left of and above which all stays.
+    """
     try:
         from openpyxl import Workbook
+        from openpyxl.utils import get_column_letter
     except ImportError as error:
         raise SheetError(
             said("an xlsx file needs the package openpyxl: pip install 'graphic-tmm[xlsx]'")
         ) from error
-    speech, book = speaking(language), Workbook()
+    book = Workbook()
     sheet = book.active
-    sheet.title = speech(said("readings", context="sheet"))
-    _put(sheet, 1, heads(language), bold=True)
-    for line, row in enumerate(rows, 2):
-        _put(sheet, line, row)
-    sheet.freeze_panes = "D2"
-    for name, column in zip(HEADS, "ABCDEFGH", strict=True):
-        sheet.column_dimensions[column].width = _WIDTHS.get(name, _WIDTH)
+    sheet.title = name
+    for line, row in enumerate(rows, 1):
+        _put(sheet, line, row, bold=line == 1)
+    sheet.freeze_panes = frozen
+    for column, width in enumerate(widths, 1):
+        sheet.column_dimensions[get_column_letter(column)].width = width
     if told:
-        aside = book.create_sheet(speech(said("what to do", context="sheet")))
+        aside = book.create_sheet(speaking(language)(said("what to do", context="sheet")))
         aside.column_dimensions["A"].width = _ASIDE
         for line, text in enumerate(told, 1):
             _put(aside, line, (text,), wrapped=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import PurePath
 
 from graphic_tmm.checking.cells import RESULTS
@@ -29,7 +29,7 @@ def write_readings(rows: Iterable[Taken], *, language: str = "en") -> str:
         "en": separated by commas, decimal points; "ru": Russian titles, semicolons, decimal commas, and a
         byte order mark, as spreadsheets set to Russian want them.
     """
-    return _text((_row(one) for one in rows), language)
+    return csv_text((heads(language), *map(_row, rows)), language)
 
 
 def file_of(
@@ -44,10 +44,10 @@ def file_of(
     SheetError
         If a workbook is asked for and openpyxl is missing.
     """
-    cells = (_row(one) for one in rows)
+    cells = map(_row, rows)
     if is_workbook(name):
         return workbook(cells, language=language, told=told)
-    return _text(cells, language, told)
+    return csv_text((heads(language), *cells), language, told)
 
 
 def is_workbook(name: str) -> bool:
@@ -117,13 +117,13 @@ def _row(one: Taken) -> tuple[str | float | None, ...]:
     return (one.plan, one.position, one.segment, one.mm, one.value, unit, one.x, one.y)
 
 
-def _text(
-    rows: Iterable[Iterable[str | float | None]], language: str, told: Iterable[str] = ()
+def csv_text(
+    table: Iterable[Iterable[str | float | None]], language: str, told: Iterable[str] = ()
 ) -> str:
+    """Return rows as CSV, as ``write_readings`` writes a language; ``told``: comments above them."""
     point = decimal_sign(language)
     separator, start = SIGNS[point]
     comments = (f"# {' '.join(text.split())}" for text in told)
-    table: Iterator[Iterable[str | float | None]] = iter((heads(language), *rows))
     lines = (separator.join(_cell(cell, separator, point) for cell in row) for row in table)
     return start + "".join(f"{line}\n" for line in (*comments, *lines))
 

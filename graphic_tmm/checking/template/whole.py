@@ -10,6 +10,7 @@ from graphic_tmm.checking.readings.writing import asked, file_of, result_columns
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.checking.template.letters import letters_sheet
 from graphic_tmm.checking.template.short import short
+from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.table import scene_columns, scene_results
@@ -32,11 +33,13 @@ def short_of(
     position: str = "",
     *,
     pictured: bool = True,
+    given: Composition | None = None,
 ) -> dict[str, str | bytes]:
     """Return the file of the main segments of one position, or of what is marked, and a picture of the letters.
 
     ``only``, ``position``: as `short` has them; ``name``: as `template_of`; ``pictured``: whether there is
-    a picture. Files by name; the picture has the name of the first.
+    a picture; ``given``: the composition of the sheets, as for `make`. Files by name; the picture has the name
+    of the first.
 
     Raises
     ------
@@ -45,7 +48,7 @@ def short_of(
     """
     from graphic_tmm.paper.write.svg import svg
 
-    made = make(scene, exact=True)
+    made = make(scene, exact=True, given=given)
     asked_for = short(made, only, position)
     told, picture = asked_for.told, letters_sheet(made, asked_for.places) if pictured else None
     beside = f"{Path(name).stem}.svg"

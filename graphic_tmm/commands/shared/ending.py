@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -23,6 +24,9 @@ FINE, WRONG, BAD, FAULT, BROKEN_OFF, NO_READER = 0, 1, 2, 70, 130, 141
 """Exit statuses: all well; a check has found something; the input is bad; the program is at fault; Ctrl-C;
 nobody reads what is printed (the last two as a shell tells them of SIGINT and SIGPIPE)."""
 
+SELDOM = 100_000
+"""So many more objects are made than gone, while a command runs, before cycles among them are looked for."""
+
 
 class People(SpokenGroup):
     """The commands as a person calls them: every error is one message, and every end has its own status."""
@@ -33,7 +37,8 @@ class People(SpokenGroup):
 
         options["standalone_mode"] = False
         given = options.get("args", args[0] if args else None)
-        with reading(language_asked(sys.argv[1:] if given is None else given)), click_speaking():
+        asked = language_asked(sys.argv[1:] if given is None else given)
+        with _collecting_seldom(), reading(asked), click_speaking():
             try:
                 with call():
                     ended = super().main(*args, **options)
@@ -51,6 +56,17 @@ class People(SpokenGroup):
         """Run the command; its reader may be gone."""
         with _piped():
             return super().invoke(ctx)
+
+
+@contextmanager
+def _collecting_seldom() -> Iterator[None]:
+    """Look for cycles of objects seldom within: a drawing makes many objects, of which next to all stay."""
+    before = gc.get_threshold()
+    gc.set_threshold(SELDOM, *before[1:])
+    try:
+        yield
+    finally:
+        gc.set_threshold(*before)
 
 
 @contextmanager

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from graphic_tmm.language.said import said
 
 
-def chosen(forms: str, known: Sequence[str]) -> list[str]:
+def chosen(forms: str, known: Sequence[str], option: str = "--format") -> list[str]:
     """Return the forms that an option names.
 
     Raises
@@ -20,7 +20,8 @@ def chosen(forms: str, known: Sequence[str]) -> list[str]:
     wanted = [form.strip().lower() for form in forms.split(",")]
     if unknown := [form for form in wanted if form not in known]:
         says = said(
-            "--format: no {unknown}; choose from {known}",
+            "{option}: no {unknown}; choose from {known}",
+            option=option,
             unknown=", ".join(unknown),
             known=", ".join(known),
         )

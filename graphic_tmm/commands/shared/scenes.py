@@ -35,7 +35,7 @@ class SceneName(ParamType):
         """Return the names of scenes that begin so, and what a shell knows of files."""
         from click.shell_completion import CompletionItem
 
-        from graphic_tmm.scenes import packaged
+        from graphic_tmm.packaged import packaged
 
         names = [path.name for path in packaged() if path.name.startswith(incomplete)]
         return [*map(CompletionItem, names), CompletionItem(incomplete, type="file")]
@@ -46,8 +46,8 @@ def read_scene(name: str | None, *, lettered: bool = False) -> Scene:
 
     ``lettered``: refuse letters that cannot be written on a sheet.
     """
+    from graphic_tmm.packaged import scene_path
     from graphic_tmm.scene.read import read
-    from graphic_tmm.scenes import scene_path
 
     path = scene_path(name)
     hear(language_of(path))
@@ -95,10 +95,6 @@ def hands(command: F) -> F:
 
 def drawn_by(scene: Scene, hand: str | None, seed: int | None) -> Scene:
     """Return the scene drawn by another hand, with that hand's own ruler."""
-    from dataclasses import replace
+    from graphic_tmm.scene.hands import drawn_by as drawn
 
-    from graphic_tmm.scene.build import DIVISIONS
-
-    if hand is not None:
-        scene = replace(scene, hand=hand, ruler=DIVISIONS[hand])
-    return scene if seed is None else replace(scene, seed=seed)
+    return drawn(scene, hand, seed)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +13,9 @@ from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
     from graphic_tmm.drawn import DrawnScene
+
+_FORCED = ("FORCE_COLOR", "TTY_COMPATIBLE")
+"""What has rich take for a terminal whatever it prints to."""
 
 
 def say(text: str) -> None:
@@ -48,14 +52,34 @@ def show(text: str | list[Any], width: int) -> None:
     if isinstance(text, str):
         click.echo(text, nl=False)
         return
+    if (framed := _without_rich(text, width)) is not None:
+        click.echo(framed, nl=False)
+        return
+    from itertools import chain
+
     from rich.console import Console
     from rich.measure import Measurement
     from rich.table import Table
 
+    from graphic_tmm.readers.framed import Framed
+
     console = Console(width=None if sys.stdout.isatty() else width)
     with console.capture() as written:  # rich has an end of its own for a reader who is gone
-        for part in text:
+        for part in chain.from_iterable(
+            one.parts() if isinstance(one, Framed) else (one,) for one in text
+        ):
             wide = console.options.update(max_width=10_000)
             needed = Measurement.get(console, wide, part).maximum if isinstance(part, Table) else 0
             console.print(part, width=max(console.width, needed))
     click.echo(written.get(), nl=False)
+
+
+def _without_rich(tables: list[Any], width: int) -> str | None:
+    """Return tables as text where nothing is bold, italic or coloured; None where that is for rich to print."""
+    from graphic_tmm.readers.framed import Framed
+
+    told = sys.stdout.encoding or ""
+    if sys.stdout.isatty() or not told.lower().startswith("utf") or any(map(os.getenv, _FORCED)):
+        return None
+    found = [one.plain(width) if isinstance(one, Framed) else None for one in tables]
+    return None if None in found else "".join(filter(None, found))

@@ -30,8 +30,7 @@ from graphic_tmm.note.document import (
 )
 from graphic_tmm.note.figures import in_hand, picture
 from graphic_tmm.paper.lettering.indices import markup
-from graphic_tmm.readers.given import figure, given_rows
-from graphic_tmm.readers.protocol import synthesis
+from graphic_tmm.readers.given import figure, given_rows, sought
 
 TASK = said("Task")
 SCHEME = said("Scheme of the mechanism")
@@ -87,9 +86,8 @@ def scheme(drawn: Drawn, language: str) -> Picture | None:
 
 def given_table(drawn: Drawn, language: str) -> Table | None:
     """Return the table of what is given for a board; lengths that the synthesis finds stand there."""
-    found = synthesis(drawn.scene)
-    sought = {step.it.name for step in found.construction.steps} if found is not None else set()
-    rows = [row for row in given_rows(drawn.scene, drawn.board) if row.symbol not in sought]
+    hidden = sought(drawn.scene)
+    rows = [row for row in given_rows(drawn.scene, drawn.board) if row.symbol not in hidden]
     words = captions(language)
     told: list[tuple[Runs, ...]] = []
     for row in rows:

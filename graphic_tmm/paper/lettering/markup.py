@@ -12,6 +12,7 @@ r"""The mark-up of lettering, read into a tree.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import NamedTuple
 
 from graphic_tmm.errors import SheetError
@@ -59,6 +60,7 @@ def escape(text: str) -> str:
     return "".join("\\" + c if c in _SPECIAL else c for c in text)
 
 
+@lru_cache(maxsize=4096)
 def plain(markup: str) -> str:
     r"""Return readable plain text, for titles and search: v_BA for \bar{v}_{BA}; ω₁, мм².
 

@@ -17,7 +17,6 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 from urllib.parse import quote
-from xml.etree import ElementTree
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import SOURCE, Speech, speaking
@@ -25,6 +24,7 @@ from graphic_tmm.language.numbers import number as spoken
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Sheet, Stroke
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.pens import KINDS, LETTERING, Pen, fitted, pens, refuse_unknown, tracing
+from graphic_tmm.paper.write.elements import Made, text_of
 from graphic_tmm.paper.write.svg_path import clockwise, length, number, path_data
 
 if TYPE_CHECKING:
@@ -85,9 +85,7 @@ def svg(sheet: Sheet, *, under: Under | None = None, searchable: bool = False) -
         writer.trace = box["thin"]
     for name, drawing in zip(names, sheet.drawings, strict=True):
         page.add(writer.drawing(name, drawing, box))
-    tree = page.get_xml()
-    ElementTree.indent(tree, space="")
-    return ElementTree.tostring(tree, encoding="unicode") + "\n"
+    return text_of(page.get_xml())
 
 
 class _Writer:
@@ -158,20 +156,16 @@ class _Writer:
             merged.setdefault(shape, []).append(path_data(stroke, self.height))
         for shape, pieces in merged.items():
             style, stroke = styles[shape]
-            group.add(_from_steps(self.page.path(d="".join(pieces), **style), stroke))
-        for stroke in alone:
-            group.add(self.single(pen, stroke))
+            told = {"d": "".join(pieces), **style, **_from_steps(stroke)}
+            group.elements.append(Made("path", told))
+        group.elements += [self.single(pen, stroke) for stroke in alone]
         return group
 
-    def single(self, pen: Pen, stroke: Ink) -> Any:
+    def single(self, pen: Pen, stroke: Ink) -> Made:
         """Return the path of one stroke with its title and its data attributes."""
-        element = self.page.path(d=path_data(stroke, self.height), **_style(pen, stroke))
-        _from_steps(element, stroke)
-        for name, value in stroke.data:
-            element[_attribute(name)] = clean(value)
-        if stroke.title:
-            element.set_desc(title=clean(stroke.title))
-        return element
+        told = {"d": path_data(stroke, self.height), **_style(pen, stroke), **_from_steps(stroke)}
+        told |= {_attribute(name): clean(value) for name, value in stroke.data}
+        return Made("path", told, clean(stroke.title))
 
     def lettering(self, width: float, labels: Sequence[Label]) -> Any:
         """Return the labels written with a pen of one width (mm)."""
@@ -193,13 +187,13 @@ class _Writer:
             start = label.at - shift(label, written.width)
             x, y = start.real, self.height - start.imag
             words = clean(letters.plain(label.text))
-            element = group.add(self.page.g(class_="label", aria_label=words, role="img"))
-            element.set_desc(title=words)
-            _from_steps(element, label)
+            told = {"aria-label": words, "class": "label", "role": "img", **_from_steps(label)}
+            element = Made("g", told, words)
             for pen in written.pens:
                 d = letters.svg_path(written, x, y, angle=label.turn, pen=pen)
-                own = {} if pen == width or self.trace else {"stroke_width": number(pen)}
-                element.add(self.page.path(d=d, **own))
+                own = {} if pen == width or self.trace else {"stroke-width": number(pen)}
+                element.add("path", {"d": d, **own})
+            group.elements.append(element)
         return group
 
     def words(self, labels: Iterable[Label]) -> Any:
@@ -219,15 +213,14 @@ class _Writer:
         return group
 
 
-def _from_steps(element: Any, one: Ink | Label) -> Any:
-    """Return an element that tells the marks whose steps it comes from, its position, its part."""
-    if one.of:
-        element["data-of"] = " ".join(map(str, one.of))
+def _from_steps(one: Ink | Label) -> dict[str, str]:
+    """Return what tells of an element the marks whose steps it comes from, its position, its part."""
+    told = {"data-of": " ".join(map(str, one.of))}
     if one.position is not None:
-        element["data-at"] = str(one.position)
-    if not isinstance(one, Label) and one.part:
-        element["data-part"] = clean(one.part)
-    return element
+        told["data-at"] = str(one.position)
+    if not isinstance(one, Label):
+        told["data-part"] = clean(one.part)
+    return told
 
 
 def _style(pen: Pen, stroke: Ink) -> dict[str, str]:
@@ -236,7 +229,7 @@ def _style(pen: Pen, stroke: Ink) -> dict[str, str]:
         return {"fill": pen.colour if pen.fill == "none" else pen.fill, "stroke": "none"}
     closed = isinstance(stroke, Stroke) and stroke.closed
     dashes = fitted(pen.dashes, length(stroke), closed=closed) if pen.dashes else ()
-    return {"stroke_dasharray": " ".join(map(number, dashes))} if dashes else {}
+    return {"stroke-dasharray": " ".join(map(number, dashes))} if dashes else {}
 
 
 def _by_width(labels: Iterable[Label]) -> dict[float, list[Label]]:

@@ -13,7 +13,7 @@ from support.gallery import SHEETS
 from support.scenes import edited
 
 from graphic_tmm.chapters.cam.beside import BESIDE, VIEW
-from graphic_tmm.chapters.cam.plan import CAM
+from graphic_tmm.chapters.cam.names import CAM
 from graphic_tmm.chapters.cam.table import results
 from graphic_tmm.chapters.cam.verdict import verdict
 from graphic_tmm.drawn import Drawn, single

@@ -13,7 +13,8 @@ from support.flywheels import along, graphs, taut
 from support.graphs import assert_read_off_the_log
 from support.scenes import written
 
-from graphic_tmm.chapters.cycle.plan import BESIDE, CYCLE
+from graphic_tmm.chapters.cycle.names import CYCLE
+from graphic_tmm.chapters.cycle.plan import BESIDE
 from graphic_tmm.chapters.cycle.task import Moment
 from graphic_tmm.chapters.cycle.views import cycle_results, cycle_views
 from graphic_tmm.drawn import Drawn, single

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from support.gallery import asking, drawn, in_usual
 
-from graphic_tmm.chapters.diagrams.beside import BESIDE, CALCULATED
-from graphic_tmm.chapters.diagrams.plan import DIAGRAMS
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.diagrams.beside import BESIDE
+from graphic_tmm.chapters.diagrams.names import CALCULATED, DIAGRAMS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.readers.protocol import protocol
 
 

@@ -12,8 +12,8 @@ from support.gallery import asking, drawn
 from support.graphs import assert_read_off_the_log
 
 from graphic_tmm.chapters.engine.ink import TRACELESS, draw_rotating, draw_triangles
-from graphic_tmm.chapters.engine.plan import ENGINE
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.engine.names import ENGINE
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.finish import finished

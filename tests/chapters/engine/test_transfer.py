@@ -20,8 +20,9 @@ from support.scenes import edited
 
 from graphic_tmm.chapters.engine.beside import BESIDE
 from graphic_tmm.chapters.engine.ink_transfer import Shown, draw_all_forces
+from graphic_tmm.chapters.engine.names import TRANSFER as VIEW
 from graphic_tmm.chapters.engine.table import engine_columns
-from graphic_tmm.chapters.engine.transfer import VIEW, Transfer
+from graphic_tmm.chapters.engine.transfer import Transfer
 from graphic_tmm.chapters.engine.views import transfer_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing, Stroke

@@ -16,8 +16,8 @@ from support.gallery import SHEETS
 from support.scenes import edited
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.flywheel.beside import BESIDE, CALCULATED
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
+from graphic_tmm.chapters.flywheel.beside import BESIDE
+from graphic_tmm.chapters.flywheel.names import CALCULATED, FLYWHEEL
 from graphic_tmm.chapters.flywheel.table import flywheel_results
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.errors import SceneError, StructureError

@@ -10,7 +10,7 @@ from support.boards import drawn_of
 from support.gallery import SHEETS
 
 from graphic_tmm.chapters.flywheel.energy import Energies
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
+from graphic_tmm.chapters.flywheel.names import FLYWHEEL
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Link

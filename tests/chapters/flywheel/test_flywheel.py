@@ -14,7 +14,8 @@ from support.flywheels import along, graphs, slopes
 from support.gallery import SHEETS
 
 from graphic_tmm.board.charts import ScaleOrder
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, Flywheel
+from graphic_tmm.chapters.flywheel.names import FLYWHEEL
+from graphic_tmm.chapters.flywheel.plan import Flywheel
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
 from graphic_tmm.chapters.flywheel.task import FlywheelTask
 from graphic_tmm.chapters.indicator.task import Gas

@@ -11,7 +11,7 @@ import pytest
 from support.boards import drawn_of
 from support.flywheels import at_positions, crank, graphs, scene_of, truth
 
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
+from graphic_tmm.chapters.flywheel.names import FLYWHEEL
 from graphic_tmm.chapters.flywheel.table import (
     flywheel_results,
 )

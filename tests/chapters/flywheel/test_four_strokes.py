@@ -15,11 +15,11 @@ from support.gallery import SHEETS
 from support.graphs import assert_read_off_the_log
 from support.scenes import edited, written
 
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
+from graphic_tmm.chapters.flywheel.names import FLYWHEEL
 from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_results
 from graphic_tmm.chapters.flywheel.views import flywheel_views
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.indicator.names import INDICATOR
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.table import plan_columns
 from graphic_tmm.chapters.kinematics.views import position_views, velocity_views
 from graphic_tmm.drawn import Drawn, single

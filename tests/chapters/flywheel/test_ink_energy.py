@@ -12,7 +12,8 @@ from support.gallery import drawn, paper
 from graphic_tmm.chapters.flywheel.ink_energy import (
     draw_energy_mass_ink,
 )
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL, Flywheel
+from graphic_tmm.chapters.flywheel.names import FLYWHEEL
+from graphic_tmm.chapters.flywheel.plan import Flywheel
 from graphic_tmm.chapters.indicator.ink import (
     draw_indicator_ink,
 )

@@ -14,7 +14,7 @@ from support.mechanisms import sample
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.ink_arrows import Arrows, Told
-from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.forces.views import force_table
 from graphic_tmm.drawn import Drawn

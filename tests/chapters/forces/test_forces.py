@@ -17,7 +17,7 @@ from support.mechanisms import Sampled, sample
 from support.wrenches import StaticsError
 
 from graphic_tmm.board.record import Construction
-from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.task import ForcesTask, Friction, Load
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.structure import dissect

@@ -12,7 +12,7 @@ from support.boards import drawn_of
 from support.command import invoke
 from support.scenes import written
 
-from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.scene.read import read
 
 SLIDER = """

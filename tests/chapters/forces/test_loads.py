@@ -9,10 +9,10 @@ import pytest
 from support.boards import drawn_of
 from support.gallery import SHEETS
 
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
-from graphic_tmm.chapters.forces.plan import FORCES
+from graphic_tmm.chapters.flywheel.names import FLYWHEEL
+from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.task import ForcesTask, Load, Travel
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read

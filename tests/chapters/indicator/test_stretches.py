@@ -9,7 +9,7 @@ import pytest
 from support.boards import drawn_of
 from support.gallery import SHEETS
 
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL
+from graphic_tmm.chapters.flywheel.names import FLYWHEEL
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask, Stretch
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError

@@ -5,17 +5,25 @@ from __future__ import annotations
 import cmath
 import math
 import re
+from collections.abc import Iterable
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.assemblies import assembly, message, ranges
+from support.chains import chain
 from support.examples import most
 from support.linkages import coulisse, four_bar, slider_crank
 
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Reals
+from graphic_tmm.chapters.kinematics.assembly import Assembly, check_assembly
+from graphic_tmm.chapters.kinematics.survey import STEPS, Survey, survey
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Guide, Link, Mechanism, Side, Slide
+from graphic_tmm.mechanism.structure import dissect
 
 Pose = tuple[float, float, float]
 
@@ -232,3 +240,19 @@ def test_a_mechanism_near_a_change_point_is_not_refused(off: float) -> None:
         except StructureError as error:
             pytest.fail(str(error))
         assert all(high - low > 359 for low, high in found.ranges)
+
+
+def test_one_slice_of_the_log_tells_of_all_groups(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However many groups there are: their gaps are read off one run over the turn."""
+    mechanism = chain(6)
+    tried = survey(mechanism, dissect(mechanism))
+    asked: list[int] = []
+    at = Survey.at
+
+    def counted(self: Survey, angles: Reals, wanted: Iterable[Mark]) -> Reading:
+        asked.append(angles.size)
+        return at(self, angles, wanted)
+
+    monkeypatch.setattr(Survey, "at", counted)
+    assert check_assembly(tried) == Assembly((), ())
+    assert asked == [STEPS]

@@ -18,7 +18,7 @@ from support.rewritten import relettered, text_of
 from support.seen import CLOSE, Seen, judge
 
 from graphic_tmm.chapters.kinematics.ink_links import HELD, THROUGH, LinksInk
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Stroke

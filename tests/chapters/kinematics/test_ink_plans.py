@@ -18,7 +18,7 @@ from graphic_tmm.chapters.kinematics.ink_plans import (
     draw_plan,
     vectors,
 )
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.table import kinematic_columns
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.finish import finished

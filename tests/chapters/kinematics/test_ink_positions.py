@@ -18,7 +18,7 @@ from graphic_tmm.chapters.kinematics.ink_positions import (
     clear_start,
     draw_positions_ink,
 )
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke
 from graphic_tmm.paper.finish import finished

@@ -19,7 +19,7 @@ from support.gallery import NAMES, SHEETS, drawn
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics import views
 from graphic_tmm.chapters.kinematics.ink_numbers import CLOSE, together
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS
+from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke
 from graphic_tmm.paper.shapes import box, shape

@@ -12,7 +12,7 @@ from support.gallery import SHEETS
 from support.scenes import edited, written
 
 from graphic_tmm.chapters.planetary.beside import BEHIND, BESIDE, CALCULATED
-from graphic_tmm.chapters.planetary.plan import PLANETARY_TRAIN
+from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
 from graphic_tmm.chapters.planetary.verdict import train_results, verdict
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.note.document import Number as Figure

@@ -1,0 +1,192 @@
+"""What operations compute, noted on a tape: their own functions, called with numbers that are not known yet.
+
+No operation is described anew: its function runs as it stands, with numpy's functions, and the few helpers of
+`geometry` that look at numbers, replaced by such as note what they would do.
+"""
+
+from __future__ import annotations
+
+import operator
+import types
+from collections.abc import Callable
+from functools import partial
+from typing import Any, NewType
+
+import numpy as np
+
+from graphic_tmm.board import geometry
+from graphic_tmm.board.source import globals_of
+from graphic_tmm.board.tape import Tape
+from graphic_tmm.board.unknown import Mask, NotTraced, Value, valued
+
+REFUSED = (
+    *(NotTraced, TypeError, ValueError, AttributeError, NameError, LookupError, ArithmeticError),
+)
+"""How an operation fails that cannot be noted: what it calls may refuse an unknown number in its own way."""
+
+
+class _Quadrant(Value):
+    """i to the power of whole numbers: what it is multiplied with is turned by right angles."""
+
+    __slots__ = ("quarters",)
+
+    def __init__(self, quarters: Value) -> None:
+        self.tape, self.quarters = quarters.tape, quarters.part()
+        turned = self * Value(self.tape, 1.0)
+        super().__init__(self.tape, turned.re, turned.im)
+
+    def __mul__(self, other: object) -> Value:
+        b, tape = self._of(other), self.tape
+        alike = tape.call("alike", self.quarters)
+        return Value(
+            tape, *(tape.call(n, alike, self.quarters, b.re, b.im) for n in ("turn_x", "turn_y"))
+        )
+
+    __rmul__ = __mul__
+
+
+def _tape_of(*values: Any) -> Tape | None:
+    return next((value.tape for value in values if isinstance(value, Value | Mask)), None)
+
+
+def _noting(name: str) -> Callable[..., Any]:
+    """Return the function of numpy of that name, of real numbers; noted where they are not known."""
+
+    def function(*values: Any) -> Any:
+        tape = _tape_of(*values)
+        if tape is None:
+            return float(getattr(np, name)(*values))
+        return Value(tape, tape.call(name, *(valued(tape, value).part() for value in values)))
+
+    return function
+
+
+def _telling(name: str, together: str) -> Callable[[Any], Any]:
+    """Return the function of numpy that tells what a number is: of a complex one, by both its parts."""
+
+    def function(value: Any) -> Any:
+        if not isinstance(value, Value):
+            raise NotTraced(name)
+        tape = value.tape
+        parts = (part for part in (value.re, value.im) if part is not None)
+        nodes = [tape.note(name, tape.plain(part)) for part in parts]
+        return Mask(tape, nodes[0] if len(nodes) == 1 else tape.note(together, *nodes))
+
+    return function
+
+
+def _where(mask: Any, first: Any, second: Any) -> Any:
+    if not isinstance(mask, Mask):
+        raise NotTraced("where")
+    if isinstance(first, Mask):
+        return (mask & first) | (~mask & second)
+    tape = mask.tape
+    a, b = valued(tape, first), valued(tape, second)
+    re = tape.choose(mask.node, a.re, b.re)
+    if a.im is None and b.im is None:
+        return Value(tape, re)
+    return Value(tape, re, tape.choose(mask.node, a.im, b.im))
+
+
+def _itself(value: Any, *_: Any, **__: Any) -> Any:
+    return value
+
+
+def _root(product: Any, gap: Any, scale: Any) -> Any:
+    tape = product.tape
+    return Value(tape, tape.call("root", product.part(), gap.part(), valued(tape, scale).part()))
+
+
+def _vector(x: Any, y: Any) -> Any:
+    tape = _tape_of(x, y)
+    if tape is None:
+        return complex(x, y)
+    return Value(tape, valued(tape, x).part(), valued(tape, y).part())
+
+
+def _compared_quadrant(quarters: Any) -> Any:
+    rest = quarters - 4.0 * _NUMPY.floor(quarters * 0.25)
+    x = _where(rest == 0.0, 1.0, _where(rest == 2.0, -1.0, 0.0))
+    return _vector(x, _where(rest == 1.0, 1.0, _where(rest == 3.0, -1.0, 0.0)))
+
+
+def _true(_: Any) -> bool:
+    # nobody knows yet: what is done where a mask is true somewhere is done by that mask
+    return True
+
+
+class _Numpy:
+    """What stands for numpy in a function that is noted."""
+
+    pi, nan, inf = float(np.pi), float(np.nan), float(np.inf)
+    float64 = staticmethod(_itself)
+    asarray = array = staticmethod(_itself)
+    where = staticmethod(_where)
+    abs = absolute = staticmethod(abs)
+    isnan = staticmethod(_telling("isnan", "logical_or"))
+    isfinite = staticmethod(_telling("isfinite", "logical_and"))
+    conj = conjugate = staticmethod(Value.conj)
+    square = staticmethod(lambda z: z * z)
+    add, subtract, multiply = operator.add, operator.sub, operator.mul
+    divide, negative, power = operator.truediv, operator.neg, operator.pow
+    less, less_equal, greater = operator.lt, operator.le, operator.gt
+    greater_equal, equal, not_equal = operator.ge, operator.eq, operator.ne
+    logical_and, logical_or, logical_not = operator.and_, operator.or_, operator.invert
+
+    def __getattr__(self, name: str) -> Any:
+        if name not in _FUNCTIONS:
+            raise NotTraced(f"numpy's {name}")
+        return _noting(name)
+
+
+_FUNCTIONS = frozenset(
+    {
+        *("sqrt", "cbrt", "exp", "log", "sign", "floor", "ceil", "rint", "copysign"),
+        *("maximum", "minimum", "fmin", "fmax", "hypot", "radians", "degrees"),
+        *("sin", "cos", "tan", "arcsin", "arccos", "arctan", "arctan2"),
+    }
+)
+"""Functions of numpy of real numbers that are passes; a remainder is none, for it leaps by rounding alone."""
+_NUMPY = _Numpy()
+
+
+class Tracer:
+    """Says what functions stand for where their numbers are noted; ``instead``: what some of them are."""
+
+    def __init__(self, instead: dict[Callable[..., Any], Callable[..., Any]]) -> None:
+        self._known = dict(instead)
+
+    def __call__(self, function: Any) -> Any:
+        """Return what a function, or another name of its module, stands for: the same code on a tape."""
+        if isinstance(function, NewType):
+            return _itself
+        if isinstance(function, partial):
+            return partial(self(function.func), **function.keywords)
+        if not isinstance(function, types.FunctionType) or function.__closure__:
+            return function
+        if function not in self._known:
+            space: dict[str, Any] = {}
+            made = types.FunctionType(
+                function.__code__, space, function.__name__, function.__defaults__
+            )
+            made.__kwdefaults__ = function.__kwdefaults__
+            # before its names are looked at: one of them may lead back to it
+            self._known[function] = made
+            for name in globals_of(function):
+                value = function.__globals__[name]
+                known = isinstance(value, NewType | types.FunctionType)
+                space[name] = _NUMPY if value is np else (self(value) if known else value)
+        return self._known[function]
+
+
+_INSTEAD: dict[Callable[..., Any], Callable[..., Any]] = {
+    geometry.vector: _vector,
+    geometry.reverse: operator.neg,
+    geometry.sine: geometry.series_of_sine,
+    geometry.some: _true,
+    geometry.pick: _where,
+}
+traced = Tracer({**_INSTEAD, geometry.quadrant: _Quadrant, geometry.root: _root})
+"""For passes of numpy: some look first whether they can be spared."""
+plainly_traced = Tracer({**_INSTEAD, geometry.quadrant: _compared_quadrant})
+"""For machine code, where a look at all positions would cost more than it saves."""

@@ -1,0 +1,17 @@
+"""What others call what there is of the diagrams: views, places, what was made."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from graphic_tmm.chapter import Made
+
+if TYPE_CHECKING:
+    from graphic_tmm.chapters.diagrams.plan import Kinematic
+
+DIAGRAMS: Made[Kinematic] = Made("diagrams")
+VIEWS = {"S": "diagram S", "V": "diagram V", "a": "diagram a"}
+BASE_VIEW = "base"
+"""Under which the scale of the common base is told."""
+CALCULATED = "diagrams-calculation"
+"""The view of what is calculated beside."""

@@ -1,0 +1,20 @@
+"""What others call what there is of the plans: views, places, what was made."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from graphic_tmm.chapter import Made
+
+if TYPE_CHECKING:
+    from graphic_tmm.chapters.kinematics.plan import KinematicPlans
+
+KINEMATICS: Made[KinematicPlans] = Made("kinematics")
+POSITIONS, VELOCITIES, ACCELERATIONS = "positions", "velocities", "accelerations"
+"""The plans: places of sheets, views of the board, and what other chapters need."""
+PLANS = (POSITIONS, VELOCITIES, ACCELERATIONS)
+TURNS = "turns"
+"""What else may be needed of the plans: that their row goes over so many turns of the crank."""
+EXTREMES = "extremes"
+GIVEN = "given"
+"""The place of the table of what is given."""

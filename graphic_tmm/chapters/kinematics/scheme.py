@@ -1,0 +1,230 @@
+"""The mechanism of a task: in one position that nobody has to draw, to a scale, with what acts on it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import LENGTHS, standard_length
+from graphic_tmm.board.values import Reals
+from graphic_tmm.chapter import Posed, Scheme, chapters
+from graphic_tmm.chapters.kinematics.given import frame_sizes
+from graphic_tmm.chapters.kinematics.ink_numbers import guide_names, link_numbers
+from graphic_tmm.chapters.kinematics.ink_positions import SWEEP, PositionsInk
+from graphic_tmm.chapters.kinematics.names import KINEMATICS, POSITIONS
+from graphic_tmm.chapters.kinematics.plan import KinematicPlans
+from graphic_tmm.chapters.kinematics.scales import reaches_at
+from graphic_tmm.chapters.kinematics.transmission import transmission
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.mechanism.structure import dissect
+from graphic_tmm.paper.drawing import Drawing, Ink, Wanted
+from graphic_tmm.paper.figure import body
+from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.lettering.heights import HEIGHTS
+from graphic_tmm.paper.packing import bounds
+from graphic_tmm.paper.symbols.kinematic import round_arrow
+from graphic_tmm.project import Project, record
+from graphic_tmm.scene.records import Scales, Scene, SheetOrder
+
+FORMAT = "A4"
+SIZES = HEIGHTS[FORMAT]
+"""How high its letters are: it is held in the hand."""
+NEAR = 0.5
+"""A moment later the crank has turned by so many degrees: which way points go is seen then."""
+ASIDE = 2.0
+"""So many degrees it keeps off every position that is drawn, at least."""
+CLEAR, TOGETHER = 0.09, 1e-6
+"""Points farther apart than this share of the mechanism are told apart well; nearer than that they are one."""
+TRIED = 48
+"""So many places between positions are tried."""
+FOOT, SHARE = -0.35, 0.6
+"""A crank below this height, of its length, lies upon the foot of its pivot: then it is shown only where it
+passes its motion on so much better."""
+ALONE = 37.0
+"""So many degrees behind the only position of a row it stands."""
+
+
+class Pose(NamedTuple):
+    """A mechanism that stands as it is shown, recorded: nothing else is drawn of it."""
+
+    scene: Scene
+    project: Project
+
+    @property
+    def made(self) -> KinematicPlans:
+        """Its plan of positions."""
+        return KINEMATICS.on(self.project)
+
+
+def scheme(scene: Scene, room: complex) -> Scheme | None:
+    """Return the mechanism in one position within a width and a height (complex, mm), to a standard scale.
+
+    It stands between the positions that are asked for, where it passes its motion on best. None if the scene
+    has no mechanism.
+
+    Raises
+    ------
+    StructureError
+        If it cannot be drawn.
+    """
+    if scene.mechanism is None:
+        return None
+    pose = _posed(scene)
+    unscaled = _reading(pose, 1.0)
+    spots = np.concatenate([np.ravel(unscaled[mark])[:1] for mark in _marks(pose.made)])
+    wide, high = np.ptp(spots.real), np.ptp(spots.imag)
+    least = standard_length(max(wide / room.real, high / room.imag, 1e-9), 1.0)
+    for mu in (one for one in (*LENGTHS, 10 * least) if one >= least):
+        strokes = _strokes(pose, mu)
+        left, low, right, top = bounds(Drawing("scheme", "", tuple(strokes)))
+        if right - left <= room.real and top - low <= room.imag:
+            break
+    return Scheme(_drawing(pose, mu), mu, tuple(_notes(scene.mechanism, scene.language)))
+
+
+def _notes(mechanism: Mechanism, language: str) -> Iterator[str]:
+    """Tell from where coordinates of fixed points and distances of fixed guides are counted."""
+    _, pivot = speaking(language), dissect(mechanism).pivot
+    symbols = {name[:2] for name, _ in frame_sizes(mechanism)}
+    if "x_" in symbols:
+        yield _(_FROM, pivot=pivot)
+    if "e_" in symbols:
+        yield _(_OFF, pivot=pivot)
+
+
+_FROM = said("x, y: from pivot {pivot}")
+_OFF = said("e: distance of a fixed guide from pivot {pivot}")
+
+
+def _posed(scene: Scene) -> Pose:
+    """Return the mechanism where it is shown, and a moment later."""
+    bare = replace(
+        scene,
+        tasks={},
+        trajectories=(),
+        scales=Scales(),
+        sheets=(SheetOrder(FORMAT, (POSITIONS,)),),
+        row=replace(scene.row, accelerations=()),
+        main=None,
+    )
+    whole = record(bare, wanted={POSITIONS})
+    made = KINEMATICS.on(whole)
+    there = np.array([angle for angle in whole.angles if angle is not None])
+    between = _between(there, made)
+    passed = np.nan_to_num(transmission(made.tried, between), nan=-1.0)
+    passed = passed * _apart(made, between)
+    passed = np.where(np.sin(np.radians(between)) < FOOT, SHARE * passed, passed)
+    angle = float(between[int(np.argmax(np.round(passed, 6)))])
+    row = replace(
+        bare.row, count=1, zero=angle, extra=(angle + NEAR * made.sense,), accelerations=()
+    )
+    shown = replace(bare, row=row)
+    return Pose(scene, record(shown, wanted={POSITIONS}))
+
+
+def _between(there: np.ndarray, made: KinematicPlans) -> np.ndarray:
+    """Return angles of the crank half way between positions; of a single one, some way behind it."""
+    if made.in_turn < 2:
+        return np.round(there[:1] + ALONE * made.sense, 1)
+    step = 360.0 / made.in_turn
+    row = there[: made.in_turn : max(1, made.in_turn // TRIED)]
+    found = np.asarray(row + made.sense * step / 2.0, dtype=np.float64)
+    away = np.abs((found[:, None] - there[None, :] + 180.0) % 360.0 - 180.0).min(axis=1)
+    clear = found[away >= min(ASIDE, step / 4.0)]
+    return clear if clear.size else found
+
+
+def _apart(made: KinematicPlans, angles: Reals) -> Reals:
+    """Return how well points are told apart at angles of the crank: 1 where all stand well off one another."""
+    bodies = made.tried.positions.bodies.values()
+    marks = list(dict.fromkeys(mark for one in bodies for mark in one.marks.values()))
+    reading = made.tried.at(angles[None, :], marks)
+    row = np.empty((len(marks), angles.size), dtype=np.complex128)
+    for k, mark in enumerate(marks):
+        row[k] = reading[mark][0]
+    away = np.abs(row[:, None] - row[None, :])
+    span = float(np.nanmax(away))
+    never = np.ptp(away, axis=2) < span * TOGETHER  # of one link, or one point: always as far apart
+    nearest = np.where(never[:, :, None], np.inf, away).min(axis=(0, 1))
+    return np.asarray(np.clip(np.nan_to_num(nearest, nan=0.0) / (CLEAR * span), 0.1, 1.0))
+
+
+def _marks(made: KinematicPlans) -> list[Mark]:
+    return [mark for one in made.positions.bodies.values() for mark in one.marks.values()]
+
+
+def _reading(pose: Pose, mu: float) -> Reading:
+    log = pose.project.construction
+    given = {**pose.project.given, pose.made.mu_l: mu}
+    return execute(log, given, [*log.given, *(step.it for step in log.steps)])
+
+
+def _ink(pose: Pose, mu: float) -> PositionsInk:
+    log, reading = pose.project.construction, _reading(pose, mu)
+    return PositionsInk(log, reading, reaches_at(pose.made, log, reading, mu), [0])
+
+
+def _strokes(pose: Pose, mu: float) -> list[Ink]:
+    ink = _ink(pose, mu)
+    return [*ink.guides(), *ink.heavy(0)]
+
+
+def _drawing(pose: Pose, mu: float) -> Drawing:
+    """Return the mechanism with its letters, the numbers of its links, the sense of the crank, what acts."""
+    made, ink = pose.made, _ink(pose, mu)
+    strokes: list[Ink] = [*ink.guides(), *ink.heavy(0)]
+    wanted = ink.letters((ink.frame.name, *ink.names), 0, SIZES.point)
+    for turn in _turns(ink, made):
+        strokes += turn.strokes
+        wanted.append(turn.wanted)
+    posed = Posed(lambda letter, link: _spot(made, ink.reading, letter, link), SIZES.point)
+    found = (one for chapter in chapters() for one in chapter.acting(pose.scene, posed))
+    for acting in dict.fromkeys(found):
+        strokes += acting.strokes
+        wanted += acting.wanted
+    wanted += guide_names(ink, 0, SIZES.number)
+    circled = link_numbers(ink, 0, strokes, wanted, SIZES.number)
+    strokes += [stroke for one in circled for stroke in one.strokes]
+    view = Drawing(
+        "scheme",
+        "",
+        tuple(strokes),
+        tuple(one.label for one in circled),
+        wanted=tuple(wanted),
+    )
+    return finished(view)
+
+
+class _Turn(NamedTuple):
+    strokes: tuple[Ink, ...]
+    wanted: Wanted
+
+
+def _turns(ink: PositionsInk, made: KinematicPlans) -> Iterator[_Turn]:
+    """Yield the arrow that tells which way the crank turns, and that of its angular acceleration."""
+    crank, sense, of = made.crank, made.sense, (made.crank[0].slot,)
+    gains = int(np.sign(made.mechanism.drive.acceleration))
+    number = made.structure.driver
+    told = [(f"ω_{number}", ink.bow(crank, sense, 0), sense)]
+    if gains:
+        told.append((f"ε_{number}", ink.gain(crank, sense, 0, gains), gains))
+    for letter, bow, way in told:
+        arrow = round_arrow(bow.centre, bow.radius, bow.start, way * SWEEP)
+        wanted = Wanted(letter, bow.middle, SIZES.point, 1.0, bow.out, of, 0)
+        yield _Turn(tuple(body(arrow, "turning", crank, 0)), wanted)
+
+
+def _spot(
+    made: KinematicPlans, reading: Reading, letter: str, link: int
+) -> tuple[complex, complex]:
+    """Return where a point of a link stands, and which way it goes."""
+    at = np.ravel(reading[made.positions.bodies[link].marks[letter]])
+    by = complex(at[-1] - at[0])
+    return complex(at[0]), by / abs(by) if abs(by) > 1e-9 else 0j

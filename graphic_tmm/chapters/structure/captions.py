@@ -1,0 +1,12 @@
+"""What the structure of a mechanism is called, and its letters."""
+
+from __future__ import annotations
+
+from graphic_tmm.language.said import said
+
+CAPTIONS = {
+    "structure": said("Structure"),
+    "chapter structure": said("Structure of the mechanism"),
+}
+SYMBOLS = (("W", said("mobility"), ""),)
+"""Its letters in a note: what they stand for, their units."""

@@ -1,0 +1,63 @@
+"""One run at a time writes into a folder: the second is told so. The system opens the lock when a run ends."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import BinaryIO
+
+from graphic_tmm.classroom.batch.record import HOME
+from graphic_tmm.errors import SheetError, printable
+from graphic_tmm.language.said import said
+
+
+@contextmanager
+def locked(out: Path) -> Iterator[None]:
+    """Keep other runs out of a folder, which is made if it is not there.
+
+    Raises
+    ------
+    SheetError
+        If another run writes into it, or it cannot be written into.
+    """
+    folder = printable(str(out))
+    try:
+        (out / HOME).mkdir(parents=True, exist_ok=True)
+        stream = (out / HOME / "lock").open("ab")
+    except OSError as error:
+        reason = (error.strerror or str(error)).lower()
+        says = said(
+            "cannot write into {folder}: {reason}; {remedy}",
+            folder=folder,
+            reason=reason,
+            remedy=said("name another folder with -o"),
+        )
+        raise SheetError(says) from error
+    with stream:
+        if not _taken(stream):
+            says = said(
+                "another run writes into {folder} now: let it end, or name another folder with -o",
+                folder=folder,
+            )
+            raise SheetError(says)
+        yield
+
+
+def _taken(stream: BinaryIO) -> bool:
+    """Take a lock until the file is closed, or its process ends; whether nobody else has it."""
+    try:
+        if sys.platform == "win32":
+            import msvcrt
+
+            msvcrt.locking(stream.fileno(), msvcrt.LK_NBLCK, 1)
+        else:
+            import fcntl
+
+            fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return False
+    except OSError:  # a disk that knows no locks; on Windows, that somebody has it
+        return sys.platform != "win32"
+    return True

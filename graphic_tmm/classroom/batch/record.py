@@ -1,0 +1,104 @@
+"""What was made of a piece of work: of what, which bytes; kept beside the files, so that none is made twice."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from graphic_tmm.files import write
+
+HOME = ".graphic-tmm"
+"""The folder of the records, in that of the files."""
+_PART = re.compile(r"[^\x00-\x1f\x7f-\x9f/\\:*?\"<>|]{1,200}")
+
+
+class Record(NamedTuple):
+    """Of a piece of work its name, the digest of what made it, those of its files, what was told of it."""
+
+    work: str
+    made_of: str
+    files: Mapping[str, str]
+    told: tuple[str, ...] = ()
+
+
+def is_safe(name: str) -> bool:
+    """Whether a file can be called so: in its folder or one below, on any disk, and no record.
+
+    >>> is_safe("7/шатун-1.svg"), is_safe("../7.svg"), is_safe("/7.svg"), is_safe("7//1.svg")
+    (True, False, False, False)
+    """
+    parts = name.split("/")
+    fine = all(_PART.fullmatch(part) and part == part.strip(" ") for part in parts)
+    return fine and not any(part.endswith(".") or part.startswith(HOME) for part in parts)
+
+
+def digest_of(data: bytes) -> str:
+    """Return the digest of a file's bytes."""
+    return hashlib.sha256(data).hexdigest()
+
+
+def place(work: str) -> Path:
+    """Return where the record of a piece of work stands: no folder holds many of them."""
+    name = digest_of(work.encode("utf-8", "surrogatepass"))
+    return Path(HOME, name[:3], f"{name[3:35]}.json")
+
+
+def write_record(out: Path, record: Record) -> None:
+    """Write a record, whole or not at all; raises as `files.write`."""
+    file = out / place(record.work)
+    told = json.dumps(record._asdict(), ensure_ascii=True, indent=1)
+    write(file.parent, {file.name: told + "\n"})
+
+
+def read_record(out: Path, work: str) -> Record | None:
+    """Return the record of a piece of work; None if there is none that can be believed."""
+    try:
+        told = json.loads((out / place(work)).read_bytes())
+        files, lines = told["files"], told["told"]
+        found = Record(str(told["work"]), str(told["made_of"]), dict(files), tuple(lines))
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        return None
+    texts: tuple[Any, ...] = (*found.files, *found.files.values(), *found.told)
+    fine = all(isinstance(one, str) for one in texts) and all(map(is_safe, found.files))
+    return found if fine and found.work == work else None
+
+
+def untouched(out: Path, name: str, digest: str) -> bool:
+    """Whether a file is there with the bytes that it was written with."""
+    try:
+        with (out / name).open("rb") as stream:
+            return hashlib.file_digest(stream, "sha256").hexdigest() == digest
+    except OSError:
+        return False
+
+
+def lost(out: Path, record: Record) -> list[str]:
+    """Return those of a record's files that are not there, or not as they were written."""
+    return [name for name, digest in record.files.items() if not untouched(out, name, digest)]
+
+
+def write_files(out: Path, files: Mapping[str, bytes]) -> None:
+    """Write files into their folders below one, each whole or not at all; raises as `files.write`."""
+    folders: dict[str, dict[str, bytes]] = {}
+    for name, data in files.items():
+        folder, _, last = name.rpartition("/")
+        folders.setdefault(folder, {})[last] = data
+    for folder, some in folders.items():
+        write(out / folder, some)
+
+
+def clear(out: Path, old: Mapping[str, str], new: Mapping[str, object]) -> Iterator[str]:
+    """Take away the files of an earlier record that are made no more; yield those that were changed since."""
+    for name in old.keys() - new.keys():
+        file = out / name
+        if untouched(out, name, old[name]):
+            file.unlink(missing_ok=True)
+            with suppress(OSError):  # something stands in it
+                file.parent.rmdir()
+        elif file.exists():
+            yield name

@@ -1,0 +1,1 @@
+"""Task sheets without their solution, and keys apart from them."""

@@ -1,0 +1,146 @@
+"""What a task shows of what is given: the scheme and the tables, side by side where there is room."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import islice
+from typing import NamedTuple
+
+from graphic_tmm.chapter import Given, Listed, Scheme, chapters
+from graphic_tmm.classroom.tasks.setting import Setting
+from graphic_tmm.classroom.tasks.sheet import BESIDE, Block, below, even, figure, width_of
+from graphic_tmm.classroom.tasks.sought import disguised
+from graphic_tmm.handout.sheets import ratio
+from graphic_tmm.handout.words import indexed
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import number
+from graphic_tmm.language.said import said
+from graphic_tmm.language.units import unit
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.packing import bounds
+from graphic_tmm.paper.ruled import table
+from graphic_tmm.readers.given import given_table
+from graphic_tmm.scene.records import Scene
+
+SCHEME = said("Scheme of the mechanism", context="task")
+SCALE, NO_SCALE = said("scale {scale}, {mu}"), said("not to scale")
+ROOM, BESIDE_HIGH = complex(168.0, 92.0), 108.0
+"""Room for the scheme, mm: alone; its height beside a table."""
+LEAST_WIDE = 56.0
+"""Room for the scheme beside a table is no narrower, mm."""
+ALONE, TWICE = 18, 8
+"""So many rows of what is given stand in one column beside the scheme; below it they are split sooner."""
+
+Rows = Mapping[str, Sequence[Given]]
+"""What is given, by boards."""
+Drawer = Callable[[complex], Scheme | None]
+"""Draws the scheme within a width and a height, mm."""
+
+
+class Shown(NamedTuple):
+    """What is shown: what stands beside one another at the head of all, and the tables below it."""
+
+    beside: tuple[Block, ...]
+    below: tuple[Block, ...]
+
+
+def drawer(scene: Scene, text: str) -> Drawer:
+    """Return what draws the scheme of a scene; of lengths that are sought one that tells none."""
+    shown = disguised(scene, text) if scene.task is not None else scene
+    found = dict[complex, Scheme | None]()
+
+    def draw(room: complex) -> Scheme | None:
+        if shown is None:
+            return None
+        if room not in found:
+            made = (chapter.scheme(shown, room) for chapter in chapters())
+            found[room] = next((one for one in made if one), None)
+        return found[room]
+
+    return draw
+
+
+def arranged(scene: Scene, rows: Rows, draw: Drawer, setting: Setting) -> Iterator[Shown]:
+    """Yield the ways in which the scheme and the tables may stand: side by side if there is room, and not."""
+    wide = width_of(scene.language)
+    talls = (ALONE, 2 * ALONE, TWICE + 2) if setting.under else (ALONE,)
+    for tall in talls:
+        tables = list(_tables(scene, rows, tall, setting))
+        if not tables:
+            break
+        room = wide - tables[0].width - BESIDE
+        if room < LEAST_WIDE:
+            continue
+        shown = _scheme(scene, draw, complex(room, setting.share * BESIDE_HIGH), setting)
+        if shown is None or shown.width > room:
+            continue
+        yield Shown((shown, tables[0]), (*tables[1:], *_listed(scene, setting)))
+    shown = _scheme(scene, draw, complex(ROOM.real, setting.share * ROOM.imag), setting)
+    tall = TWICE if shown is not None else ALONE
+    tables = [*_tables(scene, rows, tall, setting), *_listed(scene, setting)]
+    yield Shown((shown,) if shown is not None else (), tuple(tables))
+
+
+def rowed(blocks: Sequence[Block], wide: float) -> tuple[tuple[Block, ...], ...]:
+    """Return blocks in rows, as many beside one another as there is room for."""
+    found, alone = list[tuple[Block, ...]](), True
+    for k, one in enumerate(blocks):
+        row = (*found[-1], one) if found else (one,)
+        apart = one.follows or any(other.follows for other in blocks[k + 1 : k + 2])
+        if alone or apart or sum(b.width for b in row) + BESIDE * (len(row) - 1) > wide:
+            found.append((one,))
+        else:
+            found[-1] = row
+        alone = apart
+    return tuple(found)
+
+
+def _scheme(scene: Scene, draw: Drawer, room: complex, setting: Setting) -> Block | None:
+    """Return the scheme with its scale."""
+    made = draw(room)
+    if made is None:
+        return None
+    _, language = speaking(scene.language), scene.language
+    mu = f"μ_{{l}} = {number(made.mu, language)} {unit('m/mm', language)}"
+    scale = _(SCALE, scale=ratio(0.001 / made.mu, language), mu=mu) if made.mu else ""
+    plain = made.mu == 0.0 or scene.task is not None
+    title = made.view.title or _(SCHEME)
+    told = (escape(title), _(NO_SCALE) if plain else scale, *map(indexed, made.notes))
+    view = made.view._replace(title=title)
+    return figure(below(view, told, "scheme", setting.text, room.real), above=setting.between)
+
+
+def _tables(scene: Scene, rows: Rows, tall: int, setting: Setting) -> Iterator[Block]:
+    """Yield the tables of what is given, in columns so ``tall``, or in fewer if these are too wide."""
+    wide, sizes = width_of(scene.language), Heights(setting.rows, setting.text, setting.rows)
+    for board, some in rows.items():
+        counts = (max(len(some), 1), 3, 2, 1)
+        tried = (max(tall, math.ceil(len(some) / beside)) for beside in counts)
+        found = (
+            figure(given_table(scene, sizes, board, some, high), above=setting.between)
+            for high in tried
+            if some
+        )
+        yield from islice((one for one in found if one.width <= wide), 1)
+
+
+def _listed(scene: Scene, setting: Setting) -> Iterator[Block]:
+    """Yield what is given point by point, as tables."""
+    found = (one for chapter in chapters() for one in chapter.listed(scene, scene.language))
+    wide = width_of(scene.language)
+    for one in dict.fromkeys(found):
+        above = setting.between if one.title else setting.least
+        made = figure(_table(one, wide, setting), above=above)
+        yield made._replace(follows=not one.title)
+
+
+def _table(one: Listed, wide: float, setting: Setting) -> Drawing:
+    name, ways, size = f"table-given-{one.name}", ["centre"] * len(one.heads), setting.rows
+    bare = table(name, "", one.heads, one.rows, size=size, title_size=size, align=ways)
+    left, _, right, _ = bounds(bare)
+    lines = even(one.title, setting.text, max(right - left, wide / 2.0))
+    title = "\n".join(line.text for line in lines)
+    return table(name, title, one.heads, one.rows, size=size, title_size=setting.text, align=ways)

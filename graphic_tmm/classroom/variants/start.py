@@ -1,0 +1,69 @@
+"""How the sheets of a class are composed: those of each variant begin with the composition of the scene.
+
+Whoever speaks of the sheets of a variant, a key or a check, has its composition from here: they speak of the
+same sheets, and nobody searches for sizes thirty times.
+"""
+
+from __future__ import annotations
+
+from graphic_tmm.classroom.variants.variant import Base
+from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.errors import TmmError
+from graphic_tmm.files import read
+from graphic_tmm.fitting.compose import Composed
+from graphic_tmm.fitting.composition import (
+    COMPOSITION,
+    Composition,
+    beside,
+    known_composition,
+    read_composition,
+    text,
+)
+from graphic_tmm.fitting.given import all_fixed
+from graphic_tmm.project import own_boards
+from graphic_tmm.scene.read import judged
+from graphic_tmm.scene.records import Scene
+from graphic_tmm.studio import composed_sheets, draws_mechanism
+
+
+def start_of(of: Base) -> str:
+    """Return the composition that variants begin with, as its file holds it.
+
+    That which stands beside the scene, or as it is composed now; "" if the scene cannot be drawn itself: its
+    variants may be better.
+
+    Raises
+    ------
+    SceneError
+        If what stands beside the scene is no composition.
+    """
+    file = beside(str(of.file))
+    if read_composition(file) is not None:
+        return read(file, COMPOSITION).decode("utf-8")
+    try:
+        found = composed_sheets(judged(of.text.encode("utf-8"), of.file))[1]
+    except TmmError:
+        return ""
+    return text(found.composition, found.scales)
+
+
+def begun(scene: Scene, start: str) -> tuple[DrawnScene, Composed]:
+    """Draw the scene of a variant onto its sheets; ``start``: see `start_of`, "" to compose it by itself.
+
+    Raises
+    ------
+    TmmError
+        If it cannot be drawn, or a view fits no sheet.
+    """
+    given = known_composition(start.encode("utf-8"), beside(scene.source)) if start else None
+    return composed_sheets(scene, given, near=True)
+
+
+def drawn_by(scene: Scene, start: str) -> Composition | None:
+    """Return a composition by which a variant's figures are those of its sheets, wherever its views stand.
+
+    ``start``, errors: as for `begun`. Where the scene fixes every scale factor no sheet is composed for it.
+    """
+    if start and all_fixed(scene, mechanism=draws_mechanism(scene, own_boards(scene))):
+        return known_composition(start.encode("utf-8"), beside(scene.source))
+    return begun(scene, start)[1].composition

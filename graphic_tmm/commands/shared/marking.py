@@ -1,0 +1,142 @@
+"""check --class: a folder of hand-ins marked, told on the terminal, written into a folder."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from contextlib import nullcontext
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, NamedTuple
+
+import click
+
+from graphic_tmm.commands.shared.ending import WRONG
+from graphic_tmm.commands.shared.progress import progress
+from graphic_tmm.commands.shared.scenes import language_of
+from graphic_tmm.commands.shared.telling import show, tell
+from graphic_tmm.language.reader import asked, hear
+from graphic_tmm.language.said import said
+
+if TYPE_CHECKING:
+    from graphic_tmm.classroom.marks.marking import Class, Marked
+
+OF_CLASS = ("text", "csv", "xlsx", "html")
+"""What a summary can be printed as; a workbook is written only."""
+
+
+class MarkedBy(NamedTuple):
+    """What a command line asks for: scene, folder, table of variants, rule, the folder for files, the form."""
+
+    scene: str
+    folder: str
+    variants: str | None
+    marks: str | None
+    output: str | None
+    form: str
+
+
+def refuse_mixed(of_one: Sequence[object], form: str, output: str | None) -> None:
+    """Refuse what is for one drawing beside a class."""
+    if any(one not in (None, False, ()) for one in of_one):
+        raise click.UsageError(
+            said(
+                "--class goes with --variants, --marks, -o, -f and by whose hand is judged; leave out READINGS "
+                "and what is for one drawing"
+            )
+        )
+    if form not in OF_CLASS:
+        raise click.UsageError(
+            said(
+                "-f {form}: of a class choose one of {listed}",
+                form=form,
+                listed=", ".join(OF_CLASS),
+            )
+        )
+    if form == "xlsx" and output is None:
+        raise click.UsageError(said("-f xlsx: name a folder for it with -o"))
+
+
+def refuse_without_class(variants: str | None, marks: str | None, form: str) -> None:
+    """Refuse what is for a class where there is none."""
+    if variants is not None or marks is not None or form in ("csv", "xlsx"):
+        raise click.UsageError(said("--variants, --marks, -f csv and -f xlsx go with --class"))
+
+
+def mark_folder(wanted: MarkedBy, by: tuple[str, str, int, float, float]) -> None:
+    """Mark a class; the status is 1 if some hand-in could not be read."""
+    from graphic_tmm.classroom.batch.record import write_files
+    from graphic_tmm.classroom.marks.files import summary_files
+    from graphic_tmm.classroom.marks.marking import mark_class
+
+    of = _class(wanted, by)
+    place = TemporaryDirectory() if wanted.output is None else nullcontext(wanted.output)
+    with place as out:
+        with progress() as bar:
+            marked = mark_class(of, Path(out), bar)
+        files = summary_files(marked) if wanted.output is not None else {}
+        encoded = {
+            name: text.encode("utf-8") if isinstance(text, str) else text
+            for name, text in files.items()
+        }
+        write_files(Path(out), encoded)
+    for name in files:
+        click.echo(str(Path(out) / name), err=True)
+    _show(marked, wanted.form)
+    if marked.skipped:
+        count = len(marked.skipped)
+        tell(said("{n} was skipped: see the summary", "{n} were skipped: see the summary", n=count))
+        raise SystemExit(WRONG)
+
+
+def _class(wanted: MarkedBy, by: tuple[str, str, int, float, float]) -> Class:
+    """Return what is to be marked."""
+    from graphic_tmm.classroom.marks.judging import By
+    from graphic_tmm.classroom.marks.marking import Class, Table
+    from graphic_tmm.classroom.marks.rule import FIVE
+    from graphic_tmm.classroom.marks.rule_file import read_rule
+    from graphic_tmm.classroom.variants.table import read_variants
+    from graphic_tmm.classroom.variants.variant import base
+    from graphic_tmm.packaged import scene_path
+
+    path = scene_path(wanted.scene)
+    hear(asked() or language_of(path))
+    of = base(path)
+    table = None
+    if wanted.variants is not None:
+        file = Path(wanted.variants)
+        table = Table(file, read_variants(file))
+    rule = FIVE if wanted.marks is None else read_rule(Path(wanted.marks))
+    folder = _folder(wanted)
+    return Class(folder, of, table, rule, By(*by), asked(), _processes())
+
+
+def _folder(wanted: MarkedBy) -> Path:
+    """Return the folder of the hand-ins; what is written must not stand among them."""
+    folder = Path(wanted.folder)
+    if wanted.output is not None:
+        out, real = Path(wanted.output).resolve(), folder.resolve()
+        if out == real or real in out.parents:
+            raise click.UsageError(
+                said("-o: the folder stands among what was handed in; name another one")
+            )
+    return folder
+
+
+def _processes() -> int:
+    """Return how many processors there are for this process."""
+    try:
+        return len(os.sched_getaffinity(0))
+    except AttributeError:  # not on every system
+        return os.cpu_count() or 1
+
+
+def _show(marked: Marked, form: str) -> None:
+    from graphic_tmm.classroom.marks.files import summary_csv, summary_html, text_summary
+
+    if form == "csv":
+        show(summary_csv(marked), 160)
+    elif form == "html":
+        show(summary_html(marked), 160)
+    else:
+        show(text_summary(marked), 160)

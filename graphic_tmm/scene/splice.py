@@ -1,0 +1,188 @@
+"""A TOML text with one value changed, added or taken out: no other character of it is touched.
+
+The text is taken to be good TOML. What is made is read once more, and has to say what was meant: a layout that
+cannot be followed is refused, never damaged.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from typing import Any
+
+from graphic_tmm.scene.declare import Path
+from graphic_tmm.scene.lines import Layout, layout
+from graphic_tmm.scene.vary import put
+
+_BARE = re.compile(r"[A-Za-z0-9_-]+")
+_REST = re.compile(r"[^\n]*\n?")
+_ROW = re.compile(r"([ \t]*)([^=\s]+)([ \t]*)=([ \t]*)")
+_NUMBER = re.compile(r"[+-]?[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?")
+_ESCAPES = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t"}
+
+
+class Unplaced(ValueError):
+    """The text is laid out so that a value cannot be set in it without touching anything else."""
+
+
+def quoted(text: str) -> str:
+    """Return a text as TOML writes it, on one line."""
+    return '"' + "".join(_escaped(sign) for sign in text) + '"'
+
+
+def _escaped(sign: str) -> str:
+    if sign in _ESCAPES:
+        return _ESCAPES[sign]
+    return f"\\u{ord(sign):04x}" if ord(sign) < 32 or ord(sign) == 127 else sign
+
+
+def literal(text: str) -> object:
+    """Return the value that a text is as it stands, without quotes; None if it is none, or more than one."""
+    try:
+        doc = tomllib.loads(f"x = {text}")
+    except (tomllib.TOMLDecodeError, ValueError, RecursionError):
+        return None
+    whole = layout(f"x = {text}").values.get(("x",)) == (4, 4 + len(text))
+    value = doc["x"] if doc.keys() == {"x"} and whole else None
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        return value if _NUMBER.fullmatch(text) else None
+    return value if isinstance(value, (bool, list)) else None
+
+
+def set_to(text: str, path: Path, value: str | None) -> str:
+    """Return a text in which a path has a value, as TOML writes it; None takes it out.
+
+    Raises
+    ------
+    Unplaced
+        If that cannot be done without touching anything else.
+    """
+    doc = tomllib.loads(text)
+    there = layout(text)
+    wanted = _meant(doc, path, value)
+    made = _spliced(text, there, path, value)
+    try:
+        said = tomllib.loads(made)
+    except (tomllib.TOMLDecodeError, ValueError, RecursionError):
+        raise Unplaced(path) from None
+    if repr(said) != repr(wanted) and said != wanted:
+        raise Unplaced(path)
+    return made
+
+
+def _meant(doc: dict[str, Any], path: Path, value: str | None) -> dict[str, Any]:
+    """Return the document as it shall be."""
+    try:
+        return put(doc, path, None if value is None else tomllib.loads(f"x = {value}")["x"])
+    except LookupError:
+        raise Unplaced(path) from None
+
+
+def _spliced(text: str, there: Layout, path: Path, value: str | None) -> str:
+    if value is None:
+        return _without(text, there, path)
+    if path in there.values:
+        begin, end = there.values[path]
+        return text[:begin] + value + text[end:]
+    return _with(text, there, path, value)
+
+
+def _without(text: str, there: Layout, path: Path) -> str:
+    """Return a text without a key and its value; a comment beside it stays on the line."""
+    if path not in there.keys or path not in there.values:
+        raise Unplaced(path)
+    begin, end = there.keys[path], there.values[path][1]
+    if any(path[:k] in there.inline for k in range(1, len(path))):
+        return _without_pair(text, begin, end)
+    line = text.rfind("\n", 0, begin) + 1
+    match = _REST.match(text, end)
+    assert match is not None
+    rest = match.group()
+    if rest.strip():
+        return text[:begin] + rest.lstrip(" \t") + text[match.end() :]
+    return text[:line] + text[match.end() :]
+
+
+def _without_pair(text: str, begin: int, end: int) -> str:
+    """Return a text without a pair of an inline table, and without the comma on one side of it."""
+    behind = re.compile(r"\s*,\s*").match(text, end)
+    if behind is not None:
+        return text[:begin] + text[behind.end() :]
+    before = re.search(r"\s*,\s*$", text[:begin])
+    return text[: before.start() if before else begin] + text[end:]
+
+
+def _with(text: str, there: Layout, path: Path, value: str) -> str:
+    """Return a text with a key that was not there."""
+    *above, last = path
+    table = tuple(above)
+    if not isinstance(last, str):
+        raise Unplaced(path)
+    if table in there.inline:
+        return _in_braces(text, there, table, f"{_key(last)} = {value}")
+    if table in there.rows and (table in there.headers or not table):
+        return _below(text, there, table, table, [last], value)
+    for k in range(len(table) - 1, -1, -1):  # slides.on = 3 below [[link]]
+        rows = [row for row in there.rows.get(table[:k], ()) if row[: len(table)] == table]
+        if rows:
+            return _below(text, there, table[:k], table, list(path[k:]), value)
+    if len(path) == 2 and isinstance(path[0], str) and (path[0],) not in there.values:
+        return _at_the_end(text, path[0], f"{_key(last)} = {value}")
+    raise Unplaced(path)
+
+
+def _in_braces(text: str, there: Layout, table: Path, pair: str) -> str:
+    begin, end = there.values[table]
+    inner = text[begin + 1 : end - 1]
+    kept = inner.rstrip(" \t")
+    if not kept.strip():
+        return f"{text[:begin]}{{ {pair} }}{text[end:]}"
+    return f"{text[: begin + 1]}{kept}, {pair}{inner[len(kept) :]}{text[end - 1 :]}"
+
+
+def _below(
+    text: str, there: Layout, header: Path, like: Path, names: list[str | int], value: str
+) -> str:
+    """Return a text with a line behind the last key of a header's table that begins as ``like``."""
+    key = ".".join(_key(str(name)) for name in names)
+    rows = [row for row in there.rows[header] if row[: len(like)] == like and row in there.values]
+    line = f"{key} = {value}"
+    if rows:
+        at = max(there.values[row][1] for row in rows)
+        last = max(rows, key=lambda row: there.keys[row])
+        begin = text.rfind("\n", 0, there.keys[last]) + 1
+        match = _ROW.match(text, begin)
+        if match is not None:
+            indent, name, before, after = match.groups()
+            width = len(name) + len(before)
+            line = f"{indent}{key:<{width}}" if before else f"{indent}{key}"
+            line += " " if before and not line.endswith(" ") else ""
+            line += f"={after}{value}"
+        return _line_behind(text, at, line)
+    if not header:
+        return f"{line}{_newline(text)}{text}"
+    return _line_behind(text, there.headers[header], line)
+
+
+def _line_behind(text: str, at: int, line: str) -> str:
+    """Return a text with one more line behind that of a place."""
+    match = _REST.match(text, at)
+    end = match.end() if match is not None else at
+    newline = _newline(text)
+    before = "" if text[:end].endswith("\n") else newline
+    behind = newline if text[:end].endswith("\n") else ""
+    return f"{text[:end]}{before}{line}{behind}{text[end:]}"
+
+
+def _at_the_end(text: str, section: str, line: str) -> str:
+    newline = _newline(text)
+    gap = newline if text and not text.endswith("\n") else ""
+    return f"{text}{gap}{newline}[{_key(section)}]{newline}{line}{newline}"
+
+
+def _newline(text: str) -> str:
+    return "\r\n" if "\r\n" in text else "\n"
+
+
+def _key(name: str) -> str:
+    return name if _BARE.fullmatch(name) else quoted(name)

@@ -1,0 +1,123 @@
+"""A tape notes a pass once, and none for what costs nothing; what is undefined stays so."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from graphic_tmm.board.passage import passage
+from graphic_tmm.board.tape import INPUT, Part, Ref, Tape
+
+NUMBERS = st.sampled_from([0.0, 1.0, -1.0, 2.5, np.nan])
+NUMPY: dict[str, Callable[[Any, Any], Any]] = {
+    "plus": operator.add,
+    "minus": operator.sub,
+    "times": operator.mul,
+    "over": operator.truediv,
+    "opposite": lambda a, _: -a,
+}
+DOES = st.sampled_from(sorted(NUMPY))
+
+
+def passes_of(tape: Tape) -> list[str]:
+    """The passes on a tape, without what enters."""
+    return [node.does for node in tape.nodes if node.does != INPUT]
+
+
+def found(tape: Tape, part: Part, rows: list[Any], block: int = 4) -> Any:
+    """What a part of a tape is, where rows (or single numbers) enter in order."""
+    line = passage(tape, [part], [False])
+    count = max((np.size(row) for row in rows), default=1)
+    out = np.empty(count)
+    arena, masks = np.empty((line.slots, block)), np.empty((line.masks, block), np.bool_)
+    with np.errstate(all="ignore"):
+        single = line.run(
+            count, block, arena, masks, *(rows[k] for k in line.entering), *([out] * len(line.rows))
+        )
+    return out if line.rows else np.full(count, single[0])
+
+
+def test_signs_and_ones_cost_no_pass() -> None:
+    tape = Tape()
+    x, y = tape.input(moving=True), tape.input(moving=True)
+    found = tape.times(tape.opposite(x), tape.times(y, 1.0))
+    assert passes_of(tape) == ["multiply"]
+    assert isinstance(found, Ref)
+    assert found.minus
+    assert tape.over(x, 1.0) == x
+    assert tape.times(None, x) is None
+    assert tape.plus(None, x) == x
+    assert passes_of(tape) == ["multiply"]
+
+
+def test_the_same_is_noted_once_whatever_its_order_and_sign() -> None:
+    tape = Tape()
+    x, y = tape.input(moving=True), tape.input(moving=True)
+    assert tape.plus(x, y) == tape.plus(y, x)
+    assert tape.plus(x, tape.opposite(y)) == tape.minus(x, y)
+    assert tape.plus(tape.opposite(x), tape.opposite(y)) == tape.opposite(tape.plus(x, y))
+
+
+def test_factors_that_do_not_vary_are_one_pass() -> None:
+    tape = Tape()
+    x, a, b = (tape.input(moving) for moving in (True, False, False))
+    tape.over(tape.times(tape.times(x, a), b), a)
+    moving = [node.does for node in tape.nodes if node.moving and node.does != INPUT]
+    line = passage(tape, [tape.over(tape.times(tape.times(x, a), b), a)], [False])
+    assert moving.count("divide") == 0
+    assert line.text.count("multiply(") == 1
+
+
+def test_a_product_by_nothing_is_spared_only_where_nothing_undefined_is_lost() -> None:
+    rows = [np.array([1.0, np.nan, 3.0]), np.array([1.0, 2.0, np.nan])]
+    tape = Tape()
+    x, y = tape.input(moving=True), tape.input(moving=True)
+    assert tape.plus(x, tape.times(x, 0.0)) == x
+    kept = tape.plus(x, tape.times(y, 0.0))
+    assert kept != x
+    np.testing.assert_array_equal(found(tape, kept, rows), [1.0, np.nan, np.nan])
+    # a comparison with what is undefined is false: it is no longer undefined behind it
+    chosen = tape.choose(tape.compare("less", y, 5.0), x, 2.0)
+    carried = tape.plus(chosen, tape.times(y, 0.0))
+    np.testing.assert_array_equal(found(tape, carried, rows), [1.0, np.nan, np.nan])
+
+
+@pytest.mark.parametrize("moving", [True, False])
+@settings(max_examples=100, deadline=None)
+@given(data=st.data())
+def test_any_arithmetic_is_that_of_numpy(data: st.DataObject, moving: bool) -> None:
+    """Random straight lines of it, of numbers and of what is undefined; in blocks as in one."""
+    tape = Tape()
+    width = 9 if moving else 1
+    cells = st.lists(st.sampled_from([0.5, 1.0, -2.0, 3.0, np.nan]), min_size=width, max_size=width)
+    rows = [np.array(data.draw(cells)) for _ in range(2)] + [np.array([1.5])]
+    parts: list[Any] = [tape.input(row.size > 1) for row in rows]
+    values: list[Any] = list(rows)
+    for _ in range(data.draw(st.integers(1, 8))):
+        does, k, n = data.draw(DOES), *(data.draw(st.integers(0, len(parts) - 1)) for _ in "ab")
+        number = data.draw(st.none() | NUMBERS)
+        other, value = (parts[n], values[n]) if number is None else (number, number)
+        with np.errstate(all="ignore"):
+            values.append(
+                NUMPY[does](values[k], np.float64(value) if np.ndim(value) == 0 else value)
+            )
+            parts.append(
+                tape.opposite(parts[k])
+                if does == "opposite"
+                else getattr(tape, does)(parts[k], other)
+            )
+    entering = [row if row.size > 1 else row[0] for row in rows]
+    whole = found(tape, parts[-1], entering, 9)
+    count = max(row.size for row in rows)
+    bounded = np.logical_and.reduce([~np.isinf(np.broadcast_to(v, count)) for v in values])
+    due = np.broadcast_to(values[-1], count)
+    np.testing.assert_array_equal(np.isnan(due)[bounded], np.isnan(whole)[bounded])
+    np.testing.assert_allclose(whole[bounded], due[bounded], rtol=1e-13, atol=1e-13)
+    for block in (1, 2, 4):
+        np.testing.assert_array_equal(found(tape, parts[-1], entering, block), whole)

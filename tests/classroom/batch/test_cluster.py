@@ -1,0 +1,65 @@
+"""A cluster does the same as processes do: the same files, the same ends."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from support.batches import dies, dies_once, due, files_of, raises, refused, sums, work
+
+from graphic_tmm.classroom.batch.run import run
+from graphic_tmm.errors import SheetError
+
+distributed = pytest.importorskip("distributed")
+pytestmark = pytest.mark.filterwarnings("default")  # its own
+
+
+@pytest.fixture(scope="module")
+def scheduler() -> Iterator[str]:
+    with distributed.LocalCluster(
+        n_workers=2,
+        threads_per_worker=1,
+        processes=True,
+        dashboard_address=None,
+        silence_logs=50,
+    ) as cluster:
+        yield cluster.scheduler_address
+
+
+def test_all_is_made_once(scheduler: str, tmp_path: Path) -> None:
+    log = tmp_path / "log"
+    ran = run(sums(12, log), tmp_path / "out", executor=scheduler)
+    assert ran.made == tuple(map(str, range(12)))
+    assert files_of(tmp_path / "out") == due(12)
+    assert len(log.read_text().split()) == 12
+    assert run(sums(12, log), tmp_path / "out", executor=2).made == ()
+
+
+def test_errors_are_told_as_those_of_processes(scheduler: str, tmp_path: Path) -> None:
+    works = [
+        *sums(3),
+        work(raises, "bad", str(tmp_path / "raised")),
+        work(refused, "wrong", str(tmp_path / "refused")),
+    ]
+    there = run(works, tmp_path / "there", executor=scheduler)
+    here = run(works, tmp_path / "here", executor=1)
+    assert there == here
+    assert list(there.failed) == ["bad", "wrong"]
+
+
+@pytest.mark.slow
+def test_what_kills_its_worker_fails_and_no_more(scheduler: str, tmp_path: Path) -> None:
+    once = work(dies_once, "once", str(tmp_path / "once"))
+    works = [*sums(6), work(dies, "deadly", ""), once]
+    ran = run(works, tmp_path / "out", executor=scheduler)
+    assert list(ran.failed) == ["deadly"]
+    assert "died" in ran.failed["deadly"]
+    assert len(ran.made) == 7
+
+
+def test_no_scheduler_is_one_message(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("graphic_tmm.classroom.batch.executors.PATIENCE", 1)
+    for address in ("tcp://127.0.0.1:9", "nonsense", "zzz://x", "tcp://"):
+        with pytest.raises(SheetError, match="no scheduler answers"):
+            run(sums(1), tmp_path / "out", executor=address)

@@ -1,0 +1,55 @@
+"""Where tasks are broken: as few sheets as hold them, before headings rather than within, evenly filled."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as some
+from support.gallery import SHEETS
+
+from graphic_tmm.classroom.batch.work import done
+from graphic_tmm.classroom.tasks.breaks import Band, paged
+from graphic_tmm.classroom.tasks.work import works
+from graphic_tmm.classroom.variants.variant import base
+
+ROOM = 100.0
+
+
+def bands(*heights: float, heads: tuple[int, ...] = ()) -> list[Band]:
+    return [Band((), height, 2.0, k in heads) for k, height in enumerate(heights)]
+
+
+def greedy(heights: list[float]) -> int:
+    """How many sheets there are if each is filled as far as it goes: no fewer hold them."""
+    count, used = 0, ROOM + 1.0
+    for height in heights:
+        if used + 2.0 + height > ROOM:
+            count, used = count + 1, 0.0
+        used += 2.0 + height
+    return count
+
+
+@given(some.lists(some.floats(1.0, 90.0), min_size=1, max_size=14))
+def test_no_sheet_is_wasted_and_none_overfull(heights: list[float]) -> None:
+    found = list(paged(bands(*heights), ROOM, ROOM, 2.0))
+    assert [one.height for page in found for one in page] == heights
+    assert len(found) == greedy(heights)
+    assert all(sum(one.height + 2.0 for one in page) <= ROOM + 1e-6 for page in found)
+
+
+def test_a_break_stands_before_a_heading_that_is_near() -> None:
+    found = list(paged(bands(40, 20, 20, 20, 20, heads=(0, 2)), ROOM, ROOM, 2.0))
+    assert [len(page) for page in found] == [2, 3]
+
+
+def test_what_no_sheet_holds_has_one_of_its_own() -> None:
+    assert [len(page) for page in paged(bands(20, 150, 20), ROOM, ROOM, 2.0)] == [1, 1, 1]
+
+
+@pytest.mark.parametrize(
+    "name", ["shaper", "lever", "crank-press", "four-stroke", "locomobile", "toggle-press"]
+)
+@pytest.mark.parametrize("language", ["ru", "en"])
+def test_a_task_is_handed_out_on_one_sheet(name: str, language: str) -> None:
+    (work,) = works(base(SHEETS / name), (), keys=(), language=language)
+    assert len(done(work).files) == 1

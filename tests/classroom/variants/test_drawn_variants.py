@@ -1,0 +1,168 @@
+"""Drawn variants are good by loops written without the package, and bad ones by these are refused."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from support.command import tabled
+from support.each import each
+from support.gallery import SHEETS
+from support.turning_loops import LOOPS, Turn
+
+from graphic_tmm.classroom.variants.drawing import DrawnVariants, drawn
+from graphic_tmm.classroom.variants.good import Measure, measure_of, refused
+from graphic_tmm.classroom.variants.ranges import Good, Range, Ranges, read_ranges
+from graphic_tmm.classroom.variants.variant import (
+    Base,
+    Value,
+    Variant,
+    base,
+    scene_of,
+    source_of,
+    text_of,
+)
+from graphic_tmm.errors import SheetError
+from graphic_tmm.paper.lettering.letters import missing
+from graphic_tmm.studio import composed_sheets
+
+CALCULATED = ("n", "k", "ω", "ε")
+"""With what the segments of plans begin that are laid off, not measured."""
+
+
+@cache
+def scene(name: str) -> Base:
+    return base(SHEETS / name)
+
+
+@cache
+def ranges(name: str) -> Ranges:
+    return read_ranges(SHEETS / name / "ranges.toml", scene(name))
+
+
+@cache
+def measure(name: str) -> Measure:
+    return measure_of(scene(name), ranges(name).good, missing)
+
+
+def loop(name: str, variant: Variant) -> Turn:
+    numbers = {one.key: float(one.typed) for one in variant.values}
+    return LOOPS[name](numbers)
+
+
+def wide(name: str, random_: random.Random) -> Variant:
+    """Return a variant of lengths from a fifth of what the ranges begin with to thrice their end."""
+    values = []
+    for one in ranges(name).ranges:
+        low, high = float(one.values[0]), float(one.values[-1])
+        if one.unit == "mm":
+            values.append(Value(one.key, f"{random_.uniform(low / 5, 3 * high):.0f}", "mm"))
+    return Variant("1", tuple(values))
+
+
+def all_good(name: str, found: DrawnVariants, count: int) -> None:
+    assert len({one.values for one in found.variants}) == len(found.variants) == count
+    assert sum(found.refusals.values()) + count == found.tried
+    for one in found.variants:
+        turn = loop(name, one)
+        assert turn.whole
+        assert turn.least >= ranges(name).good.transmission - 1e-6
+
+
+@each("name", LOOPS)
+def test_what_the_loops_call_bad_is_refused_for_that(name: str) -> None:
+    random_, seen = random.Random(2), set[str]()
+    for _ in range(20):
+        one = wide(name, random_)
+        turn = loop(name, one)
+        if turn.whole and turn.least >= ranges(name).good.transmission - 0.01:
+            continue
+        says = refused(scene(name), one, measure(name))
+        assert says
+        assert "shorter than" not in says
+        assert "half white" not in says
+        seen.add(says.split(":")[0])
+    assert any("turn" in says or "transmission" in says for says in seen)
+
+
+@each("name", LOOPS)
+def test_what_the_loops_call_good_is_never_refused_for_its_motion(name: str) -> None:
+    random_, found = random.Random(4), 0
+    by = measure(name)._replace(good=Good(ranges(name).good.transmission, 100.0))
+    while found < 5:
+        numbers = [random_.randrange(len(one.values)) for one in ranges(name).ranges]
+        values = (one.at(k) for one, k in zip(ranges(name).ranges, numbers, strict=True))
+        one = Variant("1", tuple(values))
+        turn = loop(name, one)
+        if turn.whole and turn.least >= by.good.transmission + 0.01:
+            found += (
+                1  # a limit of vectors that nothing keeps ends it before its sheets are searched
+            )
+            assert "shorter than 100 mm" in refused(scene(name), one, by)
+
+
+def tables_hold(of: Base, name: str, found: Sequence[Variant], folder: Path) -> None:
+    """Whatever the table of a variant tells as measured is long enough, or nothing where all is exact."""
+    good = ranges(name).good
+    for one in found:
+        file = folder / source_of(of, one).name
+        file.write_text(text_of(of, one), encoding="utf-8")
+        read, exact = tabled(file), tabled(file, "--exact")
+        for by_hand, due in zip(read["columns"], exact["columns"], strict=True):
+            told = by_hand["plan"] in ("velocities", "accelerations")
+            if not told or by_hand["segment"] in good.short:
+                continue
+            if by_hand["segment"].startswith(CALCULATED):
+                continue
+            for mm, sure in zip(by_hand["mm"], due["mm"], strict=True):
+                assert mm is None or mm >= good.vector or abs(sure) < 1e-3, by_hand["segment"]
+
+
+@pytest.mark.slow
+@each("name", LOOPS)
+def test_ten_variants_are_good_by_loops_and_tables(name: str, tmp_path: Path) -> None:
+    found = drawn(scene(name), ranges(name), 10, 11, missing=missing)
+    all_good(name, found, 10)
+    tables_hold(scene(name), name, found.variants[::3], tmp_path)
+
+
+@pytest.mark.slow
+def test_sixty_shapers_are_good(tmp_path: Path) -> None:
+    found = drawn(scene("shaper"), ranges("shaper"), 60, 7, missing=missing)
+    all_good("shaper", found, 60)
+    tables_hold(scene("shaper"), "shaper", found.variants[::10], tmp_path)
+
+
+def test_a_drawn_variant_stands_on_the_sheets_ordered(tmp_path: Path) -> None:
+    found = drawn(scene("shaper"), ranges("shaper"), 2, 3, missing=missing)
+    all_good("shaper", found, 2)
+    tables_hold(scene("shaper"), "shaper", found.variants, tmp_path)
+    for one in found.variants:
+        made, sheets = composed_sheets(scene_of(scene("shaper"), one))
+        assert len(sheets.sheets) == len(made.scene.sheets)
+
+
+def test_a_seed_is_a_row_of_variants() -> None:
+    def row(seed: int) -> DrawnVariants:
+        return drawn(scene("scotch-yoke"), ranges("scotch-yoke"), 3, seed, missing=missing)
+
+    assert row(5) == row(5)
+    assert row(5).variants != row(6).variants
+
+
+def test_ranges_that_hold_too_few_are_refused_with_the_reasons() -> None:
+    long = Ranges((Range("OA", ("330", "340", "350"), "mm"), Range("CD", ("180",), "mm")), Good())
+    with pytest.raises(SheetError, match=r"hold 3 variants, 4 are wanted"):
+        drawn(scene("shaper"), long, 4, 1)
+    with pytest.raises(SheetError, match=r"of 3 tried 0 were good; refused: .*no side"):
+        drawn(scene("shaper"), long, 3, 1)
+
+
+def test_values_are_rounded_as_a_task_is() -> None:
+    steps = {one.key: one.values for one in ranges("shaper").ranges}
+    assert steps["OA"] == ("100", "105", "110", "115", "120", "125", "130")
+    assert all(np.diff([int(v) for v in steps["OB"]]) == 5)

@@ -1,0 +1,180 @@
+"""The spread of tables against tables told trial by trial, figure by figure."""
+
+from __future__ import annotations
+
+import json
+import statistics
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from support.columns import along
+from support.gallery import made
+
+from graphic_tmm import studio
+from graphic_tmm.board import hand as hands
+from graphic_tmm.drawn import DrawnScene, hand_of, single
+from graphic_tmm.readers import spread as spreads
+from graphic_tmm.readers import table as tables
+from graphic_tmm.readers.columns import Column, empty
+from graphic_tmm.readers.spread import QUANTILES, Spread
+from graphic_tmm.readers.table import scene_columns, scene_results, table
+
+SCENES = [
+    ("windrower", "student", 1),
+    ("windrower", "careful", 7),
+    ("crank-press", "student", 2),
+    ("engine", "careful", 3),
+    ("cam", "student", 4),
+    ("gear-pair", "student", 5),
+    ("planetary", "careful", 6),
+    ("oscillating-cylinder", "student", 8),
+]
+Told = dict[tuple[int, str, str], list[float | None]]
+"""Rows by the place of their column, its segment, and whether they are mm or values."""
+
+
+def by_hand(name: str, hand: str, seed: int) -> DrawnScene:
+    """A scene of the package that a hand draws."""
+    scene = made(name)
+    return scene._replace(scene=replace(scene.scene, hand=hand, seed=seed))
+
+
+def quantile(figures: list[float], share: float) -> float | None:
+    """A quantile of figures, between two of them by their distances."""
+    found = sorted(figures)
+    place = share * (len(found) - 1)
+    low = int(place)
+    if not found:
+        return None
+    high = min(low + 1, len(found) - 1)
+    return found[low] + (found[high] - found[low]) * (place - low)
+
+
+def one_by_one(scene: DrawnScene, trials: int) -> tuple[Told, dict[str, float]]:
+    """The quantiles of columns (mm and value) and of results, from a table a trial."""
+    rows: dict[tuple[int, str, str], list[list[float | None]]] = {}
+    results: dict[str, list[float]] = {}
+    order: dict[int, list[str]] = {}
+    for drawn in studio.drawings(scene, hand_of(scene.scene, trials)):
+        for k, column in enumerate(scene_columns(drawn)):
+            heads = [name for name, _ in column.at]
+            for key, row in zip(("mm", "value"), column.told, strict=True):
+                if heads:  # a list may stand in another order in another drawing
+                    first = order.setdefault(k, heads)
+                    row = [row[heads.index(head)] for head in first]
+                rows.setdefault((k, column.segment, key), []).append(row)
+        for name, (figure, _) in single(scene_results(drawn)).items():
+            results.setdefault(name, []).append(figure)
+    told: Told = {}
+    for (k, segment, key), each in rows.items():
+        for name, share in QUANTILES.items():
+            told[k, f"{segment}_{name}", key] = [
+                quantile([x for x in place if x is not None], share)
+                for place in zip(*each, strict=True)
+            ]
+    known = {name: [x for x in figures if np.isfinite(x)] for name, figures in results.items()}
+    return told, {
+        f"{name}_{key}": found
+        for name, figures in known.items()
+        for key, share in QUANTILES.items()
+        if (found := quantile(figures, share)) is not None
+    }
+
+
+def as_told(document: Mapping[str, Any]) -> Told:
+    """The figures of a table in JSON, those of many drawings."""
+    return {
+        (k // (1 + len(QUANTILES)), one["segment"], key): one[key]
+        for k, one in enumerate(document["columns"])
+        if one["segment"].rpartition("_")[2] in QUANTILES
+        for key in ("mm", "value")
+    }
+
+
+@pytest.mark.parametrize(("name", "hand", "seed"), SCENES)
+def test_a_table_of_trials_is_what_a_table_a_trial_comes_to(
+    monkeypatch: pytest.MonkeyPatch, name: str, hand: str, seed: int
+) -> None:
+    """Drawn in five blocks, of which the last is not full."""
+    for room in (hands, studio):
+        monkeypatch.setattr(room, "MOST", 16)
+    scene, trials = by_hand(name, hand, seed), 70
+    text = table(scene, "json", trials)
+    assert isinstance(text, str)
+    document = json.loads(text)
+    told, results = one_by_one(scene, trials)
+    found = as_told(document)
+    assert found.keys() == told.keys()
+    for key, row in found.items():
+        figures, due = (np.array(one, dtype=np.float64) for one in (row, told[key]))
+        np.testing.assert_allclose(figures, due, rtol=1e-11, atol=1e-15)
+    facts = {key: one["value"] for key, one in document["results"].items() if isinstance(one, dict)}
+    spread = {key: x for key, x in facts.items() if key.rpartition("_")[2] in QUANTILES}
+    assert spread == pytest.approx(results, rel=1e-11)
+    # and they scatter
+    low, high = (
+        [row for key, row in found.items() if key[1].endswith(end)] for end in ("_p5", "_p95")
+    )
+    assert low != high
+
+
+def test_a_spread_that_misses_a_quantile_is_drawn_once_more(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Here next to nothing is kept at first; what is told is the same."""
+    for room in (hands, studio):
+        monkeypatch.setattr(room, "MOST", 16)
+    scene = by_hand("crank-rocker", "student", 1)
+    due = table(scene, "json", 600)
+    drawn: list[float] = []
+
+    class Noted(Spread):
+        def __init__(self, *given: Any) -> None:
+            drawn.append(given[-1])
+            super().__init__(*given)
+
+    monkeypatch.setattr(tables, "Spread", Noted)
+    monkeypatch.setattr(tables, "ATTEMPTS", (0.0, spreads.ATTEMPTS[-1]))
+    monkeypatch.setattr("graphic_tmm.readers.quantiles.SLACK", 0)
+    assert table(scene, "json", 600) == due
+    assert drawn == [0.0, spreads.ATTEMPTS[-1]]
+
+
+def test_quantiles_of_a_table_leave_out_the_trials_that_failed() -> None:
+    """Every seventh trial lacks its second position, all lack the third; a result may not be there at all."""
+    rows = np.random.default_rng(8).standard_normal((50, 3))
+    bad = np.arange(50) % 7 == 3
+    base = Column("velocities", "pb", "pb", "m/s", empty(3), along(0.0, 0.0, None))
+    trials = np.where(bad[:, None] & [False, True, False], np.nan, rows)
+    trials[:, 2] = np.nan
+    one, figures = {"J": (np.ones(1), "kg")}, np.where(bad, np.nan, rows[:, 0])
+    figures[:2] = np.nan, np.inf
+    spread = Spread([base], one, 50)
+    for part in (slice(0, 20), slice(20, 50)):
+        some = {"J": (figures[part], "kg")}
+        spread.add([replace(base, value=trials[part])], some, len(trials[part]))
+    found = {c.segment: c for c in spread.columns()}
+    for name, share in QUANTILES.items():
+        due = [np.quantile(rows[:, 0], share), np.quantile(rows[~bad, 1], share)]
+        assert found[f"pb_{name}"].told == ([None] * 3, [*due, None])
+    assert spread.results()["J_median"] == (statistics.median(rows[2:][~bad[2:], 0]), "kg")
+    nothing = Spread([base], one, 50)
+    nothing.add([base], {}, 50)
+    assert nothing.results() == one
+
+
+def test_what_is_alike_in_some_blocks_counts_as_often_as_it_was_drawn() -> None:
+    base = Column("velocities", "pb", "pb", "m/s", along(1.0, 2.0), along(5.0, 6.0))
+    rows = np.random.default_rng(9).standard_normal((3, 2))
+    parts = [(4, base.value), (3, base.value), (3, rows), (2, base.value)]
+    spread = Spread([base], {}, 12)
+    for trials, value in parts:
+        spread.add([replace(base, value=value)], {}, trials)
+    every = np.concatenate([np.broadcast_to(value, (n, 2)) for n, value in parts])
+    told, median, *_ = spread.columns()
+    assert told is base
+    np.testing.assert_array_equal(median.value, np.median(every, axis=0)[None])
+    np.testing.assert_array_equal(median.mm, base.mm)
