@@ -78,7 +78,8 @@ def in_sight(page: Any) -> list[str]:
 
 def test_everything_is_reached_by_keys(studio: Tab) -> None:
     page = studio.page
-    page.locator(".values .field").first.wait_for(state="attached")  # they may come after the sheets
+    # they may come after the sheets
+    page.locator(".values .field").first.wait_for(state="attached")
     reached = []
     for _ in range(14):
         page.keyboard.press("Tab")
