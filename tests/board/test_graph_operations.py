@@ -7,6 +7,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from graphic_tmm.board.hand import HANDS
 from graphic_tmm.board.operations import graph_curves as curves
 from graphic_tmm.board.operations import graphs as g
 from graphic_tmm.board.values import Curve, Line
@@ -87,11 +88,30 @@ def test_knots_are_met_exactly_and_nothing_stands_outside_the_base() -> None:
     curve, y = opened()
     assert (g.erect.run(curve, FEET).imag[0] == Y).all()
     assert g.erect.run(curve, END).imag[0, 0] == pytest.approx(7.0)
-    outside = np.array([[-1.0, LENGTH + 1.0]]) + 0j
+    # beyond what a hand pricks and its square leans over ordinates so tall
+    out = g.BEYOND + g.LEAN * np.abs(y).max() + 0.01
+    outside = np.array([[-out, LENGTH + out]]) + 0j
     assert np.isnan(g.erect.run(curve, outside)).all()
     with np.errstate(all="ignore"):  # as `execute` runs
         assert np.isnan(g.touching.run(curve, outside).along).all()
     assert y.size == N + 1
+
+
+@given(st.floats(0.0, 1.0), st.floats(-60.0, 60.0))
+def test_a_foot_that_a_hand_put_beside_the_end_means_the_end(share: float, height: float) -> None:
+    """Five times the student's slips: two points of one ordinate, on lines which lean by the square's swing."""
+    student = HANDS["student"]
+    reach = 5.0 * 2**0.5 * student.prick + abs(height) * np.tan(np.radians(5.0 * student.swing))
+    curve, y = opened()
+    beside = np.array([[-share * reach, LENGTH + share * reach]]) + 1j * height
+    at = np.array([[0.0, LENGTH]]) + 1j * height
+    # within 1e-9 of an interval the curve goes on: that is rounding
+    rounding = 1e-9 * 2.0 * float(np.abs(curve.tangents).max())
+    ends = g.erect.run(curve, beside).imag
+    np.testing.assert_allclose(ends, [[y[0], y[-1]]], rtol=0, atol=rounding)
+    np.testing.assert_allclose(
+        g.rise_of(curve, beside), g.rise_of(curve, at), rtol=0, atol=6.0 * rounding
+    )
 
 
 def test_a_closed_graph_through_middles_covers_the_whole_base() -> None:

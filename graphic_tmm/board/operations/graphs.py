@@ -59,6 +59,13 @@ def halve(start: Point, end: Point) -> Point:
 _GAUSS = [half / 4.0 + sign / 48.0**0.5 for half in (1, 3) for sign in (-1, 1)]
 """Shares of an interval whose ordinates have the mean of two cubic arcs, one on either half."""
 _OUTSIDE = "no curve stands over the foot"
+BEYOND, LEAN = 1.1, 0.055
+"""How far beyond an end of its curve a foot still means that end: in mm, and as a share of the ordinates there.
+
+A curve ends where its last ordinate was drawn; what else was marked for that ordinate lies beside it by as much
+as a hand pricks, and higher up by as much as the square leans: by five times the student's 0.15 mm · √2 and
+0.6° at the most.
+"""
 
 
 @operation(
@@ -122,8 +129,12 @@ def _arc(
         p, m = knots[own], tangents[own]
         found.append((p[near], p[near + 1], m[near], m[near + 1], u))
     p, q, m, n, u = (np.array(rows) for rows in zip(*found, strict=True))
-    slack = 1e-9
-    return (p, q), (m, n), np.where((u >= -slack) & (u <= 1 + slack), u, np.nan)
+    within = np.clip(u, 0.0, 1.0)
+    beyond = np.abs(u - within)
+    tall = np.max(np.abs([p.imag, q.imag, np.broadcast_to(foot.imag, u.shape)]), axis=0)
+    near_enough = beyond * np.abs((q - p).real) <= BEYOND + LEAN * tall
+    # rounding is left as it is: an end is what it was
+    return (p, q), (m, n), np.where(beyond <= 1e-9, u, np.where(near_enough, within, np.nan))
 
 
 def _abscissas(knots: Complexes) -> Reals:

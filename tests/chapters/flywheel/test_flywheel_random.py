@@ -11,6 +11,7 @@ import pytest
 from support.boards import drawn_of
 from support.flywheels import at_positions, crank, graphs, scene_of, truth
 
+import graphic_tmm as tmm
 from graphic_tmm.chapters.flywheel.names import FLYWHEEL
 from graphic_tmm.chapters.flywheel.table import (
     flywheel_results,
@@ -52,6 +53,20 @@ def test_the_segment_is_what_the_curves_give(tmp_path: Path, seed: int, count: i
     found = segment(made) * made.scales["energy"].value
     # 400 samples to an arc miss its crest by 1/800² of the arc's bend at the most
     assert found == pytest.approx(np.ptp(graphs(*rows(seed, count)).own), rel=1e-6)
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("count", [12, 24])
+def test_a_student_who_draws_it_finds_the_segment_every_time(
+    tmp_path: Path, seed: int, count: int
+) -> None:
+    """His curves end beside the feet of their last ordinates: by a prick, by a lean of the square."""
+    asked = scene(tmp_path, seed, count)
+    found = tmm.draw(asked, hand="student", trials=200).results["cd"].trials
+    exact = tmm.draw(asked, hand="exact").results["cd"].value
+    assert np.isfinite(found).all()
+    # the greatest of ordinates that scatter lies above the true one by less than they scatter
+    assert abs(np.median(found) - exact) < found.std() + 0.5
 
 
 def test_extremes_on_curves_and_areas_below_them_are_an_order_nearer_to_the_truth() -> None:
