@@ -65,8 +65,10 @@ def test_a_result_is_called_by_its_caption_or_its_letter(
 
 
 def test_a_warning_names_the_point_of_a_diagram(tmp_path: Path) -> None:
+    """A rod shorter than its crank: two positions are missing, and so are the curves through them."""
     text = (SHEETS / "slider-diagrams" / "scene.toml").read_text(encoding="utf-8")
+    text = text.replace('integral = "none"', 'integral = "drawn"').replace("750 mm", "140 mm")
     path = tmp_path / "scene.toml"
-    path.write_text(text.replace('integral = "none"', 'integral = "drawn"'), encoding="utf-8")
-    told = invoke("table", str(path), "-f", "json", "--hand", "student", "--seed", "7")
+    path.write_text(text, encoding="utf-8")
+    told = invoke("table", str(path), "-f", "json")
     assert "диаграмма перемещений точки B, шаг" in told.stderr

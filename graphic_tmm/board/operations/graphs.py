@@ -96,7 +96,8 @@ def rise_of(curve: Curve, foot: Complexes) -> Reals:
     p, m, u = _arc(curve, foot)
     a, b, c = 6 * u * (u - 1), (3 * u - 1) * (u - 1), u * (3 * u - 2)
     along = a * (p[0] - p[1]) + b * m[0] + c * m[1]
-    return np.asarray(along.imag / along.real)
+    # ordinates that lean together fold no curve: it is never steeper than twice what its chord's run tells
+    return np.asarray(along.imag / np.maximum(along.real, (p[1] - p[0]).real / 2.0))
 
 
 @operation(
