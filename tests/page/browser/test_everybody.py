@@ -120,6 +120,7 @@ def test_each_step_is_read_aloud_once(page_of) -> None:
     page.wait_for_function(
         "one => document.querySelector('[aria-live]').textContent.includes(one)", arg=sentence
     )
+    assert sentence in live.text_content()
     assert "Why" not in live.text_content()
 
 
