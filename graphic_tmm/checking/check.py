@@ -19,7 +19,7 @@ from graphic_tmm.checking.mutations.mistakes import Mistakes
 from graphic_tmm.checking.mutations.telling import told
 from graphic_tmm.checking.mutations.unseen import Unseen
 from graphic_tmm.checking.mutations.unseen import told as told_unseen
-from graphic_tmm.checking.records import Report, Taken
+from graphic_tmm.checking.records import Judged, Report, Taken
 from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.packaged import scene_name
 from graphic_tmm.scene.records import Scene
@@ -57,6 +57,11 @@ class Checker:
         drawing = HANDS[hand]._replace(trials=trials, seed=scene.seed)
         self._yardsticks = Yardsticks(self.made, drawing, limits, points)
         self._unseen = Unseen(self._mistakes)
+
+    def verdicts(self, readings: Sequence[Taken], source: str = "readings") -> tuple[Judged, ...]:
+        """Return the verdicts on the readings of a drawing, and look for no mistake; raises as `check`."""
+        rows, _ = known(self.made, readings, source)
+        return judge(self.made, rows, self._yardsticks.of(rows))
 
     def of(self, readings: Sequence[Taken], source: str = "readings") -> Checked:
         """Return what there is to say of the readings of a drawing; raises as `check`."""

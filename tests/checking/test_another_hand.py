@@ -21,11 +21,11 @@ from support.another_hand import (
     sheets,
 )
 from support.gallery import CASES
+from support.verdicts import Verdicts, verdicts
 
 from graphic_tmm.checking.cells import cells, points
-from graphic_tmm.checking.check import checks
 from graphic_tmm.checking.readings.read import read_readings
-from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report, Taken
+from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
@@ -66,13 +66,13 @@ def read_back(rows: list[str], folder: Path) -> Iterator[tuple[str, tuple[Taken,
 
 def reports(
     name: str, drawn: Callable[[int, Pencil], str], seeds: range, folder: Path, **how: object
-) -> Iterator[Report]:
+) -> Iterator[Verdicts]:
     """Check so many drawings; each has its own ruler and stream."""
     texts = [
         drawn(seed, Pencil(np.random.default_rng(seed), RULERS[seed % len(RULERS)]))
         for seed in seeds
     ]
-    yield from checks(scene(name), read_back(texts, folder), **how)  # type: ignore[arg-type]
+    yield from verdicts(scene(name), read_back(texts, folder), **how)  # type: ignore[arg-type]
 
 
 def honest(name: str, mode: str, seeds: range, folder: Path, trials: int) -> Counter[str]:
@@ -151,7 +151,7 @@ def test_its_gross_errors_are_found(
             for seed in range(3000, 3000 + many(24, 8))
         ]
         texts = [csv_of(one.rows) for one in planted]
-        found = checks(scene(name), read_back(texts, tmp_path), trials=400)
+        found = verdicts(scene(name), read_back(texts, tmp_path), trials=400)
         for one, report in zip(planted, found, strict=True):
             at = [row for row in report.readings if row.taken.position == str(one.position)]
             count += 1
@@ -174,7 +174,7 @@ def test_a_ray_that_slipped_is_wrong_where_points_are_read_off_a_screen(
             one = gross(name, np.random.default_rng(seed), 0.1, "points", "ray", pointing=0.1)
             texts.append(csv_of(one.rows))
             places.append(one.position)
-        found = checks(scene(name), read_back(texts, tmp_path), points="screen", trials=400)
+        found = verdicts(scene(name), read_back(texts, tmp_path), points="screen", trials=400)
         for place, report in zip(places, found, strict=True):
             at = [row for row in report.readings if row.taken.position == str(place)]
             count += 1

@@ -11,11 +11,11 @@ from pathlib import Path
 
 import pytest
 from support.gallery import ALL, SHEETS
+from support.verdicts import Verdicts, verdicts
 
 from graphic_tmm.checking.cells import cells, position_names
-from graphic_tmm.checking.check import checks
 from graphic_tmm.checking.readings.read import read_readings
-from graphic_tmm.checking.records import DOUBTFUL, WRONG, Report
+from graphic_tmm.checking.records import DOUBTFUL, WRONG
 from graphic_tmm.drawn import DrawnScene, single
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.readers.table import scene_columns, scene_results, table
@@ -61,7 +61,7 @@ def exported(made: DrawnScene) -> Iterator[list[str]]:
     yield from results(made)
 
 
-def fed_back(name: str, hand: str, ruler: float, folder: Path, trials: int) -> Iterator[Report]:
+def fed_back(name: str, hand: str, ruler: float, folder: Path, trials: int) -> Iterator[Verdicts]:
     scene = replace(read(SHEETS / name), ruler=ruler)
     made = make(scene)
     files = []
@@ -71,7 +71,7 @@ def fed_back(name: str, hand: str, ruler: float, folder: Path, trials: int) -> I
             csv.writer(file, lineterminator="\n").writerows([HEAD, *form(made)])
         files.append((path.name, read_readings(path)))
     if cells(made):
-        yield from checks(scene, files, hand=hand, trials=trials)
+        yield from verdicts(scene, files, hand=hand, trials=trials)
 
 
 def passes(name: str, hand: str, ruler: float, folder: Path, trials: int) -> None:

@@ -11,15 +11,15 @@ import pytest
 from support.another_hand import csv_of, rows_of
 from support.gallery import CASES
 from support.other_ways import IMAGES, LINKS, Compass, otherwise
+from support.verdicts import Verdicts, verdicts
 
 from graphic_tmm.board.grammar import OPERATIONS
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Arc, Line, Point
-from graphic_tmm.checking.check import checks
 from graphic_tmm.checking.judging.equivalents import WAYS, Limb, Off, offs
 from graphic_tmm.checking.readings.read import read_readings
-from graphic_tmm.checking.records import FINE, WRONG, Report, Taken
+from graphic_tmm.checking.records import FINE, WRONG, Taken
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 
@@ -88,8 +88,8 @@ def long() -> list[int]:
     return [k for k, way in ways.items() if abs(way) >= 30.0]
 
 
-def reports(name: str, texts: list[str], manner: str, folder: Path) -> Iterator[Report]:
-    yield from checks(scene(name), read_back(texts, folder), points=manner, trials=400)
+def reports(name: str, texts: list[str], manner: str, folder: Path) -> Iterator[Verdicts]:
+    yield from verdicts(scene(name), read_back(texts, folder), points=manner, trials=400)
 
 
 @pytest.mark.slow

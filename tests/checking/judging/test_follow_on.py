@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from support.another_hand import MACHINES, Pencil, Rows, Sheet, csv_of, rows_of
 from support.gallery import CASES
+from support.verdicts import Verdicts, verdicts
 
-from graphic_tmm.checking.check import checks
 from graphic_tmm.checking.readings.read import read_readings
-from graphic_tmm.checking.records import FINE, WRONG, Report, Taken
+from graphic_tmm.checking.records import FINE, WRONG, Taken
 from graphic_tmm.scene.read import read
 
 TOO_LONG = 15.0
@@ -38,14 +38,14 @@ class HalfCoriolis(Pencil):
         return super().ray(name, along) * (0.5 if name == "kaa3" else 1.0)
 
 
-def reports(name: str, drawn: list[Rows], folder: Path) -> Iterator[Report]:
+def reports(name: str, drawn: list[Rows], folder: Path) -> Iterator[Verdicts]:
     def files() -> Iterator[tuple[str, tuple[Taken, ...]]]:
         path = folder / "readings.csv"
         for k, rows in enumerate(drawn):
             path.write_text(csv_of(rows), "utf-8")
             yield str(k), read_readings(path)
 
-    return checks(read(CASES / "check" / f"{name}.toml"), files(), trials=150)
+    return verdicts(read(CASES / "check" / f"{name}.toml"), files(), trials=150)
 
 
 def drawings(name: str, place: int) -> Iterator[tuple[str, dict[int, Sheet]]]:
