@@ -147,7 +147,7 @@ COMMANDS = {
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["windrower", "engine"])
+@pytest.mark.parametrize("name", ["scotch-yoke", "crank-rocker"])
 @pytest.mark.parametrize("what", COMMANDS)
 def test_a_scene_is_named_by_name_folder_or_file(what: str, name: str, tmp_path: Path) -> None:
     folder = ROOT / "sheets" / name

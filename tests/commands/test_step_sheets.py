@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -112,8 +113,8 @@ def test_folder_and_format_belong_to_sheets(option: tuple[str, str]) -> None:
 
 
 @pytest.mark.slow
-def test_random_mechanisms_are_handed_out(tmp_path: Path) -> None:
-    for k, text in enumerate(scenes(6)):
+def test_random_mechanisms_are_handed_out(tmp_path: Path, many: Callable[[int, int], int]) -> None:
+    for k, text in enumerate(scenes(many(6, 3))):
         file = tmp_path / f"random-{k}.toml"
         file.write_text(text, encoding="utf-8")
         with call():

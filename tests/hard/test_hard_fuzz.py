@@ -30,14 +30,14 @@ QUICK = (
 @pytest.mark.slow
 @pytest.mark.parametrize("turn", range(6))
 def test_changed_scenes_are_drawn_or_refused(turn: int, many: Callable[[int, int], int]) -> None:
-    count = many(50, 20)
+    count = many(50, 14)
     found = [case(number, 1, QUICK) for number in range(turn * count, (turn + 1) * count)]
     assert not [one for one in found if one.fault]
     # 1: a check that found something
     assert {0, 2} <= {one.status for one in found} <= {0, 1, 2}
 
 
-@pytest.mark.parametrize(("first", "usual"), [(0, 6), pytest.param(6, 30, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(("first", "usual"), [(0, 4), pytest.param(4, 14, marks=pytest.mark.slow)])
 def test_changed_photographs_are_judged_or_refused(
     first: int, usual: int, many: Callable[[int, int], int]
 ) -> None:
@@ -47,7 +47,7 @@ def test_changed_photographs_are_judged_or_refused(
 
     found = [
         photographed(number, 1, ("crank-rocker",))
-        for number in range(first, first + many(3 * usual, usual))
+        for number in range(first, first + many(6 * usual, usual))
     ]
     assert not [one for one in found if one.fault]
     # 1: points were seen, and one is wrong

@@ -15,22 +15,21 @@ from graphic_tmm.handout.series import Series, series
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Sheet, Stroke
 from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.readers.protocol import plans
-from graphic_tmm.studio import make
-from support.gallery import made, scene
+from support.boards import in_usual_size
+from support.gallery import scene
 
 LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉₊₋⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", 2 * "0123456789+−")
 
 
 def spoken(name: str, language: str = "") -> DrawnScene:
-    """A scene of the package, drawn, in its own language or another one."""
-    if not language or scene(name).language == language:
-        return made(name)
-    return _spoken(name, language)
+    """A scene of the package, drawn in its usual size, in its own language or another one."""
+    return _spoken(name, language or scene(name).language)
 
 
 @cache
 def _spoken(name: str, language: str) -> DrawnScene:
-    return make(replace(scene(name), language=language))
+    own = scene(name).language == language
+    return in_usual_size(scene(name) if own else replace(scene(name), language=language))
 
 
 @cache

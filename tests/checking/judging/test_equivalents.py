@@ -123,7 +123,7 @@ def test_what_slips_in_them_is_noticed(
     """A ray of the triangle off by 5°, an opening off by 10 mm, in one position."""
     planted = noticed = wrong = 0
     texts, where = [], []
-    for seed in range(8000, 8000 + many(64, 24)):
+    for seed in range(8000, 8000 + many(64, 16)):
         place = long()[seed % len(long())]
         pen = pencil(seed, "screen", ("ae",) if image != "ratios" else ())
         pen.longer = 10.0 if image == "ratios" else 0.0

@@ -15,7 +15,7 @@ from graphic_tmm.checking.mutations.grammar import mutations
 from graphic_tmm.checking.mutations.scope import late
 
 SCENES = sorted(path.parent.name for path in SHEETS.glob("*/scene.toml"))
-EVERY = 797
+EVERY = 1597
 """Of the mutations of a scene every so manieth is executed alone, too: a prime, so that all kinds are met."""
 
 
