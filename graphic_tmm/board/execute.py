@@ -156,12 +156,6 @@ class Program(NamedTuple):
         machine()
         return self._replace(fast=True)
 
-    def at_hand(self) -> bool:
-        """Whether it has run compiled in this process before: then that pays at few positions too."""
-        from graphic_tmm.board.compiled import at_hand
-
-        return any(at_hand(pointwise) for pointwise, _ in self.strata)
-
     def run(
         self,
         given: Mapping[Mark, object],

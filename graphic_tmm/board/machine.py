@@ -22,7 +22,7 @@ from graphic_tmm.errors import ConstructionError
 
 TYPED = 17
 """The first LLVM whose addresses do not say of what they are."""
-_CALLED = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p)
+_CALLED = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_int64)
 
 
 class Machine(NamedTuple):
@@ -59,21 +59,19 @@ class Run:
         self._loader = on.binding.create_mcjit_compiler(_parsed("", on), on.target())
         self._loader.add_object_file(on.binding.ObjectFileRef.from_data(code))
         self._loader.finalize_object()
-        self._call = _CALLED(self._loader.get_function_address(NAME))
+        self._called = _CALLED(self._loader.get_function_address(NAME))
 
-    def __call__(self, start: int, stop: int, still: int, rows: int) -> None:
+    def __call__(self, frame: int, base: int = 0) -> None:
         """Work some positions.
 
         Parameters
         ----------
-        start, stop
-            The first position, and the one behind the last.
-        still
-            The address of the numbers that do not vary.
-        rows
-            The address of the addresses of rows and results.
+        frame
+            The address of its frame, see `Loop`.
+        base
+            What the addresses of rows and results stand behind.
         """
-        self._call(start, stop, still, rows)
+        self._called(frame, base)
 
 
 @cache
