@@ -42,9 +42,9 @@ class Leaf(NamedTuple):
 class Loop(NamedTuple):
     """The text of a loop; which inputs are rows (of the others one number is taken); its results.
 
-    The function takes the address of a frame of whole numbers, and a base. In the frame stand where to begin and
-    to stop, the address of the numbers that do not vary, then those of the rows and of the results, which are
-    told from the base on. Inputs that nothing needs are left out.
+    The function takes the address of a frame of whole numbers, and a base. In the frame stand where to begin
+    and to stop, the address of the numbers that do not vary, then those of the rows and of the results, which
+    are told from the base on. Inputs that nothing needs are left out.
     """
 
     text: str
