@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, get_args
+from typing import Any, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.any_angles.si import in_si
 from graphic_tmm.board.again import again
+from graphic_tmm.board.bound import LAYOUTS, Bound, bound, picked
 from graphic_tmm.board.execute import Program, execute, prepare
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Construction, Mark
@@ -23,12 +24,10 @@ from graphic_tmm.errors import ConstructionError
 from graphic_tmm.language.said import said
 from graphic_tmm.moving import VECTORS, Key, Quantity, Told
 
-if TYPE_CHECKING:
-    from graphic_tmm.board.bound import Bound
-
 QUANTITIES: tuple[Quantity, ...] = get_args(Quantity)
 Known = Callable[[Reals], Mapping[Mark, Any]]
 """What is given at angles (1, angle), and nowhere else."""
+Arrays = Sequence[NDArray[Any]]
 Table = tuple[tuple[Key, ...], tuple[int, ...]]
 """What a quantity is told of, and the number of the array of each."""
 
@@ -59,41 +58,56 @@ class Ready:
         """Return what is told at angles, (angle,), by quantity."""
         count = angles.size
         at = angles if count else np.full(1, np.nan)
-        arrays = self._found(at, known, fast=fast, threads=threads)
+        arrays = self._known(self._found(at, known, fast=fast, threads=threads))
         if not count:
             arrays = [array[:0] for array in arrays]
-        arrays += [np.ndarray((count,), kind, value, 0, (0,)) for value, kind in self.fixed]
+        whole = (*arrays, *(self._standing.get(count) or self._stands(count)))
         return [
-            dict(zip(keys, [arrays[k] for k in numbers], strict=True))
-            for keys, numbers in self.tables
+            dict(zip(keys, pick(whole), strict=True)) if keys else {} for keys, pick in self._tables
         ]
 
-    def _found(
-        self, at: Reals, known: Known, *, fast: bool, threads: int | None
-    ) -> list[NDArray[Any]]:
-        """Return what moves, (angle,)."""
+    def _found(self, at: Reals, known: Known, *, fast: bool, threads: int | None) -> Arrays:
+        """Return what the program leaves behind, (angle,)."""
         count = at.size
         loop = self._loop if fast and count < LEAST else None
         if loop is not None and self.plain:
-            return self._kept(loop.run(count, [at] * len(loop.feeds)))
+            return loop.run(count, [at] * len(loop.feeds))
         row = at[None, :]
         with np.errstate(all="ignore"):
             given = dict.fromkeys(self.entering, row) if self.plain else known(row)
         entering = {mark.slot: as_value(given[mark], mark.kind) for mark in self.entering}
         if loop is not None:
-            rows = [feed.of(entering)[0] for feed in loop.feeds]
-            return self._kept(loop.run(count, rows))
+            return loop.run(count, [feed.of(entering)[0] for feed in loop.feeds])
         values = {**self.values, **entering}
         reading = self.program.go_on(values, count, hand=self.hand, fast=fast, threads=threads)
         found = [reading.values[slot][0] for slot in self._slots]
         # a mark of a hand that slips may be the same at all of them
-        return self._kept([np.broadcast_to(a, at.shape) if a.size != count else a for a in found])
+        return [np.broadcast_to(one, at.shape) if one.size != count else one for one in found]
 
-    def _kept(self, found: list[NDArray[Any]]) -> list[NDArray[Any]]:
+    def _known(self, found: Arrays) -> Arrays:
         """Return what is told of all that was found, NaN where that is without which nobody knows it."""
+        if not self._unknown:
+            return found
+        told = list(found[: len(self.moving)])
         for k, by in self._unknown:
-            found[k] = np.where(np.isnan(found[by]), np.nan, found[k])
-        return found[: len(self.moving)]
+            told[k] = np.where(np.isnan(found[by]), np.nan, told[k])
+        return told
+
+    def _stands(self, count: int) -> Arrays:
+        """Return what is one number at all angles, (angle,): it takes no memory, and nobody writes to it."""
+        found = tuple(np.ndarray((count,), kind, value, 0, (0,)) for value, kind in self.fixed)
+        if len(self._standing) >= LAYOUTS:
+            self._standing.clear()
+        self._standing[count] = found
+        return found
+
+    @cached_property
+    def _standing(self) -> dict[int, Arrays]:
+        return {}
+
+    @cached_property
+    def _tables(self) -> list[tuple[tuple[Key, ...], Any]]:
+        return [(keys, picked(numbers)) for keys, numbers in self.tables]
 
     @cached_property
     def _slots(self) -> tuple[int, ...]:
@@ -111,8 +125,6 @@ class Ready:
         """All of it as one loop; None where it is none."""
         if self.hand.slips or self.hand.digits is not None or len(self.program.strata) > 1:
             return None
-        from graphic_tmm.board.bound import bound
-
         two = {mark.slot: as_value(np.zeros((1, 2)), mark.kind) for mark in self.entering}
         (calls, _), *_ = self.program.strata
         return bound(calls, {**self.values, **two}, self.hand, self._slots)

@@ -7,8 +7,9 @@ may call at once.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from ctypes import addressof, c_char
+from operator import itemgetter
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -26,6 +27,13 @@ LAYOUTS = 64
 """Numbers of positions whose layouts are kept."""
 _BYTES = 8
 _char_of = c_char.from_buffer
+
+
+def picked(places: Sequence[int]) -> Callable[[Sequence[Any]], tuple[Any, ...]]:
+    """Return what picks things at some places; there are fast ways for none, one and several."""
+    if len(places) > 1:
+        return itemgetter(*places)
+    return lambda things: tuple([things[k] for k in places])
 
 
 class Layout(NamedTuple):
@@ -64,10 +72,10 @@ class Bound:
         self._alone = {k: parts for k, (varies, parts) in enumerate(leaves) if not varies}
         place = {k: n for n, k in enumerate([*self._complex, *self._real, *self._alone])}
         of = {result.slot: place[result.leaves[0]] for result in part.results}
-        self._order = [of[slot] for slot in asked]
+        self._in_order = picked([of[slot] for slot in asked])
         self._layouts: dict[int, Layout] = {}
 
-    def run(self, count: int, rows: Sequence[Reals]) -> list[NDArray[Any]]:
+    def run(self, count: int, rows: Sequence[Reals]) -> tuple[NDArray[Any], ...]:
         """Return what is asked for at ``count`` positions, (position,), in the order in which it was.
 
         ``rows``: what enters, by ``feeds``.
@@ -87,7 +95,7 @@ class Bound:
         for kind, first in here.alone:
             found.append(np.ndarray((count,), kind, room, first, (0,)))
             found[-1].flags.writeable = False
-        return [found[k] for k in self._order]
+        return self._in_order(found)
 
     def _laid_out(self, count: int) -> Layout:
         wide, room = max(count, WIDTH), _Measured()
