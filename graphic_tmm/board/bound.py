@@ -63,7 +63,7 @@ class Bound:
     ) -> None:
         loop, feeds = part.loop, part.feeds
         self.feeds = tuple(feeds[k] for k in loop.rows)
-        self._run = part.run
+        self._part, self._run = part, part.run.call
         still = [None if feeds[k] is RULER else feeds[k].of(values).item() for k in loop.still]
         self._numbers = np.array([hand.ruler or 1.0 if one is None else one for one in still])
         leaves = [(leaf.varies, len(leaf.parts)) for leaf in loop.leaves]

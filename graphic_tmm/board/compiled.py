@@ -71,7 +71,7 @@ def _fill(part: Part, values: Values, count: int, hand: Hand, threads: int | Non
         mine[:, 0], mine[:, 1] = start, end
         first = address(mine)
         for t in range(trials):
-            part.run(first + t * mine.strides[0])
+            part.run.call(first + t * mine.strides[0], 0)
 
     shared(work, wide, WIDTH, threads)
     if wide > count:

@@ -12,6 +12,7 @@ import hashlib
 import os
 import re
 import sys
+from collections.abc import Callable
 from functools import cache, lru_cache
 from typing import Any, NamedTuple
 
@@ -51,6 +52,7 @@ class Machine(NamedTuple):
 class Run:
     """A loop in machine code; the code lives as long as this does.
 
+    ``call`` works some positions: it takes the address of a frame and the base of its addresses (see `Loop`).
     Other threads run while it does.
     """
 
@@ -59,19 +61,7 @@ class Run:
         self._loader = on.binding.create_mcjit_compiler(_parsed("", on), on.target())
         self._loader.add_object_file(on.binding.ObjectFileRef.from_data(code))
         self._loader.finalize_object()
-        self._called = _CALLED(self._loader.get_function_address(NAME))
-
-    def __call__(self, frame: int, base: int = 0) -> None:
-        """Work some positions.
-
-        Parameters
-        ----------
-        frame
-            The address of its frame, see `Loop`.
-        base
-            What the addresses of rows and results stand behind.
-        """
-        self._called(frame, base)
+        self.call: Callable[[int, int], None] = _CALLED(self._loader.get_function_address(NAME))
 
 
 @cache

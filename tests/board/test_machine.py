@@ -23,7 +23,7 @@ def _doubled(run: Run) -> None:
         rows = [row.ctypes.data - base, out.ctypes.data - base]
         frame = np.array([0, 9, still.ctypes.data, *rows], np.int64)
         out[:] = 0.0
-        run(frame.ctypes.data, base)
+        run.call(frame.ctypes.data, base)
         np.testing.assert_array_equal(out, 2.0 * row)
 
 

@@ -41,5 +41,5 @@ def worked(
     run = made(loop.text)
     for start, stop in pairwise(ends):
         frame = np.array([start, stop, still.ctypes.data, *table], np.int64)
-        run(frame.ctypes.data)
+        run.call(frame.ctypes.data, 0)
     return out
