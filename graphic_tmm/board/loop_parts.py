@@ -17,6 +17,7 @@ from graphic_tmm.board.hand import Hand, rounded
 from graphic_tmm.board.loop_text import End, Loop, loop_of
 from graphic_tmm.board.machine import Run, made
 from graphic_tmm.board.record import ByIdentity
+from graphic_tmm.board.signs import Sign
 from graphic_tmm.board.sources import RULER, Source, assembled, sources, taken_apart
 from graphic_tmm.board.tape import INPUT, Tape
 from graphic_tmm.board.traced import REFUSED, plainly_traced
@@ -129,7 +130,7 @@ def _part(same: Alike, forms: tuple[Form | None, ...], reads: bool, kept: frozen
             found[slot] = assembled(form.kind, tape, parts)
     ruler = None
     if reads:
-        ruler = Value(tape, tape.input(moving=False))
+        ruler = Value(tape, tape.input(moving=False, sign=Sign.POSITIVE))
         feeds.append(RULER)
     taken, others, rest = _sorted(same.calls, found, ruler)
     later = {i for call in (*others, *rest) for i in call.takes}
