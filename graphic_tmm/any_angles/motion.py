@@ -38,7 +38,8 @@ def motion(
     """Draw plans of a scene at angles of its crank and return what they say, in SI.
 
     The log is recorded at the first call and kept beside the scene; only the steps are run that what is asked
-    for needs.
+    for needs. Arrays of a call that is compiled lie side by side in one piece of memory, which goes when the
+    last of them does.
 
     Parameters
     ----------
@@ -59,9 +60,9 @@ def motion(
         Read without the ruler's rounding.
     fast
         Whether the log is compiled (extra ``fast``), to the same numbers within 1e-12; None: where llvmlite is
-        installed, at any number of angles. Of a kind of mechanism the first call then takes some hundredths of
-        a second more; every other takes a tenth, those of mechanisms of other lengths among them. What was
-        called before changes no byte.
+        installed, at any number of angles. A process' first call for a kind of mechanism takes some hundredths
+        of a second more then, less where the code is kept on the disk; every other one takes a tenth, of
+        mechanisms of other lengths too. It hangs on nothing that was called before.
     threads
         How many threads a compiled log may use; None: as many as there are. The numbers do not depend on it.
 
