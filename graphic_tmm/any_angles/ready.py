@@ -73,8 +73,7 @@ class Ready:
         if loop is not None and self.plain:
             return loop.run(count, [at] * len(loop.feeds))
         row = at[None, :]
-        with np.errstate(all="ignore"):
-            given = dict.fromkeys(self.entering, row) if self.plain else known(row)
+        given = dict.fromkeys(self.entering, row) if self.plain else _quietly(known, row)
         entering = {mark.slot: as_value(given[mark], mark.kind) for mark in self.entering}
         if loop is not None:
             return loop.run(count, [feed.of(entering)[0] for feed in loop.feeds])
@@ -128,6 +127,11 @@ class Ready:
         two = {mark.slot: as_value(np.zeros((1, 2)), mark.kind) for mark in self.entering}
         (calls, _), *_ = self.program.strata
         return bound(calls, {**self.values, **two}, self.hand, self._slots)
+
+
+def _quietly(known: Known, row: Reals) -> Mapping[Mark, Any]:
+    with np.errstate(all="ignore"):
+        return known(row)
 
 
 def made_ready(

@@ -12,10 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from graphic_tmm.board.blocks import Calls, Room, Values, in_blocks, run
+from graphic_tmm.board.blocks import Calls, Values, in_blocks, run
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.loop_parts import Part, part_of_loop
 from graphic_tmm.board.loop_passes import WIDTH
+from graphic_tmm.board.room import Room
 from graphic_tmm.board.sources import RULER
 from graphic_tmm.board.threads import shared
 

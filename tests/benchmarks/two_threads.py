@@ -5,16 +5,19 @@
 Of one mechanism after another: results in new arrays, as users have them; in memory that was written to before;
 few positions at a time, so that all of it stays in cache; and in two processes of their own. Beside it what two
 threads gain that only fill memory, new or written to before, and that only calculate, in cache: where these
-gain nothing, somebody else has the machine. Compared are the least of many calls in turns.
+gain nothing, somebody else has the machine. Calls take turns, and count only while nobody else works.
 """
 
 from __future__ import annotations
 
+import os
+import statistics
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from functools import cache
 from multiprocessing import get_context
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -26,7 +29,11 @@ import kinematics  # isort: skip
 from graphic_tmm.board import compiled
 
 COUNT, PART = 1_000_000, 2_000
-ROUNDS = 30
+ROUNDS, PATIENCE = 12, 120.0
+"""Calls that count, and seconds that are waited for them."""
+CORES = os.cpu_count() or 1
+STAT = Path("/proc/stat")
+TICK = 1.0 / os.sysconf("SC_CLK_TCK") if STAT.exists() else 0.0
 BYTES = 128 << 20
 HALVES = 10
 """Halves that a process works at a time."""
@@ -34,15 +41,35 @@ POOL = ThreadPoolExecutor(1)
 Work = Callable[[int, int], None]
 
 
-def least(calls: dict[str, Callable[[], object]]) -> dict[str, float]:
-    """Return the least seconds by the clock of calls that take turns."""
-    found = dict.fromkeys(calls, np.inf)
-    for _ in range(ROUNDS):
+def quiet(calls: dict[str, Callable[[], object]]) -> dict[str, float]:
+    """Return the median seconds by the clock of calls that take turns, while nobody else worked; else NaN."""
+    found: dict[str, list[float]] = {name: [] for name in calls}
+    end = time.perf_counter() + PATIENCE
+    while min(map(len, found.values())) < ROUNDS and time.perf_counter() < end:
+        if others(lambda: time.sleep(0.05))[1]:
+            continue
         for name, call in calls.items():
-            start = time.perf_counter()
-            call()
-            found[name] = min(found[name], time.perf_counter() - start)
-    return found
+            seconds, disturbed = others(call)
+            if not disturbed:
+                found[name].append(seconds)
+    return {name: statistics.median(each or [np.nan]) for name, each in found.items()}
+
+
+def others(call: Callable[[], object]) -> tuple[float, bool]:
+    """Call; return the seconds by the clock, and whether others had a tenth of the processors or more."""
+    worked, own, start = _worked(), time.process_time(), time.perf_counter()
+    call()
+    seconds = time.perf_counter() - start
+    worked, own = _worked() - worked, time.process_time() - own
+    return seconds, worked - own > 0.1 * CORES * seconds + TICK
+
+
+def _worked() -> float:
+    """Return the seconds that all processors have worked; 0 where nobody tells."""
+    if not STAT.exists():
+        return 0.0
+    ticks = [int(word) for word in STAT.read_text().split("\n", 1)[0].split()[1:]]
+    return TICK * (sum(ticks) - ticks[3] - ticks[4])
 
 
 def halves(work: Work, count: int) -> Callable[[], object]:
@@ -125,7 +152,7 @@ def of_mechanisms() -> Iterator[Row]:
         fast = one.program.compiled()
         work, results = work_of(one, fast)
         again = over_and_over(work)
-        found = least(
+        found = quiet(
             {
                 "new arrays": lambda one=one, fast=fast: one.log(fast, threads=1),
                 "new arrays, two": lambda one=one, fast=fast: one.log(fast, threads=2),
@@ -153,7 +180,7 @@ def of_memory() -> Iterator[Row]:
         for _ in range(start, stop):
             np.sin(angles)
 
-    found = least(
+    found = quiet(
         {
             "new": lambda: filled(np.empty(count))(0, count),
             "new, two": lambda: halves(filled(np.empty(count)), count)(),
