@@ -2,7 +2,8 @@
 
     python tests/benchmarks/two_threads.py
 
-Of one mechanism after another: results in new arrays, as users have them; in memory that was written to before;
+Of one mechanism after another: results in new memory; in memory that waited for them (`board/room.py`), as in a
+series of calls; the loop alone, into memory that was written to before;
 few positions at a time, so that all of it stays in cache; and in two processes of their own. Beside it what two
 threads gain that only fill memory, new or written to before, and that only calculate, in cache: where these
 gain nothing, somebody else has the machine. Calls take turns, and count only while nobody else works.
@@ -26,7 +27,7 @@ from clock import Row, show  # first: it finds the tests' other modules
 import bare  # isort: skip
 import kinematics  # isort: skip
 
-from graphic_tmm.board import compiled
+from graphic_tmm.board import compiled, room
 
 COUNT, PART = 1_000_000, 2_000
 ROUNDS, PATIENCE = 12, 120.0
@@ -93,6 +94,12 @@ def over_and_over(work: Work) -> Work:
     return again
 
 
+def anew(one: kinematics.Case, fast: Any, threads: int) -> None:
+    """Run a log whose results get memory that nothing was written to."""
+    room.WAITING.clear()
+    one.log(fast, threads=threads)
+
+
 def work_of(one: kinematics.Case, fast: Any) -> tuple[Work, object]:
     """Return what a compiled log does with its positions once its results have room, and the results."""
     caught: list[Work] = []
@@ -154,17 +161,19 @@ def of_mechanisms() -> Iterator[Row]:
         again = over_and_over(work)
         found = quiet(
             {
-                "new arrays": lambda one=one, fast=fast: one.log(fast, threads=1),
-                "new arrays, two": lambda one=one, fast=fast: one.log(fast, threads=2),
+                "new memory": lambda one=one, fast=fast: anew(one, fast, 1),
+                "new memory, two": lambda one=one, fast=fast: anew(one, fast, 2),
+                "memory that waited": lambda one=one, fast=fast: one.log(fast, threads=1),
+                "memory that waited, two": lambda one=one, fast=fast: one.log(fast, threads=2),
                 "memory written to before": lambda work=work: work(0, COUNT),
                 "memory written to before, two": halves(work, COUNT),
                 "in cache": lambda again=again: again(0, COUNT),
                 "in cache, two": halves(again, COUNT),
             }
         )
-        for name in ("new arrays", "memory written to before", "in cache"):
+        for name in ("new memory", "memory that waited", "memory written to before", "in cache"):
             yield gained(f"{form.name}: {name}", found[name], found[f"{name}, two"])
-        yield Row(f"{form.name}: new arrays, two processes", f"{by_processes(k):.2f}")
+        yield Row(f"{form.name}: memory that waited, two processes", f"{by_processes(k):.2f}")
         del results
 
 
