@@ -149,6 +149,8 @@ def by_processes(k: int) -> float:
 
 def gained(name: str, one: float, two: float) -> Row:
     """Return a row of a gain."""
+    if one != one or two != two:
+        return Row(name, "others were at work all the time")
     return Row(name, f"{1e3 * one:.1f} ms, {1e3 * two:.1f} by two: {one / two:.2f}")
 
 
