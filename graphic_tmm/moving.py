@@ -27,7 +27,8 @@ class Turn:
     the zero position first; ``whole``: how far it does over the row, degrees, with that sign, in ``count``
     intervals. ``read``: the numbers of marks at these angles, of what is known already. ``angles``: the
     direction of the crank itself where that is what is asked for, degrees, (1, angle): the state of a mechanism
-    that was never turned from anywhere; None where it is turned from the zero position on.
+    that was never turned from anywhere; None where it is turned from the zero position on. A chapter that hands
+    this very array on does so at any angles: it is asked once.
     """
 
     turned: Reals

@@ -2,29 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
-from typing import Any, cast, get_args
+import math
+from collections.abc import Collection, Sequence
+from typing import cast, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from graphic_tmm.any_angles.found import Motion
-from graphic_tmm.any_angles.recorded import Ready, recorded
+from graphic_tmm.any_angles.recorded import recorded
 from graphic_tmm.board.road import translator
 from graphic_tmm.board.values import Reals
 from graphic_tmm.errors import ConstructionError
 from graphic_tmm.language.said import joined, said
-from graphic_tmm.moving import Plan, Quantity, Told
+from graphic_tmm.moving import Plan, Told
 from graphic_tmm.scene.misfits import meant
 from graphic_tmm.scene.records import Scene
 
 PLANS: tuple[Plan, ...] = ("positions", "velocities", "accelerations")
 """What motion tells if nobody says."""
-QUANTITIES: tuple[Quantity, ...] = get_args(Quantity)
-SERIES = 256
-"""Angles from which on a log is compiled if nobody says: a first call costs some hundredths of a second more,
-all others a half to a third, and one is seldom alone."""
-OF_POINTS = frozenset(QUANTITIES[:3])
+ALL: frozenset[Plan] = frozenset(get_args(Plan))
+OF_POINTS = frozenset({"places", "velocities", "accelerations"})
 
 
 def motion(
@@ -40,7 +38,8 @@ def motion(
     """Draw plans of a scene at angles of its crank and return what they say, in SI.
 
     The log is recorded at the first call and kept beside the scene; only the steps are run that what is asked
-    for needs.
+    for needs. Arrays of a call that is compiled lie side by side in one piece of memory, which goes when the
+    last of them does.
 
     Parameters
     ----------
@@ -60,8 +59,10 @@ def motion(
     exact
         Read without the ruler's rounding.
     fast
-        Whether the log is compiled (extra ``fast``), to the same numbers within 1e-12; None: from where on that
-        pays: 256 angles. For a long series of calls with fewer say True.
+        Whether the log is compiled (extra ``fast``), to the same numbers within 1e-12; None: where llvmlite is
+        installed, at any number of angles. A process' first call for a kind of mechanism takes some hundredths
+        of a second more then, less where the code is kept on the disk; every other one takes a tenth, of
+        mechanisms of other lengths too. It hangs on nothing that was called before.
     threads
         How many threads a compiled log may use; None: as many as there are. The numbers do not depend on it.
 
@@ -85,40 +86,39 @@ def motion(
     """
     row = _row(angles)
     asked = frozenset(plans if not isinstance(plans, str) else (cast(Plan, plans),))
-    if unknown := sorted(asked - set(get_args(Plan))):
-        known = ", ".join(get_args(Plan))
-        raise ConstructionError(
-            said("motion: there is no plan {name}; there are {known}", name=unknown[0], known=known)
+    if not asked <= ALL:
+        says = said(
+            "motion: there is no plan {name}; there are {known}",
+            name=min(asked - ALL),
+            known=", ".join(get_args(Plan)),
         )
+        raise ConstructionError(says)
     of = recorded(scene, asked, exact=exact)
-    if missing := asked - {one.plan for one in of.told}:
+    if not asked <= of.plans:
         raise ConstructionError(
             said(
                 "motion: the scene asks for no {plan}: write [forces] with what acts, [[load]], [effects]",
-                plan=min(missing),
+                plan=min(asked - of.plans),
             )
         )
     letters = (
         None if points is None else frozenset((points,) if isinstance(points, str) else points)
     )
     ready = of.ready(letters, lambda: _wanted(of.told, letters))
-    at = row if row.size else np.full(1, np.nan)
-    if np.isinf(at).any():
-        at = np.where(np.isinf(at), np.nan, at)
-    with np.errstate(all="ignore"):
-        given = {**ready.given, **of.known(at)}
-    if fast is None and at.size >= SERIES and translator():
-        fast = True
-    reading = ready.program.run(given, hand=of.sheet.hand, fast=fast, threads=threads)
-    return _told(row, ready, reading.values)
+    # a product of the row with itself tells in one pass whether all of it can be turned by
+    at = row if math.isfinite(row.dot(row)) else np.where(np.isinf(row), np.nan, row)
+    fast = translator() if fast is None else fast
+    return Motion(row, *ready.told(at, of.known, fast=fast, threads=threads))
 
 
 def _row(angles: ArrayLike) -> Reals:
     """Return angles as a row of numbers."""
     try:
-        row = np.atleast_1d(np.asarray(angles, dtype=np.float64))
+        row = np.asarray(angles, dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise ConstructionError(said("motion: angles are numbers, degrees")) from error
+    if row.ndim == 0:
+        return row[None]
     if row.ndim != 1:
         raise ConstructionError(
             said("motion: angles are a number or a row, not {shape}", shape=str(row.shape))
@@ -145,24 +145,3 @@ def _wanted(told: Sequence[Told], asked: frozenset[str] | None) -> Sequence[Told
 def _letter(row: Told) -> str:
     assert isinstance(row.key, tuple)
     return row.key[0]
-
-
-def _told(row: Reals, ready: Ready, values: Mapping[int, Any]) -> Motion:
-    """Return what was found: arrays of full length, one for marks that are the same."""
-    arrays = [_along(values, slot, known, row.size) for slot, known in ready.moving]
-    arrays += [np.broadcast_to(value, row.shape) for value in ready.fixed]
-    found: dict[Quantity, dict[Any, Any]] = {quantity: {} for quantity in QUANTITIES}
-    for quantity, key, number in ready.rows:
-        found[quantity][key] = arrays[number]
-    return Motion(row, **found)
-
-
-def _along(values: Mapping[int, Any], slot: int, known: int, size: int) -> NDArray[Any]:
-    """Return a value along the angles, from axes (trial, angle); NaN where another is."""
-    along: NDArray[Any] = values[slot][0]
-    if known >= 0:
-        along = np.where(np.isnan(values[known][0]), np.nan, along)
-    if along.size != size:
-        # of no angle, one was run; a mark of a hand that slips may be the same at all of them
-        along = np.broadcast_to(along, (size,)) if size else along[:0]
-    return along

@@ -8,47 +8,30 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import chain
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from graphic_tmm.any_angles.si import in_si
+from graphic_tmm.any_angles.ready import Ready, made_ready
 from graphic_tmm.board import roles
 from graphic_tmm.board.again import again, kept
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Program, Reading, execute, prepare
-from graphic_tmm.board.hand import EXACT, Hand
-from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.hand import EXACT
+from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapter import MECHANISM, chapters
 from graphic_tmm.drawn import Drawn, Numbers, doubted, hand_of
-from graphic_tmm.errors import ConstructionError
 from graphic_tmm.fitting.scales import chosen, reach_of, usual
-from graphic_tmm.language.said import said
-from graphic_tmm.moving import VECTORS, Key, Plan, Quantity, Told, Turn
+from graphic_tmm.moving import Plan, Told, Turn
 from graphic_tmm.paper.formats import USUAL
 from graphic_tmm.project import record as record_project
 from graphic_tmm.scene.records import Scene, SheetOrder
 
 WHOLE = 360.0
 """Degrees of a turn."""
-
-
-class Ready(NamedTuple):
-    """A slice of a log, and where what it tells is found.
-
-    ``given``: what is the same at all angles. ``rows``: each quantity, its key, the number of its array among
-    those that ``program`` leaves behind (``moving``: the slot of each, that of a number without which nobody
-    knows it, −1 without such) and those that are one number (``fixed``), behind them.
-    """
-
-    program: Program
-    given: Mapping[Mark, Any]
-    moving: tuple[tuple[int, int], ...]
-    fixed: tuple[NDArray[Any], ...]
-    rows: tuple[tuple[Quantity, Key, int], ...]
 
 
 @dataclass(frozen=True)
@@ -64,16 +47,21 @@ class Recorded:
     slices: dict[object, Ready] = field(default_factory=dict)
     readers: dict[tuple[Mark, ...], Program] = field(default_factory=dict)
 
+    @cached_property
+    def plans(self) -> frozenset[Plan]:
+        """Of which plans there is anything."""
+        return frozenset(row.plan for row in self.told)
+
     def known(self, angles: Reals) -> dict[Mark, Any]:
-        """Return what is given at angles of the crank (degrees), and nowhere else."""
+        """Return what is given at angles of the crank (degrees; (1, angle)), and nowhere else."""
         project = self.sheet.project
-        turned = angles - float(project.angles[0] or 0.0)
+        turned = angles[0] - float(project.angles[0] or 0.0)
         found: dict[Mark, Any] = {}
 
         def read(marks: Iterable[Mark]) -> Reading:
             return self._read(tuple(marks), found)
 
-        turn = Turn(turned, self.whole, project.count, read, angles[None, :])
+        turn = Turn(turned, self.whole, project.count, read, angles)
         for chapter in project.chapters:
             found |= chapter.between(self.sheet, turn)
         return found
@@ -87,7 +75,8 @@ class Recorded:
     def ready(self, name: object, rows: Callable[[], Sequence[Told]]) -> Ready:
         """Return the slice of the log that tells some rows, and no step more; it is kept by a name."""
         if name not in self.slices:
-            self.slices[name] = _ready(self, rows())
+            still = _still(self.sheet, self.known(np.zeros((1, 1))))
+            self.slices[name] = made_ready(self.sheet, still, self.known, rows())
         return self.slices[name]
 
 
@@ -145,62 +134,3 @@ def _still(sheet: Drawn, known: Mapping[Mark, Any]) -> dict[Mark, Any]:
     """Return what is given, or drawn across the positions of the sheet, and is not known at any angle."""
     found = kept(sheet.construction, sheet.given, sheet.numbers.drawn.values)
     return {mark: value for mark, value in found.items() if mark not in known}
-
-
-def _ready(of: Recorded, rows: Sequence[Told]) -> Ready:
-    sheet = of.sheet
-    varying = of.known(np.zeros(1))
-    still = _still(sheet, varying)
-    whole, marks, origins = in_si(sheet.construction, rows, sheet.given)
-    still |= origins
-    log = again(whole, {**still, **varying})
-    known = {row.known for row in rows if row.known is not None}
-    if not sheet.hand.slips:
-        log, still = _folded(log, still, {*marks.values(), *known}, sheet.hand)
-    there = {*log.given, *(step.it for step in log.steps)}
-    moving: dict[tuple[int, int], int] = {}
-    fixed: dict[tuple[bool, bytes], NDArray[Any]] = {}
-    places: list[tuple[Quantity, Key, Any]] = []
-    for row in rows:
-        mark = marks[row]
-        if mark in still:
-            kind = np.complex128 if row.quantity in VECTORS else np.float64
-            value = np.ravel(np.asarray(still[mark], dtype=kind))[:1]
-            one: Any = (row.quantity in VECTORS, value.tobytes())
-            fixed.setdefault(one, value)
-        elif mark in there:
-            one = (mark.slot, -1 if row.known is None else row.known.slot)
-            moving.setdefault(one, len(moving))
-        else:
-            raise ConstructionError(
-                said(
-                    "motion: {name} hangs on the positions of the sheet, and is known at no other angle",
-                    name=str(row.key),
-                )
-            )
-        places.append((row.quantity, row.key, one))
-    number: dict[Any, int] = dict(moving) | {one: len(moving) + k for k, one in enumerate(fixed)}
-    left = {mark for mark in marks.values() if mark not in still}
-    program = prepare(log, left | known)
-    given = {mark: still[mark] for mark in program.given if mark in still}
-    told = tuple((quantity, key, number[one]) for quantity, key, one in places)
-    return Ready(program, given, tuple(moving), tuple(fixed.values()), told)
-
-
-def _folded(
-    log: Construction, still: Mapping[Mark, Any], wanted: set[Mark], hand: Hand
-) -> tuple[Construction, dict[Mark, Any]]:
-    """Return the log without what is the same at all angles, and that, with axes (trial, position)."""
-    constant, first, rest = set(still), [], []
-    for step in log.steps:
-        if constant.issuperset(step.uses):
-            constant.add(step.it)
-            first.append(step)
-        else:
-            rest.append(step)
-    used = {mark for step in rest for mark in step.uses} | wanted
-    left = tuple(mark for mark in used if mark in constant)
-    found = execute(log._replace(given=tuple(still), steps=tuple(first)), still, left, hand=hand)
-    values = {mark: found[mark] for mark in left}
-    varying = tuple(mark for mark in log.given if mark not in still)
-    return log._replace(given=(*left, *varying), steps=tuple(rest)), values

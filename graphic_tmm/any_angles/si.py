@@ -10,7 +10,7 @@ from typing import Any
 
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.values import Complexes, Kind, Number, Point, Reals
+from graphic_tmm.board.values import Complexes, Kind, Number, Point, Reals, Vector
 from graphic_tmm.moving import Told
 
 VIEW = "SI"
@@ -30,8 +30,8 @@ def _vector(start: Complexes, end: Complexes, mu: Reals) -> Complexes:
 
 def _reading(run: Any, *arguments: str) -> Operation:
     kinds = tuple(Number if name == "mu" else Point for name in arguments)
-    # to a hand it is a number: no pencil pricks it, and nothing is calculated with few digits
-    return Operation(run.__name__, run, kinds, arguments, Number, (), "")
+    # no pencil pricks it, and nothing is calculated with few digits
+    return Operation(run.__name__, run, kinds, arguments, Vector, (), "")
 
 
 READINGS = (
@@ -79,7 +79,7 @@ def in_si(
                 origins[origin] = row.origin
                 begun.append(origin)
                 op, uses = placed, (drawn, row.scale, origin)
-            made[key] = mark(drawn.letter, Number)
+            made[key] = mark(drawn.letter, Vector)
             steps.append(Step(op, made[key], uses, {}, ""))
         found[row] = made[key]
     return log._replace(given=tuple(begun), steps=tuple(steps), size=size), found, origins

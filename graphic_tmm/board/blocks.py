@@ -11,34 +11,13 @@ from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from graphic_tmm.board.hand import Hand, Slip, Slipping, slip_of
 from graphic_tmm.board.record import Step
+from graphic_tmm.board.room import Room
 from graphic_tmm.board.values import Curve, Kind, arrays
 
 Values = dict[int, Any]
-
-
-class Room:
-    """Room for so many results, taken in large pieces: the system gives those in huge pages, quickly."""
-
-    def __init__(self, results: int) -> None:
-        self._rest, self._left = np.empty(0, np.uint8), results
-
-    def empty(self, shape: tuple[int, int], dtype: Any) -> NDArray[Any]:
-        """Return an array that holds nothing yet."""
-        size = shape[0] * shape[1] * np.dtype(dtype).itemsize
-        self._left -= 1
-        if size < LARGE:
-            return np.empty(shape, dtype)
-        taken = -(-size // ALIGNED) * ALIGNED
-        if taken > self._rest.size:
-            # what is never written to takes no memory
-            self._rest = np.empty(min(PIECE, max(self._left, 0) + 1) * taken, np.uint8)
-        mine, self._rest = self._rest[:size], self._rest[taken:]
-        found: NDArray[Any] = mine.view(dtype).reshape(shape)
-        return found
 
 
 class Call(NamedTuple):
@@ -56,8 +35,6 @@ Calls = tuple[Call, ...]
 ALL = slice(None)
 KEPT = 1 << 21
 """An array of so many numbers, made and dropped untouched, raises the size that glibc keeps for itself."""
-LARGE, ALIGNED, PIECE = 1 << 20, 64, 8
-"""Bytes of a result for which pages matter, its alignment, the most results in one piece."""
 
 
 def ready(step: Step) -> Call:

@@ -156,12 +156,6 @@ class Program(NamedTuple):
         machine()
         return self._replace(fast=True)
 
-    def at_hand(self) -> bool:
-        """Whether it has run compiled in this process before: then that pays at few positions too."""
-        from graphic_tmm.board.compiled import at_hand
-
-        return any(at_hand(pointwise) for pointwise, _ in self.strata)
-
     def run(
         self,
         given: Mapping[Mark, object],
@@ -183,13 +177,48 @@ class Program(NamedTuple):
         ConstructionError
             If a value is missing, or ``fast`` is asked for without llvmlite.
         """
+        values = self.begun(given)
+        count = max(map(positions_of, values.values()), default=1)
+        return self.go_on(
+            values,
+            count,
+            hand=hand,
+            block=block,
+            places=places,
+            whole=whole,
+            fast=fast,
+            threads=threads,
+        )
+
+    def begun(self, given: Mapping[Mark, object]) -> Values:
+        """Return what is given as values, by slot.
+
+        Raises
+        ------
+        ConstructionError
+            If a value is missing.
+        """
         values: Values = {}
         for mark in self.given:
             value = given.get(mark)
             if value is None:
                 raise ConstructionError(f"{mark.view}: '{mark.letter}' was not given")
             values[mark.slot] = as_value(value, mark.kind)
-        count = max(map(positions_of, values.values()), default=1)
+        return values
+
+    def go_on(
+        self,
+        values: Values,
+        count: int,
+        *,
+        hand: Hand = EXACT,
+        block: int = BLOCK,
+        places: Any = None,
+        whole: int | None = None,
+        fast: bool | None = None,
+        threads: int | None = None,
+    ) -> Reading:
+        """Run at ``count`` positions from values, as `run` does; what is found joins them."""
         if not hand.slips and hand.digits is None:
             in_parts = self._in_parts(count, self.fast if fast is None else fast, threads)
             self._run(values, count, block, hand, None, in_parts)

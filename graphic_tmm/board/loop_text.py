@@ -24,6 +24,8 @@ from graphic_tmm.board.tape import INPUT, Node, Tape
 
 NAME = "loop_over_positions"
 """Stands for the name of the function in its text."""
+FRAME = 3
+"""Numbers of a frame before the addresses of rows and results."""
 
 
 End = int | float
@@ -40,8 +42,9 @@ class Leaf(NamedTuple):
 class Loop(NamedTuple):
     """The text of a loop; which inputs are rows (of the others one number is taken); its results.
 
-    The function takes where to begin and to stop, the numbers that do not vary, and addresses: of the rows,
-    then of the results. Inputs that nothing needs are left out.
+    The function takes the address of a frame of whole numbers, and a base. In the frame stand where to begin
+    and to stop, the address of the numbers that do not vary, then those of the rows and of the results, which
+    are told from the base on. Inputs that nothing needs are left out.
     """
 
     text: str
@@ -102,7 +105,7 @@ class _Writer:
         declared = "".join(f"{line}\n" for line in sorted(self.declared))
         before = "".join(f"  {line}\n" for line in self.before)
         within = "".join(f"  {line}\n" for line in self.within)
-        return _FRAME.format(declared=declared, name=NAME, before=before, within=within, w=WIDTH)
+        return _WHOLE.format(declared=declared, name=NAME, before=before, within=within, w=WIDTH)
 
     def needed(self, leaves: Sequence[Leaf]) -> list[int]:
         """Return the nodes that results need, in order."""
@@ -122,8 +125,9 @@ class _Writer:
 
     def _row(self, name: str, k: int) -> None:
         self.before += [
-            f"%{name}_slot = getelementptr i64, i64* %rows, i64 {k}",
-            f"%{name}_number = load i64, i64* %{name}_slot, align 8",
+            f"%{name}_slot = getelementptr i64, i64* %frame, i64 {FRAME + k}",
+            f"%{name}_behind = load i64, i64* %{name}_slot, align 8",
+            f"%{name}_number = add i64 %{name}_behind, %base",
             f"%{name}_row = inttoptr i64 %{name}_number to double*",
         ]
 
@@ -210,8 +214,14 @@ class _Writer:
 
 
 _TWICE = f"<{2 * WIDTH} x double>"
-_FRAME = """{declared}define void @{name}(i64 %start, i64 %stop, double* %still, i64* %rows) nounwind {{
+_WHOLE = """{declared}define void @{name}(i64* %frame, i64 %base) nounwind {{
 before:
+  %start = load i64, i64* %frame, align 8
+  %stop_slot = getelementptr i64, i64* %frame, i64 1
+  %stop = load i64, i64* %stop_slot, align 8
+  %still_slot = getelementptr i64, i64* %frame, i64 2
+  %still_number = load i64, i64* %still_slot, align 8
+  %still = inttoptr i64 %still_number to double*
 {before}  %last = sub i64 %stop, {w}
   br label %loop
 loop:

@@ -12,6 +12,7 @@ import hashlib
 import os
 import re
 import sys
+from collections.abc import Callable
 from functools import cache, lru_cache
 from typing import Any, NamedTuple
 
@@ -22,7 +23,7 @@ from graphic_tmm.errors import ConstructionError
 
 TYPED = 17
 """The first LLVM whose addresses do not say of what they are."""
-_CALLED = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p)
+_CALLED = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_int64)
 
 
 class Machine(NamedTuple):
@@ -51,6 +52,7 @@ class Machine(NamedTuple):
 class Run:
     """A loop in machine code; the code lives as long as this does.
 
+    ``call`` works some positions: it takes the address of a frame and the base of its addresses (see `Loop`).
     Other threads run while it does.
     """
 
@@ -59,21 +61,7 @@ class Run:
         self._loader = on.binding.create_mcjit_compiler(_parsed("", on), on.target())
         self._loader.add_object_file(on.binding.ObjectFileRef.from_data(code))
         self._loader.finalize_object()
-        self._call = _CALLED(self._loader.get_function_address(NAME))
-
-    def __call__(self, start: int, stop: int, still: int, rows: int) -> None:
-        """Work some positions.
-
-        Parameters
-        ----------
-        start, stop
-            The first position, and the one behind the last.
-        still
-            The address of the numbers that do not vary.
-        rows
-            The address of the addresses of rows and results.
-        """
-        self._call(start, stop, still, rows)
+        self.call: Callable[[int, int], None] = _CALLED(self._loader.get_function_address(NAME))
 
 
 @cache

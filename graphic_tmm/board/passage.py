@@ -12,11 +12,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from graphic_tmm.board import geometry, passes
+from graphic_tmm.board.signs import Sign
 from graphic_tmm.board.tape import INPUT, MASKS, Part, Ref, Tape
 
 PLACED = ("maximum", "minimum", "fmax", "fmin")
 """Functions of numpy that are told by name where to leave what they find."""
-_PASSES = ("length", "root", "choose", "count", "alike", "turn_x", "turn_y")
+_PASSES = ("length", "root", "signed", "choose", "count", "alike", "turn_x", "turn_y")
 _ALIASES = ("choose", "turn_x", "turn_y")
 """Passes that may leave the very numbers that they took."""
 _ROOMLESS = (INPUT, "count", "alike", *_ALIASES)
@@ -154,6 +155,8 @@ class _Writer:
 
     def _pass(self, k: int) -> None:
         does, takes = self.nodes[k][:2]
+        if does == "copysign" and self._positive(takes[0]):
+            does = "signed"
         told = [self._term(t) for t in takes]
         if does in _ROOMLESS:
             self.lines.append(f"v{k} = {does}({', '.join(told)})")
@@ -175,6 +178,9 @@ class _Writer:
         self.lines.append(f"v{k} = {does}({', '.join(told)})")
         if not plain:
             self._free(k)
+
+    def _positive(self, taken: int | float) -> bool:
+        return isinstance(taken, int) and self.nodes[taken].sign == Sign.POSITIVE
 
     def _straight_to(self, k: int) -> str | None:
         """Return the row asked for that a pass may fill by itself, None if there is none."""

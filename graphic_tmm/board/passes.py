@@ -47,7 +47,9 @@ def choose(true: int, mask: NDArray[np.bool_], first: Any, second: Any) -> Any:
 
 def alike(quarters: Reals) -> bool:
     """Whether whole numbers are all one."""
-    return quarters.size >= _FEW and bool(quarters.min() == quarters.max())
+    if quarters.size < _FEW or quarters[0] != quarters[-1]:
+        return False
+    return bool(np.count_nonzero(np.equal(quarters, quarters[0])) == quarters.size)
 
 
 def turn_x(same: bool, quarters: Any, x: Any, y: Any) -> Any:
@@ -72,4 +74,13 @@ def root(product: Any, gap: Any, scale: Any, out: Reals) -> Any:
     return out
 
 
+def signed(x: Any, y: Any, out: Reals) -> Any:
+    """Return x, of which nothing is below 0, with the sign of y, by bits: several at a time."""
+    bits = out.view(np.int64)
+    np.bitwise_and(y.view(np.int64), _MINUS, bits)
+    np.bitwise_or(bits, x.view(np.int64), bits)
+    return out
+
+
+_MINUS = np.array(np.iinfo(np.int64).min)
 _COSINES = np.array([1.0, 0.0, -1.0, 0.0])

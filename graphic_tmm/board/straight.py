@@ -14,9 +14,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.blocks import Calls, Room, Values, part_of, parted, run
+from graphic_tmm.board.blocks import Calls, Values, part_of, parted, run
 from graphic_tmm.board.hand import Hand, rounded
 from graphic_tmm.board.passage import Passage, passage
+from graphic_tmm.board.room import Room
+from graphic_tmm.board.signs import Sign
 from graphic_tmm.board.sources import RULER, Source, assembled, sources, taken_apart
 from graphic_tmm.board.tape import Part, Tape
 from graphic_tmm.board.traced import REFUSED, traced
@@ -120,7 +122,7 @@ def _traced(
     moving: Calls, sample: Values, plain: dict[Source, float], kept: frozenset[int], reads: bool
 ) -> Straight:
     tape, inputs = Tape(), [RULER]
-    ruler = Value(tape, tape.input(moving=False))
+    ruler = Value(tape, tape.input(moving=False, sign=Sign.POSITIVE))
     known: Values = {}
     for call in moving:
         for i in call.takes:

@@ -14,6 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board.signs import Sign, of_known, of_pass
+
 
 class Ref(NamedTuple):
     """The number that a node of the tape leaves, or its opposite."""
@@ -30,7 +32,7 @@ class Node(NamedTuple):
     """A pass: what it does, of which nodes and numbers, whether its result varies with the position.
 
     ``may``, ``must``: a bit for each node; where its number is undefined, so may, or must, this one be, and
-    where none of ``may`` is, this one is defined.
+    where none of ``may`` is, this one is defined. ``sign``: what is known of it.
     """
 
     does: str
@@ -38,6 +40,7 @@ class Node(NamedTuple):
     moving: bool
     may: int
     must: int
+    sign: Sign
 
 
 INPUT = "input"
@@ -74,10 +77,10 @@ class Tape:
         self.nodes: list[Node] = []
         self._known: dict[tuple[str | int, ...], int] = {}
 
-    def input(self, moving: bool) -> Ref:
+    def input(self, moving: bool, sign: Sign = Sign.FREE) -> Ref:
         """Return a number that comes from outside: the nodes of such numbers are in the order of asking."""
         own = 1 << len(self.nodes)
-        self.nodes.append(Node(INPUT, (), moving, own, own))
+        self.nodes.append(Node(INPUT, (), moving, own, own, sign))
         return Ref(len(self.nodes) - 1)
 
     def note(self, does: str, *takes: int | float) -> int:
@@ -87,8 +90,16 @@ class Tape:
         if key not in self._known:
             moving = any(isinstance(k, int) and self.nodes[k].moving for k in takes)
             self._known[key] = len(self.nodes)
-            self.nodes.append(Node(does, takes, moving, *self._undefined(does, takes)))
+            self.nodes.append(
+                Node(does, takes, moving, *self._undefined(does, takes), self._sign(does, takes))
+            )
         return self._known[key]
+
+    def _sign(self, does: str, takes: tuple[int | float, ...]) -> Sign:
+        if does == "choose":
+            takes = takes[2:]
+        signs = [self.nodes[t].sign if isinstance(t, int) else of_known(t) for t in takes]
+        return of_pass(does, signs, alike=len(takes) == 2 and takes[0] == takes[1])
 
     def _undefined(self, does: str, takes: tuple[int | float, ...]) -> tuple[int, int]:
         """Return where a new node may be undefined, and where it must."""
@@ -109,7 +120,21 @@ class Tape:
 
     def call(self, does: str, *parts: Part) -> Ref:
         """Return what a function of real numbers leaves."""
+        if does == "copysign" and self._positive(parts[1]):
+            does, parts = "absolute", parts[:1]
+        if does == "absolute" and self._positive(parts[0]):
+            return parts[0]  # type: ignore[return-value]
         return Ref(self.note(does, *map(self.plain, parts)))
+
+    def there(self, does: str, *parts: Part) -> Ref | None:
+        """Return what a function leaves if it was noted before, else None."""
+        key = (does, *[part.node if isinstance(part, Ref) else repr(part) for part in parts])
+        return Ref(self._known[key]) if key in self._known else None
+
+    def _positive(self, part: Part) -> bool:
+        return (
+            isinstance(part, Ref) and not part.minus and self.nodes[part.node].sign == Sign.POSITIVE
+        )
 
     def plain(self, part: Part) -> int | float:
         """Return a part as a pass takes it, without a sign before it."""
@@ -131,11 +156,16 @@ class Tape:
             if isinstance(one, Ref) and isinstance(nothing, Ref) and self._spared(one, nothing):
                 return one
         if not isinstance(b, Ref):
+            if b == 0.0 and (of_known(b) is Sign.FREE or self._unsigned(a)):
+                return a
             return Ref(self.note("subtract", b, a.node) if a.minus else self.note("add", a.node, b))
         if a.minus == b.minus:
             return Ref(self.note("add", *sorted((a.node, b.node))), a.minus)
         first, second = (b, a) if a.minus else (a, b)
         return Ref(self.note("subtract", first.node, second.node))
+
+    def _unsigned(self, a: Ref) -> bool:
+        return not a.minus and self.nodes[a.node].sign != Sign.FREE
 
     def _spared(self, one: Ref, nothing: Ref) -> bool:
         """Whether a part is a product by 0 that is undefined only where the other part is."""

@@ -115,6 +115,10 @@ class Value(_Unknown):
         b, tape = self._of(other), self.tape
         if b.im is None:
             return Value(tape, tape.over(self.re, b.re), tape.over(self.im, b.re))
+        if length := tape.there("length", *b._bare()):
+            # what is known by its length is known by its direction too
+            near = 1.0 / Value(tape, length)
+            return self * (b * near).conj() * near
         # by the larger part, so that no square leaves the range of numbers
         large = Value(tape, tape.call("maximum", *(tape.call("absolute", p) for p in (b.re, b.im))))
         low = b / large
@@ -135,10 +139,12 @@ class Value(_Unknown):
 
     def __abs__(self) -> Value:
         if self.im is None:
-            bare = Ref(self.re.node) if isinstance(self.re, Ref) else self.re
-            return Value(self.tape, self.tape.call("absolute", bare))
-        bare_parts = (Ref(p.node) if isinstance(p, Ref) else p for p in (self.re, self.im))
-        return Value(self.tape, self.tape.call("length", *bare_parts))
+            return Value(self.tape, self.tape.call("absolute", self._bare()[0]))
+        return Value(self.tape, self.tape.call("length", *self._bare()))
+
+    def _bare(self) -> list[Part]:
+        """Return both parts without signs before them."""
+        return [Ref(p.node) if isinstance(p, Ref) else p for p in (self.re, self.im)]
 
     def _compared(self, does: str, other: object) -> Mask:
         b = self._of(other)

@@ -24,6 +24,8 @@ Number = NewType("Number", Reals)
 """A quantity in SI, or a scale factor μ in SI units per mm."""
 Side = NewType("Side", Reals)
 """+1 or -1: which of two intersections an assembly keeps."""
+Vector = NewType("Vector", Complexes)
+"""What a reader has of a plan, x + iy in SI: it leaves the log, and is no mark that a plan draws."""
 
 
 class Line(NamedTuple):
@@ -71,9 +73,13 @@ def arrays(value: Any) -> tuple[NDArray[Any], ...]:
 
 def complexes(kind: Kind) -> tuple[bool, ...]:
     """Return which of the arrays of a kind are complex."""
-    return {Point: (True,), Line: (True, True), Arc: (True, False), Curve: (True, True)}.get(
-        kind, (False,)
-    )
+    return {
+        Point: (True,),
+        Vector: (True,),
+        Line: (True, True),
+        Arc: (True, False),
+        Curve: (True, True),
+    }.get(kind, (False,))
 
 
 def places(value: Any) -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -12,9 +13,10 @@ import pytest
 from support.gallery import SHEETS
 
 import graphic_tmm
-from graphic_tmm.any_angles import recorded
+from graphic_tmm.any_angles import motion, ready, recorded
 from graphic_tmm.any_angles.found import Motion
-from graphic_tmm.board import compiled
+from graphic_tmm.board import bound, compiled, execute
+from graphic_tmm.board.threads import LEAST
 from graphic_tmm.errors import ConstructionError, SceneError
 from graphic_tmm.scene.read import read
 
@@ -152,7 +154,7 @@ def test_a_scene_is_recorded_once(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = read(SHEETS / "crank-rocker")
     first = graphic_tmm.motion(scene, ANGLES, exact=True)
     monkeypatch.setattr(recorded, "record_project", None)
-    monkeypatch.setattr(recorded, "prepare", None)
+    monkeypatch.setattr(ready, "prepare", None)
     again = graphic_tmm.motion(scene, ANGLES, exact=True)
     np.testing.assert_array_equal(first["E"].acceleration, again["E"].acceleration)
     some = graphic_tmm.motion(scene, ANGLES[5:9], exact=True)
@@ -225,24 +227,41 @@ def test_compiled_it_is_the_same(exact: bool) -> None:
         np.testing.assert_allclose(one, other, rtol=1e-12, atol=1e-12 * np.abs(one).max())
 
 
-@pytest.mark.parametrize(
-    ("count", "fast", "due"), [(255, None, 0), (256, None, 1), (9, True, 1), (999, False, 0)]
-)
-def test_from_many_angles_on_a_log_is_compiled_if_nobody_says(
-    monkeypatch: pytest.MonkeyPatch, count: int, fast: bool | None, due: int
+class Ways:
+    """Which ways the steps of a log were run: compiled, or by numpy."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.ran = list[str]()
+        for way, of, name in (
+            ("bound", bound.Bound, "run"),
+            ("loops", compiled, "in_loops"),
+            ("steps", execute, "in_blocks"),
+        ):
+            monkeypatch.setattr(of, name, self.counted(way, getattr(of, name)))
+
+    def counted(self, way: str, real: Callable[..., Any]) -> Callable[..., Any]:
+        def called(*asked: Any, **named: Any) -> Any:
+            self.ran.append(way)
+            return real(*asked, **named)
+
+        return called
+
+
+@pytest.mark.parametrize("installed", [True, False])
+@pytest.mark.parametrize("fast", [None, True, False])
+@pytest.mark.parametrize("count", [1, 9, 300, 40_000])
+def test_a_log_is_compiled_at_any_number_of_angles_if_nobody_says(
+    monkeypatch: pytest.MonkeyPatch, count: int, fast: bool | None, installed: bool
 ) -> None:
-    """By the number of angles alone, whatever was asked for before."""
-    ran, real = list[int](), compiled.in_loops
-
-    def counted(*asked: Any, **named: Any) -> None:
-        ran.append(1)
-        real(*asked, **named)
-
-    monkeypatch.setattr(compiled, "in_loops", counted)
+    """By what is installed and what is asked for, whatever was asked for before."""
     scene, angles = read(SHEETS / "crank-rocker"), np.linspace(0.0, 360.0, count)
+    plain = graphic_tmm.motion(scene, angles, ["B"], fast=False, exact=True)
+    monkeypatch.setattr(motion, "translator", lambda: installed)
+    ways = Ways(monkeypatch)
     for _ in range(2):
         found = graphic_tmm.motion(scene, angles, ["B"], fast=fast, exact=True)
-    assert len(ran) == 2 * due
-    plain = graphic_tmm.motion(scene, angles, ["B"], fast=False, exact=True)
+    compiles = installed if fast is None else fast
+    due = ("bound" if count < LEAST else "loops") if compiles else "steps"
+    assert ways.ran == 2 * [due]
     largest = float(np.abs(plain["B"].acceleration).max())
     assert np.abs(found["B"].acceleration - plain["B"].acceleration).max() <= 1e-12 * largest

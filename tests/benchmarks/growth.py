@@ -17,7 +17,7 @@ from clock import HERE, ROOT, Row, in_turns, show, slope
 import bare  # isort: skip
 import kinematics  # isort: skip
 
-from graphic_tmm.board.blocks import Room  # isort: skip
+from graphic_tmm.board import room  # isort: skip
 from graphic_tmm.board.execute import prepare  # isort: skip
 from graphic_tmm.board.hand import HANDS  # isort: skip
 from graphic_tmm.board.values import Number  # isort: skip
@@ -144,23 +144,24 @@ def beyond(count: int) -> float:
     one = kinematics.case(bare.BARE[0], count)
     one.log(one.program, kinematics.RULER)  # the first run writes the line, which then is kept
     reserved = 0
-    taken = Room.empty
+    taken = room.piece
 
-    def noted(self: Room, shape: tuple[int, int], dtype: Any) -> Any:
+    def noted(size: int) -> Any:
         nonlocal reserved
-        before = self._rest
-        found = taken(self, shape, dtype)
-        reserved += found.base.nbytes if self._rest.base is not before.base else 0
+        found = taken(size)
+        reserved += found.nbytes
         return found
 
-    Room.empty = noted  # type: ignore[method-assign]
+    # what waits of the first run was not traced
+    room.WAITING.clear()
+    room.piece = noted
     tracemalloc.start()
     try:
         reading = one.log(one.program, kinematics.RULER)
         _, peak = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()
-        Room.empty = taken  # type: ignore[method-assign]
+        room.piece = taken
     assert reading.positions == count
     return (peak - reserved) / 1e6
 

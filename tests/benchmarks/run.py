@@ -14,6 +14,7 @@ from importlib.metadata import version
 
 SCRIPTS = (
     "kinematics",
+    "two_threads",
     "motion",
     "small",
     "growth",

@@ -10,7 +10,7 @@ import pytest
 from support.drawn import board
 from support.mechanisms import sample
 
-from graphic_tmm.board import compiled
+from graphic_tmm.board import loop_parts
 from graphic_tmm.board.execute import Reading, execute, prepare
 from graphic_tmm.board.hand import HANDS, Hand
 from graphic_tmm.board.loop_passes import WIDTH
@@ -75,6 +75,17 @@ class Fourbar:
         return plain, execute(self.log, self.given, fast=True, **options)
 
 
+class Counted:
+    """A function, and how often it was called."""
+
+    def __init__(self, real: Any) -> None:
+        self.real, self.count = real, 0
+
+    def __call__(self, *asked: Any) -> Any:
+        self.count += 1
+        return self.real(*asked)
+
+
 def same(log: Construction, plain: Reading, fast: Reading, within: float = TOLERANCE) -> None:
     """All numbers are the same within a share of the largest of their mark, in the same shapes."""
     steps = [step for step in log.steps if step.it in plain]
@@ -130,7 +141,7 @@ def test_trials_run_in_the_loop_too() -> None:
 def test_one_position_is_not_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
     bar = Fourbar()
     bar.given |= {bar.marks["φ"]: 40.0, bar.marks["AB"]: 80.0}
-    monkeypatch.setattr(compiled, "made", None)
+    monkeypatch.setattr(loop_parts, "made", None)
     plain, fast = bar.both()
     for step in bar.log.steps:
         for one, other in zip(arrays(plain[step.it]), arrays(fast[step.it]), strict=True):
@@ -140,7 +151,7 @@ def test_one_position_is_not_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("hand", [HANDS["student"]._replace(trials=2), Hand(ruler=0.1, digits=4)])
 def test_a_hand_that_slips_draws_the_very_same(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
     bar = Fourbar()
-    monkeypatch.setattr(compiled, "made", None)
+    monkeypatch.setattr(loop_parts, "made", None)
     plain, fast = bar.both(hand=hand)
     for step in bar.log.steps:
         for one, other in zip(arrays(plain[step.it]), arrays(fast[step.it]), strict=True):
@@ -184,13 +195,26 @@ def test_positions_have_the_same_bytes_whoever_stands_beside_them() -> None:
 
 def test_a_loop_is_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
     bar = Fourbar()
-    program = prepare(bar.log)
-    assert not program.at_hand()
-    first = program.run(bar.given, fast=True)
-    assert program.at_hand()
-    monkeypatch.setattr(compiled, "made", None)
+    first = prepare(bar.log).run(bar.given, fast=True)
+    monkeypatch.setattr(loop_parts, "made", None)
     again = prepare(bar.log).run({**bar.given, bar.marks["OA"]: 31.0}, fast=True)
     assert not np.array_equal(first[bar.marks["A"]], again[bar.marks["A"]])
+
+
+def test_a_log_of_the_same_steps_has_the_same_loop(monkeypatch: pytest.MonkeyPatch) -> None:
+    """And one that does something else has not."""
+    first, other = Fourbar(), Fourbar()
+    due = prepare(first.log).run(first.given, fast=True)
+    noted = Counted(loop_parts.loop_of)
+    monkeypatch.setattr(loop_parts, "loop_of", noted)
+    found = prepare(other.log).run(other.given, fast=True)
+    assert noted.count == 0
+    for letter in ("A", "B", "ω"):
+        mark = other.marks[letter]
+        assert found[mark].tobytes() == due[first.marks[letter]].tobytes()
+    prepare(Fourbar(closed=True).log).run(first.given, fast=True)
+    # one before the step that cannot be noted, one behind it
+    assert noted.count == 2
 
 
 def test_what_was_never_wanted_is_not_left_behind() -> None:

@@ -19,9 +19,12 @@ def _text(factor: float) -> str:
 
 def _doubled(run: Run) -> None:
     row, out, still = np.arange(9.0), np.zeros(9), np.zeros(0)
-    table = np.array([row.ctypes.data, out.ctypes.data])
-    run(0, 9, still.ctypes.data, table.ctypes.data)
-    np.testing.assert_array_equal(out, 2.0 * row)
+    for base in (0, 64):
+        rows = [row.ctypes.data - base, out.ctypes.data - base]
+        frame = np.array([0, 9, still.ctypes.data, *rows], np.int64)
+        out[:] = 0.0
+        run.call(frame.ctypes.data, base)
+        np.testing.assert_array_equal(out, 2.0 * row)
 
 
 def test_a_text_is_made_once() -> None:

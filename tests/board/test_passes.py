@@ -60,3 +60,23 @@ def test_a_root_is_that_of_the_board(least: float) -> None:
         found = passes.root(product, gap, np.full(300, 2.0), np.empty(300))
         due = geometry.root(product, gap, np.full(300, 2.0))
     np.testing.assert_array_equal(found, due)
+
+
+def test_alike_are_those_that_are_one_number() -> None:
+    for odd in (None, 0, 7, 399):
+        quarters = np.full(400, 3.0)
+        if odd is not None:
+            quarters[odd] = 2.0
+        assert passes.alike(quarters) == (odd is None)
+    assert not passes.alike(np.full(400, np.nan))
+
+
+@pytest.mark.parametrize("step", [1, 2])
+def test_a_sign_is_put_on_by_bits(step: int) -> None:
+    """Also that of a row that does not lie in one piece, as the parts of complex numbers do not."""
+    x = np.array([0.0, 1.0, 2.5, np.inf, np.nan, 1e-310, 3.0, 0.0])
+    signs = np.zeros(8 * step)[::step]
+    signs[:] = [-0.0, -1.0, 2.0, -np.inf, -3.0, -1e-310, 0.0, 5.0]
+    out = np.empty(8)
+    assert passes.signed(x, signs, out) is out
+    assert out.tobytes() == np.copysign(x, signs).tobytes()

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from support.unknown_values import unknown
 
+from graphic_tmm.board.passage import passage
 from graphic_tmm.board.tape import INPUT, Ref, Tape
 from graphic_tmm.board.traced import REFUSED
 from graphic_tmm.board.unknown import Mask, NotTraced, Value, valued
@@ -77,3 +78,22 @@ def test_what_is_done_twice_is_noted_once() -> None:
     assert first.re == second.re
     assert [node.does for node in tape.nodes] == [INPUT, INPUT, "multiply", "add"]
     assert (x * 0.0).re != (x * -0.0).re
+
+
+@pytest.mark.parametrize("known", [True, False])
+def test_what_is_divided_by_a_known_length_takes_no_other(known: bool) -> None:
+    rows = [np.array([3.0, -2.0, 1e-9, 0.0]), np.array([4.0, 0.5, 2e-9, 0.0])]
+    tape = Tape()
+    z = Value(tape, *(tape.input(moving=True) for _ in rows))
+    if known:
+        abs(-z)
+    found = (2.0 - 1j) / z
+    assert ("maximum" in {node.does for node in tape.nodes}) is not known
+    out = [np.empty(4), np.empty(4)]
+    line = passage(tape, [found.re, found.im], [False, False])
+    with np.errstate(all="ignore"):
+        line.run(4, 4, np.empty((line.slots, 4)), np.empty((line.masks, 4), bool), *rows, *out)
+    np.testing.assert_allclose(
+        (out[0] + 1j * out[1])[:3], (2.0 - 1j) / (rows[0] + 1j * rows[1])[:3], rtol=1e-15
+    )
+    assert np.isnan([out[0][3], out[1][3]]).all()

@@ -36,9 +36,10 @@ def worked(
         for leaf in loop.leaves
     ]
     still = np.array([rows[k].item() for k in loop.still])
-    table = np.array([row.ctypes.data for row in (*(rows[k] for k in loop.rows), *out)], np.int64)
+    table = [row.ctypes.data for row in (*(rows[k] for k in loop.rows), *out)]
     ends = [0, *cuts, count]
     run = made(loop.text)
     for start, stop in pairwise(ends):
-        run(start, stop, still.ctypes.data, table.ctypes.data)
+        frame = np.array([start, stop, still.ctypes.data, *table], np.int64)
+        run.call(frame.ctypes.data, 0)
     return out

@@ -1,0 +1,215 @@
+"""A slice of a log made ready to run at any angles: what does not vary of it is found, once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from graphic_tmm.any_angles.si import in_si
+from graphic_tmm.board.again import again
+from graphic_tmm.board.bound import LAYOUTS, Bound, bound, picked
+from graphic_tmm.board.execute import Program, execute, prepare
+from graphic_tmm.board.hand import Hand
+from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.threads import LEAST
+from graphic_tmm.board.values import Reals
+from graphic_tmm.board.values import given as as_value
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.errors import ConstructionError
+from graphic_tmm.language.said import said
+from graphic_tmm.moving import VECTORS, Key, Quantity, Told
+
+QUANTITIES: tuple[Quantity, ...] = get_args(Quantity)
+Known = Callable[[Reals], Mapping[Mark, Any]]
+"""What is given at angles (1, angle), and nowhere else."""
+Arrays = Sequence[NDArray[Any]]
+Table = tuple[tuple[Key, ...], tuple[int, ...]]
+"""What a quantity is told of, and the number of the array of each."""
+
+
+@dataclass(frozen=True, eq=False)
+class Ready:
+    """A slice of a log, what does not vary of it, and where what it tells is found.
+
+    ``values``: by slot what is the same at all angles. ``entering``: the marks that are not, and ``plain``:
+    whether each of them is the direction of the crank itself. ``moving``: what the program leaves behind: the
+    slot of each, that of a number without which nobody knows it, −1 without such. ``fixed``: the bytes of what
+    is one number at all angles, and its type. ``tables``: by quantity; an array is known by its number among
+    those that move, the fixed ones behind them.
+    """
+
+    program: Program
+    hand: Hand
+    values: Mapping[int, Any]
+    entering: tuple[Mark, ...]
+    plain: bool
+    moving: tuple[tuple[int, int], ...]
+    fixed: tuple[tuple[bytes, type], ...]
+    tables: tuple[Table, ...]
+
+    def told(
+        self, angles: Reals, known: Known, *, fast: bool, threads: int | None
+    ) -> list[dict[Any, NDArray[Any]]]:
+        """Return what is told at angles, (angle,), by quantity."""
+        count = angles.size
+        at = angles if count else np.full(1, np.nan)
+        arrays = self._known(self._found(at, known, fast=fast, threads=threads))
+        if not count:
+            arrays = [array[:0] for array in arrays]
+        whole = (*arrays, *(self._standing.get(count) or self._stands(count)))
+        return [
+            dict(zip(keys, pick(whole), strict=True)) if keys else {} for keys, pick in self._tables
+        ]
+
+    def _found(self, at: Reals, known: Known, *, fast: bool, threads: int | None) -> Arrays:
+        """Return what the program leaves behind, (angle,)."""
+        count = at.size
+        loop = self._loop if fast and count < LEAST else None
+        if loop is not None and self.plain:
+            return loop.run(count, [at] * len(loop.feeds))
+        row = at[None, :]
+        given = dict.fromkeys(self.entering, row) if self.plain else _quietly(known, row)
+        entering = {mark.slot: as_value(given[mark], mark.kind) for mark in self.entering}
+        if loop is not None:
+            return loop.run(count, [feed.of(entering)[0] for feed in loop.feeds])
+        values = {**self.values, **entering}
+        reading = self.program.go_on(values, count, hand=self.hand, fast=fast, threads=threads)
+        found = [reading.values[slot][0] for slot in self._slots]
+        # a mark of a hand that slips may be the same at all of them
+        return [np.broadcast_to(one, at.shape) if one.size != count else one for one in found]
+
+    def _known(self, found: Arrays) -> Arrays:
+        """Return what is told of all that was found, NaN where that is without which nobody knows it."""
+        if not self._unknown:
+            return found
+        told = list(found[: len(self.moving)])
+        for k, by in self._unknown:
+            told[k] = np.where(np.isnan(found[by]), np.nan, told[k])
+        return told
+
+    def _stands(self, count: int) -> Arrays:
+        """Return what is one number at all angles, (angle,): it takes no memory, and nobody writes to it."""
+        found = tuple(np.ndarray((count,), kind, value, 0, (0,)) for value, kind in self.fixed)
+        if len(self._standing) >= LAYOUTS:
+            self._standing.clear()
+        self._standing[count] = found
+        return found
+
+    @cached_property
+    def _standing(self) -> dict[int, Arrays]:
+        return {}
+
+    @cached_property
+    def _tables(self) -> list[tuple[tuple[Key, ...], Any]]:
+        return [(keys, picked(numbers)) for keys, numbers in self.tables]
+
+    @cached_property
+    def _slots(self) -> tuple[int, ...]:
+        """The slots that are found: of what moves, behind them those without which it is not known."""
+        return (*(slot for slot, _ in self.moving), *(by for _, by in self.moving if by >= 0))
+
+    @cached_property
+    def _unknown(self) -> tuple[tuple[int, int], ...]:
+        """Which of the arrays that are found are not known where another is NaN."""
+        some = [k for k, (_, by) in enumerate(self.moving) if by >= 0]
+        return tuple((k, len(self.moving) + n) for n, k in enumerate(some))
+
+    @cached_property
+    def _loop(self) -> Bound | None:
+        """All of it as one loop; None where it is none."""
+        if self.hand.slips or self.hand.digits is not None or len(self.program.strata) > 1:
+            return None
+        two = {mark.slot: as_value(np.zeros((1, 2)), mark.kind) for mark in self.entering}
+        (calls, _), *_ = self.program.strata
+        return bound(calls, {**self.values, **two}, self.hand, self._slots)
+
+
+def _quietly(known: Known, row: Reals) -> Mapping[Mark, Any]:
+    with np.errstate(all="ignore"):
+        return known(row)
+
+
+def made_ready(
+    sheet: Drawn, still: Mapping[Mark, Any], known: Known, rows: Sequence[Told]
+) -> Ready:
+    """Return the slice of a log that tells some rows.
+
+    Parameters
+    ----------
+    sheet
+        The drawing at the positions of its scene.
+    still
+        What is given, or drawn across the positions, and is the same at all angles.
+    known
+        What is not.
+    rows
+        What is to be told.
+    """
+    probe = np.zeros((1, 1))
+    varying = known(probe)
+    whole, marks, origins = in_si(sheet.construction, rows, sheet.given)
+    still = {**still, **origins}
+    log = again(whole, {**still, **varying})
+    needed = {row.known for row in rows if row.known is not None}
+    if not sheet.hand.slips:
+        log, still = _folded(log, still, {*marks.values(), *needed}, sheet.hand)
+    there = {*log.given, *(step.it for step in log.steps)}
+    moving: dict[tuple[int, int], int] = {}
+    fixed: dict[tuple[bytes, type], int] = {}
+    places: dict[Quantity, dict[Key, Any]] = {quantity: {} for quantity in QUANTITIES}
+    for row in rows:
+        mark = marks[row]
+        one: Any
+        if mark in still:
+            kind = np.complex128 if row.quantity in VECTORS else np.float64
+            one = np.ravel(np.asarray(still[mark], dtype=kind))[:1].tobytes(), kind
+            fixed.setdefault(one, len(fixed))
+        elif mark in there:
+            one = (mark.slot, -1 if row.known is None else row.known.slot)
+            moving.setdefault(one, len(moving))
+        else:
+            raise ConstructionError(
+                said(
+                    "motion: {name} hangs on the positions of the sheet, and is known at no other angle",
+                    name=str(row.key),
+                )
+            )
+        places[row.quantity][row.key] = one
+    number: dict[Any, int] = {**moving, **{one: len(moving) + k for one, k in fixed.items()}}
+    left = {mark for mark in marks.values() if mark not in still}
+    program = prepare(log, left | needed)
+    entering = tuple(mark for mark in program.given if mark not in still)
+    return Ready(
+        program,
+        sheet.hand,
+        program._replace(given=tuple(m for m in program.given if m in still)).begun(still),
+        entering,
+        all(varying[mark] is probe for mark in entering),
+        tuple(moving),
+        tuple(fixed),
+        tuple((tuple(one), tuple(number[at] for at in one.values())) for one in places.values()),
+    )
+
+
+def _folded(
+    log: Construction, still: Mapping[Mark, Any], wanted: set[Mark], hand: Hand
+) -> tuple[Construction, dict[Mark, Any]]:
+    """Return the log without what is the same at all angles, and that, with axes (trial, position)."""
+    constant, first, rest = set(still), [], []
+    for step in log.steps:
+        if constant.issuperset(step.uses):
+            constant.add(step.it)
+            first.append(step)
+        else:
+            rest.append(step)
+    used = {mark for step in rest for mark in step.uses} | wanted
+    left = tuple(mark for mark in used if mark in constant)
+    found = execute(log._replace(given=tuple(still), steps=tuple(first)), still, left, hand=hand)
+    values = {mark: found[mark] for mark in left}
+    varying = tuple(mark for mark in log.given if mark not in still)
+    return log._replace(given=(*left, *varying), steps=tuple(rest)), values
