@@ -47,7 +47,7 @@ def run(
     """Do works and write their files into a folder, but those whose files are there as they would be made.
 
     ``executor``: in so many processes (0: in this one), or by the cluster of a scheduler's address. ``limit``:
-    a work that takes longer, s, is broken off with the process that does it (0: none is, nor one in this process).
+    a work that takes longer, s, is broken off with the process that does it (0: none; nor is any here).
 
     Raises
     ------
