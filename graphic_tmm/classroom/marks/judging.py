@@ -104,7 +104,8 @@ def scene_of(task: Task) -> Scene:
 def composition_of(task: Task) -> Composition | None:
     """Return the composition of a task's sheets; raises TmmError if its variant cannot be drawn."""
     if task.lent:
-        return begun(scene_of(task), task.composition)[1].composition
+        own = scene_of(task._replace(language=""))
+        return begun(scene_of(task), task.composition, own.language)[1].composition
     if not task.composition:
         return None
     return known_composition(task.composition.encode("utf-8"), beside(task.source))
@@ -125,7 +126,9 @@ def checker(task: Task, by: By) -> Checker:
 
 def sizes_of(task: Task) -> Composition | None:
     """Return a composition by which a task's figures are those of its sheets."""
-    return drawn_by(scene_of(task), task.composition) if task.lent else composition_of(task)
+    if task.lent:
+        return drawn_by(scene_of(task._replace(language="")), task.composition)
+    return composition_of(task)
 
 
 def _judged(given: Given, photographs: Mapping[str, bytes]) -> tuple[Report, Row]:
