@@ -15,8 +15,8 @@ from graphic_tmm.studio import composed_sheets
 
 def test_a_variant_is_as_large_in_another_language() -> None:
     of = base(SHEETS / "shaper")
-    lengths = {"OA": "120", "OB": "335", "BC": "690", "CD": "190"}
-    one = Variant("05", tuple(Value(key, value) for key, value in lengths.items()))
+    row = {"OA": "120", "OB": "335", "BC": "690", "CD": "190", "drive.speed": "40 rpm"}
+    one = Variant("05", tuple(Value(key, value) for key, value in row.items()))
     scene, start = scene_of(of, one), start_of(of)
     english = replace(scene, language="en")
     _, due = begun(scene, start)
