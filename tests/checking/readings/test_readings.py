@@ -359,13 +359,6 @@ def test_what_is_no_table(tmp_path, data, said):
     assert said in str(refused(tmp_path, data))
 
 
-def test_a_damaged_workbook_is_not_called_a_text(tmp_path):
-    file = tmp_path / "Ivanov 04.XLSX"
-    file.write_bytes(bytes(range(256)) * 12)
-    with pytest.raises(SceneError, match="no xlsx workbook, or a damaged one"):
-        read_readings(file)
-
-
 def test_a_message_stays_short_whatever_the_titles(tmp_path):
     for head in ("," * 100_000, "segmnt" * 20_000, "a," * 50_000 + "segmnt"):
         assert len(str(refused(tmp_path, f"{head}\n"))) < 2000
