@@ -138,6 +138,20 @@ def _begun_with(scene: Scene, given: Composition) -> tuple[DrawnScene, Composed]
     return None
 
 
+def composed_as_large(scene: Scene, given: Composition) -> tuple[DrawnScene, Composed]:
+    """Draw a scene as large as a composition has it, its views where that has them if they fit there.
+
+    Raises
+    ------
+    SheetError
+        As `composed_sheets`, in whose sizes it is drawn if a view fits no sheet so large.
+    """
+    made = make(scene, wanted=scene.shown, given=given)
+    with suppress(ViewError):
+        return made, composed(made.scene, made.boards, given, near=True)
+    return composed_sheets(scene)
+
+
 def sheet_files(
     scene: Scene,
     formats: Sequence[str] = ("svg",),

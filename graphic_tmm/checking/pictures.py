@@ -18,6 +18,7 @@ from graphic_tmm.studio import composed_sheets, make
 
 if TYPE_CHECKING:
     from graphic_tmm.checking.photo.flatten import Photo
+    from graphic_tmm.checking.photo.picture import Sent
     from graphic_tmm.drawn import DrawnScene
     from graphic_tmm.paper.drawing import Drawing, Sheet
 
@@ -53,7 +54,11 @@ class Laid(NamedTuple):
 
 
 def laid(
-    scene: Scene, photo: str, corners: str, number: int = 1, given: Composition | None = None
+    scene: Scene,
+    photo: str | Sent,
+    corners: str,
+    number: int = 1,
+    given: Composition | None = None,
 ) -> Laid:
     """Return a sheet's photograph, flattened to the sheet's true millimetres.
 
@@ -83,9 +88,7 @@ def laid(
     sheet = drawn[number - 1]
     lines = ruled(sheet, number == 1)
     dots = min(math.floor(math.sqrt(DOTS / (sheet.width * sheet.height))), FINEST)
-    flat = flatten(
-        Path(photo), clicked or lines, lines.frame, area=lines.paper, dots_per_mm=float(dots)
-    )
+    flat = flatten(photo, clicked or lines, lines.frame, area=lines.paper, dots_per_mm=float(dots))
     return Laid(made, sheet, number, flat)
 
 

@@ -91,12 +91,18 @@ class _Desk:
         self.drawings: list[tuple[DrawnScene, bool]] = []
         """What was drawn, and whether for sheets: what is to be told of it."""
 
+    @property
+    def own(self) -> str:
+        """The language of the scene's text, if another is asked for."""
+        asked = self.asked
+        return scene_asked(asked._replace(language="")).language if asked.language else ""
+
     @cached_property
     def composed(self) -> tuple[DrawnScene, Composed]:
         """Its sheets: they show one drawing."""
         text = self.asked.composition
         if self.asked.lent or not text:
-            made, found = begun(self.scene, text)
+            made, found = begun(self.scene, text, self.own)
         else:
             given = known_composition(text.encode("utf-8"), beside(self.scene.source))
             made, found = composed_sheets(self.scene, given)

@@ -10,6 +10,7 @@ import click
 
 from graphic_tmm.commands.shared.ending import WRONG
 from graphic_tmm.commands.shared.formats import chosen
+from graphic_tmm.commands.shared.limits import limited
 from graphic_tmm.commands.shared.progress import progress, waiting
 from graphic_tmm.commands.shared.scenes import SceneName, hands, language_of
 from graphic_tmm.commands.shared.spoken import Command
@@ -61,6 +62,7 @@ NAMED = 3
     is_flag=True,
     help=said("Compose the sheets of each variant by themselves, not as those of SCENE."),
 )
+@limited
 @hands
 def batch(
     scene: str,
@@ -70,12 +72,13 @@ def batch(
     forms: str | None,
     jobs: int | None,
     scheduler: str | None,
+    limit: float | None,
     anew: bool,
     hand: str | None,
     seed: int | None,
 ) -> None:
     """Draw every variant of SCENE that the table VARIANTS (CSV, xlsx) names; nothing is made twice."""
-    from graphic_tmm.classroom.batch.run import BrokenOff, run
+    from graphic_tmm.classroom.batch.run import USUAL, BrokenOff, run
     from graphic_tmm.classroom.making import Asked, work
     from graphic_tmm.classroom.variants.start import start_of
     from graphic_tmm.classroom.variants.table import read_variants
@@ -102,6 +105,7 @@ def batch(
                 works,
                 Path(output),
                 executor=scheduler or jobs or _processors(),
+                limit=limit or USUAL,
                 tell=lambda done, all_, name: on_the_way(done, all_, names[name].name),
             )
     except BrokenOff as error:

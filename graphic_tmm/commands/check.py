@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from graphic_tmm.commands.shared.ending import WRONG
+from graphic_tmm.commands.shared.limits import limited
 from graphic_tmm.commands.shared.marking import (
     MarkedBy,
     mark_folder,
@@ -68,6 +69,12 @@ if TYPE_CHECKING:
 @click.option(
     "--marks", metavar="FILE", help=said("With --class: the rule for marks, a file as marks.toml.")
 )
+@click.option(
+    "--scheduler",
+    metavar="ADDRESS",
+    help=said("With --class: let the cluster of this Dask scheduler do it: tcp://10.0.0.1:8786."),
+)
+@limited
 @click.option(
     "-o",
     "--output",
@@ -169,6 +176,8 @@ def check(
     folder: str | None,
     variants: str | None,
     marks: str | None,
+    scheduler: str | None,
+    limit: float | None,
     output: str | None,
     hand: str,
     points: str,
@@ -189,9 +198,10 @@ def check(
     if folder is not None:
         of_one = (readings, template, short, only, position, overlay, photo, corners, sheet)
         refuse_mixed((*of_one, poles, readings_out), form, output)
-        mark_folder(MarkedBy(scene, folder, variants, marks, output, form), by.options)
+        where = (scheduler, limit)
+        mark_folder(MarkedBy(scene, folder, variants, marks, output, form, *where), by.options)
         return
-    refuse_without_class(variants, marks, form)
+    refuse_without_class((variants, marks, scheduler, limit), form)
     if not template:
         _refuse_half_asked(scene, readings, photo, (sheet, corners, poles or None, readings_out))
         _refuse_twice_asked(readings, poles, readings_out)

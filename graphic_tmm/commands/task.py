@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from graphic_tmm.commands.shared.formats import chosen
+from graphic_tmm.commands.shared.limits import limited
 from graphic_tmm.commands.shared.progress import waiting
 from graphic_tmm.commands.shared.scenes import SceneName, language_of
 from graphic_tmm.commands.shared.spoken import Command
@@ -66,8 +67,9 @@ NONE = "none"
     type=click.IntRange(0, 256),
     default=1,
     show_default=True,
-    help=said("In so many processes; 0: in this one."),
+    help=said("In so many processes; 0: in this one, where no limit holds."),
 )
+@limited
 def task(
     scene: str,
     variants: str | None,
@@ -77,9 +79,10 @@ def task(
     notes: str,
     readings: bool,
     jobs: int,
+    limit: float | None,
 ) -> None:
     """Write task sheets without a solution for VARIANTS (CSV, xlsx) of SCENE; their keys apart from them."""
-    from graphic_tmm.classroom.batch.run import run
+    from graphic_tmm.classroom.batch.run import USUAL, run
     from graphic_tmm.classroom.tasks.work import FORMATS, KEYS, works
     from graphic_tmm.classroom.variants.start import start_of
     from graphic_tmm.classroom.variants.table import read_variants
@@ -90,6 +93,8 @@ def task(
     from graphic_tmm.note.formats import refuse_missing
     from graphic_tmm.packaged import scene_path
 
+    if limit is not None and jobs == 0:
+        raise click.UsageError(said("--limit holds for other processes: leave it out, or --jobs 0"))
     formats = tuple(chosen(forms, FORMATS))
     held = () if keys.strip().lower() == NONE else tuple(chosen(keys, KEYS, "--keys"))
     written = tuple(chosen(notes, NOTES, "--note"))
@@ -112,7 +117,7 @@ def task(
             language=asked() or "",
             readings=readings,
         )
-        ran = run(pieces, Path(output), executor=jobs)
+        ran = run(pieces, Path(output), executor=jobs, limit=limit or USUAL)
     for folder in dict.fromkeys(name.partition("/")[0] for name in (*ran.made, *ran.kept)):
         click.echo(str(Path(output, folder)))
     for name, lines in ran.told.items():

@@ -20,12 +20,11 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from support.batches import sums
 from support.gallery import SHEETS
 
-from graphic_tmm.classroom.batch import scenes
 from graphic_tmm.classroom.batch.answer import parcel
 from graphic_tmm.classroom.batch.record import place
 from graphic_tmm.classroom.batch.run import Ran, run
 from graphic_tmm.classroom.batch.work import Done, Work
-from graphic_tmm.classroom.making import Asked
+from graphic_tmm.classroom.making import Asked, made
 from graphic_tmm.classroom.variants.variant import Value, Variant, base, source_of, text_of
 from graphic_tmm.fitting.composition import beside
 from graphic_tmm.scene.read import read
@@ -35,7 +34,7 @@ from graphic_tmm.studio import sheet_files
 def timed(given: tuple[str, Asked]) -> Done:
     """Make what is asked, and tell what it cost: s of the processor, MB that the process has had at most."""
     begun = time.process_time()
-    done = scenes.made(given)
+    done = made(given)
     spent = time.process_time() - begun
     return done._replace(told=(f"{os.getpid()} {spent:.4f} {largest():.1f}",))
 
@@ -55,8 +54,8 @@ def variants(count: int, makes: tuple[str, ...]) -> list[Work]:
     for k in range(count):
         lengths = Value("OA", f"{105 + k % 20}"), Value("BC", f"{590 + k // 20}")
         one = Variant(f"{k}", lengths)
-        made = asked._replace(text=text_of(of, one), source=source_of(of, one).name)
-        found.append(Work(one.name, f"{timed.__module__}:timed", (one.name, made)))
+        whole = asked._replace(text=text_of(of, one), source=source_of(of, one).name)
+        found.append(Work(one.name, f"{timed.__module__}:timed", (one.name, whole)))
     return found
 
 

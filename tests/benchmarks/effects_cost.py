@@ -6,9 +6,7 @@ from functools import partial
 from typing import Any
 
 from clock import ROOT, Row, in_turns, show
-
-import effects  # isort: skip
-
+from support import effects
 from support.boards import drawn_of
 
 from graphic_tmm.board.execute import prepare

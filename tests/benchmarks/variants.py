@@ -24,7 +24,7 @@ from support.gallery import SHEETS
 from graphic_tmm.classroom.variants.variant import Base, Value, Variant, base, scene_of
 from graphic_tmm.errors import TmmError
 from graphic_tmm.fitting.composition import Composition
-from graphic_tmm.studio import composed_sheets, sheet_files
+from graphic_tmm.studio import composed_sheets, files_of
 
 
 def main() -> None:
@@ -78,7 +78,7 @@ def varied(of: Base, name: str, chance: random.Random) -> Variant:
 def drawn(of: Base, one: Variant, given: Composition | None) -> tuple[float, float]:
     """Return the CPU seconds of a variant from its text to SVG, and the mean fill of its sheets."""
     begun = time.process_time()
-    _, files = sheet_files(scene_of(of, one), given=given, near=True)
+    files = files_of(*composed_sheets(scene_of(of, one), given, near=True), ("svg",))
     seconds = time.process_time() - begun
     with tempfile.TemporaryDirectory() as folder:
         fills = []

@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import signal
 import time
+from collections.abc import Mapping
+from hashlib import sha256
 from pathlib import Path
 from typing import NamedTuple
 
@@ -49,6 +51,30 @@ def dies_once(given: str) -> Done:
     os._exit(7)
 
 
+def hangs(given: str) -> Done:
+    """Never ends, and lets others of its process go on."""
+    while True:
+        time.sleep(1.0)
+
+
+def hangs_in_machine_code(given: str) -> Done:
+    """Never ends, in one call that lets nothing of Python go on."""
+    return Done({"never.txt": str(sum(range(10**18)))})
+
+
+def hangs_once(given: str) -> Done:
+    """Never ends if the file is not there, which it then is."""
+    try:
+        Path(given).touch(exist_ok=False)
+    except FileExistsError:
+        return Done({f"{Path(given).name}/ended.txt": "ended"})
+    return hangs(given)
+
+
+def bytes_of(given: tuple[str, ...], files: Mapping[str, bytes]) -> Done:
+    return Done({f"{len(given)}.bin": b"".join(files[one] for one in given)})
+
+
 def raises_once(given: str) -> Done:
     try:
         Path(given).touch(exist_ok=False)
@@ -80,6 +106,12 @@ def environment(given: tuple[str, ...]) -> Done:
 def work(operation: object, name: str, given: object) -> Work:
     """Return the work of an operation of this module."""
     return Work(name, f"{__name__}:{operation.__name__}", given)  # type: ignore[attr-defined]
+
+
+def bringing(*files: Path) -> Work:
+    """Return the work of joining the bytes of files as they are now."""
+    brings = tuple((str(one), sha256(one.read_bytes()).hexdigest()) for one in files)
+    return work(bytes_of, "bytes", tuple(map(str, files)))._replace(brings=brings)
 
 
 def sums(count: int, log: object = "", pause: float = 0.0, size: int = 1) -> list[Work]:

@@ -30,7 +30,7 @@ from graphic_tmm.checking.photo.perspective import (
     through,
     vertices,
 )
-from graphic_tmm.checking.photo.picture import MOST, pillow, read
+from graphic_tmm.checking.photo.picture import MOST, Sent, pillow, read
 from graphic_tmm.checking.photo.ruling import Ruled
 from graphic_tmm.checking.photo.shot import Shot
 from graphic_tmm.errors import SheetError
@@ -76,7 +76,7 @@ class Photo(NamedTuple):
 
 
 def flatten(
-    path: str | Path,
+    photo: str | Path | Sent,
     corners: Corners | Ruled,
     frame: tuple[float, float, float, float],
     *,
@@ -84,7 +84,7 @@ def flatten(
     area: tuple[float, float, float, float] | None = None,
     refined: bool = True,
 ) -> Photo:
-    """Return the photograph in a file without its perspective.
+    """Return the photograph in a file, or one that was sent, without its perspective.
 
     ``corners`` (4, 2): where the frame's corners are seen, x and y in pixels from the centre of the
     first, y downward, in any order, the photograph upright as a viewer shows it; or what is ruled on the sheet:
@@ -105,7 +105,7 @@ def flatten(
     whole, rows, columns = _raster(wanted, dots_per_mm)
     known = isinstance(corners, Ruled)
     clicked = vertices(box) if isinstance(corners, Ruled) else ordered(corners)
-    image = read(path)
+    image = read(photo)
     found: Lines | None = None
     if isinstance(corners, Ruled):
         found = frame_found(image, corners).lines

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import io
 import warnings
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +23,14 @@ PHOTOGRAPH = Kind(
 FORMATS = ("JPEG", "PNG", "TIFF", "WEBP", "BMP")
 
 
-def read(path: str | Path) -> NDArray[np.uint8]:
+class Sent(NamedTuple):
+    """A photograph that was read elsewhere: how messages call it, its bytes."""
+
+    name: str
+    data: bytes
+
+
+def read(photo: str | Path | Sent) -> NDArray[np.uint8]:
     """Return a photograph (rows, columns, 3), 0 ... 255, upright as its camera says.
 
     Raises
@@ -33,12 +41,12 @@ def read(path: str | Path) -> NDArray[np.uint8]:
         If the file cannot be read (as `files.opened`).
     """
     images, operations = pillow()
-    place = Path(path)
+    place = Path(photo.name if isinstance(photo, Sent) else photo)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:
             with (
-                opened(place, PHOTOGRAPH) as stream,
+                _stream(photo) as stream,
                 images.open(stream, formats=FORMATS) as image,
             ):
                 columns, rows = image.size
@@ -64,6 +72,10 @@ def read(path: str | Path) -> NDArray[np.uint8]:
                     error=error,
                 )
             ) from error
+
+
+def _stream(photo: str | Path | Sent) -> BinaryIO:
+    return io.BytesIO(photo.data) if isinstance(photo, Sent) else opened(Path(photo), PHOTOGRAPH)
 
 
 def pillow() -> tuple[Any, Any]:

@@ -20,6 +20,7 @@ _BOMS = (
     (codecs.BOM_UTF16_BE, "utf-16-be"),
 )
 _CONTROL = re.compile("[\x00-\x08\x0e-\x1f\x7f]")
+NO_BOOK = said("this is no xlsx workbook, or a damaged one; save the sheet as CSV or xlsx")
 _NO_TEXT = said("this is not a text; save the table as CSV with the encoding UTF-8")
 
 
@@ -44,8 +45,8 @@ def decoded(file: Path, data: bytes) -> str:
         found = _CONTROL.search(text)
         if found is None:
             return text
-        _refuse(file, _NO_TEXT, text.count("\n", 0, found.start()) + 1)
-    _refuse(file, _NO_TEXT)
+        _refuse(file, _none(file), text.count("\n", 0, found.start()) + 1)
+    _refuse(file, _none(file))
 
 
 def _encodings(data: bytes) -> tuple[str, ...]:
@@ -57,6 +58,11 @@ def _encodings(data: bytes) -> tuple[str, ...]:
         little = data[1::2].count(0) > data[::2].count(0)
         return ("utf-16-le" if little else "utf-16-be",)
     return "utf-8", "cp1251"
+
+
+def _none(file: Path) -> str:
+    """Return what is told of a file that is neither a text nor a workbook."""
+    return NO_BOOK if file.suffix.lower() == ".xlsx" else _NO_TEXT
 
 
 def _refuse(file: Path, message: str, line: int = 0) -> NoReturn:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
 from graphic_tmm.checking.readings.csv_cells import Head, Row, head_of
+from graphic_tmm.checking.readings.decoding import NO_BOOK
 from graphic_tmm.errors import Fault, SceneError, printable
 from graphic_tmm.language.said import said
 
@@ -105,7 +106,7 @@ def sheets_of(file: Path, data: bytes, columns: int = COLUMNS) -> list[Sheet]:
         except SceneError:
             raise
         except Exception:  # whatever openpyxl, a parser of XML or zlib makes of a damaged file
-            _refuse(file, _no_workbook())
+            _refuse(file, NO_BOOK)
     return typed
 
 
@@ -115,7 +116,7 @@ def _measure(file: Path, data: bytes) -> None:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             size = sum(entry.file_size for entry in archive.infolist())
     except (zipfile.BadZipFile, ValueError, OSError, NotImplementedError, EOFError):
-        _refuse(file, _no_workbook())
+        _refuse(file, NO_BOOK)
     if size > LARGEST:
         _refuse(file, said("the workbook is too large; delete sheets that hold no readings"))
 
@@ -185,10 +186,6 @@ def _number(value: float, shown: str) -> str:
         return text
     whole, _, digits = text.partition(".")
     return f"{whole}.{digits.ljust(len(decimals[1]), '0')}"
-
-
-def _no_workbook() -> str:
-    return said("this is no xlsx workbook, or a damaged one; save the sheet as CSV or xlsx")
 
 
 def _refuse(file: Path, message: str) -> NoReturn:

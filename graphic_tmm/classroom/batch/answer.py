@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import faulthandler
 import os
 import pickle
 import traceback
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from threading import Lock
 from typing import Any, NamedTuple
 
 from graphic_tmm.classroom.batch.digest import package
-from graphic_tmm.classroom.batch.work import Work, done
+from graphic_tmm.classroom.batch.work import Work, brought, done
 from graphic_tmm.errors import TRACEBACK, TmmError, own_fault
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.reader import reading
@@ -33,21 +35,27 @@ class Answer(NamedTuple):
 
 
 def parcel(work: Work, language: str) -> bytes:
-    """Return a piece of work as it travels; ``language``: that of its messages.
+    """Return a piece of work as it travels, with what it brings; ``language``: that of its messages.
 
     Raises
     ------
+    SheetError
+        If a file that it brings is another now.
     Exception
         Of pickle's, if it cannot travel.
     """
-    return pickle.dumps((package(), language, work), pickle.HIGHEST_PROTOCOL)
+    whole = (package(), language, work, brought(work))
+    return pickle.dumps(whole, pickle.HIGHEST_PROTOCOL)
 
 
-def answer(sent: bytes) -> Answer:
-    """Do a piece of work that was sent, and return what came of it; nothing is raised."""
-    with _ALONE:
+def answer(sent: bytes, limit: float = 0.0) -> Answer:
+    """Do a piece of work that was sent, and return what came of it; nothing is raised.
+
+    ``limit``: after so many s its process ends (0: never).
+    """
+    with _ALONE, ending_after(limit):
         try:
-            there, language, work = pickle.loads(sent)
+            there, language, work, files = pickle.loads(sent)
         except Exception as error:
             return Answer(fault=_fault(error))
         with reading(language):
@@ -60,7 +68,7 @@ def answer(sent: bytes) -> Answer:
                 )
                 return Answer(refused=speech(says))
             try:
-                return _answered(work)
+                return _answered(work, files)
             except TmmError as error:
                 return Answer(refused=error.told(speech))
             except MemoryError:
@@ -69,8 +77,28 @@ def answer(sent: bytes) -> Answer:
                 return Answer(fault=speech(_fault(error)))
 
 
-def _answered(work: Work) -> Answer:
-    found: Any = done(work)
+@contextmanager
+def ending_after(limit: float) -> Iterator[None]:
+    """End this process at once if what is done within takes longer, s (0: however long it takes).
+
+    Python's own watchman does it: a thread that needs nothing of Python and so is not kept waiting by a loop in
+    machine code, on every system and in whichever thread the work is done, as no alarm of a signal is. Where it
+    was is told if faults are to show that.
+    """
+    if not limit:
+        yield
+        return
+    with open(os.devnull, "wb") as nowhere:
+        told = 2 if os.environ.get(TRACEBACK) else nowhere
+        faulthandler.dump_traceback_later(limit, exit=True, file=told)
+        try:
+            yield
+        finally:
+            faulthandler.cancel_dump_traceback_later()
+
+
+def _answered(work: Work, brought: Mapping[str, bytes]) -> Answer:
+    found: Any = done(work, brought)
     files = {
         str(name): text.encode("utf-8") if isinstance(text, str) else bytes(text)
         for name, text in found.files.items()

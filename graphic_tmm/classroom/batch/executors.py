@@ -28,6 +28,9 @@ THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 PATIENCE = 15
 """So many s a scheduler has to answer."""
 
+LARGE, MOST = "distributed.admin.large-graph-warning-threshold", "1 GB"
+"""What travels at once is a photograph at the most: the cluster is not to warn of it."""
+
 
 class Pool(NamedTuple):
     """An executor, and how many pieces of work it does at once."""
@@ -144,6 +147,7 @@ def _watch(line: Connection) -> None:
 @contextmanager
 def _cluster(address: str) -> Iterator[Pool]:
     try:
+        from dask import config
         from distributed import Client
     except ImportError as error:
         says = said("a scheduler needs the extra cluster: pip install 'graphic-tmm[cluster]'")
@@ -159,7 +163,8 @@ def _cluster(address: str) -> Iterator[Pool]:
         raise SheetError(says) from error
     try:
         executor = client.get_executor(pure=False)
-        yield Pool(executor, max(1, sum(client.ncores().values())))
+        with config.set({LARGE: MOST}):
+            yield Pool(executor, max(1, sum(client.ncores().values())))
         executor.shutdown()
     except BaseException:
         executor.shutdown(wait=False)

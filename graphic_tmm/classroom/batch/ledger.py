@@ -19,6 +19,7 @@ from graphic_tmm.classroom.batch.record import (
     write_files,
     write_record,
 )
+from graphic_tmm.classroom.batch.rounds import TooLongError
 from graphic_tmm.classroom.batch.work import Work
 from graphic_tmm.errors import own_fault, printable
 from graphic_tmm.language.reader import reader
@@ -50,8 +51,8 @@ class Ran(NamedTuple):
 class Ledger:
     """What of a run is done, and what is still to do."""
 
-    def __init__(self, works: Sequence[Work], out: Path, tell: Tell) -> None:
-        self._works, self._out, self._tell = works, out, tell
+    def __init__(self, works: Sequence[Work], out: Path, tell: Tell, limit: float = 0.0) -> None:
+        self._works, self._out, self._tell, self._limit = works, out, tell, limit
         self._made: set[str] = set()
         self._kept: set[str] = set()
         self._failed: dict[str, str] = {}
@@ -64,7 +65,8 @@ class Ledger:
         """Yield the works of each round, and whether each is done alone.
 
         First those that are missing; then what has met an error, once more; then, one at a time, what was on
-        its way when a process died; and once more what dies alone: it may not have been begun before.
+        its way when a process died; and once more what dies alone: it may not have been begun before. What came
+        to its limit alone is not tried again.
         """
         yield False, self._missing()
         self._round = 1
@@ -92,7 +94,9 @@ class Ledger:
 
     def take(self, work: Work, found: Answer | BaseException) -> None:
         """Write what came of a work, or put it off to another round, or give it up."""
-        if not isinstance(found, Answer):
+        if isinstance(found, TooLongError):
+            self._put_off(work, [], False, reader()(_too_long(self._limit)))
+        elif not isinstance(found, Answer):
             self._put_off(work, self._alone, self._round < 3, _lost(found))
         elif found.refused:
             self._put_off(work, [], False, found.refused)
@@ -148,6 +152,14 @@ def _lost(error: BaseException) -> str:
     if died(error):
         return reader()(said("the process that made it died: killed, or out of memory"))
     return reader()(own_fault(error))
+
+
+def _too_long(limit: float) -> str:
+    lasts = said("{n:g} min", n=limit / 60) if limit >= 60 else said("{n:g} s", n=limit)
+    return said(
+        "it took longer than {limit} and was broken off; if it needs more, give it more with --limit",
+        limit=lasts,
+    )
 
 
 def _made_anew(name: str) -> str:

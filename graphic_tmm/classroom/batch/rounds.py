@@ -4,48 +4,75 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Future, wait
+from itertools import chain
+from time import monotonic
 
 from graphic_tmm.classroom.batch.answer import Answer, answer, parcel
-from graphic_tmm.classroom.batch.executors import Pool, opened
+from graphic_tmm.classroom.batch.executors import Pool, died, opened
 from graphic_tmm.classroom.batch.stopping import PULSE, Check
 from graphic_tmm.classroom.batch.work import Work
+from graphic_tmm.errors import TmmError
+from graphic_tmm.language.reader import reader
 
 WINDOW = 3
 """So many works are on their way for each that is done at once."""
 Found = tuple[Work, Answer | BaseException]
 
 
+class TooLongError(Exception):
+    """A piece of work that was done alone came to its limit, and its process ended."""
+
+
 def answers(
-    where: int | str, works: Iterable[Work], language: str, check: Check, *, alone: bool = False
+    where: int | str,
+    works: Iterable[Work],
+    language: str,
+    check: Check,
+    *,
+    alone: bool = False,
+    limit: float = 0.0,
 ) -> Generator[Found, None, None]:
     """Yield each work with its answer, as they come; or with the error that kept it from coming.
 
     When a process dies, all works on their way are yielded with that error, and the rest go on in others.
     ``alone``: one at a time, so that it is known which of them it is. ``check``: raises where it is to end.
+    ``limit``: a process that does a work longer than so many s ends (0: none); not this one.
     """
+    ends = limit if where != 0 else 0.0
     waiting = iter(works)
+    if (first := next(waiting, None)) is None:
+        return  # nobody is called for nothing
+    waiting = chain((first,), waiting)
     broken = True
     while broken:
         with opened(where, alone=alone) as pool:
             window = 1 if alone else WINDOW * pool.at_once
             broken = yield from _until_broken(
-                pool, window, waiting, lambda one: parcel(one, language), check
+                pool, window, waiting, lambda one: parcel(one, language), check, ends
             )
 
 
 def _until_broken(
-    pool: Pool, window: int, waiting: Iterator[Work], packed: Callable[[Work], bytes], check: Check
+    pool: Pool,
+    window: int,
+    waiting: Iterator[Work],
+    packed: Callable[[Work], bytes],
+    check: Check,
+    limit: float,
 ) -> Generator[Found, None, bool]:
     """Yield answers until all works are done, or a process died: whether one did."""
-    flying: dict[Future[Answer], Work] = {}
+    flying: dict[Future[Answer], tuple[Work, float]] = {}
     broken = False
     while True:
         while not broken and len(flying) < window and (work := next(waiting, None)) is not None:
             try:
-                flying[pool.executor.submit(answer, packed(work))] = work
+                sent = pool.executor.submit(answer, packed(work), limit)
+                flying[sent] = work, monotonic()
             except BrokenExecutor as error:
                 broken = True
                 yield work, error
+            except TmmError as error:
+                yield work, Answer(refused=error.told(reader()))
             except Exception as error:  # it cannot be pickled
                 yield work, error
         if not flying:
@@ -53,10 +80,16 @@ def _until_broken(
         ended, _ = wait(flying, timeout=PULSE, return_when=FIRST_COMPLETED)
         check()
         for future in ended:
-            work = flying.pop(future)
+            work, begun = flying.pop(future)
             found = _found(future)
             broken = broken or isinstance(found, BrokenExecutor)
+            if window == 1 and limit and monotonic() - begun >= limit and _died(found):
+                found = TooLongError()
             yield work, found
+
+
+def _died(found: Answer | BaseException) -> bool:
+    return isinstance(found, BaseException) and died(found)
 
 
 def _found(future: Future[Answer]) -> Answer | BaseException:

@@ -24,6 +24,9 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.language.reader import reader
 from graphic_tmm.language.said import said
 
+USUAL = 600.0
+"""The limit, s, of works where nobody gives them another: a hundred times what sheets, note and page take."""
+
 
 class BrokenOff(KeyboardInterrupt):
     """Ctrl-C in a run: what has come of it until then, all of it whole."""
@@ -38,11 +41,13 @@ def run(
     out: Path,
     *,
     executor: int | str = 1,
+    limit: float = 0.0,
     tell: Tell = lambda done, of, name: None,
 ) -> Ran:
     """Do works and write their files into a folder, but those whose files are there as they would be made.
 
-    ``executor``: in so many processes (0: in this one), or by the cluster of a scheduler's address.
+    ``executor``: in so many processes (0: in this one), or by the cluster of a scheduler's address. ``limit``:
+    a work that takes longer, s, is broken off with the process that does it (0: none; nor is any here).
 
     Raises
     ------
@@ -55,10 +60,11 @@ def run(
     _refuse_names(works)
     language = reader().language
     with locked(out), hearing() as check:
-        ledger = Ledger(works, out, tell)
+        ledger = Ledger(works, out, tell, limit)
         try:
             for alone, some in ledger.rounds():
-                with closing(answers(executor, some, language, check, alone=alone)) as found:
+                found = answers(executor, some, language, check, alone=alone, limit=limit)
+                with closing(found):
                     for work, one in found:
                         ledger.take(work, one)
             check()

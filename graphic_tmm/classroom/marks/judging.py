@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
-from hashlib import sha256
 from pathlib import Path
 from typing import NamedTuple
 
 from graphic_tmm.checking.check import Checker
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.pencil.reading import asked as asked_for
+from graphic_tmm.checking.photo.picture import Sent
 from graphic_tmm.checking.photographed import Photographed, photographed
 from graphic_tmm.checking.pictures import laid
 from graphic_tmm.checking.readings.read import readings_of
@@ -62,7 +62,7 @@ class Given(NamedTuple):
     """A hand-in with all that its judgement hangs on.
 
     ``tables``: names and bytes of files; ``photographs``: paths with the number of the sheet (0: by turns) and
-    the digest of what is there. A photograph is read where it stands.
+    the digest of what is there. Their bytes travel apart: of a class they would fill the memory.
     """
 
     file: str
@@ -74,13 +74,17 @@ class Given(NamedTuple):
 
 def work(given: Given) -> Work:
     """Return the work of judging a hand-in."""
-    return Work(given.file, f"{__name__}:judge", given)
+    brings = dict.fromkeys((path, digest) for path, _, digest in given.photographs)
+    return Work(given.file, f"{__name__}:judge", given, tuple(brings))
 
 
-def judge(given: Given) -> Done:
-    """Judge a hand-in; one that cannot be read is a row that tells why, without a report."""
+def judge(given: Given, photographs: Mapping[str, bytes] | None = None) -> Done:
+    """Judge a hand-in; one that cannot be read is a row that tells why, without a report.
+
+    ``photographs``: their bytes by path.
+    """
     try:
-        report, row = _judged(given)
+        report, row = _judged(given, photographs or {})
     except TmmError as error:
         language = scene_of(given.task).language
         row, files = Row(skipped=error.told(speaking(language))), {}
@@ -100,7 +104,8 @@ def scene_of(task: Task) -> Scene:
 def composition_of(task: Task) -> Composition | None:
     """Return the composition of a task's sheets; raises TmmError if its variant cannot be drawn."""
     if task.lent:
-        return begun(scene_of(task), task.composition)[1].composition
+        own = scene_of(task._replace(language=""))
+        return begun(scene_of(task), task.composition, own.language)[1].composition
     if not task.composition:
         return None
     return known_composition(task.composition.encode("utf-8"), beside(task.source))
@@ -121,16 +126,18 @@ def checker(task: Task, by: By) -> Checker:
 
 def sizes_of(task: Task) -> Composition | None:
     """Return a composition by which a task's figures are those of its sheets."""
-    return drawn_by(scene_of(task), task.composition) if task.lent else composition_of(task)
+    if task.lent:
+        return drawn_by(scene_of(task._replace(language="")), task.composition)
+    return composition_of(task)
 
 
-def _judged(given: Given) -> tuple[Report, Row]:
+def _judged(given: Given, photographs: Mapping[str, bytes]) -> tuple[Report, Row]:
     """Return the report on a hand-in and its row; its tables count, or else its photographs."""
     if given.tables:
         taken, notes = _read(given)
         by = given.by
     else:
-        taken, notes = _seen(given)
+        taken, notes = _seen(given, photographs)
         by = given.by._replace(points="photo")
     source = given.tables[0][0] if given.tables else given.photographs[0][0]
     of = checker(given.task, by)
@@ -164,15 +171,13 @@ def _read(given: Given) -> tuple[tuple[Taken, ...], list[str]]:
     return tuple(taken), notes
 
 
-def _seen(given: Given) -> tuple[tuple[Taken, ...], list[str]]:
+def _seen(given: Given, photographs: Mapping[str, bytes]) -> tuple[tuple[Taken, ...], list[str]]:
     """Return what the photographs show, and what they do not."""
     scene, composition = scene_of(given.task), composition_of(given.task)
     taken: list[Taken] = []
     notes: list[str] = []
-    for turn, (path, sheet, digest) in enumerate(given.photographs, 1):
-        if digest and digest_of(Path(path)) != digest:
-            raise SheetError(said("{file}: the file was changed meanwhile", file=path))
-        shown = laid(scene, path, "", sheet or turn, composition)
+    for turn, (path, sheet, _) in enumerate(given.photographs, 1):
+        shown = laid(scene, Sent(path, photographs[path]), "", sheet or turn, composition)
         notes += shown.flat.warnings
         seen = photographed(shown, {}, given.by.hand)
         if seen is not None:
@@ -188,15 +193,3 @@ def _numbered(seen: Photographed, taken: Sequence[Taken]) -> list[Taken]:
     """Return the points that a further photograph shows, if an earlier one does not, numbered on."""
     keys, first = {one.key for one in taken}, max((one.line for one in taken), default=0)
     return [one._replace(line=one.line + first) for one in seen.taken if one.key not in keys]
-
-
-def digest_of(file: Path) -> str:
-    """Return the digest of a file's bytes; "" if it cannot be read."""
-    found = sha256()
-    try:
-        with file.open("rb") as stream:
-            while block := stream.read(1 << 20):
-                found.update(block)
-    except OSError:
-        return ""
-    return found.hexdigest()

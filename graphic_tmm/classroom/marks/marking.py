@@ -8,12 +8,15 @@ one scale factors are searched for each variant, as `check` does of its scene al
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from hashlib import sha256
 from pathlib import Path
 from typing import NamedTuple
 
 from graphic_tmm.captions import captions
+from graphic_tmm.checking.photo.picture import PHOTOGRAPH
 from graphic_tmm.checking.readings.decoding import READINGS
-from graphic_tmm.classroom.batch.run import run
+from graphic_tmm.classroom.batch.ledger import Ran
+from graphic_tmm.classroom.batch.run import USUAL, run
 from graphic_tmm.classroom.batch.work import Work
 from graphic_tmm.classroom.marks import variant_dues
 from graphic_tmm.classroom.marks.alike import Alike, alike
@@ -22,7 +25,6 @@ from graphic_tmm.classroom.marks.judging import (
     By,
     Given,
     Task,
-    digest_of,
     scene_of,
     work,
 )
@@ -53,7 +55,8 @@ class Table(NamedTuple):
 class Class(NamedTuple):
     """What is to be marked: the folder of a class, its scene, its table of variants if it has one; by what.
 
-    ``language``: that is asked for, "" for the scene's. ``jobs``: so many processes, 0 for none but this one.
+    ``language``: that is asked for, "" for the scene's. ``where``, ``limit``: as for `batch.run.run`; of
+    processes what is only one piece of work needs none, unless a limit is asked for.
     """
 
     folder: Path
@@ -62,7 +65,8 @@ class Class(NamedTuple):
     rule: Rule
     by: By = By()
     language: str = ""
-    jobs: int = 0
+    where: int | str = 0
+    limit: float | None = None
 
 
 class Entry(NamedTuple):
@@ -112,7 +116,7 @@ def mark_class(of: Class, out: Path, tell: Tell = lambda done, count, name: None
             works.append(work(_given(one, tasks[one.variant], of)))
         except TmmError as error:
             lost[one.file] = error.told(speaking(scene.language))
-    rows = _done(works, out, of.jobs, tell)
+    rows = _done(of, works, out, tell)
     rows |= {name: Row(skipped=why) for name, why in lost.items()}
     return _marked(of, scene, found, rows, skipped, out, tell)
 
@@ -207,19 +211,30 @@ def _given(one: HandIn, task: Task, of: Class) -> Given:
     """Return what the judgement of a hand-in hangs on; raises SceneError if a table cannot be read."""
     tables = tuple((_told(path, of), read(path, READINGS)) for path in one.tables)
     photographs = tuple(
-        (str(path), sheet, digest_of(path))
-        for path, sheet in (one.photographs if not tables else ())
+        (str(path), sheet, _digest(path)) for path, sheet in (one.photographs if not tables else ())
     )
     return Given(one.file, task, of.by, tables, photographs)
+
+
+def _digest(photograph: Path) -> str:
+    """Return the digest of a photograph; raises SceneError if it cannot be read."""
+    return sha256(read(photograph, PHOTOGRAPH)).hexdigest()
 
 
 def _told(path: Path, of: Class) -> str:
     return path.relative_to(of.folder).as_posix()
 
 
-def _done(works: Sequence[Work], out: Path, jobs: int, tell: Tell) -> dict[str, Row]:
+def _run(of: Class, works: Sequence[Work], out: Path, tell: Tell) -> Ran:
+    """Do works; one alone is done in this process if that is as good."""
+    here = len(works) < 2 and not isinstance(of.where, str) and of.limit is None
+    limit = USUAL if of.limit is None else of.limit
+    return run(works, out, executor=0 if here else of.where, limit=limit, tell=tell)
+
+
+def _done(of: Class, works: Sequence[Work], out: Path, tell: Tell) -> dict[str, Row]:
     """Return the rows of works by their names."""
-    ran = run(works, out, executor=jobs if len(works) > 1 else 0, tell=tell)
+    ran = _run(of, works, out, tell)
     found = {}
     for one in works:
         failed = ran.failed.get(one.name)
@@ -247,7 +262,7 @@ def _others(
             tried.append(variant_dues.work(one.name, _task(of, one, begun)))
         except SceneError:
             continue  # of a variant that is not good nobody can have drawn anything
-    run(tried, out, executor=of.jobs if len(tried) > 1 else 0, tell=tell)
+    _run(of, tried, out, tell)
     for name, _ in (one.given for one in tried):
         dues[name] = known((out / variant_dues.place(name)).read_bytes()).dues
     found = {}

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import cache
+from itertools import pairwise
 from typing import NamedTuple
 
 from graphic_tmm.paper.drawing import Drawing
@@ -24,14 +25,19 @@ class Band(NamedTuple):
     heads: bool
 
 
+class Paged(NamedTuple):
+    """The bands of each sheet, and how bad that is: sheets left white, squared, and breaks amid a list."""
+
+    sheets: tuple[Sequence[Band], ...]
+    bad: float
+
+
 Chosen = tuple[float, tuple[int, ...]]
 """How bad breaks are, and before which bands they are."""
 
 
-def paged(
-    bands: Sequence[Band], first: float, other: float, between: float
-) -> Iterator[Sequence[Band]]:
-    """Yield the bands of each sheet; ``first``, ``other``: what the first and other sheets hold, mm.
+def paged(bands: Sequence[Band], first: float, other: float, between: float) -> Paged:
+    """Return the bands of each sheet; ``first``, ``other``: what the first and other sheets hold, mm.
 
     ``between``: clear above what begins a sheet, mm. What no sheet holds has one of its own.
     """
@@ -55,7 +61,5 @@ def paged(
             found.append((count + 1, (cost, (end, *ends))))
         return min(found)
 
-    at = 0
-    for end in best(0)[1][1]:
-        yield bands[at:end]
-        at = end
+    _, (bad, ends) = best(0)
+    return Paged(tuple(bands[at:end] for at, end in pairwise((0, *ends))), bad)

@@ -39,3 +39,9 @@ SETTINGS = (
     _SMALL._replace(share=0.6, run_in=True, between=2.2, least=0.4),
 )
 """The first that saves a sheet is taken."""
+FILLING = tuple(
+    one._replace(share=share)
+    for one in (ROOMY, ROOMY._replace(under=True), _CLOSE._replace(rows=2.5))
+    for share in (1.0, 1.3, 1.6)
+)
+"""Where several sheets are needed in any of them: that is taken which leaves them the least white."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from graphic_tmm.classroom.tasks.breaks import Band, paged
+from graphic_tmm.classroom.tasks.breaks import Band, Paged, paged
 from graphic_tmm.classroom.tasks.setting import ROOMY, Setting
 from graphic_tmm.handout.sheets import CAPTION, TITLE, advance, framed, paper, set_rows
 from graphic_tmm.handout.words import Row, broken
@@ -105,19 +105,33 @@ def columned(columns: Sequence[tuple[Sequence[Block], float]]) -> Band:
     return Band(tuple(parts), max(highs), max(some[0].above for some, _ in columns), True)
 
 
+def laid(head: Sequence[str], bands: Sequence[Band], scene: Scene, between: float) -> Paged:
+    """Return bands as they stand on sheets, the head on the first."""
+    room = paper(scene.language)
+    whole = room.top - room.bottom
+    return paged(bands, whole - _taken(_head(head, scene)), whole - HEAD, between)
+
+
+def _head(head: Sequence[str], scene: Scene) -> list[Row]:
+    """Return the lines of the head (mark-up)."""
+    room = paper(scene.language)
+    sizes = [TITLE, *[CAPTION] * (len(head) - 2), TITLE]
+    wide = room.right - room.head.real
+    return [row for k, one in enumerate(head) for row in broken(one, sizes[k], wide)]
+
+
+def _taken(told: Sequence[Row]) -> float:
+    return max(sum(map(advance, told)), HEAD)
+
+
 def pages(
     head: Sequence[str], bands: Sequence[Band], scene: Scene, between: float
 ) -> list[list[Drawing]]:
     """Return what stands on the sheets: the head (mark-up) on the first, bands one below the other."""
-    room = paper(scene.language)
-    wide = room.right - room.head.real
-    sizes = [TITLE, *[CAPTION] * (len(head) - 2), TITLE]
-    told = [row for k, one in enumerate(head) for row in broken(one, sizes[k], wide)]
+    room, told = paper(scene.language), _head(head, scene)
     found = [[Drawing("task head", scene.title, (), tuple(set_rows(told, room.head)))]]
-    taken = max(sum(map(advance, told)), HEAD)
-    whole = room.top - room.bottom
-    for k, some in enumerate(paged(bands, whole - taken, whole - HEAD, between)):
-        top = room.top - (HEAD if k else taken)
+    for k, some in enumerate(laid(head, bands, scene, between).sheets):
+        top = room.top - (HEAD if k else _taken(told))
         if k:
             found.append([])
         clear = [between if k and not n else one.above for n, one in enumerate(some)]

@@ -6,12 +6,13 @@ from collections.abc import Iterator, Sequence
 
 from graphic_tmm.classroom.tasks.breaks import Band
 from graphic_tmm.classroom.tasks.paragraphs import Paragraph, blocks, boards, paragraphs
-from graphic_tmm.classroom.tasks.setting import SETTINGS, Setting
+from graphic_tmm.classroom.tasks.setting import FILLING, SETTINGS, Setting
 from graphic_tmm.classroom.tasks.sheet import (
     BESIDE,
     Block,
     band,
     columned,
+    laid,
     sheets,
     width_of,
 )
@@ -44,18 +45,28 @@ def task_sheets(scene: Scene, text_of: str, doc: Document, *, readings: bool) ->
     told = paragraphs(scene, doc, readings=readings)
     rows = {board: told_rows(scene, text_of, board) for board in boards(scene)}
     draw, least = drawer(scene, text_of), list[Sheet]()
+
+    def ways(setting: Setting) -> list[list[Band]]:
+        """Return how all of it may stand, as bands."""
+        wide = width_of(scene.language)
+        return [_bands(one, told, wide, setting) for one in arranged(scene, rows, draw, setting)]
+
     for setting in SETTINGS:
-        ways = [
-            _bands(shown, told, width_of(scene.language), setting)
-            for shown in arranged(scene, rows, draw, setting)
-        ]
-        bands = min(ways, key=lambda some: sum(one.height + one.above for one in some))
+        bands = min(ways(setting), key=lambda some: sum(one.height + one.above for one in some))
         made = sheets(called, head, bands, scene, "task", setting)
         if not least or len(made) < len(least):
             least = made
         if len(least) == 1:
-            break
-    return least
+            return least
+    tried = ((bands, setting) for setting in FILLING for bands in ways(setting))
+    found = [
+        (laid(head, bands, scene, setting.between), bands, setting) for bands, setting in tried
+    ]
+    good = [one for one in found if len(one[0].sheets) == len(least)]
+    if not good:
+        return least
+    _, bands, setting = min(good, key=lambda one: one[0].bad)
+    return sheets(called, head, bands, scene, "task", setting)
 
 
 def _bands(shown: Shown, told: Sequence[Paragraph], wide: float, setting: Setting) -> list[Band]:

@@ -131,7 +131,8 @@ def task(given: Task) -> Done:
     """
     text, files = given.text, dict[str, str | bytes]()
     scene = _scene(given, text)
-    made, found = begun(scene, given.start) if given.readings else (None, None)
+    own = _scene(given._replace(language=""), text).language if given.language else ""
+    made, found = begun(scene, given.start, own) if given.readings else (None, None)
     if made is not None and found is not None and cells(made):
         table = f"{given.name}-{speaking(scene.language)(TABLE)}.csv"
         tables = short_of(scene, table, pictured=False, given=found.composition)

@@ -6,6 +6,8 @@ same sheets, and nobody searches for sizes thirty times.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from graphic_tmm.classroom.variants.variant import Base
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import TmmError
@@ -23,7 +25,7 @@ from graphic_tmm.fitting.given import all_fixed
 from graphic_tmm.project import own_boards
 from graphic_tmm.scene.read import judged
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import composed_sheets, draws_mechanism
+from graphic_tmm.studio import composed_as_large, composed_sheets, draws_mechanism
 
 
 def start_of(of: Base) -> str:
@@ -47,8 +49,11 @@ def start_of(of: Base) -> str:
     return text(found.composition, found.scales)
 
 
-def begun(scene: Scene, start: str) -> tuple[DrawnScene, Composed]:
+def begun(scene: Scene, start: str, own: str = "") -> tuple[DrawnScene, Composed]:
     """Draw the scene of a variant onto its sheets; ``start``: see `start_of`, "" to compose it by itself.
+
+    ``own``: the language of its text, if it may be drawn in another: how large its plans are does not hang on
+    that, or a task in one language would be judged wrongly in another.
 
     Raises
     ------
@@ -56,13 +61,17 @@ def begun(scene: Scene, start: str) -> tuple[DrawnScene, Composed]:
         If it cannot be drawn, or a view fits no sheet.
     """
     given = known_composition(start.encode("utf-8"), beside(scene.source)) if start else None
-    return composed_sheets(scene, given, near=True)
+    if not own or own == scene.language:
+        return composed_sheets(scene, given, near=True)
+    _, found = composed_sheets(replace(scene, language=own), given, near=True)
+    return composed_as_large(scene, found.composition)
 
 
 def drawn_by(scene: Scene, start: str) -> Composition | None:
     """Return a composition by which a variant's figures are those of its sheets, wherever its views stand.
 
-    ``start``, errors: as for `begun`. Where the scene fixes every scale factor no sheet is composed for it.
+    ``scene``: in the language of its text. ``start``, errors: as for `begun`. Where the scene fixes every scale
+    factor no sheet is composed for it.
     """
     if start and all_fixed(scene, mechanism=draws_mechanism(scene, own_boards(scene))):
         return known_composition(start.encode("utf-8"), beside(scene.source))

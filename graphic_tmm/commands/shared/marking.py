@@ -26,7 +26,10 @@ OF_CLASS = ("text", "csv", "xlsx", "html")
 
 
 class MarkedBy(NamedTuple):
-    """What a command line asks for: scene, folder, table of variants, rule, the folder for files, the form."""
+    """What a command line asks for: scene, folder, table of variants, rule, the folder for files, the form.
+
+    ``scheduler``: the address of a cluster's; ``limit``: s that one hand-in may take.
+    """
 
     scene: str
     folder: str
@@ -34,6 +37,8 @@ class MarkedBy(NamedTuple):
     marks: str | None
     output: str | None
     form: str
+    scheduler: str | None = None
+    limit: float | None = None
 
 
 def refuse_mixed(of_one: Sequence[object], form: str, output: str | None) -> None:
@@ -57,10 +62,12 @@ def refuse_mixed(of_one: Sequence[object], form: str, output: str | None) -> Non
         raise click.UsageError(said("-f xlsx: name a folder for it with -o"))
 
 
-def refuse_without_class(variants: str | None, marks: str | None, form: str) -> None:
+def refuse_without_class(of_class: Sequence[object], form: str) -> None:
     """Refuse what is for a class where there is none."""
-    if variants is not None or marks is not None or form in ("csv", "xlsx"):
-        raise click.UsageError(said("--variants, --marks, -f csv and -f xlsx go with --class"))
+    if any(one is not None for one in of_class) or form in ("csv", "xlsx"):
+        raise click.UsageError(
+            said("--variants, --marks, --scheduler, --limit, -f csv and -f xlsx go with --class")
+        )
 
 
 def mark_folder(wanted: MarkedBy, by: tuple[str, str, int, float, float]) -> None:
@@ -108,7 +115,8 @@ def _class(wanted: MarkedBy, by: tuple[str, str, int, float, float]) -> Class:
         table = Table(file, read_variants(file))
     rule = FIVE if wanted.marks is None else read_rule(Path(wanted.marks))
     folder = _folder(wanted)
-    return Class(folder, of, table, rule, By(*by), asked(), _processes())
+    where = wanted.scheduler or _processes()
+    return Class(folder, of, table, rule, By(*by), asked(), where, wanted.limit)
 
 
 def _folder(wanted: MarkedBy) -> Path:

@@ -225,3 +225,10 @@ def test_a_workbook_and_a_text_of_the_same_cells_are_the_same_readings(folder):
     file = folder / "same.csv"
     file.write_text(text, "utf-8")
     assert read(folder, workbook({"s": [HEAD, *rows]})) == read_readings(file)
+
+
+def test_a_damaged_workbook_is_not_called_a_text(tmp_path):
+    file = tmp_path / "Ivanov 04.XLSX"
+    file.write_bytes(bytes(range(256)) * 12)
+    with pytest.raises(SceneError, match="no xlsx workbook, or a damaged one"):
+        read_readings(file)

@@ -2,11 +2,23 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from support.batches import dies, dies_once, due, files_of, raises, refused, sums, work
+from support.batches import (
+    bringing,
+    dies,
+    dies_once,
+    due,
+    files_of,
+    hangs_in_machine_code,
+    raises,
+    refused,
+    sums,
+    work,
+)
 
 from graphic_tmm.classroom.batch.run import run
 from graphic_tmm.errors import SheetError
@@ -56,6 +68,28 @@ def test_what_kills_its_worker_fails_and_no_more(scheduler: str, tmp_path: Path)
     assert list(ran.failed) == ["deadly"]
     assert "died" in ran.failed["deadly"]
     assert len(ran.made) == 7
+
+
+@pytest.mark.slow
+def test_what_never_ends_is_broken_off(scheduler: str, tmp_path: Path) -> None:
+    """Its scheduler gives it to four workers before it gives it up; each ends, and is begun anew."""
+    works = [*sums(6), work(hangs_in_machine_code, "endless", "")]
+    ran = run(works, tmp_path / "out", executor=scheduler, limit=1.0)
+    assert list(ran.failed) == ["endless"]
+    assert "took longer than 1 s" in ran.failed["endless"]
+    assert files_of(tmp_path / "out") == due(6)
+    assert run(sums(8), tmp_path / "out", executor=scheduler).made == ("6", "7")
+
+
+def test_files_travel_as_they_are(scheduler: str, tmp_path: Path) -> None:
+    large, small = tmp_path / "large.jpg", tmp_path / "small.jpg"
+    large.write_bytes(bytes(range(256)) * 50_000)
+    small.write_bytes(b"small")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")  # of what is large, too
+        run([bringing(large, small)], tmp_path / "out", executor=scheduler)
+    whole = large.read_bytes() + b"small"
+    assert files_of(tmp_path / "out") == {"2.bin": whole}
 
 
 def test_no_scheduler_is_one_message(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

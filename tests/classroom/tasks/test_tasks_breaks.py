@@ -9,8 +9,13 @@ from support.gallery import SHEETS
 
 from graphic_tmm.classroom.batch.work import done
 from graphic_tmm.classroom.tasks.breaks import Band, paged
+from graphic_tmm.classroom.tasks.task import task_sheets
 from graphic_tmm.classroom.tasks.work import works
 from graphic_tmm.classroom.variants.variant import base
+from graphic_tmm.paper.frame.frame import drawing_area
+from graphic_tmm.paper.packing import bounds
+from graphic_tmm.scene.document import document
+from graphic_tmm.scene.read import SCENE, read
 
 ROOM = 100.0
 
@@ -31,19 +36,20 @@ def greedy(heights: list[float]) -> int:
 
 @given(some.lists(some.floats(1.0, 90.0), min_size=1, max_size=14))
 def test_no_sheet_is_wasted_and_none_overfull(heights: list[float]) -> None:
-    found = list(paged(bands(*heights), ROOM, ROOM, 2.0))
+    found = paged(bands(*heights), ROOM, ROOM, 2.0).sheets
     assert [one.height for page in found for one in page] == heights
     assert len(found) == greedy(heights)
     assert all(sum(one.height + 2.0 for one in page) <= ROOM + 1e-6 for page in found)
 
 
 def test_a_break_stands_before_a_heading_that_is_near() -> None:
-    found = list(paged(bands(40, 20, 20, 20, 20, heads=(0, 2)), ROOM, ROOM, 2.0))
+    found = paged(bands(40, 20, 20, 20, 20, heads=(0, 2)), ROOM, ROOM, 2.0).sheets
     assert [len(page) for page in found] == [2, 3]
 
 
 def test_what_no_sheet_holds_has_one_of_its_own() -> None:
-    assert [len(page) for page in paged(bands(20, 150, 20), ROOM, ROOM, 2.0)] == [1, 1, 1]
+    found = paged(bands(20, 150, 20), ROOM, ROOM, 2.0).sheets
+    assert [len(page) for page in found] == [1, 1, 1]
 
 
 @pytest.mark.parametrize(
@@ -53,3 +59,16 @@ def test_what_no_sheet_holds_has_one_of_its_own() -> None:
 def test_a_task_is_handed_out_on_one_sheet(name: str, language: str) -> None:
     (work,) = works(base(SHEETS / name), (), keys=(), language=language)
     assert len(done(work).files) == 1
+
+
+@pytest.mark.parametrize("name", ["engine", "project"])
+def test_no_sheet_of_several_is_left_white(name: str) -> None:
+    """What was a third white is a quarter at most, between the uppermost ink and the title block."""
+    file = SHEETS / name / "scene.toml"
+    made = task_sheets(read(file), *document(file, SCENE), readings=False)
+    assert len(made) > 1
+    for sheet in made:
+        area, taken = drawing_area("A4", "ru", first=False)
+        floor = max(one.top for one in taken if one.right - one.left > 100.0)
+        low = min(bounds(one)[1] for one in sheet.drawings)
+        assert low - floor < 0.25 * (area.top - floor), sheet
