@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -124,16 +124,21 @@ def tables_hold(of: Base, name: str, found: Sequence[Variant], folder: Path) -> 
 
 @pytest.mark.slow
 @each("name", LOOPS)
-def test_ten_variants_are_good_by_loops_and_tables(name: str, tmp_path: Path) -> None:
-    found = drawn(scene(name), ranges(name), 10, 11, missing=missing)
-    all_good(name, found, 10)
+def test_variants_are_good_by_loops_and_tables(
+    name: str, tmp_path: Path, many: Callable[[int, int], int]
+) -> None:
+    count = many(10, 3)
+    found = drawn(scene(name), ranges(name), count, 11, missing=missing)
+    all_good(name, found, count)
     tables_hold(scene(name), name, found.variants[::3], tmp_path)
 
 
 @pytest.mark.slow
-def test_sixty_shapers_are_good(tmp_path: Path) -> None:
-    found = drawn(scene("shaper"), ranges("shaper"), 60, 7, missing=missing)
-    all_good("shaper", found, 60)
+def test_shapers_are_good(tmp_path: Path, many: Callable[[int, int], int]) -> None:
+    """With ``--measured`` three hundred of them."""
+    count = many(300, 16)
+    found = drawn(scene("shaper"), ranges("shaper"), count, 7, missing=missing)
+    all_good("shaper", found, count)
     tables_hold(scene("shaper"), "shaper", found.variants[::10], tmp_path)
 
 
