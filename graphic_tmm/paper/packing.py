@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import said
-from graphic_tmm.paper.drawing import Drawing, Within
+from graphic_tmm.paper.drawing import Drawing, Stroke, Within
 from graphic_tmm.paper.shapes import corners, outline
 
 GAP = 7.0
@@ -42,13 +42,23 @@ def bounds(drawing: Drawing) -> Box:
     """
     if drawing.cell is not None:
         return drawing.cell
-    spots = [spot for stroke in drawing.strokes for spot in outline(stroke)]
-    spots += [corner for label in drawing.labels for corner in corners(label)]
-    if not spots:
+    x, y = list[float](), list[float]()
+    for stroke in drawing.strokes:
+        if isinstance(stroke, Stroke) and not any([bulge for _, _, bulge in stroke.path]):
+            x += [vertex[0] for vertex in stroke.path]
+            y += [vertex[1] for vertex in stroke.path]
+        else:
+            spots = outline(stroke)
+            x += [spot.real for spot in spots]
+            y += [spot.imag for spot in spots]
+    for label in drawing.labels:
+        spots = corners(label)
+        x += [spot.real for spot in spots]
+        y += [spot.imag for spot in spots]
+    if not x:
         raise SheetError(
             said("nothing of the view '{title}' can be drawn: change its data", title=drawing.title)
         )
-    x, y = [spot.real for spot in spots], [spot.imag for spot in spots]
     return min(x), min(y), max(x), max(y)
 
 

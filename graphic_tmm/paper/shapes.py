@@ -63,7 +63,7 @@ def shapes(strokes: Sequence[Stroke | Bezier]) -> np.ndarray:
 def outline(stroke: Stroke | Bezier) -> list[complex]:
     """Return the corners of a stroke; curves by points near enough for placing."""
     if isinstance(stroke, Bezier):
-        return flat(stroke.controls)
+        return list(_flattened(stroke.controls))
     if not any(bulge for _, _, bulge in stroke.path):
         points = [complex(x, y) for x, y, _ in stroke.path]
         return [*points, points[0]] if stroke.closed else points
@@ -86,8 +86,14 @@ def flat(controls: Sequence[complex]) -> list[complex]:
         bend = 6 * max(abs(a - 2 * b + c), abs(b - 2 * c + d))  # of the arc, at most
         count = _count(math.sqrt(bend / (8 * TRUE)), 8)
         own, second, third, last = _weights(count)
-        points += list(own * a + second * b + third * c + last * d)
+        points += (own * a + second * b + third * c + last * d).tolist()
     return points
+
+
+@lru_cache(maxsize=1024)
+def _flattened(controls: tuple[complex, ...]) -> tuple[complex, ...]:
+    """Return the same of a curve that is asked for again and again while its view is drawn."""
+    return tuple(flat(controls))
 
 
 @lru_cache(maxsize=CHORDS)
