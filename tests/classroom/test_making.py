@@ -69,6 +69,7 @@ def test_the_bytes_are_those_of_the_commands(composition: str, tmp_path: Path) -
     assert files_of(tmp_path / "two") == dict(sorted(due.items()))
 
 
+@pytest.mark.slow
 def test_without_a_composition_too(tmp_path: Path) -> None:
     (one, _) = works("", ("draw", "table"))
     due = by_commands(one, tmp_path)

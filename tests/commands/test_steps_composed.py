@@ -13,6 +13,7 @@ from graphic_tmm.__main__ import main
 from graphic_tmm.fitting.search import Search
 
 
+@pytest.mark.slow
 def test_no_size_is_searched_where_a_composition_stands_beside(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -41,6 +41,7 @@ def test_sheets_of_standard_input_have_a_name(tmp_path: Path) -> None:
     assert done.stdout.split() == [f"{tmp_path}/scene.svg"]
 
 
+@pytest.mark.slow
 def test_readings_come_from_standard_input() -> None:
     readings = "plan,position,segment,mm\ngear,1,N1N2,191.2\n"
     done = fed(readings, "check", "gear-pair", "-", "-f", "json")

@@ -34,6 +34,7 @@ class Frame:
         return [dict(one) for one in READINGS]
 
 
+@pytest.mark.slow
 @each("options", [{}, {"hand": "careful", "trials": 60, "doubtful": 0.9, "wrong": 3.0}])
 def test_a_file_is_judged_as_the_command_judges_it(options) -> None:
     told = [word for key, value in options.items() for word in (f"--{key}", value)]

@@ -44,6 +44,7 @@ def cells() -> list[dict[str, Any]]:
     return found
 
 
+@pytest.mark.slow
 def test_every_cell_of_the_notebook_runs() -> None:
     pytest.importorskip("matplotlib").use("Agg")
     names: dict[str, Any] = {}

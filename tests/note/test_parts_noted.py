@@ -54,6 +54,7 @@ def wrong(made: DrawnScene, document: Document) -> list[Number]:
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", sorted(CAMS))
 def test_every_number_of_a_cam_stands_in_the_log(kind: str, tmp_path: Path) -> None:
     keys = CAMS[kind]

@@ -56,6 +56,7 @@ def _mu(made, reading) -> float:  # type: ignore[no-untyped-def]
     return float(reading[made.contour.mu][0, 0])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "flank"), RATES)
 def test_the_instant_centre_tells_the_derivative(kind: str, flank: str) -> None:
     """Against the difference of two places a little apart; not where the follower goes from arc to arc."""

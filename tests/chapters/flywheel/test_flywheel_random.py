@@ -56,6 +56,7 @@ def test_the_segment_is_what_the_curves_give(tmp_path: Path, seed: int, count: i
     assert found == pytest.approx(np.ptp(graphs(*rows(seed, count)).own), rel=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("count", [12, 24])
 def test_a_student_who_draws_it_finds_the_segment_every_time(

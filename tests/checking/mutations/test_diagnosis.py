@@ -146,6 +146,7 @@ def test_a_name_that_leaves_a_reading_of_its_segment_is_not_sure() -> None:
     assert all(one.chance < 0.8 for one in said_of(rows) if one.kind == MISTAKE)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("plus", [90.0, -90.0])
 def test_two_mistakes_are_told_whichever_explains_more(plus: float) -> None:
     """A crank counted from elsewhere, which is like one that stands amiss, and a normal of another link."""

@@ -39,6 +39,7 @@ def mm_off(shown: Taken, corners: np.ndarray) -> float:
     return float(abs(corners - shown.corners).max() / dots)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("quarters", [0, 1, 2, 3])
 def test_a_frame_is_found_whichever_way_up_it_stands(quarters: int) -> None:
     shown = taken(4, EASY)
@@ -69,12 +70,14 @@ def test_a_photograph_without_a_frame_is_told() -> None:
             frame_found(image, ruling(*SHEETS[4]))
 
 
+@pytest.mark.slow
 def test_the_frame_of_another_format_is_not_taken_for_this_one() -> None:
     shown = taken(4, EASY)
     with pytest.raises(SheetError, match="--corners"):
         frame_found(pixels(shown), ruling("slider-diagrams", 1))  # the same paper by ГОСТ
 
 
+@pytest.mark.slow
 def test_a_frame_that_is_cut_off_is_told() -> None:
     shown = taken(4, EASY)
     whole = pixels(shown)
@@ -83,6 +86,7 @@ def test_a_frame_that_is_cut_off_is_told() -> None:
         frame_found(np.ascontiguousarray(whole[:, inside:]), ruling(*SHEETS[4]))
 
 
+@pytest.mark.slow
 def test_a_frame_without_anything_ruled_does_not_tell_which_way_up_it_is() -> None:
     """A bare rectangle: where its corners are is seen, but not which of them is which."""
     lines = ruling(*SHEETS[4])

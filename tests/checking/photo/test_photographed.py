@@ -25,6 +25,7 @@ def darkest(seen: np.ndarray, at: complex, near: int) -> float:
     return 1 - seen[rows, columns].min() / np.quantile(wide, 0.9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("quarters", [0, 1])
 def test_pencil_is_seen_where_points_are_said_to_stand(quarters: int) -> None:
     shown = taken(4, SMALL._replace(quarters=quarters, tilt=(25.0, 40.0), lens=0.015, sag=1.5))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from support.each import each
 
 from graphic_tmm.classroom.marks.alike import alike, rareness, rounded_alike
@@ -48,6 +49,7 @@ def read(rng: np.random.Generator, due: np.ndarray, slip: float = SLIP) -> np.nd
     return np.floor((due + slip * rng.standard_normal(due.shape)) / 0.5 + 0.5) * 0.5
 
 
+@pytest.mark.slow
 @each("slip", [SLIP, 0.3, 0.02])
 def test_honest_classes_are_not_told(slip: float) -> None:
     """Of hands as they are taken for, of careful ones, and of drawings by a computer."""

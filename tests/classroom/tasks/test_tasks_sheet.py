@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import combinations
 
+import pytest
 import shapely
 from support.each import each
 from support.gallery import ALL, SHEETS
@@ -24,6 +25,7 @@ def papers(name: str, language: str) -> list[Sheet]:
     )
 
 
+@pytest.mark.slow
 @each("name", ALL)
 @each("language", ["ru", "en"])
 def test_nothing_stands_on_anything_else(language: str, name: str) -> None:

@@ -118,6 +118,7 @@ def test_what_would_be_a_figure_of_the_solution_is_seen() -> None:
     assert len((told & solved("slider-diagrams")) - stated("slider-diagrams")) > 3
 
 
+@pytest.mark.slow
 @each("name", ALL)
 def test_no_ink_of_a_plan_stands_on_a_task(name: str) -> None:
     known = re.compile(r"frame|scheme|table-given.*|task-.*")
@@ -204,6 +205,7 @@ def given(svg: str) -> dict[str, str]:
     return found
 
 
+@pytest.mark.slow
 @each("name", [name for name in MECHANISMS if name not in SOUGHT])
 def test_the_scheme_has_the_lengths_that_are_given(name: str) -> None:
     svg = sheets(name, "en")[0]
@@ -246,6 +248,7 @@ def test_lengths_that_are_sought_are_neither_told_nor_drawn(name: str) -> None:
     assert round(crank / 480.0, 3) not in shares
 
 
+@pytest.mark.slow
 @each("name", ALL)
 @each("language", ["ru", "en"])
 def test_a_task_is_a_true_a4_sheet_and_says_what_is_wanted(language: str, name: str) -> None:

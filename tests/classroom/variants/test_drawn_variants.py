@@ -73,6 +73,7 @@ def all_good(name: str, found: DrawnVariants, count: int) -> None:
         assert turn.least >= ranges(name).good.transmission - 1e-6
 
 
+@pytest.mark.slow
 @each("name", LOOPS)
 def test_what_the_loops_call_bad_is_refused_for_that(name: str) -> None:
     random_, seen = random.Random(2), set[str]()
@@ -151,6 +152,7 @@ def test_a_drawn_variant_stands_on_the_sheets_ordered(tmp_path: Path) -> None:
         assert len(sheets.sheets) == len(made.scene.sheets)
 
 
+@pytest.mark.slow
 def test_a_seed_is_a_row_of_variants() -> None:
     def row(seed: int) -> DrawnVariants:
         return drawn(scene("scotch-yoke"), ranges("scotch-yoke"), 3, seed, missing=missing)

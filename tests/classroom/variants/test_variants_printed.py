@@ -14,6 +14,7 @@ from graphic_tmm.classroom.variants.variant import base, scene_of
 YOKE = SHEETS / "scotch-yoke"
 
 
+@pytest.mark.slow
 def test_a_seed_gives_the_same_bytes_and_another_one_others(tmp_path: Path) -> None:
     first, again, other = (
         invoke("variants", YOKE, "--count", 2, "--seed", seed) for seed in (7, 7, 8)
