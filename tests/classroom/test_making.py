@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from support.batches import files_of
+from support.cluster import cluster
 from support.command import printed
 from support.gallery import SHEETS
 
@@ -82,13 +83,10 @@ def test_without_a_composition_too(tmp_path: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.filterwarnings("default")  # of the cluster's
 def test_a_cluster_makes_the_same_bytes(composition: str, tmp_path: Path) -> None:
-    distributed = pytest.importorskip("distributed")
     found = works(composition, ("draw", "table"))
     run(found, tmp_path / "one", executor=1)
-    with distributed.LocalCluster(
-        n_workers=2, threads_per_worker=1, dashboard_address=None, silence_logs=50
-    ) as cluster:
-        assert not run(found, tmp_path / "cluster", executor=cluster.scheduler_address).failed
+    with cluster() as address:
+        assert not run(found, tmp_path / "cluster", executor=address).failed
     assert files_of(tmp_path / "cluster") == files_of(tmp_path / "one") != {}
 
 

@@ -13,30 +13,25 @@ from support.batches import (
     dies_once,
     due,
     files_of,
-    hangs_in_machine_code,
+    hangs,
     raises,
     refused,
     sums,
     work,
 )
+from support.cluster import cluster
 
 from graphic_tmm.classroom.batch.run import run
 from graphic_tmm.errors import SheetError
 
-distributed = pytest.importorskip("distributed")
+pytest.importorskip("distributed")
 pytestmark = pytest.mark.filterwarnings("default")  # its own
 
 
 @pytest.fixture(scope="module")
 def scheduler() -> Iterator[str]:
-    with distributed.LocalCluster(
-        n_workers=2,
-        threads_per_worker=1,
-        processes=True,
-        dashboard_address=None,
-        silence_logs=50,
-    ) as cluster:
-        yield cluster.scheduler_address
+    with cluster() as address:
+        yield address
 
 
 def test_all_is_made_once(scheduler: str, tmp_path: Path) -> None:
@@ -72,8 +67,11 @@ def test_what_kills_its_worker_fails_and_no_more(scheduler: str, tmp_path: Path)
 
 @pytest.mark.slow
 def test_what_never_ends_is_broken_off(scheduler: str, tmp_path: Path) -> None:
-    """Its scheduler gives it to four workers before it gives it up; each ends, and is begun anew."""
-    works = [*sums(6), work(hangs_in_machine_code, "endless", "")]
+    """Its scheduler gives it to four workers before it gives it up; each ends, and is begun anew.
+
+    Asleep: a loop of machine code keeps the answers that its worker still holds (`test_limits.py` has one).
+    """
+    works = [*sums(6), work(hangs, "endless", "")]
     ran = run(works, tmp_path / "out", executor=scheduler, limit=1.0)
     assert list(ran.failed) == ["endless"]
     assert "took longer than 1 s" in ran.failed["endless"]

@@ -6,11 +6,12 @@ from pathlib import Path
 
 import pytest
 from support.batches import files_of
+from support.cluster import cluster
 from support.command import invoke
 from support.handed_in import SCENE, write_class
 from support.photographed.taking import SHEETS, Conditions, taken
 
-distributed = pytest.importorskip("distributed")
+pytest.importorskip("distributed")
 pytestmark = pytest.mark.filterwarnings("default")  # its own
 TRIALS = ("--trials", 40)
 NUMBER = 4
@@ -19,15 +20,9 @@ NUMBER = 4
 def both(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, *words: object) -> dict[str, bytes]:
     """Assert that a cluster whose workers stand elsewhere writes what processes write; return that."""
     pytest.importorskip("PIL.Image")
-    with distributed.LocalCluster(
-        n_workers=2,
-        threads_per_worker=1,
-        processes=True,
-        dashboard_address=None,
-        silence_logs=50,
-    ) as cluster:
+    with cluster() as address:
         monkeypatch.chdir(tmp_path)
-        there = invoke(*words, "-o", "there", "--scheduler", cluster.scheduler_address)
+        there = invoke(*words, "-o", "there", "--scheduler", address)
     here = invoke(*words, "-o", "here")
     assert (there.exit_code, there.stdout) == (here.exit_code, here.stdout), there.output
     assert here.exit_code == 0, here.output
