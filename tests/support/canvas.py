@@ -33,12 +33,21 @@ class Seen(NamedTuple):
         return (x - self.x) * self.zoom, (y - self.y) * self.zoom
 
 
+RESTED = """async () => {
+  const desk = document.querySelector(".desk");
+  for (let before; before !== desk.dataset.seen || before === undefined; ) {
+    before = desk.dataset.seen;
+    await new Promise((done) => setTimeout(done, 130));
+    for (let k = 0; k < 3; k += 1) await new Promise((done) => requestAnimationFrame(done));
+  }
+  return desk.dataset.seen;
+}"""
+"""The page sets its letters anew 120 ms after the last move: a timer that is set later and is longer comes after."""
+
+
 def seen(page: Page) -> Seen:
     """Return where the sheet is looked at from, once it stands still."""
-    told = ""
-    while told != (told := str(page.locator(".desk").get_attribute("data-seen"))):
-        page.wait_for_timeout(300)
-    return Seen(*map(float, told.split()))
+    return Seen(*map(float, page.evaluate(RESTED).split()))
 
 
 def picture(page: Page) -> Any:

@@ -144,6 +144,7 @@ def test_the_lecture_fills_the_screen(lecture) -> None:
     page.wait_for_function("() => document.fullscreenElement === null")
     assert page.get_by_role("tab").first.is_visible()
     page.get_by_role("button", name="Full screen", exact=True).click()
+    page.wait_for_function("() => document.fullscreenElement !== null")
     page.evaluate("() => document.exitFullscreen()")
     page.wait_for_function("() => !document.documentElement.classList.contains('full')")
 

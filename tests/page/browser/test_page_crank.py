@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from support import pages
-from support.browser import Opened
+from support.browser import FRAMES, Opened
 from support.linkages import four_bar
 
 from graphic_tmm.language.numbers import fixed
@@ -120,8 +120,8 @@ def test_the_handle_is_dragged_round(page_of: Begin) -> None:
     for share in (0.3, 0.6, 1.0):
         shown.mouse.move(*(a + share * (b - a) for a, b in zip(start, quarter, strict=True)))
     shown.mouse.up()
-    turn = float(re.findall(r"@(-?[\d.]+)", shown.evaluate("() => location.hash") + "@-1")[0])
-    shown.wait_for_timeout(700)
+    # the address says it a little later, once for a whole drag
+    shown.wait_for_function("() => Math.abs(location.hash.split('@')[1] - 90) < 2")
     turn = float(re.findall(r"@(-?[\d.]+)", shown.evaluate("() => location.hash"))[0])
     assert abs(turn - 90.0) < 2.0
     assert math.dist(place(), quarter) < 4.0
@@ -130,16 +130,16 @@ def test_the_handle_is_dragged_round(page_of: Begin) -> None:
 
 def test_it_runs_when_asked_and_never_by_itself(page_of: Begin) -> None:
     shown = _crank(page_of)
+    shown.clock.install()
     before = _angle(shown)
-    shown.wait_for_timeout(300)
+    shown.clock.run_for(1000)
     assert _angle(shown) == before
     shown.get_by_role("button", name="Turn the crank").click()
-    shown.wait_for_timeout(600)
+    shown.clock.run_for(600)
     assert _angle(shown) != before
     shown.get_by_role("button", name="Stop the crank").click()
-    shown.wait_for_timeout(100)
     stood = _angle(shown)
-    shown.wait_for_timeout(300)
+    shown.clock.run_for(1000)
     assert _angle(shown) == stood
 
 
@@ -226,10 +226,10 @@ def test_cursors_run_on_the_curves_of_the_sheet(page_of: Begin) -> None:
     for box in shown.get_by_role("checkbox").all():
         box.check()
     shown.locator("#crank .cursor").first.scroll_into_view_if_needed()
+    shown.evaluate(FRAMES)
     seen = set()
     for turn in (0, 40, 95, 200):
         shown.get_by_role("slider").fill(str(turn))
-        shown.wait_for_timeout(50)
         spots = shown.evaluate(
             """() => [...document.querySelectorAll("#crank .cursor circle")].map((one) => {
               const at = new DOMPoint(+one.getAttribute("cx"), +one.getAttribute("cy"));
