@@ -1,5 +1,6 @@
 """Make the oracle and the strategies importable from every test folder; set hypothesis up."""
 
+import gc
 import os
 import sys
 from collections import Counter
@@ -100,10 +101,17 @@ def pytest_collection_modifyitems(items):
 
 
 def pytest_collection_finish(session):
-    """Nothing is drawn while tests are collected: each worker collects them all, and waits for it."""
+    """Nothing is drawn while tests are collected: each worker collects them all, and waits for it.
+
+    What is there stays until the end, as scenes do that are drawn once: it is not looked through for garbage
+    again and again.
+    """
     from support import gallery
 
-    if gallery.made.cache_info().currsize or gallery.paper.cache_info().currsize:
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(50_000, 20, 50)
+    if gallery.made.cache_info().currsize or gallery.composed.cache_info().currsize:
         raise pytest.UsageError(
             "a test module draws a scene where it is imported: draw in the test"
         )
