@@ -86,7 +86,7 @@ def pytest_terminal_summary(terminalreporter, config):
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """Tests of one scene or part run in one worker, which draws it once; in the everyday run of some scenes."""
+    """In the everyday run tests of one scene or part are those of some scenes."""
     from support import gallery, parts
 
     known, everyday = {*gallery.ALL, *parts.PARTS}, {*gallery.EVERYDAY, *parts.EVERYDAY}
@@ -94,10 +94,17 @@ def pytest_collection_modifyitems(items):
         values = item.callspec.params.values() if hasattr(item, "callspec") else ()
         for one in (getattr(value, "name", value) for value in values):
             if isinstance(one, str) and one in known:
-                item.add_marker(pytest.mark.xdist_group(one))
                 if one not in everyday:
                     item.add_marker(pytest.mark.slow)
                 break
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    """Tests of one scene or part run in one worker, which draws it once."""
+    from support.groups import ByScene
+
+    return ByScene(config, log) if config.getvalue("dist") == "load" else None
 
 
 def pytest_collection_finish(session):
@@ -118,7 +125,5 @@ def pytest_collection_finish(session):
 
 
 def pytest_configure(config):
-    if config.getoption("dist", "no") == "load":
-        config.option.dist = "loadgroup"
     everyday = config.option.markexpr == "not slow"
     settings.load_profile("everyday" if everyday else "ci" if os.environ.get("CI") else "person")
