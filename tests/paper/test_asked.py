@@ -147,7 +147,7 @@ def test_what_is_asked_for_is_drawn(
 
 
 def by_turns(k: int, kind: str, count: int) -> bool:
-    """Whether it is the turn of a mechanism to be asked for a place, the k-th, in a row of so many positions."""
+    """Whether it is a mechanism's turn to be asked for a place, the k-th, in a row of so many positions."""
     turn, other = divmod(k + ROWS.index(count), 2)
     kinds = [one for one in asked.MECHANISMS if asked.can(one, asked.PLACES[k], count)]
     return not other and kind == kinds[turn // 2 % len(kinds)]

@@ -42,7 +42,7 @@ RESTED = """async () => {
   }
   return desk.dataset.seen;
 }"""
-"""The page sets its letters anew 120 ms after the last move: a timer that is set later and is longer comes after."""
+"""The page sets its letters anew 120 ms after the last move: a longer timer that is set later comes after."""
 
 
 def seen(page: Page) -> Seen:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -107,6 +108,13 @@ def in_usual(name: str) -> Drawn:
 def composed(name: str) -> tuple[DrawnScene, Composed]:
     """Return a scene of the package composed onto its sheets, and what of it was drawn for them."""
     return composed_sheets(scene(name))
+
+
+def by_turns(name: str, many: Callable[[int, int], int]) -> tuple[Sheet, ...]:
+    """Return a sheet of a scene of the package, which it is by turns; all of them when measured."""
+    found = paper(name)[1]
+    first = ALL.index(name) % len(found)
+    return found if many(1, 0) else found[first : first + 1]
 
 
 @cache

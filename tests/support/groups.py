@@ -12,8 +12,14 @@ _LONGEST = sorted({*gallery.ALL, *parts.PARTS}, key=len, reverse=True)
 _NAMED = re.compile(rf"(?:^|-)({'|'.join(map(re.escape, _LONGEST))})(?=-|$)")
 
 
+TOGETHER = ("tests/page/practice/",)
+"""Folders and files whose tests share what takes longer than they do: the tasks of all scenes, worked once."""
+
+
 def group_of(test: str) -> str:
     """Return the scene or part that a test names in its brackets; of one that names none, the test itself."""
+    if shared := next(filter(test.startswith, TOGETHER), ""):
+        return shared
     found = _NAMED.search(test.partition("[")[2].removesuffix("]"))
     return test if found is None else found[1]
 
