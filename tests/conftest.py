@@ -1,5 +1,6 @@
 """Make the oracle and the strategies importable from every test folder; set hypothesis up."""
 
+import gc
 import os
 import sys
 from collections import Counter
@@ -85,7 +86,7 @@ def pytest_terminal_summary(terminalreporter, config):
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """Tests of one scene or part run in one worker, which draws it once; in the everyday run of some scenes."""
+    """In the everyday run tests of one scene or part are those of some scenes."""
     from support import gallery, parts
 
     known, everyday = {*gallery.ALL, *parts.PARTS}, {*gallery.EVERYDAY, *parts.EVERYDAY}
@@ -93,24 +94,36 @@ def pytest_collection_modifyitems(items):
         values = item.callspec.params.values() if hasattr(item, "callspec") else ()
         for one in (getattr(value, "name", value) for value in values):
             if isinstance(one, str) and one in known:
-                item.add_marker(pytest.mark.xdist_group(one))
                 if one not in everyday:
                     item.add_marker(pytest.mark.slow)
                 break
 
 
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    """Tests of one scene or part run in one worker, which draws it once."""
+    from support.groups import ByScene
+
+    return ByScene(config, log) if config.getvalue("dist") == "load" else None
+
+
 def pytest_collection_finish(session):
-    """Nothing is drawn while tests are collected: each worker collects them all, and waits for it."""
+    """Nothing is drawn while tests are collected: each worker collects them all, and waits for it.
+
+    What is there stays until the end, as scenes do that are drawn once: it is not looked through for garbage
+    again and again.
+    """
     from support import gallery
 
-    if gallery.made.cache_info().currsize or gallery.paper.cache_info().currsize:
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(50_000, 20, 50)
+    if gallery.made.cache_info().currsize or gallery.composed.cache_info().currsize:
         raise pytest.UsageError(
             "a test module draws a scene where it is imported: draw in the test"
         )
 
 
 def pytest_configure(config):
-    if config.getoption("dist", "no") == "load":
-        config.option.dist = "loadgroup"
     everyday = config.option.markexpr == "not slow"
     settings.load_profile("everyday" if everyday else "ci" if os.environ.get("CI") else "person")

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import io
 import re
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from support.gallery import FOLDERS, paper
+from support.gallery import FOLDERS, by_turns, paper
 
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Sheet, Stroke, arc, circle, line
 from graphic_tmm.paper.pens import pens
@@ -89,8 +90,11 @@ def specimen() -> Sheet:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
-def test_typst_and_resvg_paint_every_sheet_alike(folder: Path) -> None:
-    for sheet in paper(folder.name)[1]:
+def test_typst_and_resvg_paint_every_sheet_alike(
+    folder: Path, many: Callable[[int, int], int]
+) -> None:
+    """Of every scene one, which it is by turns; all of them when measured."""
+    for sheet in by_turns(folder.name, many):
         whole, worst = differing(sheet)
         assert whole < SHARE, sheet.name
         assert worst < SHARE, sheet.name

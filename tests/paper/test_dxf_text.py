@@ -5,11 +5,12 @@ from __future__ import annotations
 import cmath
 import math
 import re
+from collections.abc import Callable
 
 import pytest
 from support.dxf_read import at, model, opened, sheet_of
 from support.each import each
-from support.gallery import ALL, paper
+from support.gallery import ALL, by_turns, paper
 
 from graphic_tmm.paper.drawing import Label, Sheet
 
@@ -39,9 +40,10 @@ def test_letters_are_text(sheet) -> None:
 
 
 @pytest.mark.slow
-@each("name", ALL)
-def test_letters_of_every_scene_are_text(name: str) -> None:
-    for sheet in paper(name)[1]:
+@pytest.mark.parametrize("name", ALL)
+def test_letters_of_every_scene_are_text(name: str, many: Callable[[int, int], int]) -> None:
+    """On one of its sheets, which it is by turns; on all of them when measured."""
+    for sheet in by_turns(name, many):
         document = opened(sheet)
         assert not document.audit().errors
         written, due = share_of_text(sheet)

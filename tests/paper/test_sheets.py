@@ -8,12 +8,11 @@ from pathlib import Path
 
 import pytest
 import shapely
-from support.gallery import FOLDERS, paper
+from support.gallery import FOLDERS, composed, paper
 
 from graphic_tmm.files import write
 from graphic_tmm.paper.shapes import box, shape
-from graphic_tmm.scene.read import read
-from graphic_tmm.studio import sheet_files
+from graphic_tmm.studio import files_of
 
 
 @pytest.mark.slow
@@ -21,7 +20,7 @@ from graphic_tmm.studio import sheet_files
 def test_a_scene_redraws_to_the_committed_sheets(
     folder: Path, request: pytest.FixtureRequest
 ) -> None:
-    _, texts = sheet_files(read(folder))
+    texts = files_of(*composed(folder.name), ("svg",))
     if request.config.getoption("--redraw"):
         for stale in folder.glob("*.svg"):
             stale.unlink()

@@ -7,6 +7,7 @@ import json
 import os
 import random
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -19,7 +20,7 @@ from graphic_tmm.serve import folder as folders
 from graphic_tmm.serve.desk import Desk
 
 MANY = 600
-"""Of these every third is an edit, at all others two strangers ask: a thousand edits and posts."""
+"""Of these every third is an edit, at all others two strangers ask: a thousand of them when measured."""
 SECRET = "secret = 'nobody reads this'\n"
 VALUES = [
     *(
@@ -203,7 +204,7 @@ def allowed(home: Path) -> tuple[str, ...]:
 
 @pytest.mark.slow
 def test_a_thousand_edits_and_posts_leave_all_whole(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, many: Callable[[int, int], int]
 ) -> None:
     home = tmp_path / "scenes"
     file = small(home)
@@ -227,7 +228,7 @@ def test_a_thousand_edits_and_posts_leave_all_whole(
             workers = (desk.front, desk.behind)
             before = [one._process.pid for one in workers]
             here.on = True
-            answered.update(await beset(browser, desk, file, MANY))
+            answered.update(await beset(browser, desk, file, many(MANY, 240)))
             here.on = False
             desk.look_all()
             last = await browser.settled(

@@ -20,7 +20,7 @@ from support.gallery import ROOT
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, BrowserContext, Page
 
-NAMES = ("chromium", "chromium-browser", "google-chrome")
+NAMES = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
 FLAGS = (
     "--headless",
     "--no-sandbox",
@@ -38,6 +38,12 @@ REQUIRED = "GRAPHIC_TMM_BROWSER"
 """The variable that says "required": what is missing is then a failure and not skipped."""
 OWN = "GRAPHIC_TMM_CHROMIUM"
 """The variable that names a browser of one's own."""
+FRAMES = """() => new Promise((done) => {
+  let left = 3;
+  const one = () => { left -= 1; if (left < 0) done(); else requestAnimationFrame(one); };
+  one();
+})"""
+"""What was asked to be drawn is drawn then, what a browser itself tells of a layout is heard and drawn too."""
 SPOKEN = ("error", "warning", "assert")
 """The kinds of lines on the console that a page of ours never writes."""
 

@@ -33,12 +33,21 @@ class Seen(NamedTuple):
         return (x - self.x) * self.zoom, (y - self.y) * self.zoom
 
 
+RESTED = """async () => {
+  const desk = document.querySelector(".desk");
+  for (let before; before !== desk.dataset.seen || before === undefined; ) {
+    before = desk.dataset.seen;
+    await new Promise((done) => setTimeout(done, 130));
+    for (let k = 0; k < 3; k += 1) await new Promise((done) => requestAnimationFrame(done));
+  }
+  return desk.dataset.seen;
+}"""
+"""The page sets its letters anew 120 ms after the last move: a longer timer that is set later comes after."""
+
+
 def seen(page: Page) -> Seen:
     """Return where the sheet is looked at from, once it stands still."""
-    told = ""
-    while told != (told := str(page.locator(".desk").get_attribute("data-seen"))):
-        page.wait_for_timeout(300)
-    return Seen(*map(float, told.split()))
+    return Seen(*map(float, page.evaluate(RESTED).split()))
 
 
 def picture(page: Page) -> Any:
@@ -51,7 +60,7 @@ def picture(page: Page) -> Any:
 def points(png: bytes) -> Any:
     from PIL import Image
 
-    return np.asarray(Image.open(io.BytesIO(png)).convert("RGB")).astype(int)
+    return np.asarray(Image.open(io.BytesIO(png)).convert("RGB")).astype(np.int16)
 
 
 def size(page: Page) -> tuple[int, int]:
@@ -99,10 +108,16 @@ def unlike(one: Any, other: Any, by: int = 1, most: int = 40) -> float:
 
 
 def _beyond(one: Any, other: Any, by: int, most: int) -> float:
-    high, wide = other.shape[:2]
-    padded = np.pad(other, ((by, by), (by, by), (0, 0)), mode="edge")
-    near = [
-        padded[j : j + high, i : i + wide] for i in range(2 * by + 1) for j in range(2 * by + 1)
-    ]
-    low, top = np.minimum.reduce(near), np.maximum.reduce(near)
+    low, top = (_near(_near(other, by, 0, of), by, 1, of) for of in (np.minimum, np.maximum))
     return float(((one < low - most) | (one > top + most)).any(axis=2).mean())
+
+
+def _near(one: Any, by: int, axis: int, of: np.ufunc) -> Any:
+    """Return the least or the greatest of what is so near along an axis of a picture."""
+    around = [(by, by) if k == axis else (0, 0) for k in range(one.ndim)]
+    padded, size = np.pad(one, around, mode="edge"), one.shape[axis]
+    found = np.take(padded, range(size), axis)
+    for shift in range(1, 2 * by + 1):
+        beside = slice(shift, shift + size)
+        of(found, padded[beside] if axis == 0 else padded[:, beside], out=found)
+    return found

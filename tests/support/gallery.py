@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import make, sheets
+from graphic_tmm.studio import composed_sheets, make
 from support.boards import in_usual_size
 from support.once import read_once
 
 if TYPE_CHECKING:
+    from graphic_tmm.fitting.compose import Composed
     from graphic_tmm.paper.drawing import Sheet
 
 ROOT = Path(__file__).parents[2]
@@ -103,6 +105,20 @@ def in_usual(name: str) -> Drawn:
 
 
 @cache
+def composed(name: str) -> tuple[DrawnScene, Composed]:
+    """Return a scene of the package composed onto its sheets, and what of it was drawn for them."""
+    return composed_sheets(scene(name))
+
+
+def by_turns(name: str, many: Callable[[int, int], int]) -> tuple[Sheet, ...]:
+    """Return a sheet of a scene of the package, which it is by turns; all of them when measured."""
+    found = paper(name)[1]
+    first = ALL.index(name) % len(found)
+    return found if many(1, 0) else found[first : first + 1]
+
+
+@cache
 def paper(name: str) -> tuple[DrawnScene, tuple[Sheet, ...]]:
-    """Return a scene of the package on its sheets, and what of it was drawn for them."""
-    return sheets(scene(name))
+    """Return the same with its sheets alone."""
+    made, found = composed(name)
+    return made, found.sheets

@@ -55,8 +55,13 @@ def text(name: str, spoken: str) -> str:
     return page(*on_sheets(name, spoken))
 
 
-def views(name: str, spoken: str) -> Iterator[View]:
-    """Yield the views of a scene that are drawn in more than one picture, sheet by sheet."""
+@cache
+def views(name: str, spoken: str) -> tuple[View, ...]:
+    """Return the views of a scene that are drawn in more than one picture, sheet by sheet."""
+    return tuple(_views(name, spoken))
+
+
+def _views(name: str, spoken: str) -> Iterator[View]:
     made, found = on_sheets(name, spoken)
     for sheet in found:
         for number, drawing in enumerate(sheet.drawings):

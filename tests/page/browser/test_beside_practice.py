@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from support import pages
+from support.browser import FRAMES
 
 from graphic_tmm.page.page import page as written
 
@@ -46,7 +47,9 @@ def test_other_tabs_are_laid_out_as_ever(
     for file in both:
         page = opened(file, address, viewport={"width": wide, "height": 900}).page
         page.locator("html.ready").wait_for()
-        page.wait_for_timeout(300)
+        if tab == "crank":
+            page.locator("#crank[data-ready]").wait_for()
+        page.evaluate(FRAMES)
         laid.append(page.evaluate(LAID, tab))
     assert len(laid[0]) > 20
     assert laid[0] == laid[1]

@@ -144,6 +144,7 @@ def test_the_lecture_fills_the_screen(lecture) -> None:
     page.wait_for_function("() => document.fullscreenElement === null")
     assert page.get_by_role("tab").first.is_visible()
     page.get_by_role("button", name="Full screen", exact=True).click()
+    page.wait_for_function("() => document.fullscreenElement !== null")
     page.evaluate("() => document.exitFullscreen()")
     page.wait_for_function("() => !document.documentElement.classList.contains('full')")
 
@@ -222,7 +223,7 @@ def test_the_clock_is_the_speaker_s(lecture) -> None:
     clock = other.get_by_role("timer")
     assert clock.inner_text() == "0:00"
     other.get_by_role("button", name="Start the clock").click()
-    other.wait_for_function("() => document.querySelector('.clock').textContent === '0:01'")
+    other.wait_for_function("() => document.querySelector('.clock').textContent !== '0:00'")
     other.get_by_role("button", name="Stop the clock").click()
     other.get_by_role("button", name="Clock to 0:00").click()
     assert clock.inner_text() == "0:00"

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from PIL import Image
 from support import gallery, pages, photographs
-from support.browser import Opened, tool
+from support.browser import FRAMES, Opened, tool
 from support.photographs import PAPER, Camera
 
 from graphic_tmm.checking.cells import points
@@ -79,7 +79,7 @@ class Hands:
 
     def click(self, at: complex) -> None:
         """Click a place of what lies on the desk, in its own units."""
-        self.page.wait_for_timeout(60)
+        self.page.evaluate(FRAMES)
         box = self.desk.bounding_box()
         x, y, zoom = map(float, self.desk.get_attribute("data-seen").split())
         rim = self.desk.evaluate("(one) => [one.clientLeft, one.clientTop]")

@@ -157,6 +157,7 @@ def test_other_positions_are_one_stop_each_with_figures_of_their_own(play) -> No
 def test_it_runs_at_the_pace_that_is_chosen(play) -> None:
     room = play(0)
     room.page.clock.install()
+    room.page.clock.pause_at(room.page.evaluate("() => Date.now() / 1000 + 60"))
     room.get_by_label("Pace").select_option("4")
     room.get_by_role("button", name="Play the steps").click()
     before = int(room.locator(".stage").get_attribute("data-step"))

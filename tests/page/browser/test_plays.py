@@ -86,14 +86,23 @@ def test_every_view_has_an_address_of_its_own(name: str, lesson) -> None:
 
 
 @pytest.mark.parametrize("name", ALL)
-def test_the_last_picture_is_the_view_of_the_sheet(name: str, lesson, opened, tmp_path) -> None:
+def test_the_last_picture_is_the_view_of_the_sheet(
+    name: str, lesson, opened, tmp_path, many
+) -> None:
+    """Of each plan in one position, which it is by turns; in all of them when measured."""
     spoken, shown = pages.language(name), lesson(name)
     _, sheets = pages.on_sheets(name, spoken)
     paper = opened(alone(sheets, tmp_path / "alone.html"))
     titled = places(name)
-    for one in shown.met:
+    stand = [(one, titled[one.title].pop(0)) for one in shown.met]
+    plans: dict[str, list[tuple[Played, tuple[int, str]]]] = {}
+    for one, place in stand:
+        plans.setdefault(one.address.split("/")[0], []).append((one, place))
+    turn = ALL.index(name)
+    some = [of[(turn + k) % len(of)] for k, of in enumerate(plans.values())]
+    for one, place in stand if many(1, 0) else some:
         there = at_the_end(shown.tab.page, spoken, one.address)
-        show_alone(paper.page, *titled[one.title].pop(0), there)
+        show_alone(paper.page, *place, there)
         played, due = (at(page, there) for page in (shown.tab.page, paper.page))
         assert (due < 128).any(), one.title
         assert unlike(played, due) <= FAINT, one.title

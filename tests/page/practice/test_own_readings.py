@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import random
 from collections import Counter
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -116,11 +117,13 @@ def test_a_check_of_the_file_tells_what_the_page_told(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_plans_of_one_position_are_judged_together(tmp_path: Path) -> None:
+def test_plans_of_one_position_are_judged_together(
+    tmp_path: Path, many: Callable[[int, int], int]
+) -> None:
     scene = packed("windrower")
     assert scene is not None
     found = []
-    for seed in range(3):
+    for seed in range(many(3, 1)):
         drawings = drawn(scene, random.Random(seed), apart=False)
         found += verdicts(scene, drawings, tmp_path / "readings.csv")
     assert [one for one in found if one[0] != one[1]] == []

@@ -1,0 +1,31 @@
+"""Tests of one scene or part go to one worker, which draws it once."""
+
+from __future__ import annotations
+
+import re
+
+from xdist.scheduler import LoadScopeScheduling
+
+from support import gallery, parts
+
+_LONGEST = sorted({*gallery.ALL, *parts.PARTS}, key=len, reverse=True)
+_NAMED = re.compile(rf"(?:^|-)({'|'.join(map(re.escape, _LONGEST))})(?=-|$)")
+
+
+TOGETHER = ("tests/page/practice/",)
+"""Folders and files whose tests share what takes longer than they do: the tasks of all scenes, worked once."""
+
+
+def group_of(test: str) -> str:
+    """Return the scene or part that a test names in its brackets; of one that names none, the test itself."""
+    if shared := next(filter(test.startswith, TOGETHER), ""):
+        return shared
+    found = _NAMED.search(test.partition("[")[2].removesuffix("]"))
+    return test if found is None else found[1]
+
+
+class ByScene(LoadScopeScheduling):
+    """Workers are given a scene, all of its tests one after another, or a test."""
+
+    def _split_scope(self, nodeid: str) -> str:
+        return group_of(nodeid)

@@ -1,0 +1,21 @@
+"""Tests of one scene run in one worker: they are known by the name in their brackets."""
+
+from __future__ import annotations
+
+from support.groups import group_of
+
+
+def test_a_test_belongs_to_the_scene_that_it_names() -> None:
+    for scene in ("windrower", "windrower-published", "cam", "crank-rocker", "a rocker"):
+        for case in (scene, f"{scene}-velocities", f"0.5-{scene}", f"True-{scene}-1"):
+            assert group_of(f"tests/a/test_b.py::test_c[{case}]") == scene, case
+
+
+def test_tests_that_share_what_is_dear_stand_together() -> None:
+    for case in ("[windrower]", "[]", ""):
+        assert group_of(f"tests/page/practice/test_a.py::test_b{case}") == "tests/page/practice/"
+
+
+def test_a_test_that_names_no_scene_stands_alone() -> None:
+    for test in ("tests/cam/test_cam.py::test_cam", "tests/test_b.py::test_c[camera-lever2]"):
+        assert group_of(test) == test
