@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import BinaryIO
 
@@ -42,7 +42,10 @@ def locked(out: Path) -> Iterator[None]:
                 folder=folder,
             )
             raise SheetError(says)
-        yield
+        try:
+            yield
+        finally:
+            _let_go(stream)
 
 
 def _taken(stream: BinaryIO) -> bool:
@@ -61,3 +64,12 @@ def _taken(stream: BinaryIO) -> bool:
     except OSError:  # a disk that knows no locks; on Windows, that somebody has it
         return sys.platform != "win32"
     return True
+
+
+def _let_go(stream: BinaryIO) -> None:
+    """Open the lock: a process that was just begun by another thread may still have the file."""
+    if sys.platform != "win32":
+        import fcntl
+
+        with suppress(OSError):
+            fcntl.flock(stream, fcntl.LOCK_UN)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -173,6 +174,24 @@ def test_two_runs_do_not_write_into_one_folder(tmp_path: Path) -> None:
         run(sums(1), out, executor=0)
     assert files_of(out) == {}
     assert run(sums(1), out, executor=0).made == ("0",)
+
+
+@pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")  # later Pythons, of their threads
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="a system that forks")
+def test_a_folder_is_free_though_a_process_begun_meanwhile_lives_on(tmp_path: Path) -> None:
+    """Another thread may be beginning one just then: it has all files until it is another program."""
+    out = tmp_path / "out"
+    with locked(out):
+        end, stays = os.pipe()
+        child = os.fork()
+        if child == 0:
+            os.close(stays)
+            os.read(end, 1)
+            os._exit(0)
+    assert run(sums(1), out, executor=0).made == ("0",)
+    os.close(stays)
+    os.close(end)
+    os.waitpid(child, 0)
 
 
 def test_a_folder_that_cannot_be_is_told(tmp_path: Path) -> None:
