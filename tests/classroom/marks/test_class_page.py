@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from fractions import Fraction
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
-from support.browser import Opened, launched
+from support.browser import Opened
 
 from graphic_tmm.classroom.marks.files import summary_html
 from graphic_tmm.classroom.marks.marking import Entry, Marked
 from graphic_tmm.classroom.marks.names import HandIn, Skipped
 from graphic_tmm.classroom.marks.row import Row
 from graphic_tmm.classroom.marks.rule import FIVE, Mark
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 EVIL = '<img src="http://x/"><script>alert(1)</script>'
 
@@ -31,20 +35,19 @@ def marked(*points: int) -> Marked:
 
 
 @pytest.mark.slow
-def test_the_page_sorts_and_does_nothing_else(tmp_path: Path) -> None:
+def test_the_page_sorts_and_does_nothing_else(browser: Browser, tmp_path: Path) -> None:
     file = tmp_path / "summary.html"
     file.write_text(summary_html(marked(9, 100, 55, 70)), "utf-8")
-    with launched() as browser:
-        opened = Opened(browser, file)
-        column = opened.page.locator("td.points")
-        assert column.all_text_contents() == ["9", "100", "55", "70"]
-        head = opened.page.locator("th button", has_text="points")
-        head.click()
-        assert column.all_text_contents() == ["9", "55", "70", "100"]
-        head.click()
-        assert column.all_text_contents() == ["100", "70", "55", "9"]
-        assert opened.page.locator("td.name a").first.get_attribute("href") == (
-            "reports/f1%20%23%3F%25.html"
-        )
-        assert opened.settle() == []
-        opened.close()
+    opened = Opened(browser, file)
+    column = opened.page.locator("td.points")
+    assert column.all_text_contents() == ["9", "100", "55", "70"]
+    head = opened.page.locator("th button", has_text="points")
+    head.click()
+    assert column.all_text_contents() == ["9", "55", "70", "100"]
+    head.click()
+    assert column.all_text_contents() == ["100", "70", "55", "9"]
+    assert opened.page.locator("td.name a").first.get_attribute("href") == (
+        "reports/f1%20%23%3F%25.html"
+    )
+    assert opened.settle() == []
+    opened.close()
