@@ -11,7 +11,7 @@ from graphic_tmm.checking.judging.comparison import Comparison, worse_of
 from graphic_tmm.checking.judging.groups import groups
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
-from graphic_tmm.checking.judging.yardstick import Yardsticks
+from graphic_tmm.checking.judging.yardstick import Yardstick, Yardsticks
 from graphic_tmm.checking.known import known
 from graphic_tmm.checking.lessons.lessons import Teacher
 from graphic_tmm.checking.mutations.diagnosis import diagnosed
@@ -37,6 +37,15 @@ class Checked(NamedTuple):
     compared: Comparison
 
 
+class _Judgement(NamedTuple):
+    """Readings as the scene knows them, what is told of that, by what they were judged, and their verdicts."""
+
+    rows: tuple[Taken, ...]
+    notes: tuple[str, ...]
+    by: Yardstick
+    verdicts: tuple[Judged, ...]
+
+
 class Checker:
     """A scene drawn exactly, with all that its drawings are checked by: the hand draws once for them."""
 
@@ -60,15 +69,17 @@ class Checker:
 
     def verdicts(self, readings: Sequence[Taken], source: str = "readings") -> tuple[Judged, ...]:
         """Return the verdicts on the readings of a drawing, and look for no mistake; raises as `check`."""
-        rows, _ = known(self.made, readings, source)
-        return judge(self.made, rows, self._yardsticks.of(rows))
+        return self._judged(readings, source).verdicts
+
+    def _judged(self, readings: Sequence[Taken], source: str) -> _Judgement:
+        rows, notes = known(self.made, readings, source)
+        by = self._yardsticks.of(rows)
+        return _Judgement(tuple(rows), tuple(notes), by, judge(self.made, rows, by))
 
     def of(self, readings: Sequence[Taken], source: str = "readings") -> Checked:
         """Return what there is to say of the readings of a drawing; raises as `check`."""
         made, language = self.made, self.scene.language
-        rows, notes = known(made, readings, source)
-        by = self._yardsticks.of(rows)
-        judged = judge(made, rows, by)
+        rows, notes, by, judged = self._judged(readings, source)
         parts = [part for taken in rows for part in taken.parts()]
         compared = Comparison(made, parts, by, worse_of([one.times for one in judged]))
         found = told(diagnosed(self._mistakes, compared, judged), compared, language)

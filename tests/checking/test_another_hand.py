@@ -24,6 +24,7 @@ from support.gallery import CASES
 from support.verdicts import Verdicts, verdicts
 
 from graphic_tmm.checking.cells import cells, points
+from graphic_tmm.checking.check import checks
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
 from graphic_tmm.scene.read import read
@@ -92,6 +93,19 @@ def honest(name: str, mode: str, seeds: range, folder: Path, trials: int) -> Cou
 def passes(found: Counter[str]) -> None:
     assert found["broken"] <= 0.02 * found["drawings"]
     assert found["doubtful"] <= 0.05 * found["readings"]
+
+
+@pytest.mark.parametrize("name", MACHINES)
+def test_verdicts_alone_are_those_of_the_report(name: str, tmp_path: Path) -> None:
+    """What the tests below judge by is what a person is shown, of an honest drawing and of a wrong one."""
+    pen = Pencil(np.random.default_rng(7), RULERS[0])
+    fine = csv_of(rows_of(name, pen, sheets(name, pen), "mm"))
+    wrong = csv_of(gross(name, np.random.default_rng(3000), RULERS[0], "mm", "decimal").rows)
+    files = list(read_back([fine, wrong], tmp_path))
+    shown = [report.readings for report in checks(scene(name), files, trials=400)]
+    alone = [one.readings for one in verdicts(scene(name), files, trials=400)]
+    assert repr(alone) == repr(shown)  # where nothing is there to measure both say NaN
+    assert any(one.verdict == WRONG for one in shown[1])
 
 
 @pytest.mark.slow
