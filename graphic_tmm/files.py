@@ -16,6 +16,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from pathlib import Path
+from secrets import token_hex
 from socket import gethostname
 from typing import BinaryIO, NamedTuple, NoReturn
 
@@ -25,7 +26,8 @@ from graphic_tmm.language.said import said
 HOST = re.sub(r"[^A-Za-z0-9-]", "", gethostname())[:40] or "host"
 STANDARD_INPUT = Path("-")
 """The name by which standard input is read."""
-_PART = re.compile(r"\.graphic-tmm-([A-Za-z0-9-]+)-([0-9]+)-[0-9]+\.part")
+_PART = re.compile(r"\.graphic-tmm-([A-Za-z0-9-]+)-([0-9]+)-[0-9a-f]+\.part")
+"""Machine, process, then what no thread of it draws twice: `mkstemp` would take away the rights of a new file."""
 _INPUTS: ContextVar[list[Path] | None] = ContextVar("inputs", default=None)
 
 
@@ -153,7 +155,7 @@ def write(
                 raise IsADirectoryError(21, "a folder stands there", str(place))
             if place.exists() and not place.is_file():
                 raise OSError(22, "a device or a pipe stands there", str(place))
-            passing = folder / f".graphic-tmm-{HOST}-{os.getpid()}-{len(waiting)}.part"
+            passing = folder / f".graphic-tmm-{HOST}-{os.getpid()}-{token_hex(8)}.part"
             waiting.append((passing, place))
             passing.write_bytes(text.encode("utf-8") if isinstance(text, str) else text)
             with suppress(OSError):  # nothing stands there yet
@@ -246,5 +248,5 @@ def _clear(waiting: list[tuple[Path, Path]], made: list[Path]) -> None:
         with suppress(OSError):  # it was never there, or its name is too long to be
             passing.unlink()
     for path in made:
-        if path.is_dir() and not any(path.iterdir()):
+        with suppress(OSError):  # something stands in it, of another thread perhaps
             path.rmdir()

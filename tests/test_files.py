@@ -6,6 +6,8 @@ import json
 import os
 import subprocess
 import sys
+import threading
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -165,6 +167,44 @@ def test_a_scene_begun_from_one_that_was_begun_finds_its_own_schema(tmp_path: Pa
     assert invoke("new", str(tmp_path / "b"), "--like", str(tmp_path / "a")).exit_code == 0
     made = [(tmp_path / name / "scene.toml").read_text(encoding="utf-8") for name in "ab"]
     assert made[0] == made[1]
+
+
+def test_threads_that_write_at_once_exchange_nothing(tmp_path: Path) -> None:
+    threads, rounds = 8, 40
+    begin = threading.Barrier(threads)
+
+    def writes(thread: int) -> None:
+        begin.wait(30)
+        for number in range(rounds):
+            name = f"{thread}-{number}.svg"
+            write(tmp_path, {name: name * 500, f"{name}.too": b"too" + name.encode()})
+
+    with ThreadPoolExecutor(threads) as pool:
+        for done in [pool.submit(writes, thread) for thread in range(threads)]:
+            done.result()
+    names = [f"{thread}-{number}.svg" for thread in range(threads) for number in range(rounds)]
+    due = {name: (name * 500).encode() for name in names}
+    due |= {f"{name}.too": b"too" + name.encode() for name in names}
+    assert found(tmp_path) == due
+
+
+def test_rights_of_a_file_outlive_it_and_a_new_one_has_those_that_the_mask_leaves(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "old.svg").write_text("old")
+    (tmp_path / "old.svg").chmod(0o640)
+    mask = os.umask(0o027)
+    try:
+        write(tmp_path, {"old.svg": "new", "new.svg": "new"})
+    finally:
+        os.umask(mask)
+    assert {path.name: path.stat().st_mode & 0o777 for path in tmp_path.iterdir()} == {
+        "old.svg": 0o640,
+        "new.svg": 0o640,
+    }
+    (tmp_path / "old.svg").chmod(0o604)
+    write(tmp_path, {"old.svg": "newer"})
+    assert (tmp_path / "old.svg").stat().st_mode & 0o777 == 0o604
 
 
 # what a killed run has left
