@@ -27,7 +27,7 @@ HOST = re.sub(r"[^A-Za-z0-9-]", "", gethostname())[:40] or "host"
 STANDARD_INPUT = Path("-")
 """The name by which standard input is read."""
 _PART = re.compile(r"\.graphic-tmm-([A-Za-z0-9-]+)-([0-9]+)-[0-9a-f]+\.part")
-"""Machine, process, then what no thread of it draws twice: `mkstemp` would take away the rights of a new file."""
+"""Machine, process, and what no thread of it draws twice (`mkstemp` would narrow the rights of a new file)."""
 _INPUTS: ContextVar[list[Path] | None] = ContextVar("inputs", default=None)
 
 

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from types import FrameType
 
 import uvicorn
+from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import said
@@ -42,7 +43,7 @@ def serve(
     desk = Desk(folder, language)
     config = uvicorn.Config(
         application(desk, token, open=host not in LOOPBACK),
-        http="h11",
+        http=Line,
         loop="asyncio",
         ws="none",
         lifespan="on",
@@ -83,6 +84,36 @@ def _listening(host: str, port: int) -> socket.socket:
         )
         raise SheetError(says) from error
     return made
+
+
+class Line(H11Protocol):
+    """A connection; where many stand, the one that has asked nothing for longest makes room for it.
+
+    Connections that know no token, or say nothing, would else keep out those that do: beyond its limit the
+    server refuses whoever asks.
+    """
+
+    last: float
+
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+        """Take the connection, in the place of another if there is no room."""
+        idle = [line for line in self.connections if isinstance(line, Line) and line.is_idle]
+        if idle and len(self.connections) >= CONNECTIONS // 2:
+            oldest = min(idle, key=lambda line: line.last)
+            self.connections.discard(oldest)
+            oldest.transport.abort()
+        self.last = self.loop.time()
+        super().connection_made(transport)
+
+    def on_response_complete(self) -> None:
+        """Note when it was answered last."""
+        self.last = self.loop.time()
+        super().on_response_complete()
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether nothing is being answered."""
+        return self.cycle is None or self.cycle.response_complete
 
 
 class _Server(uvicorn.Server):

@@ -1,5 +1,8 @@
 """A process that draws: one task at a time, the urgent first; ended, and begun anew, when one takes too long.
 
+A task that holds it for long while others wait is broken off as well, and begun again when nobody waits: one
+giant among the scenes of a folder keeps nobody from the others.
+
 It is told a function of `jobs` and what it is called with, and answers with what that returns. Ctrl-C of the
 terminal does not reach it: who began it ends it.
 """
@@ -12,6 +15,7 @@ import itertools
 import multiprocessing
 import os
 import signal
+import time
 import traceback
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -26,6 +30,12 @@ from graphic_tmm.serve.limits import BEGINNING, MEMORY, WAITING
 T = TypeVar("T")
 NICE = 5
 """By so much what is patient stands back."""
+PATIENCE = 5.0
+"""s that a task may keep others waiting: three times what a sheet of the package's own scenes takes."""
+LAST = 1_000
+"""The urgency of a task that has kept others waiting; everything else comes before it."""
+LOOK = 0.1
+"""So often, s, it is looked whether others wait."""
 QUIET, BUSY = 0.5, 10
 """After so many s without a task, or after so many tasks, what is left of them is taken away."""
 
@@ -40,6 +50,10 @@ class Gone(Exception):
 
 class Broken(Exception):
     """A task met an error that nobody has foreseen: what is told of it."""
+
+
+class _Yields(Exception):
+    """A task has kept others waiting for too long."""
 
 
 class _Asked(NamedTuple):
@@ -61,6 +75,7 @@ class Worker:
     def __init__(self, first: Callable[[], object] = int, *, patient: bool = False) -> None:
         self._first, self._patient = first, patient
         self._waiting: asyncio.PriorityQueue[_Asked] = asyncio.PriorityQueue(WAITING)
+        self._queued: dict[int, _Asked] = {}
         self._numbers = itertools.count()
         self._thread = ThreadPoolExecutor(1)
         self._process: Any = None
@@ -86,22 +101,28 @@ class Worker:
             self._turns = asyncio.create_task(self._take_turns())
         answer: asyncio.Future[T] = asyncio.get_running_loop().create_future()
         asked = _Asked(urgency, next(self._numbers), job, given, limit, answer)
+        self._queue(asked)
+        return await answer
+
+    def _queue(self, asked: _Asked) -> None:
         try:
             self._waiting.put_nowait(asked)
         except asyncio.QueueFull:
-            raise Gone from None
-        return await answer
+            _give(asked.answer, Gone())
+        else:
+            self._queued[asked.number] = asked
 
     async def _take_turns(self) -> None:
         loop = asyncio.get_running_loop()
         while True:
             asked = await self._waiting.get()
+            del self._queued[asked.number]
             if asked.answer.done():
                 continue
             try:
-                found = await loop.run_in_executor(
-                    self._thread, self._exchanged, asked.job, asked.given, asked.limit
-                )
+                found = await loop.run_in_executor(self._thread, self._exchanged, asked)
+            except _Yields:
+                self._queue(asked._replace(urgency=LAST))
             except (TooLong, Gone, Broken) as error:
                 _give(asked.answer, error)
             else:
@@ -117,22 +138,37 @@ class Worker:
 
     # ------------------------------------------------------------ in the thread
 
-    def _exchanged(self, job: Callable[..., Any], given: tuple[Any, ...], limit: float) -> Any:
+    def _exchanged(self, asked: _Asked) -> Any:
         try:
             line = self._begun()
-            line.send((job, given))
-            if not line.poll(limit):
-                raise TooLong(limit)
+            line.send((asked.job, asked.given))
+            self._await(line, asked)
             fine, found = line.recv()
         except (EOFError, OSError):
             self._end()
             raise Gone from None
-        except TooLong:
+        except (TooLong, _Yields):
             self._end()
             raise
         if not fine:
             raise Broken(found)
         return found
+
+    def _await(self, line: Connection, asked: _Asked) -> None:
+        """Await an answer; raises TooLong beyond its limit, _Yields if others have waited too long for it."""
+        begun = time.monotonic()
+        while (spent := time.monotonic() - begun) < asked.limit:
+            if line.poll(min(LOOK, asked.limit - spent)):
+                return
+            patience = 0.0 if asked.urgency == LAST else PATIENCE
+            if spent > patience and self._keeps_waiting(asked):
+                raise _Yields
+        raise TooLong(asked.limit)
+
+    def _keeps_waiting(self, asked: _Asked) -> bool:
+        """Whether something waits that is as urgent, and has kept nobody waiting itself."""
+        waiting = (one for one in self._queued.copy().values() if not one.answer.done())
+        return any(one.urgency <= asked.urgency and one.urgency != LAST for one in waiting)
 
     def _begun(self) -> Connection:
         """Return the line to the process, which is begun if there is none."""

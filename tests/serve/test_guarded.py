@@ -5,10 +5,13 @@ from __future__ import annotations
 import asyncio
 import json
 import os
+import socket
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
 from support.each import each
+from support.real_server import serving
 from support.served import HOST, SMALL, TOKEN, opened, run, small
 
 from graphic_tmm.errors import SceneError
@@ -271,3 +274,15 @@ def test_a_folder_shows_so_many_scenes_at_most(tmp_path: Path) -> None:
     for k in range(limits.SCENES + 5):
         (tmp_path / f"{k:03d}.toml").write_text("", encoding="utf-8")
     assert list(Folder(tmp_path).scenes()) == [f"{k:03d}" for k in range(limits.SCENES)]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("says", [b"", b"GET /s/ HT", b"GET /secret/ HTTP/1.1\r\nhost: x\r\n\r\n"])
+def test_whoever_knows_no_token_keeps_nobody_out(says: bytes, tmp_path: Path) -> None:
+    """Twice as many connections as are answered at once: silent, amid a request, refused and kept open."""
+    with serving(small(tmp_path)) as server, ExitStack() as lines:
+        for _ in range(2 * limits.CONNECTIONS):
+            line = lines.enter_context(socket.create_connection((server.host, server.port), 10))
+            line.sendall(says)
+        for _ in range(3):
+            assert server.ask("/")[0] in (200, 307)

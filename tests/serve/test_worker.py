@@ -82,6 +82,44 @@ def test_the_urgent_comes_first_and_what_nobody_waits_for_not_at_all() -> None:
     assert order == ["first", "urgent", "usual", "idle"]
 
 
+def test_what_takes_long_is_begun_again_when_nobody_waits(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A giant of 2 s, two others while it runs, one more in its second turn: it comes last, and whole."""
+    monkeypatch.setattr(workers, "PATIENCE", 0.2)
+    order: list[str] = []
+
+    async def asked(worker: Worker, name: str, seconds: float, urgency: int) -> None:
+        await worker.ask(time.sleep, seconds, limit=30, urgency=urgency)
+        order.append(name)
+
+    async def serving() -> None:
+        async with working() as worker:
+            await worker.ask(len, "", limit=30)
+            giant = asyncio.create_task(asked(worker, "giant", 2.0, 1))
+            await asyncio.sleep(0.1)
+            small = [asyncio.create_task(asked(worker, name, 0.0, 1)) for name in ("one", "other")]
+            await asyncio.gather(*small)
+            await asyncio.sleep(0.5)
+            await asked(worker, "third", 0.0, 2)
+            await giant
+
+    run(serving)
+    assert order == ["one", "other", "third", "giant"]
+
+
+def test_what_is_less_urgent_breaks_nothing_off(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(workers, "PATIENCE", 0.1)
+
+    async def serving() -> None:
+        async with working() as worker:
+            first = await worker.ask(os.getpid, limit=30)
+            urgent = asyncio.create_task(worker.ask(time.sleep, 0.6, limit=30, urgency=0))
+            await asyncio.sleep(0.05)
+            assert await worker.ask(os.getpid, limit=30, urgency=1) == first
+            await urgent
+
+    run(serving)
+
+
 def test_nobody_waits_in_a_queue_without_end(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(workers, "WAITING", 3)
 

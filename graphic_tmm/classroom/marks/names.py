@@ -28,6 +28,7 @@ LONGEST = 80
 _UNSEEN = ("thumbs.db", "desktop.ini", "__macosx")
 _SHEET = re.compile(r"(?P<name>.*\S)[\s_-]+(?:[^\W\d_]{3,6}[\s_-]*)?(?P<sheet>[1-9])\)?")
 _LAST = re.compile(r"(?:.*\D)?([1-9])")
+_LINK = said("a link: what it leads to is not of this folder; put the file itself there")
 _STRANGE = re.compile(r"[\x00-\x1f\x7f-\x9f/\\:*?\"<>|\ud800-\udfff]")
 
 
@@ -68,7 +69,8 @@ def hand_ins(
     groups: dict[tuple[str, str], list[_File]] = {}
     skipped: list[Skipped] = []
     for path in _files(folder):
-        named = _named(path.relative_to(folder), known)
+        inside = path.relative_to(folder)
+        named = Skipped(inside.as_posix(), _LINK) if path.is_symlink() else _named(inside, known)
         if isinstance(named, Skipped):
             skipped.append(named)
         else:
@@ -104,7 +106,7 @@ def _files(folder: Path) -> Iterator[Path]:
         raise SheetError(says)
     count = 0
     for path in _listed(folder):
-        for file in _listed(path) if path.is_dir() else (path,):
+        for file in _listed(path) if path.is_dir() and not path.is_symlink() else (path,):
             count += 1
             if count > MOST:
                 says = said(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -24,7 +25,7 @@ def handed(folder: Path, *names: str, variants: list[str] | None = THIRTY) -> tu
 
 def put(folder: Path, *names: str) -> None:
     for name in names:
-        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text("", "utf-8")
 
 
@@ -128,3 +129,26 @@ def test_the_order_is_fixed(tmp_path: Path) -> None:
 def test_no_folder_is_told(tmp_path: Path) -> None:
     with pytest.raises(SheetError, match="no folder"):
         hand_ins(tmp_path / "none", THIRTY)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="links need rights elsewhere")
+def test_no_link_is_followed_out_of_the_folder_or_in_it(tmp_path: Path) -> None:
+    """A file, a folder, a link that leads nowhere, one to another's hand-in: each is skipped by name."""
+    secret, handed_in = tmp_path / "secret", tmp_path / "class"
+    put(secret, "05.csv")
+    put(handed_in, "07.csv")
+    links = {
+        "01.csv": secret / "05.csv", "02 Ivanov": secret, "03.csv": tmp_path / "nothing",
+        "04.csv": handed_in / "07.csv", "in/06.csv": secret / "05.csv",
+    }  # fmt: skip
+    (handed_in / "in").mkdir()
+    for name, target in links.items():
+        (handed_in / name).symlink_to(target)
+    for variants in (THIRTY, None):
+        found, skipped = hand_ins(handed_in, variants)
+        assert [one.name for one in found] == ["07"]
+        assert sorted(one.name for one in skipped) == sorted(links)
+        assert all("link" in one.why for one in skipped)
+    aside = tmp_path / "aside"  # the folder itself may be reached by one: the teacher has named it
+    aside.symlink_to(handed_in)
+    assert len(hand_ins(aside, THIRTY)[0]) == 1
