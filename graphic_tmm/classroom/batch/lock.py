@@ -1,7 +1,11 @@
-"""One run at a time writes into a folder: the second is told so. The system opens the lock when a run ends."""
+"""One run at a time writes into a folder: the second is told so. The system opens the lock when a run ends.
+
+A run that has written nothing leaves no folder and no lock.
+"""
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -22,10 +26,11 @@ def locked(out: Path) -> Iterator[None]:
     SheetError
         If another run writes into it, or it cannot be written into.
     """
-    folder = printable(str(out))
+    folder, file = printable(str(out)), out / HOME / "lock"
+    new = [path for path in (file.parent, out, *out.parents) if not path.exists()]
     try:
-        (out / HOME).mkdir(parents=True, exist_ok=True)
-        stream = (out / HOME / "lock").open("ab")
+        file.parent.mkdir(parents=True, exist_ok=True)
+        stream = file.open("ab")
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
         says = said(
@@ -36,7 +41,7 @@ def locked(out: Path) -> Iterator[None]:
         )
         raise SheetError(says) from error
     with stream:
-        if not _taken(stream):
+        if not (_taken(stream) and _is_at(stream, file)):
             says = said(
                 "another run writes into {folder} now: let it end, or name another folder with -o",
                 folder=folder,
@@ -45,7 +50,20 @@ def locked(out: Path) -> Iterator[None]:
         try:
             yield
         finally:
+            with suppress(OSError):  # Windows takes away no file that is open: there it stays
+                if file.parent in new and list(file.parent.iterdir()) == [file]:
+                    file.unlink()
             _let_go(stream)
+            for path in new:
+                with suppress(OSError):  # something stands in it
+                    path.rmdir()
+
+
+def _is_at(stream: BinaryIO, file: Path) -> bool:
+    """Whether a file is the one of that name; the run that it was opened beside may have taken it away."""
+    with suppress(OSError):
+        return os.path.samestat(os.fstat(stream.fileno()), file.stat())
+    return False
 
 
 def _taken(stream: BinaryIO) -> bool:

@@ -13,8 +13,9 @@ from graphic_tmm.classroom.variants.variant import Base, Variant
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import Said, joined, said
 
-IN_A_ROW = 1000
-"""After so many bad variants in a row no more are tried."""
+IN_A_ROW = 200
+"""After so many bad variants in a row no more are tried: where three in two hundred are good that happens once in
+twenty rows, and of the package's own ranges one in four is good."""
 LISTED = 100_000
 """So many variants are put into an order; of more of them numbers are drawn, those that were drawn left out."""
 TOLD = 8
@@ -73,7 +74,7 @@ def drawn(
     TmmError
         If the scene itself cannot be drawn.
     SheetError
-        If the ranges do not hold so many good variants, or a thousand in a row were bad: why they were.
+        If the ranges do not hold so many good variants, or `IN_A_ROW` were bad: why they were.
     """
     if count > ranges.all:
         raise SheetError(

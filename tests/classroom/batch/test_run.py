@@ -19,6 +19,7 @@ from support.batches import (
 )
 from support.each import each
 
+from graphic_tmm.classroom.batch import lock
 from graphic_tmm.classroom.batch.lock import locked
 from graphic_tmm.classroom.batch.record import place
 from graphic_tmm.classroom.batch.run import run
@@ -174,6 +175,35 @@ def test_two_runs_do_not_write_into_one_folder(tmp_path: Path) -> None:
         run(sums(1), out, executor=0)
     assert files_of(out) == {}
     assert run(sums(1), out, executor=0).made == ("0",)
+
+
+def test_a_run_that_makes_nothing_leaves_nothing(tmp_path: Path) -> None:
+    """Refused, in new folders and in one that stands there; what a person put there stays."""
+    refuses = [work(refused, "a", ("x",))]
+    for out in (tmp_path / "new" / "out", tmp_path / "there"):
+        (tmp_path / "there").mkdir(exist_ok=True)
+        assert list(run(refuses, out, executor=0).failed) == ["a"]
+    assert sorted(path.name for path in tmp_path.rglob("*")) == ["there"]
+    (tmp_path / "there" / "mine.txt").write_text("mine")
+    run(refuses, tmp_path / "there", executor=0)
+    assert files_of(tmp_path / "there") == {"mine.txt": b"mine"}
+    with locked(tmp_path / "late"):
+        (tmp_path / "late" / ".graphic-tmm" / "record").write_text("")
+    assert (tmp_path / "late" / ".graphic-tmm" / "lock").exists()
+
+
+def test_a_lock_that_was_taken_away_is_nobodys(tmp_path: Path) -> None:
+    """Who opened the file of a run that has ended, and left nothing, has no lock by it."""
+    out = tmp_path / "out"
+    with locked(out), pytest.raises(SheetError, match="another run writes"), locked(out):
+        pass
+    file = tmp_path / "lock"
+    with file.open("ab") as stream:
+        assert lock._is_at(stream, file)
+        file.unlink()
+        assert not lock._is_at(stream, file)
+        file.touch()
+        assert not lock._is_at(stream, file)
 
 
 @pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")  # later Pythons, of their threads

@@ -14,6 +14,7 @@ from support.each import each
 from support.gallery import SHEETS
 from support.turning_loops import LOOPS, Turn
 
+from graphic_tmm.classroom.variants import drawing
 from graphic_tmm.classroom.variants.drawing import DrawnVariants, drawn
 from graphic_tmm.classroom.variants.good import Measure, measure_of, refused
 from graphic_tmm.classroom.variants.ranges import Good, Range, Ranges, read_ranges
@@ -173,3 +174,21 @@ def test_values_are_rounded_as_a_task_is() -> None:
     steps = {one.key: one.values for one in ranges("shaper").ranges}
     assert steps["OA"] == ("100", "105", "110", "115", "120", "125", "130")
     assert all(np.diff([int(v) for v in steps["OB"]]) == 5)
+
+
+def test_a_wish_that_nothing_meets_is_soon_told_and_one_that_a_tenth_meets_is_met(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Judged by a fair die instead of a drawing: which reason, and how many were tried."""
+    die = random.Random(5)
+    monkeypatch.setattr(drawing, "measure_of", lambda *given: None)
+    monkeypatch.setattr(drawing, "refused", lambda *given: "too steep")
+    with pytest.raises(
+        SheetError, match=r"of (\d+) tried 0 were good; refused: \1 too steep"
+    ) as told:
+        drawn(scene("shaper"), ranges("shaper"), 1, 1)
+    assert 100 <= int(str(told.value).partition(" tried")[0].split()[-1]) <= 250
+    monkeypatch.setattr(drawing, "refused", lambda *given: "" if die.random() < 0.1 else "bad")
+    found = drawn(scene("shaper"), ranges("shaper"), 30, 1)
+    assert len(found.variants) == 30
+    assert 100 < found.tried < 900
