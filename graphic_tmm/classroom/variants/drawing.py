@@ -14,8 +14,8 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import Said, joined, said
 
 IN_A_ROW = 200
-"""After so many bad variants in a row no more are tried. Where three in two hundred are good, that happens once in
-twenty rows; in the packaged ranges a third is good at the least."""
+"""After so many bad variants in a row no more are tried. Where three in two hundred are good, that happens once
+in twenty rows; in the packaged ranges a third is good at the least."""
 LISTED = 100_000
 """So many variants are put into an order; of more of them numbers are drawn, those that were drawn left out."""
 TOLD = 8
