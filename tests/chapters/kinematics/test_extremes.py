@@ -192,6 +192,15 @@ def test_a_coupler_point_is_found_by_refining_and_says_so() -> None:
     (step,) = [s for s in project.construction.steps if s.op.name == "refine"]
     for language in ("en", "ru"):
         assert " E " in speaking(language)(step.op.sentence)
+    # the closed loop at angles of its own: E is highest where no angle near it, nor any of a turn, is higher
+    turn = np.radians(np.arange(0.0, 360.0, 0.02))
+    a, c = 0.1 * np.exp(1j * turn), 0.4 + 0.05j
+    away = np.abs(c - a)
+    cosine = (0.35**2 + away**2 - 0.2**2) / (2 * 0.35 * away)
+    along = (c - a) / away * (cosine + 1j * np.sqrt(1.0 - cosine**2))
+    height = (a + (0.175 + 0.105j) * along).imag
+    assert apart(project.angles[0], math.degrees(turn[int(np.argmax(height))])) < 0.02
+    assert places(project, "E")[0].imag == pytest.approx(height.max(), abs=1e-7)
 
 
 @pytest.mark.parametrize(("e", "at"), [(0.0, "top"), (-0.018, "top"), (-0.018, "bottom")])

@@ -24,7 +24,6 @@ def test_all_plans_equal_the_vector_loops(turned: bool, drawn: Sampled) -> None:
     _within(drawn, turned)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_one_group_of_each_kind(kind: str) -> None:
     for drawn in sample(60, seed=KINDS.index(kind), dyads=(1, 1), kinds=[kind]):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from support.gallery import SHEETS, exact
 from support.trials import blamed, readings
@@ -9,6 +11,7 @@ from support.trials import blamed, readings
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells, cells_and_points, points
 from graphic_tmm.checking.check import check
+from graphic_tmm.checking.judging import judge
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import yardstick
@@ -75,3 +78,42 @@ def test_what_follows_from_a_slip_is_not_punished() -> None:
     assert verdicts["ab"] == WRONG
     assert verdicts["pb"] == FINE
     assert verdicts["nab"] == FINE
+
+
+def test_by_a_hand_that_hardly_slips_a_deviation_of_a_thousandth_is_wrong() -> None:
+    """0.05 of 60 mm, drawn by a machine and read to 0.001, is an error; 0.004 is none."""
+    due = cells(exact("engine"))["velocities", "pb", "2"].mm
+    assert due is not None
+    scene = replace(read(SHEETS / "engine"), ruler=0.001)
+    for off, verdict in ((0.05, WRONG), (0.004, FINE)):
+        rows = [Taken("velocities", "2", "pb", mm=round(abs(due) + off, 3), line=2)]
+        (one,) = check(scene, rows, hand="cad", trials=40).readings
+        assert one.verdict == verdict
+
+
+class Carrying:
+    """A drawing in which two earlier readings bring so many mm of what a later one is off."""
+
+    def __init__(self, *brings: float) -> None:
+        self.brings = brings
+
+    def sources(self, taken: Taken) -> tuple[Taken, ...]:
+        return tuple(Taken("velocities", "2", f"s{k}") for k, _ in enumerate(self.brings))
+
+    def carried(self, taken: Taken, source: Taken) -> float:
+        return self.brings[int(source.segment[1:])]
+
+    def step(self, taken: Taken) -> None:
+        return None
+
+
+@pytest.mark.parametrize(
+    ("brings", "source"),
+    [((0.9, 5.0), "s1"), ((3.6, 3.5), "s0"), ((3.2, 2.0), None), ((), None), ((-1.0, 3.4), "s1")],
+)
+def test_a_deviation_of_10_mm_follows_from_what_brings_a_third_of_it(
+    brings: tuple[float, ...], source: str | None
+) -> None:
+    later, off = Taken("accelerations", "2", "pb", mm=50.0), judge._Off(50.0, 60.0, -10.0, 0.0, 0.0)
+    found = judge._follows(Carrying(*brings), later, off)  # type: ignore[arg-type]
+    assert (found.segment if found else None) == source

@@ -152,3 +152,13 @@ def test_no_link_is_followed_out_of_the_folder_or_in_it(tmp_path: Path) -> None:
     aside = tmp_path / "aside"  # the folder itself may be reached by one: the teacher has named it
     aside.symlink_to(handed_in)
     assert len(hand_ins(aside, THIRTY)[0]) == 1
+
+
+def test_a_number_and_the_same_with_zeros_before_it_are_two_variants_where_both_are_there(
+    tmp_path: Path,
+) -> None:
+    put(tmp_path, "1.csv", "01.csv", "Ivanov-1.xlsx", "Petrov 01.xlsx")
+    found, skipped = hand_ins(tmp_path, ["01", "1"])
+    assert skipped == ()
+    own = {one.name: one.variant for one in found}
+    assert own == {"1": "1", "01": "01", "Ivanov-1": "1", "Petrov 01": "01"}

@@ -1,0 +1,29 @@
+"""Numbers as a sheet writes them: no zero bears a minus, no rounding makes one."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from graphic_tmm.language.numbers import fixed, number
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+@pytest.mark.parametrize("value", [0.0, -0.0])
+def test_zero_bears_no_minus(value: float, language: str) -> None:
+    assert number(value, language) == "0"
+    assert fixed(value, 0, language) == "0"
+    assert (
+        fixed(value, 1, language)
+        == fixed(-0.04, 1, language)
+        == {"en": "0.0", "ru": "0,0"}[language]
+    )
+
+
+def test_what_is_not_zero_keeps_its_sign_and_size() -> None:
+    assert fixed(-0.05001, 1, "en") == "−0.1"
+    assert number(-0.0004, "en") == "−0.0004"
+    assert number(-2.5e-7, "ru") == "−2,5·10⁻⁷"
+    assert number(-123456.0, "en") == "−123456"
+    assert (number(math.nan, "en"), fixed(None, 2, "en"), fixed(math.inf, 2, "en")) == ("—",) * 3
