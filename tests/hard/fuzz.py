@@ -27,7 +27,7 @@ from typing import Any, NamedTuple
 from xml.etree import ElementTree
 
 from click.testing import CliRunner, Result
-from fuzz_options import CSV, MINUTES, OUT, PHOTO, SCENE
+from fuzz_options import CSV, FOLDER, MINUTES, OUT, PHOTO, SCENE
 from fuzz_tasks import Task, task, unchanged
 
 from graphic_tmm.__main__ import main
@@ -131,11 +131,14 @@ def run(one: Task, folder: Path) -> tuple[int, float, str]:
     for mark, data in given.items():
         if data is not None:
             files[mark].write_bytes(data)
+    for name, data in one.files:
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_bytes(data)
     before = _stands(folder, out)
     start = time.process_time()
     try:
         with _clock(HANG), chdir(folder), warnings.catch_warnings(action="error"):
-            result = CliRunner().invoke(main, arguments(one, {**files, OUT: out}))
+            result = CliRunner().invoke(main, arguments(one, {**files, OUT: out, FOLDER: folder}))
     except _Hang:
         return -1, float(HANG), f"hangs for {HANG} s"
     seconds = time.process_time() - start

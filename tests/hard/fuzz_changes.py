@@ -4,8 +4,14 @@ from __future__ import annotations
 
 import random
 import re
+import sys
 from collections.abc import Callable
 from functools import cache
+from pathlib import Path
+
+sys.path.insert(
+    0, str(Path(__file__).parents[1])
+)  # run by themselves, the files here find those of support
 
 from support.gallery import SHEETS
 

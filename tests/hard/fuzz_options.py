@@ -17,7 +17,8 @@ from fuzz_changes import (
 )
 
 SCENE, CSV, MINUTES, OUT, PHOTO = "{scene}", "{csv}", "{minutes}", "{out}", "{photo}"
-"""What stands in a command line for the files of its case, and for its folder of output."""
+FOLDER = "{folder}"
+"""What stands in a command line for the files of its case, for its folder of output, for the folder of all."""
 LINES: tuple[tuple[str, ...], ...] = (
     ("draw", SCENE, "-o", OUT, "-f", "svg,dxf", "--hand", "student", "--seed", "3"),
     ("draw", SCENE, "-o", OUT, "--budget", "5%"),

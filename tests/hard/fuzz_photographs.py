@@ -11,7 +11,6 @@ import io
 import random
 import sys
 from functools import cache
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -292,5 +291,4 @@ def case(number: int, seed: int = 0, names: tuple[str, ...] = ()) -> Case:
 
 
 if __name__ == "__main__":
-    sys.path.insert(0, str(Path(__file__).parents[1]))
     sys.exit(command("Check photographs changed at random.", task, case, 500))

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import random
-import sys
 from functools import cache
-from pathlib import Path
 
 from fuzz_changes import (
     NUMBER,
@@ -21,17 +19,14 @@ from fuzz_changes import (
     move_line,
     number,
 )
+from support.misspelt import misspelt
+from support.workbooks import Cell, Formula, Shown, workbook
 
 from graphic_tmm.checking.cells import RESULTS, cells, points
 from graphic_tmm.checking.readings.writing import write_readings
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
-
-sys.path.insert(0, str(Path(__file__).parents[1]))
-
-from support.misspelt import misspelt
-from support.workbooks import Cell, Formula, Shown, workbook
 
 MOST = 60
 """So many readings a file has, taken evenly from all that can be measured."""

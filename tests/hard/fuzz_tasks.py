@@ -41,6 +41,7 @@ class Task(NamedTuple):
     """The scene it comes from, the command's name, the text of the scene, the readings and the minutes.
 
     None: there is no such file. ``line``: the words of the command line, with the names of files to be put in.
+    ``files``: what else stands in the folder.
     """
 
     scene: str
@@ -50,6 +51,7 @@ class Task(NamedTuple):
     minutes: bytes | None = None
     line: tuple[str, ...] = ()
     photo: bytes | None = None
+    files: tuple[tuple[str, bytes], ...] = ()
 
 
 def unchanged(name: str, command: str) -> Task:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+import fuzz_inputs as inputs
 import pytest
 import shapely
-from fuzz import case
+from fuzz import case, cased
 from fuzz_tasks import task
 from support.command import invoke
 from support.gallery import NAMES, SHEETS
@@ -35,6 +36,15 @@ def test_changed_scenes_are_drawn_or_refused(turn: int, many: Callable[[int, int
     assert not [one for one in found if one.fault]
     # 1: a check that found something
     assert {0, 2} <= {one.status for one in found} <= {0, 1, 2}
+
+
+@pytest.mark.slow
+def test_changed_files_beside_a_scene_are_used_or_refused(many: Callable[[int, int], int]) -> None:
+    for kind in inputs.KINDS:
+        assert (kind, cased(0, inputs.unchanged(kind)).status) in {(kind, 0), (kind, 1)}
+    found = [inputs.case(number, 1) for number in range(many(300, 40))]
+    assert not [one for one in found if one.fault]
+    assert {one.status for one in found} == {0, 1, 2}
 
 
 @pytest.mark.parametrize(("first", "usual"), [(0, 4), pytest.param(4, 14, marks=pytest.mark.slow)])
