@@ -164,6 +164,11 @@ class Ledger:
         self.chosen[mu.slot] = found
         return found
 
+    def same(self, mu: Mark, other: Mark, letter: str, why: str) -> Mark:
+        """Record that a scale factor, called by a letter, is one of the board that was chosen before."""
+        found = self.draft.draw(accepted, letter, self.chosen[other.slot], unit=mu.unit, why=why)
+        return self.enter(mu, found)
+
     def follows(self, letter: str, quantity: Mark, mu: Mark) -> Mark:
         """Record the length of a quantity that follows."""
         return self.draft.draw(to_board, letter, quantity, mu)
@@ -266,8 +271,7 @@ def _shared(charts: Iterable[Chart], ledger: Ledger) -> None:
         letter = f"μ_{chart.symbol}" if len(chart.symbol) == 1 else f"μ_{{{chart.symbol}}}"
         if chart.mu.slot in ledger.chosen and letter != chart.mu.name:
             ledger.of(chart.view)
-            same = ledger.chosen[chart.mu.slot]
-            ledger.draft.draw(accepted, letter, same, unit=chart.mu.unit, why=_SHARED)
+            ledger.same(chart.mu, chart.mu, letter, why=_SHARED)
 
 
 def choices(drawn: Drawn) -> Choices:

@@ -9,12 +9,17 @@ from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.pictured import ACROSS, UP, pictured
 from graphic_tmm.chapters.forces.scales import Reaches, polygon_scales
-from graphic_tmm.chapters.kinematics.names import VELOCITIES
+from graphic_tmm.chapters.kinematics.names import POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Ledger
+from graphic_tmm.language.said import said
 
 GRAIN = 10.0
 """What is meant for the lever is told in multiples of this, mm."""
+_POINT = said(
+    "All points of what is detached lie in one: no length tells how large it is to be, so it keeps the scale of "
+    "the plan of positions."
+)
 
 
 def choose(drawn: Drawn, ledger: Ledger) -> None:
@@ -22,10 +27,12 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
     made, reach = FORCES.on(drawn), drawn.reach[FORCES.chapter]
     known: Reaches = reach
     for figure in made.figures:
-        if figure.mu in drawn.given and known.detached[figure.view] > 0.0:
-            ledger.of(figure.view)
+        ledger.of(figure.view)
+        if known.detached[figure.view] > 0.0:
             far = ledger.quantity("l_{max}", known.detached[figure.view], "m")
             ledger.fitting(figure.mu, far, ledger.value_of(drawn, figure.mu), lengths=True)
+        else:
+            ledger.same(figure.mu, drawn.project.scale(POSITIONS), figure.mu.name, why=_POINT)
     for mu in polygon_scales(drawn.project):
         if mu not in drawn.given or not (made.order.mu or known.polygons[mu.view] > 0.0):
             continue

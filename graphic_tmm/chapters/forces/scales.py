@@ -17,7 +17,7 @@ from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.forces.detached import Detached
 from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.plan import VIEW
-from graphic_tmm.chapters.kinematics.names import VELOCITIES
+from graphic_tmm.chapters.kinematics.names import POSITIONS, VELOCITIES
 from graphic_tmm.fitting.scales import Fitting, extent, unscaled
 from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
@@ -26,6 +26,8 @@ LEVER = 150.0
 """Room for the lever, mm."""
 DETACHED = 0.6
 """Room for the links of a detached group: a share of that for a plan of positions. About them go the arrows."""
+ROUNDED = 1e-9
+"""Points no farther apart than this share of how far out they lie are one point: a nanometre on the largest sheet."""
 POLYGON = 200.0
 """Room for a polygon of forces, mm."""
 
@@ -65,10 +67,11 @@ def reach(project: Project, doubts: Doubts) -> Reaches:
 
 
 def _apart(figure: Detached, reading: Reading, places: tuple[int, ...]) -> float:
-    """Return how far the points of a figure reach: in each position it is one by itself."""
+    """Return how far the points of a figure reach, in each position by itself; 0 where they are one point."""
     spots = [_at(reading[mark], places) for mark in figure.points.values()]
     rows = np.array([np.broadcast_to(row, len(places)) for row in spots])
-    return max((extent([column]) for column in rows.T), default=0.0)
+    far = max((extent([column]) for column in rows.T), default=0.0)
+    return far if far > ROUNDED * np.nanmax(np.abs(rows), initial=0.0) else 0.0
 
 
 def force_scales(fitting: Fitting) -> dict[Mark, object]:
@@ -92,11 +95,15 @@ def force_scales(fitting: Fitting) -> dict[Mark, object]:
 
 
 def _detached(fitting: Fitting, known: Reaches) -> dict[Mark, object]:
-    """Return μ_l of what is detached: a standard one at which its links take their room in all positions."""
+    """Return μ_l of what is detached: a standard one at which its links take their room in all positions.
+
+    What is detached in one point has no length to go by: it is drawn to the scale of the plan of positions.
+    """
     room = narrowest(sheet.format for sheet in fitting.scene.sheets).room
     room *= DETACHED * fitting.sizes["groups"]
+    plan = fitting.given[fitting.project.scale(POSITIONS)]
     far = {figure.mu: known.detached[figure.view] for figure in FORCES.on(fitting).figures}
-    return {mu: standard_length(reach, room) for mu, reach in far.items() if reach > 0.0}
+    return {mu: standard_length(reach, room) if reach else plan for mu, reach in far.items()}
 
 
 def _told(reading: Reading, mark: Mark, doubts: Doubts) -> np.ndarray:
