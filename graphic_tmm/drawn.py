@@ -107,6 +107,21 @@ class Drawn:
         """All positions (indices)."""
         return tuple(range(len(self.names)))
 
+    @cached_property
+    def main(self) -> int:
+        """The position (index) that stands for all: drawn heavy; told, played, practised first.
+
+        The scene's own, else the one that shows the board best; where neither is drawn, the first that a plan
+        is drawn in by itself, or the second.
+        """
+        own = [place for places in self.project.rows.values() for place in places]
+        wanted = [*own, *self.all[1:2], *self.all]
+        if self.project.best is not None:
+            wanted = [self.project.best(), *wanted]
+            if self.scene.main in self.names:
+                wanted = [self.names.index(self.scene.main), *wanted]
+        return next((k for k in wanted if k not in self.undrawn), wanted[0])
+
     def row(self, view: str) -> tuple[int, ...]:
         """Return the positions (indices) at which a view is drawn."""
         return self.project.rows.get(view, self.all)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Set
+from collections.abc import Callable, Iterable, Mapping, Set
 from dataclasses import dataclass, field
 from itertools import chain
 from typing import TYPE_CHECKING, Any
@@ -28,6 +28,7 @@ class Project:
     ``made``: what the chapters made, by chapter. ``names`` and ``angles`` (degrees, None where there are
     none) run along the positions; ``count`` of them make the closed row. ``rows``: the positions (indices) at
     which a view is drawn, if these are not all; ``told``: those at which what becomes of a view is told.
+    ``best``: finds the position (index) that shows the board best; None where nobody knows.
     """
 
     board: str
@@ -40,6 +41,7 @@ class Project:
     count: int
     rows: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
     told: Mapping[str, frozenset[int]] = field(default_factory=dict)
+    best: Callable[[], int] | None = None
 
     @property
     def chapters(self) -> tuple[Chapter, ...]:
@@ -90,6 +92,7 @@ class Bench:
         self.count = 0
         self.rows: dict[str, tuple[int, ...]] = {}
         self.told: dict[str, frozenset[int]] = {}
+        self.best: Callable[[], int] | None = None
 
     def stand(self, names: Iterable[str], angles: Iterable[float | None], count: int) -> None:
         """Tell the positions: their names and angles (degrees), how many make the closed row."""
@@ -126,7 +129,8 @@ class Bench:
         count = self.count or whole
         names = self.names or tuple(str(k + 1) for k in range(whole))
         angles = self.angles or (None,) * len(names)
-        return Project(self.board, self.scene, log, given, made, names, angles, count, rows, told)
+        found = (log, given, made, names, angles, count, rows, told, self.best)
+        return Project(self.board, self.scene, *found)
 
 
 def with_plans(wanted: Set[str]) -> set[str]:

@@ -63,14 +63,12 @@ TABLED = said("It is worked step by step in {}.")
 
 
 def worked(drawn: Drawn) -> int:
-    """Return the position (index) that is worked in full: one that most plans are drawn and told in."""
+    """Return the position (index) that is worked in full: of those in which most is drawn and told the main one."""
     rows = [*drawn.project.rows.values(), *drawn.project.told.values()]
     there = [k for k in drawn.all if k not in drawn.undrawn] or [0]
     counts = {k: sum(k in row for row in rows) for k in there}
     most = max(counts.values())
-    if not most:
-        return there[min(1, len(there) - 1)]
-    return next(k for k in there if counts[k] == most)
+    return next(k for k in (drawn.main, *there) if counts.get(k) == most)
 
 
 def heading(words: str, level: int = 2) -> Heading:

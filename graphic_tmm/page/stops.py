@@ -52,7 +52,10 @@ class Played:
     def __init__(self, drawn: Drawn, drawing: Drawing, language: str) -> None:
         self.drawn, self.drawing, self.language = drawn, drawing, language
         self.log = drawn.construction
-        self.shown: Sequence[Picture] = pictures(self.log, drawing)
+        inked = {one.position for one in (*drawing.strokes, *drawing.rubbed, *drawing.labels)}
+        places = sorted(k for k in inked if k is not None)
+        main = next((k for k in places if self.position(k) == drawn.main), None)
+        self.shown: Sequence[Picture] = pictures(self.log, drawing, main)
         self.others: tuple[Played, ...] = ()
 
     @cached_property

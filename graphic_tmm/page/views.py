@@ -106,6 +106,7 @@ class _View:
             "names": {str(k): names[k] for k in places if k < len(names)},
             "position": names[first] if single else "",
             "first": first,
+            "main": played.position(first) == self.drawn.main,
             "pictures": list(self.stops()),
             "values": {str(k): self.rows(k) for k in places},
         }

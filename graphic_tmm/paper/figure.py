@@ -109,10 +109,10 @@ def pictures(
     ``begin``: the position (index) that is drawn step by step, of those that have ink; None: the first of them.
     A body and a letter appear with the last of the marks that they stand on, the names of points in one place
     with the first of these; what a view adds is there at once, or with the marks that it begins with;
-    letters that belong to no ink yet wait for the first. What is the same in all positions is drawn once, with
-    the first position; the others follow, one picture each, and then what comes of all of them: a curve through
-    their points. Where steps of positions need that (the curve of a diagram that another is drawn from), they
-    follow in turn.
+    where no ink is given, letters of given points wait for the first of it; if there are none, all letters do.
+    What is the same in all positions is drawn once, with the first position; the others follow, one picture
+    each, and then what comes of all of them: a curve through their points. Where steps of positions need that
+    (the curve of a diagram that another is drawn from), they follow in turn.
     """
     order = {step.it.slot: n for n, step in enumerate(construction.steps)}
     points = _points(construction)
@@ -125,9 +125,12 @@ def pictures(
     for label in drawing.labels:
         letters.setdefault(_lettered(order, points, label, drawing.begins), []).append(label)
     begun = (-1, None)
-    if begun not in ink and not any(label.of for label in letters.get(begun, ())):
-        first = min((key for key in (*ink, *letters) if key != begun), key=_in_turn, default=begun)
-        letters.setdefault(first, [])[:0] = letters.pop(begun, [])
+    if begun not in ink and begun in letters:
+        given = letters.pop(begun)
+        waiting = [one for one in given if one.of] or given
+        first = min((*ink, *letters), key=_in_turn, default=begun)
+        letters[first] = [*waiting, *letters.get(first, ())]
+        letters.setdefault(begun, []).extend(one for one in given if one not in waiting)
     made = [Picture((), None, tuple(ink.pop(begun, ())), tuple(letters.pop(begun, ())), given=True)]
     keys = sorted({*ink, *letters}, key=_in_turn)
     for some, again in _of_a_step(_together(construction, keys, begin)):

@@ -145,8 +145,10 @@ def _told(
     place = position_of(drawn, position)
     for plan in wanted:
         for view in _views_of(drawn, plan):
-            yield from _plan_told(drawn, view, place, language)
-        if len(wanted) == 1 and plan in drawn.project.rows and place not in drawn.row(plan):
+            own = [place] if position is not None else [place, *drawn.row(view)]
+            at = next((k for k in own if k in drawn.row(view) and k not in drawn.undrawn), place)
+            yield from _plan_told(drawn, view, at, language)
+        if position is not None and len(wanted) == 1 and place not in drawn.row(plan):
             raise _refused(drawn, plan, drawn.names[place])
 
 
@@ -230,7 +232,7 @@ def _beside(drawn: Drawn, plan: str, language: str) -> Iterator[Told]:
 
 
 def position_of(drawn: Drawn, name: str | None) -> int:
-    """Return a position (index) by its name; None: the first that a plan is drawn in by itself, or the second.
+    """Return a position (index) by its name; None: the main one.
 
     Raises
     ------
@@ -238,10 +240,7 @@ def position_of(drawn: Drawn, name: str | None) -> int:
         If there is no such position.
     """
     if name is None:
-        row = range(len(drawn.names))
-        own = [place for places in drawn.project.rows.values() for place in places]
-        wanted: list[int] = [*own, *row[1:2], *row]
-        return next((k for k in wanted if k not in drawn.undrawn), wanted[0])
+        return drawn.main
     if name not in drawn.names:
         raise _no_position(drawn.scene, name, drawn.names)
     return drawn.names.index(name)

@@ -215,12 +215,15 @@ def merge(draft: Draft, turn: Turn, readings: Sequence[Mark], letter: str) -> Ma
 
 
 def _ground(draft: Draft, common: _Common, k: int, axes: Axes) -> Ground:
-    """Mark on the base where a phase begins and ends, and its divisions."""
+    """Mark on the base where a phase begins and ends, and its divisions; the turn begins at its origin."""
     phase, length = common.turn.phases[k], common.base.length
     ends = (phase.start, phase.start + phase.extent)
     draft.say(phase.name)
     feet = []
     for angle, name in zip(ends if phase.sign > 0 else ends[::-1], ("o", "e"), strict=True):
+        if angle == 0.0:
+            feet.append(axes.origin)
+            continue
         at = draft.take(Angle, f"φ_{name}", angle, "°")
         x = draft.draw(f.along_turn, f"x_{name}", at, length)
         feet.append(draft.draw(lay_off, name, axes.along, x, free=True, why=why.PHASE_FOOT))

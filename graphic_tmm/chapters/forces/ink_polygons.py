@@ -56,6 +56,10 @@ class _Sides:
         self.across = {r.length: r for r in reactions if (r.tail, r.head) not in ends}
         self.laid = {head: letter for letter, _, head in polygon.sides}
         self.found = [side for side in polygon.sides if side[2] not in self.own]
+        self.closes = not any(step.op is meet for step in seen.steps)
+        closing = [one for one in reactions if one.head not in self.own]
+        late = closing if self.closes else self.across.values()
+        self.lengths = {(r.tail, r.head): r.length for r in late}
         self.first = polygon.sides[0][1]
 
     @property
@@ -94,6 +98,11 @@ class _Sides:
         for letter, tail, head in self.found:
             yield from self.arrow(letter, tail, head, k, "main")
 
+    def names(self, tail: Mark, head: Mark) -> tuple[int, ...]:
+        """The marks with which a vector, and so its letter, is there: its ends, what draws it if it was measured."""
+        marks = (tail, head, self.lengths.get((tail, head)))
+        return tuple(mark.slot for mark in marks if mark is not None)
+
     def arrow(self, letter: str, tail: Mark, head: Mark, k: int, pen: str) -> Iterator[Ink]:
         """The arrow of a side, unless it is a point."""
         a, b = self.seen.point(tail, k), self.seen.point(head, k)
@@ -126,10 +135,9 @@ def draw_polygon(
     """
     seen = Seen(construction, reading, (polygon.view,), [index])
     sides = _Sides(seen, polygon, reactions, mu)
-    closes = not any(step.op is meet for step in seen.steps)
     rules = {
         lay_off.name: sides.side,
-        measure.name: sides.closing if closes else sides.measured,
+        measure.name: sides.closing if sides.closes else sides.measured,
         meet.name: sides.met,
     }
     lines = {step.op.name: drawn_line for step in seen.steps if step.it.kind is Line}
@@ -141,7 +149,9 @@ def draw_polygon(
     middle = complex(np.mean(corners))
     drawn = [*polygon.sides, *((r.letter, r.tail, r.head) for r in sides.across.values())]
     wanted = [
-        _label(symbol(letter, language), tail, head, seen, middle, high)
+        _label(symbol(letter, language), tail, head, seen, middle, high)._replace(
+            of=sides.names(tail, head)
+        )
         for letter, tail, head in drawn
         if abs(seen.point(head, index) - seen.point(tail, index)) >= LEAST
     ]
@@ -162,4 +172,4 @@ def _label(
     at, out = (a + b) / 2, 1j * (b - a) / abs(b - a)
     if ((at - middle) * out.conjugate()).real < 0:
         out = -out
-    return Wanted(bar(letter), at, high.point, 1.0, out, (tail.slot, head.slot), index)
+    return Wanted(bar(letter), at, high.point, 1.0, out, position=index)

@@ -32,7 +32,7 @@ from graphic_tmm.chapters.gears.teeth import Wheel
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.paper.curve_parts import cut, nearest, points
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Label, Wanted, arc, line
-from graphic_tmm.paper.figure import added, body, figure, showing
+from graphic_tmm.paper.figure import body, figure, showing
 from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.seen import Rule, Seen
@@ -198,7 +198,7 @@ def _bodies(ink: MeshInk) -> Iterator[Ink]:
         if ink.shown(k):
             centre = [ink.line.circles[k].centre]
             yield from body(turning_pair(ink.centres[k]), "pivot", centre)
-            yield from added(round_arrow(ink.centres[k], TURN, start, sweep), "sense")
+            yield from body(round_arrow(ink.centres[k], TURN, start, sweep), "sense", centre)
 
 
 def _band(ink: MeshInk, wheel: Wheel, lowest: Mark) -> Iterator[Ink]:
@@ -258,4 +258,4 @@ def _centre_letters(ink: MeshInk, k: int, side: int, size: float) -> Iterator[Wa
         return
     yield Wanted(mark.letter, centre, size, 2.0, complex(side, side), (mark.slot,))
     tip = centre - side * cmath.rect(TURN, math.radians(90.0 + side * 40.0))
-    yield Wanted(f"ω_{{{k + 1}}}", tip, size, 1.0, 1 + 0j)
+    yield Wanted(f"ω_{{{k + 1}}}", tip, size, 1.0, 1 + 0j, (mark.slot,))

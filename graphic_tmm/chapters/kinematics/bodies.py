@@ -111,8 +111,9 @@ class GuideLeg(NamedTuple):
 def off_axis(body: Body, point: complex) -> tuple[float, float]:
     """Return where a point (own axes, m) stands along and to the left of the body's axis, m."""
     z = (point - body.at) * turn(-body.angle)
-    size = max(abs(point), abs(body.at), abs(z))
-    return z.real, 0.0 if abs(z.imag) <= ROUNDING * size else z.imag
+    least = ROUNDING * max(abs(point), abs(body.at), abs(z))
+    x, y = (0.0 if abs(part) <= least else part for part in (z.real, z.imag))
+    return x, y
 
 
 def draw_points(draft: Draft, body: Body, anchor: str) -> None:
@@ -134,11 +135,15 @@ def stand(body: Body, letter: str, mark: Mark, own: complex) -> None:
 
 
 def lay_out(draft: Draft, axis: Mark, letter: str, anchor: str, x: float, y: float) -> Mark:
-    """Draw the point at x along and y to the left of an axis (m)."""
+    """Draw the point at x along and y to the left of an axis (m); a coordinate that is 0 takes no step."""
     if y == 0.0:
-        return draft.draw(
-            lay_off, letter, axis, draft.length(f"{anchor}{letter}", x), why=why.POINT
-        )
+        along = draft.length(f"{anchor}{letter}", x)
+        return draft.draw(lay_off, letter, axis, along, why=why.POINT)
+    if x == 0.0:
+        start = draft.uses(axis)[0]
+        upright = draft.draw(square, f"({anchor}{letter})", start, axis, why=why.UPRIGHT)
+        left = draft.length(f"y_{{{letter}}}", y)
+        return draft.draw(lay_off, letter, upright, left, why=why.POINT)
     along, left = draft.length(f"x_{{{letter}}}", x), draft.length(f"y_{{{letter}}}", y)
     return draft.draw(place, letter, axis, along, left, why=why.POINT)
 

@@ -92,7 +92,7 @@ def draw_positions_ink(
         )
     letters = ink.letters((ink.frame.name, *ink.names), main, heights.point)
     pins = ink.numbers(crank, names, heights.number)
-    of = (crank[0].slot,)
+    of = tuple(mark.slot for mark in crank)
     speeds = [Wanted(n, b.middle, heights.point, 1.0, b.out, of, main) for n, b, _ in turns]
     wanted = [
         *letters,

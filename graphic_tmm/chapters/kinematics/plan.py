@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -29,6 +29,7 @@ from graphic_tmm.chapters.kinematics.positions import (
 from graphic_tmm.chapters.kinematics.reaches import Reach, guides, reaches
 from graphic_tmm.chapters.kinematics.row import draw_row, extreme_places
 from graphic_tmm.chapters.kinematics.survey import Survey, survey
+from graphic_tmm.chapters.kinematics.transmission import best
 from graphic_tmm.chapters.kinematics.velocities import crank_arm, draw_velocities
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -153,7 +154,7 @@ def record(bench: Bench) -> KinematicPlans:
         side = side_record(mechanism, group)
         if group.name in positions.sides and side is not None:
             draft.given[positions.sides[group.name]] = sides_at(side, angles, mechanism.drive)
-    return KinematicPlans(
+    made = KinematicPlans(
         mechanism,
         structure,
         assembly,
@@ -169,6 +170,9 @@ def record(bench: Bench) -> KinematicPlans:
         row.count,
         turns,
     )
+    of_first_turn = [k for k in range(len(bench.names)) if k not in made.repeated]
+    bench.best = partial(best, tried, np.ravel(angles), accelerated, of_first_turn)
+    return made
 
 
 def _over(row: Row, turns: int) -> Row:

@@ -10,6 +10,9 @@ CRANK_PIN = said(
     "The crank is rigid: {it} keeps its distance {length} from the pivot and goes round in a circle."
 )
 POINT = said("{it} is fixed on its link: where it stands along the link's axis does not change.")
+UPRIGHT = said(
+    "A point of the link stands beside its axis here: to the left where its distance is positive."
+)
 PIN_ARC = said(
     "The link is rigid and turns about {centre}: its other pin can only be on this arc, the radius of "
     "which is the length of the link."

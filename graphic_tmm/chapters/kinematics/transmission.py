@@ -21,12 +21,13 @@ DIGITS = 9
 """Decimals of what is compared that are not rounding."""
 
 
-def best(tried: Survey, angles: Sequence[float], wanted: Sequence[int], all: Sequence[int]) -> int:
-    """Return the position (index) of those ``wanted`` that shows the mechanism best; of ``all`` if none does.
+def best(tried: Survey, angles: Reals, wanted: Sequence[int], all: Sequence[int]) -> int:
+    """Return the position (index) that shows the mechanism best: the first in which motion is passed on best.
 
-    ``angles``: of the crank in every position, degrees.
+    It is one of those ``wanted`` (with plans of their own); where motion is passed on poorly in all of these,
+    one of ``all``. ``angles``: of the crank in every position, degrees.
     """
-    passed = np.nan_to_num(transmission(tried, np.asarray(angles)), nan=-1.0)
+    passed = np.nan_to_num(transmission(tried, angles), nan=-1.0)
     rows = np.round(passed, DIGITS)
     found = [max(places, key=lambda k: rows[k]) for places in (wanted, all) if places]
     return found[0] if rows[found[0]] >= POOR else found[-1]
@@ -55,7 +56,7 @@ def transmission(tried: Survey, angles: Reals) -> Reals:
 
     The smallest over all groups of the sine of the angle at which both lines of its velocities meet, of the
     speed of its closing point as a share of the largest, and of the sine of the angle between the crank and
-    what hangs on it, which else lies on the crank.
+    what hangs on its pin, which else lies on the crank.
     """
     body = tried.positions.bodies[tried.structure.driver]
     crank = (body.marks[tried.structure.pivot], body.marks[tried.structure.pin])
@@ -67,7 +68,8 @@ def transmission(tried: Survey, angles: Reals) -> Reals:
     found = [np.ones(row.shape)]
     for closing, image in groups:
         found += [_sine(reading, closing), _speed(reading, image)]
-        hung = [leg.line for leg in closing.legs if leg.body == body.link.number]
+        pinned = (leg for leg in closing.legs if isinstance(leg, PinLeg) or leg.inner)
+        hung = [leg.line for leg in pinned if leg.body == body.link.number]
         found += [np.abs((np.conj(arm) * reading[line].along).imag) / np.abs(arm) for line in hung]
     shares = np.stack([np.broadcast_to(one, row.shape) for one in found])
     return np.asarray(np.min(shares, axis=0)[0])

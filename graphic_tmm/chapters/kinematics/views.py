@@ -23,7 +23,6 @@ from graphic_tmm.chapters.kinematics.names import (
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
-from graphic_tmm.chapters.kinematics.transmission import best
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -52,7 +51,7 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         drawn.construction,
         drawn.reading,
         reaches(drawn),
-        main=main_position(drawn),
+        main=drawn.main,
         driver=made.structure.driver,
         extremes=made.extremes,
         names=_together(drawn, made),
@@ -84,17 +83,6 @@ def _together(drawn: Drawn, made: KinematicPlans) -> list[str]:
         ", ".join(names[i] for i in whole if i % size == k) if k < size else name
         for k, name in enumerate(names)
     ]
-
-
-def main_position(drawn: Drawn) -> int:
-    """Return the position (index) drawn heavy: the scene's, else one that shows the mechanism at its best."""
-    made, names = KINEMATICS.on(drawn), drawn.names
-    there = [k for k in range(len(names)) if k not in {*drawn.undrawn, *made.repeated}]
-    told = next((k for k in there if names[k] == drawn.scene.main), None)
-    if told is not None:
-        return told
-    angles = [float(angle or 0.0) for angle in drawn.project.angles]
-    return best(made.tried, angles, [k for k in made.accelerated if k in there], there)
 
 
 def given_views(drawn: Drawn, lettered: bool) -> list[Drawing]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from graphic_tmm.chapters.kinematics.scales import reaches
-from graphic_tmm.chapters.kinematics.views import main_position
 from graphic_tmm.chapters.structure.ink_groups import draw_part
 from graphic_tmm.chapters.structure.mobility import MOBILITY, STRUCTURE, parts
 from graphic_tmm.chapters.structure.names import PARTS
@@ -46,7 +45,7 @@ def part_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
             drawn.reading,
             reaches(drawn),
             links,
-            main_position(drawn),
+            drawn.main,
             f"part-{name}",
             told,
             high,

@@ -22,6 +22,7 @@ from graphic_tmm.checking.judging.own_errors import parts_of
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import spoken
+from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
 from graphic_tmm.page.practice.limits import (
     HAND,
@@ -39,6 +40,13 @@ from graphic_tmm.paper.write.svg import ids
 from graphic_tmm.readers.sentences import grounds, letters_of, phrase
 from graphic_tmm.readers.titles import title_of
 
+GOAL = said("To be drawn: {title}, position {position}.")
+SOUGHT = {
+    "point": said("Mark {listed}."),
+    "length": said("Measure {listed}."),
+    "rate": said("Calculate {listed}."),
+}
+"""What is done with what a check reads of a plan, by what that is."""
 HEAD = 'import { ARITHMETIC } from "./arithmetic.js";\nimport { enterBoard } from "./board.js";\n'
 """What the module that is written down needs of the page."""
 
@@ -80,6 +88,7 @@ class Packing:
         return {
             "hand": HAND,
             "names": list(row.names),
+            "main": row.work.main,
             "plans": self.plans,
             "titles": [title_of(row.work.project, plan, self.language) for plan in self.plans],
             "at": [list(row.places.get(plan, ())) for plan in self.plans],
@@ -180,11 +189,23 @@ class Packing:
                 "view": view,
                 "sheet": sheet,
                 "origin": origin,
+                "goal": self.goal(plan, at, here),
                 "steps": [step.it.slot for step in here],
                 "shown": [mark.slot for mark in used],
                 "pole": pole.pole.slot if pole is not None and pole.pole is not None else -1,
                 "whole": told([due.get((plan, self.row.names[at]), self.reach(here, at))])[0],
             } | ({"pose": True} if at >= self.count else {})
+
+    def goal(self, plan: str, at: int, steps: Sequence[Step]) -> str:
+        """Return what the task is, as mark-up: the plan, its position, what of it a check reads."""
+        speech = speaking(self.language)
+        title = title_of(self.row.work.project, plan, self.language)
+        told = [speech(GOAL, title=title[:1].lower() + title[1:], position=self.row.names[at])]
+        for kind, words in SOUGHT.items():
+            letters = [s.it for s in steps if s.it in self.named and self.named[s.it][0] == kind]
+            listed = ", ".join(dict.fromkeys(marked_up(one, self.language) for one in letters))
+            told += [speech(words, listed=listed)] if listed else []
+        return " ".join(told)
 
     def reach(self, steps: Sequence[Step], at: int) -> float:
         """Return the longest vector among steps in a position, mm."""

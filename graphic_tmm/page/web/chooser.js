@@ -1,4 +1,5 @@
 import { element } from "./dom.js";
+import { viewAt } from "./state.js";
 
 /**
  * @typedef {import("./types.js").Data} Data
@@ -17,8 +18,7 @@ export function chooser(data, state) {
   plan.append(...families.map((name) => element("option", { value: name }, name)));
   plan.addEventListener("change", () => {
     const among = viewsOf(data, plan.value);
-    const now = data.views[state.place.view]?.position;
-    state.go({ view: among.find((k) => data.views[k]?.position === now) ?? among[0] ?? 0, picture: 0 });
+    state.go({ view: viewAt(data.views, among, state.view.position) ?? 0, picture: 0 });
   });
   position.addEventListener("change", () => state.go({ view: Number(position.value), picture: state.place.picture }));
   const places = element("label", { class: "places" }, element("span", {}, data.words["position"] ?? ""), position);

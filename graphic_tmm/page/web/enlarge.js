@@ -1,26 +1,74 @@
 import { drawnElement } from "./dom.js";
+import { boxesMeet } from "./sheet-bounds.js";
+
+/** @typedef {import("./sheet-bounds.js").Box} Box */
 
 /** Letters grow no more than so many times: they would cover what they name. */
 const MOST = 2.2;
+/** What is tried of a letter's growth, until it meets no other letter and no edge. */
+const SHARES = [1, 0.75, 0.5, 0.25];
 /** The height of letters is so many times the width of their strokes (ГОСТ 2.304, type B). */
 const HEIGHT = 10;
 
 /**
  * Keep letters and lines of a drawing readable at the size it has on the screen: lettering of at least `least`
- * pixels, `--mm` the length of a pixel on the drawing.
+ * pixels where there is room for it among the other letters, `--mm` the length of a pixel on the drawing.
  * @param {SVGElement} svg
  * @param {number} least
  */
 export function enlarge(svg, least) {
-  const box = svg.getBoundingClientRect();
+  const room = svg.getBoundingClientRect();
   const [, , width = 1, height = 1] = (svg.getAttribute("viewBox") ?? "").split(" ").map(Number);
-  const scale = Math.min(box.width / width, box.height / height);
+  const scale = Math.min(room.width / width, room.height / height);
   if (!(scale > 0)) return;
   svg.style.setProperty("--mm", `${1 / scale}px`);
-  for (const group of /** @type {NodeListOf<SVGElement>} */ (svg.querySelectorAll(".lettering"))) {
-    const size = HEIGHT * Number(group.getAttribute("stroke-width")) * scale;
-    group.style.setProperty("--times", String(Math.min(Math.max(least / size, 1), MOST)));
-  }
+  const labels = /** @type {SVGElement[]} */ ([...svg.querySelectorAll(".label")]);
+  for (const label of labels) label.style.removeProperty("--times");
+  const sizes = labels.map((label) => HEIGHT * Number(label.closest(".lettering")?.getAttribute("stroke-width")) * scale);
+  if (sizes.every((size) => size >= least)) return;
+  svg.classList.add("measured");
+  const boxes = labels.map((label) => boxOf(label.getBoundingClientRect()));
+  svg.classList.remove("measured");
+  const sheet = boxOf(room);
+  labels.forEach((label, k) => {
+    const most = Math.min(least / (sizes[k] ?? least), MOST) - 1;
+    if (!(most > 0)) return;
+    for (const share of SHARES) {
+      const times = 1 + share * most;
+      const larger = grownBox(boxes[k] ?? sheet, times);
+      if (!within(sheet, larger) || boxes.some((box, n) => n !== k && boxesMeet(box, larger))) continue;
+      boxes[k] = larger;
+      label.style.setProperty("--times", String(times));
+      break;
+    }
+  });
+}
+
+/**
+ * @param {DOMRect} rect
+ * @returns {Box}
+ */
+function boxOf({ left, top, right, bottom }) {
+  return [left, top, right, bottom];
+}
+
+/**
+ * Return a box so many times as large about its middle.
+ * @param {Box} box
+ * @param {number} times
+ * @returns {Box}
+ */
+function grownBox([left, top, right, bottom], times) {
+  const [x, y] = [((times - 1) * (right - left)) / 2, ((times - 1) * (bottom - top)) / 2];
+  return [left - x, top - y, right + x, bottom + y];
+}
+
+/**
+ * @param {Box} outer
+ * @param {Box} inner
+ */
+function within(outer, inner) {
+  return inner[0] >= outer[0] && inner[1] >= outer[1] && inner[2] <= outer[2] && inner[3] <= outer[3];
 }
 
 /** A window narrower than this is a phone's, px; letters on it are so high. */

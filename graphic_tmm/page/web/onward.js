@@ -1,3 +1,5 @@
+import { viewAt } from "./state.js";
+
 /** @typedef {import("./state.js").State} State */
 
 /**
@@ -18,7 +20,7 @@ const SHOWN = new Map();
 
 /**
  * Return the view (its index) of the next plan or of the one before: that which was shown of it last, else that in the
- * same position, else its first. A lecture goes from plan to plan, not through all positions of each.
+ * same position, else its main one. A lecture goes from plan to plan, not through all positions of each.
  * @param {State} state
  * @param {number} by
  * @returns {number | undefined}
@@ -30,5 +32,5 @@ export function planBeside(state, by) {
   const wanted = families[families.indexOf(family) + by];
   if (wanted === undefined) return undefined;
   const among = state.views.flatMap((view, k) => (view.family === wanted ? [k] : []));
-  return SHOWN.get(wanted) ?? among.find((k) => state.views[k]?.position === position) ?? among[0];
+  return SHOWN.get(wanted) ?? viewAt(state.views, among, position);
 }

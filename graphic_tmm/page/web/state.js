@@ -34,6 +34,8 @@ export class State {
     /** @type {((place: Place, before: Place) => void)[]} */
     this.told = [];
     this.timer = 0;
+    /** Whether the address itself says which picture, or position, is meant. */
+    this.named = false;
     window.addEventListener("hashchange", () => this.follow());
     window.addEventListener("pagehide", () => {
       if (this.timer !== 0) this.note();
@@ -59,6 +61,7 @@ export class State {
    * @param {Partial<Place>} where
    */
   go(where) {
+    this.named = false;
     const after = this.within(where);
     if (after.tab !== this.place.tab || after.view !== this.place.view) this.leave(after);
     else this.arrive(after);
@@ -129,15 +132,13 @@ export class State {
   }
 
   /**
-   * Return the number of the view of a plan in a position, else of the plan's first; less than 0: none.
+   * Return the number of the view of a plan in a position, else of the plan's main one; less than 0: none.
    * @param {string} plan
    * @param {string} position
    */
   seen(plan, position) {
-    const own = this.views.findIndex(
-      (one) => one.plan === plan && (one.position || WHOLE) === (position || one.position || WHOLE),
-    );
-    return own < 0 ? this.views.findIndex((one) => one.plan === plan) : own;
+    const among = this.views.flatMap((one, k) => (one.plan === plan ? [k] : []));
+    return viewAt(this.views, among, position === WHOLE ? "" : position) ?? -1;
   }
 
   /** Go where the address says; what it does not say stays. */
@@ -147,6 +148,7 @@ export class State {
     const [plan = "", position = ""] = found.slice(2, 4).map((part) => decoded(part ?? ""));
     const view = this.seen(plan, position);
     const known = view >= 0;
+    this.named = known && found[4] !== undefined;
     const usual = !known && this.tabs.includes(plan) ? plan : this.tabs[0];
     this.arrive(
       this.within({
@@ -157,6 +159,17 @@ export class State {
       }),
     );
   }
+}
+
+/**
+ * Return the view (its index) among those of a plan that is in a position, else the main one, else the first.
+ * @param {View[]} views
+ * @param {number[]} among
+ * @param {string} position
+ * @returns {number | undefined}
+ */
+export function viewAt(views, among, position) {
+  return among.find((k) => views[k]?.position === position) ?? among.find((k) => views[k]?.main) ?? among[0];
 }
 
 /** Tab, plan, position, picture, angle. */

@@ -13,7 +13,7 @@
  * @typedef {{keys: string[], marks?: number[], at: number, again?: boolean, lines: Line[]}} Picture a stop: a step,
  *   with the ink that it leaves (none: no keys), or what is drawn again in another position
  * @typedef {{id: string, plan: string, family: string, title: string, board: string, sheet: number,
- *   box: number[], names: Record<string, string>, position: string, first: number, pictures: Picture[],
+ *   box: number[], names: Record<string, string>, position: string, first: number, main: boolean, pictures: Picture[],
  *   values: Record<string, Row[]>, mechanism?: number, joints?: Joint[], joined?: Record<string, number[]>}} View
  * @typedef {[number, string, boolean, ...number[]]} Joint a point of a mechanism; page/inset.py
  * @typedef {{name: string, width: number, height: number, format: string}} SheetSize
@@ -59,7 +59,7 @@
  * @typedef {{as: "point" | "length" | "rate", name: string, key: string, unit: string}} Reading a row of a check: what
  *   it gives, plan, segment, the unit of a rate
  * @typedef {{plan: number, at: number, view: number, sheet: number, origin: [number, number], steps: number[],
- *   shown: number[], pole: number, whole: number, pose?: boolean}} Task a plan in a position: `view` of the page that
+ *   shown: number[], pole: number, whole: number, goal: string, pose?: boolean}} Task a plan in a position: `goal` in words, `view` of the page that
  *   shows it (-1: none), its sheet, where its origin lies on that (mm, y downward), the marks that are to be made, in the order of
  *   the log, those of other plans that they need, its pole (-1: none), its longest vector in mm; a `pose` is at an angle
  *   of the crank that no sheet has
@@ -75,7 +75,7 @@
  *   wrong: number, pair: {doubtful: number, wrong: number}, sine: number,
  *   shares: number[], few: number, most: number, sure: number}} Reader who reads: half a division of the ruler, the
  *   slips of reading (mm), of a ray (°), of an opening and a point (mm), the digits of a calculation, the finest ruler; and how it is judged (checking/judging)
- * @typedef {{hand: string, names: string[], plans: string[], titles: string[], marks: Record<string, PracticeMark>,
+ * @typedef {{hand: string, names: string[], main: number, plans: string[], titles: string[], marks: Record<string, PracticeMark>,
  *   given: Record<string, number | number[] | (number | null)[]>, steps: PracticeStep[], tasks: Task[], at: number[][],
  *   reader: Reader, manners: Record<string, Manner>}} Practice
  *   `given`: a number, one a position, of a point x, y in turn. `at`: by plan the positions that it is drawn in, to

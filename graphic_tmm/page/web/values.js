@@ -27,28 +27,29 @@ export class ValuesTable {
     );
     this.table = element("table", { class: "values" }, this.caption, element("thead", {}, element("tr", {}, ...heads)));
     this.table.append(this.body);
-    this.table.hidden = Object.values(view.values).every((rows) => rows.length === 0);
   }
 
   /**
-   * Show the table at a stop: rows of what is not drawn by then wait for their figures.
+   * Show the table at a stop: rows of what is drawn and read by then; no table before there is one.
    * @param {number} n
    */
   show(n) {
     const view = this.view;
     const picture = view.pictures[Math.min(n, view.pictures.length - 1)];
     const place = String(picture?.at ?? view.first);
+    const rows = view.values[place] ?? [];
     if (place !== this.place) {
       this.place = place;
-      this.body.replaceChildren(...(view.values[place] ?? []).map((row) => rowOf(row)));
+      this.body.replaceChildren(...rows.map((row) => rowOf(row)));
       const name = view.position || (view.names[place] ?? "");
       const called = this.words["values"] ?? "";
       this.caption.textContent = name === "" ? called : `${called}, ${this.words["in position"]} ${name}`;
     }
-    (view.values[place] ?? []).forEach((row, k) => {
-      const stop = this.made.get(row[0][0] ?? -1) ?? 0;
+    const stops = rows.map((row) => this.made.get(row[0][0] ?? -1) ?? 0);
+    this.table.hidden = stops.every((stop) => stop > n);
+    stops.forEach((stop, k) => {
       const part = this.body.children[k];
-      part?.classList.toggle("waiting", stop > n);
+      part?.toggleAttribute("hidden", stop > n);
       part?.classList.toggle("now", stop === n && n > 0);
     });
   }

@@ -22,6 +22,7 @@ export class Panel {
    */
   constructor(say, decimal, acts) {
     this.palette = paletteBar(say, acts.choose);
+    this.goal = element("p", { class: "goal" });
     this.prompt = element("p", { class: "prompt" });
     this.listing = new Listing(say("laid to"), acts.pick, acts.submit);
     this.figure = figureForm(say, decimal, acts.tell, acts.refuse);
@@ -50,7 +51,7 @@ export class Panel {
       this.readings,
       this.anew,
     );
-    this.body = element("div", { class: "panel", tabindex: "0" }, step, told, this.tally.whole, files);
+    this.body = element("div", { class: "panel", tabindex: "0" }, this.goal, step, told, this.tally.whole, files);
   }
 
   /**

@@ -1,4 +1,4 @@
-import { element } from "../dom.js";
+import { element, typeset } from "../dom.js";
 import { actsOf } from "./acts.js";
 import { beginningOf, rulerFor } from "./aids.js";
 import { GRAIN } from "./aim.js";
@@ -64,6 +64,7 @@ export class Practising {
     this.n = n;
     if (!this.sessions.has(n)) this.sessions.set(n, new Session(this.data, n));
     this.beside.begin(this.easel, this.session.mechanism);
+    this.panel.goal.replaceChildren(...typeset(this.session.told.goal));
     this.aim = null;
     this.now = -1;
     for (const tell of [this.report, this.hinted]) tell.call(this, []);

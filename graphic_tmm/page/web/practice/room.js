@@ -23,14 +23,15 @@ export function practiceRoom(data, state) {
   let work = null;
   /** Where the address was when it was looked at last. */
   let seen = "";
-  state.hear((place) => {
+  state.hear((place, before) => {
     if (place.tab !== "practice" || data.practice === undefined || data.practice.tasks.length === 0) return;
     work ??= fillPractice(room, data, data.practice, state);
     const now = `${place.view} ${place.picture}`;
     if (now === seen) return;
     const begun = seen === "";
     seen = now;
-    const near = Math.max(taskNear(data.practice, state.view, place.picture, begun), 0);
+    const chosen = state.named || before.tab === "practice"; // elsewhere the number is a picture's
+    const near = taskNear(data.practice, state.view, chosen ? place.picture : -1, begun);
     if (near !== work.n) work.go(near);
   });
   const act = (/** @type {(own: Practising) => void} */ what) => () => {

@@ -20,7 +20,7 @@ export function taskChooser(practice, say, go) {
   plan.addEventListener("change", () => {
     const own = among(Number(plan.value));
     const now = practice.tasks[Number(position.value)]?.at;
-    go(own.find((n) => practice.tasks[n]?.at === now) ?? own[0] ?? 0);
+    go(own.find((n) => practice.tasks[n]?.at === now) ?? mainOf(practice, own));
   });
   position.addEventListener("change", () => go(Number(position.value)));
   const label = (/** @type {string} */ key, /** @type {HTMLElement} */ of, /** @type {string} */ name) =>
@@ -42,16 +42,27 @@ export function taskChooser(practice, say, go) {
 }
 
 /**
- * Return the task that is nearest to what is looked at: of the same plan in the same position, else of the same plan.
+ * Return the task that is nearest to what is looked at: of the same plan in the same position, else of the same plan, else
+ * of the first, in its main one.
  * @param {Practice} practice
  * @param {{plan: string, position: string, names: Record<string, string>}} view
- * @param {number} place number of the position, where the view has all of them
+ * @param {number} place number of the position, where the view has all of them; -1: none was chosen
  * @param {boolean} posed whether a pose of its own is taken before the positions of the sheet
  */
 export function taskNear(practice, view, place, posed) {
-  const own = practice.tasks.flatMap((task, n) => (practice.plans[task.plan] === view.plan ? [n] : []));
+  const of = (/** @type {number} */ plan) => practice.tasks.flatMap((task, n) => (task.plan === plan ? [n] : []));
+  const same = of(practice.plans.indexOf(view.plan));
+  const own = same.length > 0 ? same : of(practice.tasks[0]?.plan ?? 0);
   const name = view.position || (view.names[String(place)] ?? "");
   const pose = posed ? own.find((n) => practice.tasks[n]?.pose) : undefined;
-  const there = pose ?? own.find((n) => practice.names[practice.tasks[n]?.at ?? -1] === name);
-  return there ?? own[0] ?? -1;
+  return pose ?? own.find((n) => practice.names[practice.tasks[n]?.at ?? -1] === name) ?? mainOf(practice, own);
+}
+
+/**
+ * Return of the tasks of a plan that in the main position, else the first.
+ * @param {Practice} practice
+ * @param {number[]} own
+ */
+function mainOf(practice, own) {
+  return own.find((n) => practice.tasks[n]?.at === practice.main) ?? own[0] ?? 0;
 }
