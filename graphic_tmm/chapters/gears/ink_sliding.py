@@ -46,7 +46,7 @@ class _Ink:
     @property
     def stations(self) -> Iterator[Stations]:
         """The ends of the working line, the pitch point, what the task names."""
-        yield from (*self.sliding.ends, self.sliding.pole)
+        yield from (*self.sliding.ends.values(), self.sliding.pole)
         if self.sliding.further is not None:
             yield self.sliding.further
 
@@ -94,7 +94,7 @@ def _rules(ink: _Ink) -> dict[Mark, Rule]:
     for branch in ink.sliding.branches:
         rules |= {branch.points: shown, branch.curve: curve}
     for stations in ink.stations:
-        ends = stations in ink.sliding.ends
+        ends = stations in ink.sliding.ends.values()
         rules |= dict.fromkeys(stations.points, raised if ends else shown)
     return rules
 
@@ -129,13 +129,9 @@ def _letters(ink: _Ink, language: str, heights: Heights) -> Iterator[Wanted]:
     for k, branch in enumerate(ink.sliding.branches):
         steep = complex(ink.seen.reading[branch.points][0, :STATIONS][1])
         yield Wanted(f"ϑ_{{{k + 1}}}", steep, point, 1.0, 1 - 2 * k + 0j, (branch.curve.slot,))
-    for stations in ink.sliding.ends:
-        foot = ink.at(stations.feet)
-        if (
-            -1e-6 <= foot.real <= ink.end.real + 1e-6
-        ):  # else it interferes: no sliding is known there
-            of = (stations.feet.slot,)
-            yield Wanted(stations.feet.name, foot, point, 1.0, 1 - 1j, of)
+    for stations in ink.sliding.ends.values():
+        foot = stations.feet
+        yield Wanted(foot.name, ink.at(foot), point, 1.0, 1 - 1j, (foot.slot,))
     pole = ink.sliding.pole.feet
     yield Wanted(pole.name, ink.at(pole), point, 1.0, -1j, (pole.slot,))
     for value in _figures(ink):
