@@ -81,8 +81,10 @@ def _engagement(draft: Draft, k: int, line: ActionLine, wheel: Wheel) -> Engagem
         if end is line.limits[k]:
             spot = wheel.origin
         else:
-            reach = draft.draw(measure, f"O_{i}{end.letter}", centre, end, why=why.TURNED_FLANK)
-            arc = draft.draw(strike, f"(O_{i}{end.letter})", centre, reach, why=why.TURNED_FLANK)
+            reach = draft.draw(measure, f"O_{{{i}}}{end.letter}", centre, end, why=why.TURNED_FLANK)
+            arc = draft.draw(
+                strike, f"(O_{{{i}}}{end.letter})", centre, reach, why=why.TURNED_FLANK
+            )
             spot = draft.draw(curve_meets_arc, f"{name}_{{{i}}}", wheel.flank, arc, free=True)
         angle = draft.draw(angle_at, f"∠{name}_{i}", centre, spot, end)
         points = draft.draw(

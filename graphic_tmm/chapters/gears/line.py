@@ -122,7 +122,7 @@ def _end(
     line, limit, side = toward
     reason, at = (why.ENTERS, why.LEAVES)[k], circles[1 - k]
     short = other.top is not other.r_a
-    name = f"{letter}_{{0}}" if short or sizes.beyond[k] else letter
+    name = "ef"[k] if short or sizes.beyond[k] else letter
     tip = draft.draw(cut, name, line, at.tip, side, why=reason)
     if sizes.beyond[k]:
         return tip, limit

@@ -198,7 +198,7 @@ def _involute(draft: Draft, k: int, line: ActionLine, rows: Rows) -> tuple[Mark,
     )
     whole = line.to_ends.get(end) if k == 0 else None
     if whole is None:
-        whole = draft.draw(measure, f"N_{i}{end.letter}", limit, end, why=why.UNROLLED)
+        whole = draft.draw(measure, f"N_{{{i}}}{end.letter}", limit, end, why=why.UNROLLED)
     parts = draft.take(Number, f"k_{i}", float(roll.parts))
     n = draft.take(Number, f"n_{i}", rows.row(np.arange(roll.first, roll.first + roll.count)))
     unrolled = draft.draw(abscissa, f"u_{i}", n, whole, parts, why=why.ROLLED)

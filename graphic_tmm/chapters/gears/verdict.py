@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.gears.checks import verdicts
@@ -27,7 +28,7 @@ FAILS = {
         "smaller x{wheel}"
     ),
     "undercut": said(
-        "wheel {wheel} is undercut: x{wheel} = {value:.4g} is below {least:.4g}; take at least that, or more "
+        "wheel {wheel} is undercut: x{wheel} = {value:.4g} is too little; take {enough:.4f} at least, or more "
         "teeth"
     ),
     "interference": said(
@@ -43,7 +44,7 @@ FAILS = {
         "the contact ratio {ratio:.4g} is below 1: a pair of teeth leaves before the next one touches"
     ),
 }
-"""By check; ``value`` and ``least`` in mm, or coefficients."""
+"""By check; ``value`` and ``least`` in mm, or coefficients; ``enough``: the least, rounded up."""
 NAMES = {"first": "s_a1", "second": "s_a2", "ratio": "contact_ratio"}
 
 
@@ -73,6 +74,7 @@ def failures(drawn: Drawn, language: str) -> Iterator[str]:
             other=3 - one.wheel,
             value=mm * one.value,
             least=mm * one.least,
+            enough=math.ceil(1e4 * one.least) / 1e4,
             depth=-mm * one.value,
             top=1000.0 * float(drawn.reading[top][0, 0]),
             ratio=ratio,
