@@ -1,4 +1,4 @@
-"""What stands along the axes of a graph: the numbers of positions on one level, names with units, distances."""
+"""What stands along the axes of a graph: numbers of positions, figures at ticks, names with units."""
 
 from __future__ import annotations
 
@@ -82,6 +82,47 @@ def position_numbers(
             ),
         ]
     return min(rows, key=lambda one: one.cost).labels
+
+
+def tick_figures(ticks: Iterable[tuple[float, str]], size: float) -> tuple[Label, ...]:
+    """Return the figures of an axis of ordinates, each left of its tick: heights, mm, with what they say.
+
+    Those without room are left out: 0 stays first, then what is farthest from it.
+    """
+    kept: list[tuple[float, str]] = []
+    for one in sorted(ticks, key=lambda one: (one[0] != 0.0, -abs(one[0]))):
+        if all(abs(one[0] - height) >= size + CLEAR for height, _ in kept):
+            kept.append(one)
+    left = -TICK - CLEAR
+    return tuple(
+        Label(text, complex(left, height - size / 2), size, "end") for height, text in sorted(kept)
+    )
+
+
+def base_figures(
+    ticks: Iterable[tuple[float, str]], strokes: Iterable[Ink], size: float
+) -> tuple[Label, ...]:
+    """Return the figures of a base, each below its tick; where a curve is in the way beside it, or above.
+
+    ``ticks``: where they stand, mm, with what they say. The last one stays, others as they have room.
+    """
+    low, high = -TICK - CLEAR - size, TICK + CLEAR
+    ink = _Inked(strokes, (low, high + size))
+    found: list[Label] = []
+    taken: list[tuple[float, float]] = []
+    *others, last = sorted(ticks)
+    for at, text in (last, *others):
+        wide = letter(text, size=size).width
+        left = np.repeat([at - wide / 2, at - BESIDE - wide, at + BESIDE], 2)
+        level = np.tile([low, high], 3)
+        free = ink.costs(left, level, left + wide, level + size) < _HEAVY
+        for start, end in taken:
+            free &= (left >= end + BETWEEN) | (left + wide <= start - BETWEEN)
+        if free.any():
+            best = int(np.argmax(free))
+            found.append(Label(text, complex(left[best], level[best]), size))
+            taken.append((left[best], left[best] + wide))
+    return tuple(found)
 
 
 def _thinned(row: Sequence[Named], size: float) -> list[Named]:

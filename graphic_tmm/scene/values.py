@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from itertools import pairwise
 
 from graphic_tmm.bounds import POSITIVE, Bound
 from graphic_tmm.language.said import Said, joined, said
@@ -122,6 +123,22 @@ def bounded(bound: Bound, dimension: Dimension | None = None) -> Schema:
         return dict(bound.schema)
     made = _quantity_schema(dimension) if dimension != "ratio" else {}
     return {**made, "anyOf": [dict(bound.schema), {"type": "string"}]}
+
+
+def follows(places: Sequence[float]) -> bool:
+    """Return whether the places of a table follow one after the other; two equal ones are a jump."""
+    jumps = any(a >= c for a, c in zip(places, places[2:], strict=False))
+    return not jumps and all(a <= b for a, b in pairwise(places))
+
+
+def follow(places: Sequence[float]) -> None:
+    """Refuse, with a ValueError, places of a table that do not follow one after the other."""
+    if not follows(places):
+        raise ValueError(
+            said(
+                "the points of the table do not follow one after the other; put them in order, two at a jump"
+            )
+        )
 
 
 def within(value: object) -> float:

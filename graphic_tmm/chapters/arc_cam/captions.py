@@ -28,11 +28,19 @@ CAPTIONS: dict[str, str] = {
     "symbol arc dS_P": "S′_{P}",
     "symbol arc ddS": "S″",
     "symbol arc pressure": "α",
+    "symbol arc ddS_K": "S″_{K}",
+    "symbol arc ddS_K_after": "S″_{K+}",
     "symbol arc v": "v_{B}",
     "symbol arc a": "a_{B}",
+    "symbol arc a_after": "a_{B+}",
     "symbol arc omega": "ω_{B}",
     "symbol arc eps": "ε_{B}",
+    "symbol arc eps_after": "ε_{B+}",
     "arc_stroke": said("h, stroke"),
+    "flank_centre1": "OF_{1}",
+    "flank_to_nose1": "CF_{1}",
+    "flank_centre2": "OF_{2}",
+    "flank_to_nose2": "CF_{2}",
 }
 
 SYMBOLS = (
@@ -40,5 +48,7 @@ SYMBOLS = (
     ("r_2", said("radius of the nose"), "m"),
     ("d", said("distance of the nose's centre"), "m"),
     ("S′_P", said("dS/dφ by the instant centre"), "m"),
+    ("S″_K", said("d²S/dφ² by the arc's centre, before a change of arcs"), "m"),
+    ("S″_{K+}", said("d²S/dφ² by the arc's centre, behind a change of arcs"), "m"),
 )
 """Its letters in a note: what they stand for, their units."""

@@ -85,9 +85,11 @@ class _Page(Page):
         where = {"position": Text(self.drawn.names[self.at])}
         yield self.says(words.PIVOTS if rocks else words.INSTANT, {**where})
         yield from self.worked_out(told, self.made.follower.rate)
-        beside = BESIDE.of(self.drawn)
-        if beside is not None:
-            yield from self.worked_out(self._read(CALCULATED), *beside)
+        yield self.says(words.SECOND)
+        beside, speeds = BESIDE.on(self.drawn), list[Mark]()
+        if beside.velocity is not None and beside.acceleration is not None:
+            speeds = [beside.velocity, beside.acceleration[0]]
+        yield from self.worked_out(self._read(CALCULATED), beside.second[0], *speeds)
 
     def _angle(self) -> Number:
         """Return the angle of the cam in the position that is worked, as the table tells it."""

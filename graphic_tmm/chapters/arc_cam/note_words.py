@@ -63,6 +63,11 @@ PIVOTS = said(
     "the instant centre P of cam and lever, whose distances from the pivots are as the angular velocities. In "
     "position {position}:"
 )
+SECOND = said(
+    "d²S/dφ² is found once more without differentiation, by the arc that the follower is on: its centre is the "
+    "crank's pin, the normal the rod of a linkage that moves the follower alike, whose accelerations are "
+    "drawn. At a change of arcs it jumps: the index + is that of the arc behind the change."
+)
 APART = said(
     "By chords dS/dφ is {chords} in position {position}, by the instant centre {instant}: there they differ "
     "most."

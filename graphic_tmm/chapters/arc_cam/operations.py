@@ -25,6 +25,12 @@ def line_on_arc(first: Line, second: Line, at: Number) -> Line:
     return Line(np.where(chosen, first.at, second.at), np.where(chosen, first.along, second.along))
 
 
+@operation(why=said("The follower is on one arc at a time: what is drawn for an arc holds there."))
+def while_on(of: Point, at: Number) -> Point:
+    """In the positions in which the follower is on the arc take {of}; this is {it}."""
+    return Point(np.where(at > 0, of, np.nan))
+
+
 @operation(
     why=said(
         "Between both places the follower moves: it is at its lowest at the first and at the second."

@@ -57,3 +57,20 @@ INSTANT = said(
     "It stands on the common normal, too: across it, at the contact, the bodies move alike."
 )
 PRESSURE = said("The pressure angle is that between the normal and the follower's way.")
+WAY = said(
+    "The follower's acceleration goes along its way: on the line through O along it the polygon closes."
+)
+WAY_OF_LEVER = said(
+    "The lever's end has a normal acceleration along the lever; square to it, from there, the polygon closes."
+)
+TRIANGLE = said(
+    "The cam turns the arc's centre, the rod goes from there along the normal, the follower's velocity has "
+    "its line: the triangle of velocities, turned by a right angle."
+)
+NORMAL_PART = said(
+    "Behind the acceleration of the arc's centre comes the normal one of the rod, along it."
+)
+CLOSES = said("The tangential acceleration of the rod is square to it: it closes the polygon.")
+CENTRE = said(
+    "How far the centre of a flank stands from the other centres is read off the contour."
+)

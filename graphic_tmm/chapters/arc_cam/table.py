@@ -18,7 +18,10 @@ PLAN = ARC_CAM.chapter
 
 
 def arc_columns(drawn: Drawn) -> tuple[Column, ...]:
-    """Return S, dS/dφ by chords and by the instant centre, d²S/dφ², the pressure angle."""
+    """Return S, its derivatives by chords and without differentiation, speeds, the pressure angle.
+
+    By the arcs' centres d²S/dφ² is told twice: at a change of arcs before it, and behind it.
+    """
     made, reading = ARC_CAM.on(drawn), drawn.reading
     count, follower = len(made.angles), made.follower
     motion = "rad" if made.order.follower == ROCKER else "m"
@@ -29,13 +32,13 @@ def arc_columns(drawn: Drawn) -> tuple[Column, ...]:
         found.append(_column(segment, motion, value, count, mm))
         if segment == "dS":
             found.append(_column("dS_P", motion, reading.figure(follower.rate), count))
-    beside = BESIDE.of(drawn)
-    if beside is not None:
+    beside = BESIDE.on(drawn)
+    exact = dict(zip(("ddS_K", "ddS_K_after"), beside.second, strict=True))
+    if beside.velocity is not None and beside.acceleration is not None:
         names = ("omega", "eps") if motion == "rad" else ("v", "a")
-        found += [
-            _column(name, mark.unit, reading.figure(mark), count)
-            for name, mark in zip(names, beside, strict=True)
-        ]
+        exact |= {names[0]: beside.velocity}
+        exact |= dict(zip((names[1], f"{names[1]}_after"), beside.acceleration, strict=True))
+    found += [_column(name, mark.unit, reading.figure(mark), count) for name, mark in exact.items()]
     if follower.pressure is not None:
         found.append(_column("pressure", "°", reading.figure(follower.pressure), count))
     at = tuple(zip(drawn.names, drawn.project.angles, strict=True))
@@ -51,10 +54,14 @@ def _column(segment: str, unit: str, value: Reals, count: int, mm: Reals | None 
 
 
 def results(drawn: Drawn) -> Results:
-    """Return the stroke, the greatest of S in all positions."""
+    """Return the stroke, the greatest of S in all positions; how far the flanks' centres stand from others."""
     made = ARC_CAM.on(drawn)
     chart = made.charts["S"]
     value = drawn.reading.figure(chart.ordinates[0], chart.mu)
     with np.errstate(all="ignore"):
         stroke = np.fmax.reduce(value, axis=1, initial=-np.inf)
-    return {"arc_stroke": (stroke, chart.unit)}
+    found = {"arc_stroke": (stroke, chart.unit)}
+    for number, pair in BESIDE.on(drawn).centres.items():
+        for name, mark in zip(("flank_centre", "flank_to_nose"), pair, strict=True):
+            found[f"{name}{number}"] = (drawn.reading.figure(mark)[:, 0].copy(), mark.unit)
+    return found

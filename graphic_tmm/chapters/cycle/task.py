@@ -33,13 +33,7 @@ def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
         if not isinstance(item, list) or len(item) != 2:
             raise ValueError(listed(item, remedy))
         found.append((quantities.parse(item[0], "angle"), quantities.parse(item[1], "moment")))
-    angles = [angle for angle, _ in found]
-    if any(a > b for a, b in pairwise(angles)) or any(
-        a == b for a, b in zip(angles, angles[2:], strict=False)
-    ):
-        raise ValueError(
-            said("the points do not follow one after the other; put them in order, two at a jump")
-        )
+    v.follow([angle for angle, _ in found])
     return tuple(found)
 
 

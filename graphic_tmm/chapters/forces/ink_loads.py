@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.language.numbers import number
-from graphic_tmm.paper.axes import BETWEEN
+from graphic_tmm.paper.axes import base_figures, tick_figures
 from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, Wanted, circle, line
 from graphic_tmm.paper.figure import added
 from graphic_tmm.paper.lettering.heights import Heights
-from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 OVER = 8.0
@@ -67,25 +65,26 @@ def draw_load(
     for part in shown.parts:
         spots = [complex(x / mu[0], y / mu[1]) for x, y in part.points]
         strokes += added([line(part.pen, *spots)], "given")
-    taken = -math.inf
-    for x in sorted(_divisions([x for x, _ in points], shown.reach)):
+    feet: list[tuple[float, str]] = []
+    for x in _divisions([x for x, _ in points], shown.reach):
         strokes += added([line("thin", x / mu[0] - TICK * 1j, x / mu[0] + TICK * 1j)], "axis")
-        text = number(x, language, 3)
-        half = letter(text, size=high.number).width / 2
-        if x and x / mu[0] - half >= taken:  # a number that has no room at its tick is left out
-            wanted.append(Wanted(text, complex(x / mu[0]), high.number, TICK, -1j))
-            taken = x / mu[0] + half + BETWEEN
-    for y in _divisions([y for _, y in points], shown.largest):
+        feet += [(x / mu[0], number(x, language, 3))] if x else []
+    ticks: list[tuple[float, str]] = []
+    for y in _divisions([0.0, *(y for _, y in points)], shown.largest):
         at = 1j * y / mu[1]
-        far = max(x for x, size in points if size == y) / mu[0]
+        far = max((x for x, size in points if size == y), default=0.0) / mu[0]
         strokes += added([line("thin", at - TICK, at + far)] if y else [], "axis")
-        wanted.append(Wanted(number(y, language, 4), at, high.number, TICK, -1 + 0j))
+        ticks.append((at.imag, number(y, language, 4)))
+    numbers = (
+        *tick_figures(ticks, high.number),
+        *base_figures(feet, strokes, high.number),
+    )
     for one in shown.positions:
         spot = complex(one.along / mu[0], one.size / mu[1])
         dot = circle("main", spot, DOT, filled=True)
         strokes.append(dot._replace(of=(one.of,), position=one.place))
         wanted.append(Wanted(one.name, spot, high.number, DOT, 1 + 1j, (one.of,), one.place))
-    return Drawing(name, title, tuple(strokes), wanted=tuple(wanted))
+    return Drawing(name, title, tuple(strokes), numbers, wanted=tuple(wanted))
 
 
 def _axes(base: float, lowest: float, top: float) -> Iterator[Stroke]:

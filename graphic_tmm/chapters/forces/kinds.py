@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 from graphic_tmm.bounds import Bound
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
@@ -72,10 +70,7 @@ def _pairs(value: object, names: Names, *, angle: bool) -> tuple[tuple[float, fl
             raise ValueError(listed(item, remedy))
         at = quantities.parse(item[0], "angle") if angle else v.within(item[0])
         found.append((at, _size(item[1], names)))
-    if any(a >= b for (a, _), (b, _) in pairwise(found)):
-        raise ValueError(
-            said("the points of the table do not follow one after the other; put them in order")
-        )
+    v.follow([at for at, _ in found])
     if angle and not (found[0][0] >= 0 and found[-1][0] <= 360):
         raise ValueError(said("the angles go from 0 to 360°, from the zero position on"))
     return tuple(found)

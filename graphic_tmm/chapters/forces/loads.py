@@ -30,7 +30,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import reasons as why
 from graphic_tmm.chapters.forces.task import AGAINST, ForcesTask, Load
-from graphic_tmm.chapters.forces.travel import by_travel
+from graphic_tmm.chapters.forces.travel import TURN, by_travel, size_at_turn
 from graphic_tmm.chapters.indicator.cylinder import Cylinder
 from graphic_tmm.chapters.kinematics.motion import Motion, is_signed, reading_of
 from graphic_tmm.chapters.kinematics.positions import Positions
@@ -345,9 +345,7 @@ def _sized(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
         )
     value: object = load.size
     if load.by_angle:
-        turned = ground.numbers * (360.0 / intervals)
-        at, sizes = zip(*load.by_angle, strict=True)
-        value = np.interp(turned, at, sizes, period=360.0)[None, :]
+        value = size_at_turn(load.by_angle, ground.numbers * (TURN / intervals))[None, :]
     elif isinstance(load.size, tuple):
         if len(load.size) != intervals:
             raise StructureError(

@@ -40,7 +40,8 @@ class Effects:
 class Travel:
     """A size by the travel of a point that slides on the frame: shares of the stroke 0 … 1, and sizes.
 
-    ``out`` is the stroke from the zero position, ``back`` the other; an empty one has no load.
+    ``out`` is the stroke from the zero position, ``back`` the other; an empty one has no load. Two at one share
+    are a jump: there the size holds that the motion comes to.
     """
 
     of: str
@@ -94,7 +95,8 @@ class Load:
         (),
         by_angle=key(
             w.BY_ANGLE,
-            "its size by the turn of the crank from the zero position",
+            "its size by the turn of the crank from the zero position; two sizes at one angle are a jump, the "
+            "second holds there",
             [[0, "0 N"], [90, "190 N"]],
             None,
         ),
@@ -105,13 +107,15 @@ class Load:
         of=key(v.TEXT, "the letter of the point by whose travel it is told", "D", None),
         out=key(
             w.BY_TRAVEL,
-            "its size on the stroke from the zero position, by shares of it",
+            "its size on the stroke from the zero position, by shares of it; two sizes at one share are a "
+            "jump, the second holds there",
             _BY_SHARES,
             None,
         ),
         back=key(
             w.BY_TRAVEL,
-            "its size on the stroke back, by shares from the same end",
+            "its size on the stroke back, by shares from the same end; at a jump the first holds, since the "
+            "point comes from the other side",
             _BY_SHARES,
             None,
         ),

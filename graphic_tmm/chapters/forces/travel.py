@@ -7,6 +7,7 @@ step, by the travel as measured.
 from __future__ import annotations
 
 from itertools import pairwise
+from operator import itemgetter
 
 import numpy as np
 
@@ -26,8 +27,9 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
 
+TURN = 360.0
 SLACK = 1e-9
-"""A share of the stroke that is over by less than this is on the part still."""
+"""A share of the stroke, or of a turn, that is over by less than this is on the part still."""
 _NOTHING = (0.0, 1.0, 0.0, 0.0)
 
 
@@ -93,19 +95,45 @@ def _parts(
             head="load",
         )
     turn = numbers[int(np.argmax(shares))]
-    out, back = (part_of_travel(part, shares) for part in (travel.out, travel.back))
+    out, back = parts_of_strokes(travel, shares)
     return np.where(numbers <= turn, out, back)
 
 
-def part_of_travel(points: tuple[tuple[float, float], ...], shares: Reals) -> Reals:
+def parts_of_strokes(travel: Travel, shares: Reals) -> tuple[Reals, Reals]:
+    """Return the part that each share of the stroke stands on, on the stroke out and on the one back."""
+    return part_of_travel(travel.out, shares), part_of_travel(travel.back, shares, ahead=False)
+
+
+def part_of_travel(
+    points: tuple[tuple[float, float], ...], shares: Reals, *, ahead: bool = True
+) -> Reals:
     """Return the part that each share of the stroke stands on; nothing acts outside of them.
 
-    From and to which share, from and to which size: (4, share).
+    From and to which share, from and to which size: (4, share). At a jump it is the size behind it, all the
+    way; ``ahead``: whether the shares grow on that stroke.
     """
-    ordered = sorted(points)
+    pairs = list(pairwise(sorted(points, key=itemgetter(0))))
     found = np.repeat(np.array(_NOTHING)[:, None], shares.size, axis=1)
     # where two parts meet, it is the first one
-    for (a, p), (b, q) in reversed(list(pairwise(ordered))):
-        on = (a - SLACK <= shares) & (shares <= b + SLACK)
-        found[:, on] = np.array((a, b, p, q))[:, None]
+    for (a, p), (b, q) in reversed(pairs):
+        if a < b:
+            on = (a - SLACK <= shares) & (shares <= b + SLACK)
+            found[:, on] = np.array((a, b, p, q))[:, None]
+    for (a, p), (b, q) in pairs:
+        if a == b:
+            size = q if ahead else p
+            found[:, np.abs(shares - a) <= SLACK] = np.array((0.0, 1.0, size, size))[:, None]
     return found
+
+
+def size_at_turn(points: tuple[tuple[float, float], ...], turned: Reals) -> Reals:
+    """Return the size of a load at turns of the crank, degrees; at a jump the size behind it.
+
+    The last point and the first one of the next turn are joined like others.
+    """
+    (first, begins), (last, ends) = points[0], points[-1]
+    places, sizes = np.array([(last - TURN, ends), *points, (first + TURN, begins)]).T
+    at = (turned + SLACK * TURN) % TURN - SLACK * TURN
+    k = np.minimum(np.searchsorted(places, at + SLACK * TURN, side="right") - 1, len(points))
+    share = np.clip((at - places[k]) / (places[k + 1] - places[k]), 0.0, 1.0)
+    return np.asarray(sizes[k] + share * (sizes[k + 1] - sizes[k]))

@@ -20,7 +20,7 @@ from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.forces.task import Load
-from graphic_tmm.chapters.forces.travel import part_of_travel
+from graphic_tmm.chapters.forces.travel import TURN, parts_of_strokes, size_at_turn
 from graphic_tmm.chapters.forces.views import decimals_told, driver_shown, group_shown
 from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.scales import reaches
@@ -30,8 +30,6 @@ from graphic_tmm.moving import Between, Moving, Turn
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import mu_text
-
-TURN = 360.0
 
 
 def between(drawn: Drawn, turn: Turn) -> Between:
@@ -45,8 +43,7 @@ def between(drawn: Drawn, turn: Turn) -> Between:
         if load.travel is not None:
             found |= _by_travel(drawn, turn, load, size, at)
         elif load.by_angle:
-            angles, sizes = zip(*load.by_angle, strict=True)
-            found[size] = np.interp(at * (TURN / in_turn), angles, sizes, period=TURN)[None, :]
+            found[size] = size_at_turn(load.by_angle, at * (TURN / in_turn))[None, :]
         elif isinstance(load.size, tuple):
             found[size] = np.interp(at, np.arange(in_turn), load.size, period=in_turn)[None, :]
     return found
@@ -65,7 +62,7 @@ def _by_travel(drawn: Drawn, turn: Turn, load: Load, size: Mark, at: Reals) -> d
     shares = reading[way][0] / reading[stroke][0, 0]
     far = plans.numbers[int(np.argmax(sheet))] % plans.in_turn if np.isfinite(sheet).all() else 0
     assert load.travel is not None
-    out, back = (part_of_travel(part, shares) for part in (load.travel.out, load.travel.back))
+    out, back = parts_of_strokes(load.travel, shares)
     from_, to, first, last = np.where(at <= far, out, back)
     return dict(zip(given, (one[None, :] for one in (first, last, from_, to)), strict=True))
 

@@ -12,10 +12,12 @@ P). A flank is drawn so: arcs of the base circle are laid off on their tangents 
 involute ends below, the fillet begins: the path of the rounded corner of the rack's tooth, which cuts away
 part of the involute if the wheel has too few teeth (`rack`).
 
-Contact lasts while the touching point is on the part ab of N₁N₂ between the tip circles. The contact ratio
-is the arc of engagement over the pitch, drawn and by formula; above 1 a second pair is there before the
-first one leaves (`contact`). Flanks slide on one another but at P: ϑ₁ = 1 − (r₁/r₂)·(ρ₂/ρ₁) over the
-distance x from N₁, where ρ₁ = x and ρ₂ = N₁N₂ − x are the radii of curvature (`sliding`).
+Contact lasts while the touching point is on the part ab of N₁N₂ between the tip circles; where a tip reaches
+beyond N₁ or N₂ there is no involute to touch, and ab ends in that limit, as it ends where a pointed tooth does
+(`line`). The contact ratio is the arc of engagement over the pitch, drawn and by formula; above 1 a second pair
+is there before the first one leaves (`contact`). Flanks slide on one another but at P:
+ϑ₁ = 1 − (r₁/r₂)·(ρ₂/ρ₁) over the distance x from N₁, where ρ₁ = x and ρ₂ = N₁N₂ − x are the radii of curvature
+(`sliding`).
 
 Beside the drawing are calculated the ratio, the arc of engagement, and how long each dimension is on the
 sheet (`beside`); a given length of a_w there makes the scale of the mesh.
@@ -52,6 +54,7 @@ with late(__name__):
     from graphic_tmm.chapters.gears.note import concludes, note
     from graphic_tmm.chapters.gears.plan import gear_scales, record
     from graphic_tmm.chapters.gears.results import gear_results
+    from graphic_tmm.chapters.gears.verdict import failures
     from graphic_tmm.chapters.gears.verdict import verdict as judged
     from graphic_tmm.chapters.gears.views import gear_views
     from graphic_tmm.drawn import view_scales
@@ -82,6 +85,7 @@ CHAPTER = Chapter(
     named=lambda project, reading, given: view_scales(project, reading),
     scale_key=lambda view: {"gear": "mu_l_gears", "sliding": "mu_theta"}.get(view, ""),
     plans=(GEARS.chapter,),
+    warnings=failures,
     columns=gear_columns,
     results=gear_results,
     accuracy=ACCURACY,

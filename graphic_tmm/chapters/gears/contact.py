@@ -64,20 +64,28 @@ def draw_contact(
     backward = draft.draw(parallel, "(ba)", b, line.line, sense=-1, why=why.NEXT_PAIR)
     second = draft.draw(lay_off, "a′", onward, pitch, why=why.NEXT_PAIR)
     first = draft.draw(lay_off, "b′", backward, pitch, why=why.NEXT_PAIR)
-    measured = draft.draw(measure, "aa′", a, second, why=why.NEXT_PAIR)
+    measured = draft.draw(measure, f"{a.letter}a′", a, second, why=why.NEXT_PAIR)
     drawn = draft.draw(ratio_of, "ε_{dr}", line.working, measured)
     off = draft.draw(percent_off, "Δε", drawn, sizes.contact_ratio, unit="%")
     return Contact(engaged, (first, second), measured, drawn, off)
 
 
 def _engagement(draft: Draft, k: int, line: ActionLine, wheel: Wheel) -> Engagement:
-    """Turn the flank through the pitch point to where it touches in a, and in b."""
+    """Turn the flank through the pitch point to where it touches in a, and in b.
+
+    In the wheel's own limit point it touches where the involute begins, on the base circle.
+    """
     centre, i = wheel.circles.centre, k + 1
     turned, crossings, lows = [], [], []
     for end, name in zip(line.ends, "ab", strict=True):
-        reach = draft.draw(measure, f"O_{i}{name}", centre, end, why=why.TURNED_FLANK)
-        arc = draft.draw(strike, f"(O_{i}{name})", centre, reach, why=why.TURNED_FLANK)
-        spot = draft.draw(curve_meets_arc, f"{name}_{{{i}}}", wheel.flank, arc, free=True)
+        if end is line.limits[k]:
+            spot = wheel.origin
+        else:
+            reach = draft.draw(measure, f"O_{{{i}}}{end.letter}", centre, end, why=why.TURNED_FLANK)
+            arc = draft.draw(
+                strike, f"(O_{{{i}}}{end.letter})", centre, reach, why=why.TURNED_FLANK
+            )
+            spot = draft.draw(curve_meets_arc, f"{name}_{{{i}}}", wheel.flank, arc, free=True)
         angle = draft.draw(angle_at, f"∠{name}_{i}", centre, spot, end)
         points = draft.draw(
             turn_about,

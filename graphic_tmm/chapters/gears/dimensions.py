@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations.energetics import added, share
 from graphic_tmm.board.operations.formulas import pitch_radius
 from graphic_tmm.board.record import Mark
@@ -31,7 +34,8 @@ class RackSizes:
 class WheelSizes:
     """One wheel (Number, m; Angle): z, x, radii, thicknesses, tip angle, limits of its teeth.
 
-    ``pointed``: the radius where both flanks of a tooth meet. ``limit``: the radius of curvature (m) at which
+    ``pointed``: the radius where both flanks of a tooth meet, ``top``: that up to which the tooth is there, r_a
+    or this one. ``limit``: the radius of curvature (m) at which
     the flank begins, ``lowest``: that of its lowest working point, ``free``: the least this may be.
     ``depth``: how deep under the pitch circle the centre of the rack's rounding lies (m).
     """
@@ -48,6 +52,7 @@ class WheelSizes:
     alpha_a: Mark
     s_a: Mark
     pointed: Mark
+    top: Mark
     depth: Mark
     x_min: Mark
     limit: Mark
@@ -60,7 +65,10 @@ class WheelSizes:
 
 @dataclass(frozen=True)
 class GearSizes:
-    """The pair (Number, m; Angle): what was given, distances, shifts, height, pitches, contact ratio ε."""
+    """The pair (Number, m; Angle): what was given, distances, shifts, height, pitches, contact ratio ε.
+
+    ``beyond``: of each wheel, whether the teeth of the other reach beyond its limit point N.
+    """
 
     order: GearTask
     m: Mark
@@ -80,6 +88,13 @@ class GearSizes:
     contact_ratio: Mark
     least_tip: Mark
     wheels: tuple[WheelSizes, WheelSizes]
+    beyond: tuple[bool, bool]
+
+
+def known(draft: Draft) -> Callable[[Mark], float]:
+    """Return the value of what is calculated so far, by its mark."""
+    exact = execute(draft.board.construction(), draft.given)
+    return lambda mark: float(exact[mark][0, 0])
 
 
 def calculate_sizes(draft: Draft, order: GearTask) -> GearSizes:
@@ -108,17 +123,22 @@ def calculate_sizes(draft: Draft, order: GearTask) -> GearSizes:
     shape = [
         _shape(draft, k + 1, (m, alpha, alpha_w, dy), tool, (z[k], x[k], r[k])) for k in range(2)
     ]
-    tips = [one["alpha_a"] for one in shape]
-    ratio = draft.draw(g.contact_ratio, "ε_{α}", z[0], tips[0], z[1], tips[1], alpha_w)
+    value = known(draft)
+    tops = [_top(one, value) for one in shape]
+    limits = [_limits(draft, k, (a_w, alpha_w), shape, tops[1 - k]) for k in range(2)]
+    value = known(draft)
+    beyond = (value(limits[0]["lowest"]) < 0.0, value(limits[1]["lowest"]) < 0.0)
+    tips = (tops[0].angle, tops[1].angle)
+    ratio = _contact_ratio(draft, (z[0], z[1]), tips, alpha_w, beyond)
     k_tip = draft.take(Number, "k_{s}", order.least_tip)
     least = draft.draw(share, "[s_{a}]", m, k_tip, unit="m")
     wheels = [
-        WheelSizes(k + 1, z[k], x[k], r[k], **shape[k], **_limits(draft, k, (a_w, alpha_w), shape))
+        WheelSizes(k + 1, z[k], x[k], r[k], **shape[k], top=tops[k].radius, **limits[k])
         for k in range(2)
     ]
     return GearSizes(
         order, m, alpha, tool, inv, inv_w, alpha_w, a, a_w, y, dy, p, p_b, h, h_w, ratio, least,
-        (wheels[0], wheels[1]),
+        (wheels[0], wheels[1]), beyond,
     )  # fmt: skip
 
 
@@ -159,25 +179,53 @@ def _shape(
     p_w = draft.draw(g.arc_of_pitch, f"p_{{w{i}}}", r_w, z, unit="m")
     return {
         "r_b": r_b, "r_w": r_w, "r_f": r_f, "r_a": r_a, "s": s, "alpha_a": alpha_a, "s_a": s_a,
-        "pointed": pointed, "depth": depth, "x_min": x_min, "limit": limit, "angular_pitch": tau,
-        "p_w": p_w,
+        "pointed": pointed, "alpha_p": alpha_p, "depth": depth, "x_min": x_min, "limit": limit,
+        "angular_pitch": tau, "p_w": p_w,
     }  # fmt: skip
 
 
+class _Top(NamedTuple):
+    """Up to where a tooth is there: the radius (m), the profile angle."""
+
+    radius: Mark
+    angle: Mark
+
+
+def _top(shape: dict[str, Mark], value: Callable[[Mark], float]) -> _Top:
+    """Return where a tooth ends: on its tip circle, or below it where its flanks meet."""
+    apex = shape.pop("alpha_p")
+    if value(shape["s_a"]) < 0.0:
+        return _Top(shape["pointed"], apex)
+    return _Top(shape["r_a"], shape["alpha_a"])
+
+
+def _contact_ratio(
+    draft: Draft,
+    z: tuple[Mark, Mark],
+    tips: tuple[Mark, Mark],
+    alpha_w: Mark,
+    beyond: tuple[bool, bool],
+) -> Mark:
+    """Calculate the contact ratio: from tip to tip, or from a limit point beyond which a tip reaches."""
+    if all(beyond):
+        return draft.draw(g.contact_of_limits, "ε_{α}", *z, alpha_w)
+    for k in range(2):
+        if beyond[k]:
+            return draft.draw(g.contact_from_limit, "ε_{α}", z[k], tips[k])
+    return draft.draw(g.contact_ratio, "ε_{α}", z[0], tips[0], z[1], tips[1], alpha_w)
+
+
 def _limits(
-    draft: Draft, k: int, pair: tuple[Mark, Mark], shape: list[dict[str, Mark]]
+    draft: Draft, k: int, pair: tuple[Mark, Mark], shape: list[dict[str, Mark]], top: _Top
 ) -> dict[str, Mark]:
-    """Calculate where a wheel's flank works lowest, how low it may, and the clearance at its root."""
-    (a_w, alpha_w), own, other = pair, shape[k], shape[1 - k]
+    """Calculate where a wheel's flank works lowest, how low it may, and the clearance at its root.
+
+    ``top``: of the other wheel's teeth.
+    """
+    (a_w, alpha_w), own, r_b = pair, shape[k], shape[1 - k]["r_b"]
     lowest = draft.draw(
-        rack.lowest_curvature,
-        f"ρ_{{p{k + 1}}}",
-        a_w,
-        alpha_w,
-        other["r_b"],
-        other["alpha_a"],
-        unit="m",
+        rack.lowest_curvature, f"ρ_{{p{k + 1}}}", a_w, alpha_w, r_b, top.angle, unit="m"
     )
     free = draft.draw(rack.not_negative, f"[ρ_{{p{k + 1}}}]", own["limit"], unit="m")
-    clearance = draft.draw(g.tip_clearance, f"c_{k + 1}", a_w, other["r_a"], own["r_f"], unit="m")
+    clearance = draft.draw(g.tip_clearance, f"c_{k + 1}", a_w, top.radius, own["r_f"], unit="m")
     return {"lowest": lowest, "free": free, "clearance": clearance}

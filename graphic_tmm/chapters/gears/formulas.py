@@ -213,6 +213,26 @@ def contact_ratio(z1: Number, a1: Angle, z2: Number, a2: Angle, alpha_w: Angle) 
 
 @formula(
     why=said(
+        "The tip of the other wheel reaches beyond the limit of the line of action, where no involute is: the "
+        "path of contact begins at the limit."
+    )
+)
+def contact_from_limit(z: Number, a: Angle) -> Number:
+    """{z}·tan {a}/(2·π)"""
+
+
+@formula(
+    why=said(
+        "Both tips reach beyond the limits of the line of action, where no involute is: the path of contact "
+        "lies between the limits."
+    )
+)
+def contact_of_limits(z1: Number, z2: Number, alpha_w: Angle) -> Number:
+    """({z1} + {z2})·tan {alpha_w}/(2·π)"""
+
+
+@formula(
+    why=said(
         "Between the tip of one wheel and the root of the other there is what the centre distance leaves."
     )
 )

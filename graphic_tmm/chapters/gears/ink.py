@@ -96,9 +96,9 @@ def _rules(ink: MeshInk) -> dict[Mark, Rule]:
         own.angle: _drawn(_angle(ink)),
         own.working: _drawn([line("medium", *ink.ends)]),
     }
+    rules |= dict.fromkeys(own.ends, dotted(DOT))
     for k, mark in enumerate(own.limits):
         rules[mark] = _limit(ink, k)
-    rules |= dict.fromkeys(own.ends, dotted(DOT))
     for wheel in made.wheels:
         rules |= {mark: _circle(ink, wheel, pen) for mark, pen, _ in circles_of(wheel)}
     for mark in made.contact.pair:
@@ -230,6 +230,8 @@ def _letters(ink: MeshInk, heights: Heights) -> Iterator[Wanted]:
         toward = side * ink.way * (1j + 0.4)
         yield Wanted(limit.letter, ink.limits[k], point, 1.0, toward, (limit.slot,))
     for end, toward in zip(own.ends, (-1 + 1j, 1 - 1j), strict=True):
+        if end in own.limits:
+            continue
         yield Wanted(end.letter, ink.at(end), point, 1.0, toward, (end.slot,))
     for mark in ink.made.contact.pair:
         yield Wanted(mark.letter, ink.at(mark), heights.number, TICK, 1j * ink.way, (mark.slot,))

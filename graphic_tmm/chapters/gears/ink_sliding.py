@@ -14,6 +14,7 @@ from graphic_tmm.chapters.gears.rules import RULES
 from graphic_tmm.chapters.gears.sliding import VIEW, Stations
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
+from graphic_tmm.paper.axes import tick_figures
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.figure import added, figure, showing
 from graphic_tmm.paper.lettering.heights import Heights
@@ -46,7 +47,7 @@ class _Ink:
     @property
     def stations(self) -> Iterator[Stations]:
         """The ends of the working line, the pitch point, what the task names."""
-        yield from (*self.sliding.ends, self.sliding.pole)
+        yield from (*self.sliding.ends.values(), self.sliding.pole)
         if self.sliding.further is not None:
             yield self.sliding.further
 
@@ -68,7 +69,11 @@ def draw_sliding_ink(
     traces = figure(seen, showing(_rules(ink), RULES))
     strokes = (*traces.staying, *added(_axes(ink), "axis"))
     wanted = tuple(_letters(ink, language, heights))
-    return Drawing(VIEW, title, strokes, rubbed=traces.rubbed, shows=(VIEW,), wanted=wanted)
+    ticks = [(value / ink.mu, number(float(value), language)) for value in _figures(ink)]
+    figures = tick_figures(ticks, heights.number)
+    return Drawing(
+        VIEW, title, strokes, figures, rubbed=traces.rubbed, shows=(VIEW,), wanted=wanted
+    )
 
 
 def _rules(ink: _Ink) -> dict[Mark, Rule]:
@@ -94,7 +99,7 @@ def _rules(ink: _Ink) -> dict[Mark, Rule]:
     for branch in ink.sliding.branches:
         rules |= {branch.points: shown, branch.curve: curve}
     for stations in ink.stations:
-        ends = stations in ink.sliding.ends
+        ends = stations in ink.sliding.ends.values()
         rules |= dict.fromkeys(stations.points, raised if ends else shown)
     return rules
 
@@ -120,7 +125,7 @@ def _figures(ink: _Ink) -> list[int]:
 
 
 def _letters(ink: _Ink, language: str, heights: Heights) -> Iterator[Wanted]:
-    """The letters of the base, of the curves, the figures of the ordinate axis."""
+    """The letters of the base and of the curves."""
     point = heights.point
     yield Wanted("ϑ", 1j * (ink.high + OVER), point, 1.5, -1 + 0j)
     yield Wanted(f"x, {unit('mm', language)}", ink.end + OVER, point, 1.5, 1j + 0.5)
@@ -129,15 +134,8 @@ def _letters(ink: _Ink, language: str, heights: Heights) -> Iterator[Wanted]:
     for k, branch in enumerate(ink.sliding.branches):
         steep = complex(ink.seen.reading[branch.points][0, :STATIONS][1])
         yield Wanted(f"ϑ_{{{k + 1}}}", steep, point, 1.0, 1 - 2 * k + 0j, (branch.curve.slot,))
-    for stations in ink.sliding.ends:
-        foot = ink.at(stations.feet)
-        if (
-            -1e-6 <= foot.real <= ink.end.real + 1e-6
-        ):  # else it interferes: no sliding is known there
-            of = (stations.feet.slot,)
-            yield Wanted(stations.feet.name, foot, point, 1.0, 1 - 1j, of)
+    for stations in ink.sliding.ends.values():
+        foot = stations.feet
+        yield Wanted(foot.name, ink.at(foot), point, 1.0, 1 - 1j, (foot.slot,))
     pole = ink.sliding.pole.feet
     yield Wanted(pole.name, ink.at(pole), point, 1.0, -1j, (pole.slot,))
-    for value in _figures(ink):
-        text = number(float(value), language)
-        yield Wanted(text, 1j * value / ink.mu, heights.number, TICK, -1 + 0j)

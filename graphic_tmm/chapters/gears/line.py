@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from graphic_tmm.board.draft import Draft
@@ -40,9 +41,12 @@ class Circles:
 class ActionLine:
     """The line of action N1N2 (Line) with its limits N1, N2, the pitch point P, its working part ab.
 
+    ``tips``: where the tip circles cut it, wheel 2's and wheel 1's; ``ends``: a and b, where teeth touch first
+    and last, the same but of pointed teeth and beyond the limits.
+
     ``centres``: the line of centres. ``angle``: that of the line of action with the common tangent in P as
-    drawn (Angle). ``length``: N1N2, ``to_ends``: N1a and N1b, ``to_pole``: N1P, ``working``: ab, all as
-    measured (Length).
+    drawn (Angle). ``length``: N1N2, ``to_ends``: N1a and N1b by a and b where these are no limits,
+    ``to_pole``: N1P, ``working``: ab, all as measured (Length).
     """
 
     mu: Mark
@@ -50,11 +54,12 @@ class ActionLine:
     circles: tuple[Circles, Circles]
     pole: Mark
     limits: tuple[Mark, Mark]
+    tips: tuple[Mark, Mark]
     ends: tuple[Mark, Mark]
     line: Mark
     angle: Mark
     length: Mark
-    to_ends: tuple[Mark, Mark]
+    to_ends: Mapping[Mark, Mark]
     to_pole: Mark
     working: Mark
 
@@ -62,7 +67,8 @@ class ActionLine:
 def draw_action_line(draft: Draft, sizes: GearSizes) -> ActionLine:
     """Draw the centres, the circles of both wheels and the line of action, wheel 1 below, driving to the right.
 
-    The line of action touches both base circles; wheel 2's tip circle cuts a off it, wheel 1's b.
+    The line of action touches both base circles; wheel 2's tip circle cuts a off it, wheel 1's b. Beyond N1 and
+    N2 no flank is an involute: where a tip reaches farther, the teeth touch from there on.
     """
     draft.open(VIEW)
     mu = draft.scale("μ_l", "m/mm")
@@ -82,23 +88,49 @@ def draw_action_line(draft: Draft, sizes: GearSizes) -> ActionLine:
     )
     line = draft.draw(join, "(N_{1}N_{2})", *limits, why=why.ACTION)
     forward, back = draft.take(Side, "+", 1.0), draft.take(Side, "−", -1.0)
-    a = draft.draw(cut, "a", line, circles[1].tip, back, why=why.ENTERS)
-    b = draft.draw(cut, "b", line, circles[0].tip, forward, why=why.LEAVES)
+    start, a = _end(draft, sizes, circles, (line, limits[0], back), 0)
+    stop, b = _end(draft, sizes, circles, (line, limits[1], forward), 1)
     angle = draft.draw(bearing, "α_{w}", *limits, why=why.MESH_ANGLE)
-    spans = [
-        draft.draw(measure_along, f"{start.letter}{end.letter}", start, end, line, why=why.SPAN)
-        for start, end in (
-            (limits[0], limits[1]),
-            (limits[0], a),
-            (limits[0], b),
-            (limits[0], pole),
-            (a, b),
+    wanted = (limits, (limits[0], a), (limits[0], b), (limits[0], pole), (a, b))
+    spans = {
+        (one, end): draft.draw(
+            measure_along, f"{one.letter}{end.letter}", one, end, line, why=why.SPAN
         )
-    ]
+        for one, end in dict.fromkeys(wanted)
+        if one is not end
+    }
+    to_ends = {end: spans[limits[0], end] for end in (a, b) if end not in limits}
     return ActionLine(
-        mu, centres, circles, pole, limits, (a, b), line, angle, spans[0], (spans[1], spans[2]), spans[3],
-        spans[4],
+        mu, centres, circles, pole, limits, (start, stop), (a, b), line, angle, spans[limits], to_ends,
+        spans[limits[0], pole], spans[a, b],
     )  # fmt: skip
+
+
+def _end(
+    draft: Draft,
+    sizes: GearSizes,
+    circles: tuple[Circles, Circles],
+    toward: tuple[Mark, Mark, Mark],
+    k: int,
+) -> tuple[Mark, Mark]:
+    """Cut the line of action where the tip circle of the other wheel passes on the side of wheel ``k``.
+
+    ``toward``: the line, the limit on that side, the side. Returns that point and the end of the working line:
+    where the teeth themselves reach, at the limit at most.
+    """
+    other, letter = sizes.wheels[1 - k], "ab"[k]
+    line, limit, side = toward
+    reason, at = (why.ENTERS, why.LEAVES)[k], circles[1 - k]
+    short = other.top is not other.r_a
+    name = "ef"[k] if short or sizes.beyond[k] else letter
+    tip = draft.draw(cut, name, line, at.tip, side, why=reason)
+    if sizes.beyond[k]:
+        return tip, limit
+    if not short:
+        return tip, tip
+    reach = draft.draw(to_board, f"[{other.top.letter}]", other.top)
+    apex = draft.draw(strike, f"({other.top.letter})", at.centre, reach, why=why.APEX)
+    return tip, draft.draw(cut, letter, line, apex, side, why=reason)
 
 
 def _circles(draft: Draft, wheel: WheelSizes, centre: Mark) -> Circles:

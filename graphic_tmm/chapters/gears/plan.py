@@ -10,7 +10,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard, standard_length
 from graphic_tmm.chapters.gears.checks import Check, record_checks
 from graphic_tmm.chapters.gears.contact import Contact, draw_contact
-from graphic_tmm.chapters.gears.dimensions import GearSizes, calculate_sizes
+from graphic_tmm.chapters.gears.dimensions import GearSizes, calculate_sizes, known
 from graphic_tmm.chapters.gears.line import ActionLine, draw_action_line
 from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.chapters.gears.refusals import refuse_order, refuse_sizes
@@ -58,11 +58,7 @@ def draw_gear(draft: Draft, order: GearTask) -> Gear:
     """
     refuse_order(order)
     sizes = calculate_sizes(draft, order)
-    exact = execute(draft.board.construction(), draft.given)
-
-    def value(mark: Mark) -> float:
-        return float(exact[mark][0, 0])
-
+    value = known(draft)
     refuse_sizes(sizes, value)
     checks = record_checks(draft, sizes)
     rows = choose_rows(sizes, value)

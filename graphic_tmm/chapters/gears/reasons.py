@@ -21,6 +21,7 @@ ENTERS = said(
 LEAVES = said(
     "A pair of teeth ceases to touch where the tip circle of the driving wheel cuts the line of action."
 )
+APEX = said("A pointed tooth ends where its flanks meet, below the tip circle.")
 MESH_ANGLE = said(
     "The line of action leans by the angle of mesh; read off, it checks the calculated one."
 )

@@ -54,7 +54,7 @@ def _roll(wheel: WheelSizes, sizes: GearSizes, value: Callable[[Mark], float]) -
     """
     tip = value(wheel.r_b) * math.tan(math.radians(value(wheel.alpha_a)))
     pitch = value(wheel.r) * math.sin(math.radians(value(sizes.alpha)))
-    inside = (tip, pitch, abs(value(wheel.lowest)), max(value(wheel.limit), 0.0))
+    inside = (tip, pitch, max(value(wheel.lowest), 0.0), max(value(wheel.limit), 0.0))
     low, high = min(inside), max(inside)
     parts = max(1, math.floor(sizes.order.steps * tip / (high - low)))
     first = max(0, math.floor(low / tip * parts) - 1)

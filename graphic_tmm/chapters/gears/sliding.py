@@ -1,5 +1,7 @@
 """The diagram of specific sliding under the line of action: ϑ1 and ϑ2 over the distance x from N1.
 
+In a limit point itself nothing is calculated: the one ϑ falls without end there, the other is 1.
+
 The stations of a curve stand in a geometric series from its own limit point on: there it falls without end, and
 its points stand the closer together the steeper it is. At the other limit point it is 1.
 """
@@ -7,6 +9,7 @@ its points stand the closer together the steeper it is. At the other limit point
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -61,17 +64,17 @@ class Branch:
 
 @dataclass(frozen=True)
 class Sliding:
-    """The diagram: its chart (μ_ϑ), origin in N1, N2, the curves of both wheels, a and b, P.
+    """The diagram: its chart (μ_ϑ), origin in N1, N2, the curves of both wheels, P.
 
-    ``further``: at the distances the task names, if it does; ``floor``: the lowest ordinate of the curves is
-    minus so much.
+    ``ends``: a and b by these letters, but those that are limit points themselves; ``further``: at the
+    distances the task names, if it does; ``floor``: the lowest ordinate of the curves is minus so much.
     """
 
     chart: Chart
     origin: Mark
     end: Mark
     branches: tuple[Branch, Branch]
-    ends: tuple[Stations, Stations]
+    ends: Mapping[str, Stations]
     pole: Stations
     further: Stations | None
     floor: float
@@ -95,11 +98,13 @@ def draw_sliding(draft: Draft, sizes: GearSizes, line: ActionLine, rows: Rows) -
     base = draft.draw(ray, "(N_{1}N_{2})", origin, draft.direction(0.0), why=why.STATION)
     end = draft.draw(lay_off, "N_{2}", base, line.length, why=why.STATION)
     ground = _Ground(base, line.length, (sizes.wheels[0].z, sizes.wheels[1].z))
-    ends = tuple(
-        _stations(draft, ground, x, letter) for x, letter in zip(line.to_ends, "ab", strict=True)
-    )
+    ends = {
+        letter: _stations(draft, ground, line.to_ends[end], letter)
+        for letter, end in zip("ab", line.ends, strict=True)
+        if end in line.to_ends
+    }
     pole = _stations(draft, ground, line.to_pole, "P")
-    floor = _floor(draft, line, mu, [mark for one in ends for mark in one.sliding])
+    floor = _floor(draft, line, mu, [mark for one in ends.values() for mark in one.sliding])
     branches = (
         _branch(draft, ground, 0, rows.row(_shares(sizes.order.z1 / sizes.order.z2, floor))),
         _branch(draft, ground, 1, rows.row(_shares(sizes.order.z2 / sizes.order.z1, floor))),
@@ -114,7 +119,7 @@ def draw_sliding(draft: Draft, sizes: GearSizes, line: ActionLine, rows: Rows) -
         given = draft.take(Length, "x_{s}", rows.row(sizes.order.stations), "mm")
         further = _stations(draft, ground, given, "s")
     chart = Chart(VIEW, "ϑ", "", mu, read, True, sizes.order.mu_sliding, ROOM)
-    return Sliding(chart, origin, end, branches, (ends[0], ends[1]), pole, further, floor)
+    return Sliding(chart, origin, end, branches, ends, pole, further, floor)
 
 
 def _stations(draft: Draft, ground: _Ground, x: Mark, letter: str) -> Stations:

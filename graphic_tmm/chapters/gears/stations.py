@@ -34,10 +34,15 @@ def _places(drawn: Drawn) -> Iterator[Station]:
         return np.full_like(end, -np.inf)
 
     first, second = reading[at_first][:, 0], reading[at_second][:, 0]
-    yield Station("N_{1}", reading[beside.start][:, 0], (falls(first), first))
-    yield Station("N_{2}", reading[gear.line.length][:, 0], (second, falls(second)))
-    named = (("a", sliding.ends[0]), ("P", sliding.pole), ("b", sliding.ends[1]))
-    for name, one in named:
+    at_limits = (
+        Station("N_{1}", reading[beside.start][:, 0], (falls(first), first)),
+        Station("N_{2}", reading[gear.line.length][:, 0], (second, falls(second))),
+    )
+    yield from at_limits
+    for name, end in zip("ab", gear.line.ends, strict=True):
+        if end in gear.line.limits:
+            yield at_limits[gear.line.limits.index(end)]._replace(name=name)
+    for name, one in (*sliding.ends.items(), ("P", sliding.pole)):
         x, *found = (reading[mark][:, 0] for mark in (one.x, *one.sliding))
         if one is sliding.pole:  # neither slides there, whatever the ruler makes of x
             found = [np.zeros_like(row) for row in found]

@@ -75,8 +75,13 @@ def pair_sizes(drawn: Drawn) -> tuple[tuple[str, str, Mark], ...]:
         ("p", "p", sizes.p), ("p_{b}", "p_b", sizes.p_b),
         ("s_{cd}", "arc_of_engagement", beside.arc),
         ("ε_{α}", "contact_ratio", sizes.contact_ratio),
-        ("ab/p_{b}", "contact_ratio_drawn", made.contact.drawn),
+        (f"{working(drawn)}/p_{{b}}", "contact_ratio_drawn", made.contact.drawn),
     )  # fmt: skip
+
+
+def working(drawn: Drawn) -> str:
+    """Return what the working part of the line of action is called: ab, or N₁b where a is the limit N₁."""
+    return "".join(end.letter for end in GEARS.on(drawn).line.ends)
 
 
 def size_of(wheel: WheelSizes, key: str) -> Mark:

@@ -187,7 +187,7 @@ def _involute(draft: Draft, k: int, line: ActionLine, rows: Rows) -> tuple[Mark,
     string from N to the tip circle is divided evenly, so that one of the points stands on it.
     """
     circles, roll = line.circles[k], rows.flanks[k]
-    i, limit, end = k + 1, line.limits[k], line.ends[1 - k]
+    i, limit, end = k + 1, line.limits[k], line.tips[1 - k]
     string = (
         line.to_pole
         if k == 0
@@ -196,9 +196,9 @@ def _involute(draft: Draft, k: int, line: ActionLine, rows: Rows) -> tuple[Mark,
     origin = draft.draw(
         along_arc, f"B_{{0{i}}}", limit, circles.base, string, sense=-1, why=why.UNROLLED
     )
-    whole = (
-        line.to_ends[1] if k == 0 else draft.draw(measure, f"N_{i}a", limit, end, why=why.UNROLLED)
-    )
+    whole = line.to_ends.get(end) if k == 0 else None
+    if whole is None:
+        whole = draft.draw(measure, f"N_{{{i}}}{end.letter}", limit, end, why=why.UNROLLED)
     parts = draft.take(Number, f"k_{i}", float(roll.parts))
     n = draft.take(Number, f"n_{i}", rows.row(np.arange(roll.first, roll.first + roll.count)))
     unrolled = draft.draw(abscissa, f"u_{i}", n, whole, parts, why=why.ROLLED)

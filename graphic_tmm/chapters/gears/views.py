@@ -11,7 +11,7 @@ from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
 from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.chapters.gears.results import gear_results
-from graphic_tmm.chapters.gears.tables import dimension_table, sliding_table
+from graphic_tmm.chapters.gears.tables import dimension_table, sliding_table, working
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
@@ -68,7 +68,7 @@ def _ratios(drawn: Drawn) -> list[str]:
     )
     return [
         f"ε_{{α}} = {fixed(formula, 3, language)}",
-        f"ab/p_{{b}} = {fixed(measured, 3, language)} ({number(apart, language, 2)} %)",
+        f"{working(drawn)}/p_{{b}} = {fixed(measured, 3, language)} ({number(apart, language, 2)} %)",
     ]
 
 

@@ -6,6 +6,7 @@ the piston's exact travel. The pressure itself is a step, by the travel as measu
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -82,15 +83,24 @@ def _shares(draft: Draft, travel: Mark, stroke: Mark) -> Reals:
 
 
 def _at(gas: Gas, place: int, shares: Reals, turns: int) -> Stretch:
-    """Return the stretch on which a position of the row stands: out until the far end, back after it."""
+    """Return the stretch on which a position of the row stands: out until the far end, back after it.
+
+    Where two meet it is the first one; at a jump the pressure is that behind it, all the way.
+    """
     turn, at = divmod(place, len(shares) // turns)
     far = int(np.argmax(shares[: len(shares) // turns]))
     share, way = float(shares[place]), "out" if at <= far else "back"
-    for stretch in gas.stretches:
-        low, high = sorted((stretch.start, stretch.end))
-        there = stretch.stroke == way and stretch.turn == turn
-        if there and low - SLACK <= share <= high + SLACK:
-            return stretch
+    there = [
+        one
+        for one in gas.stretches
+        if (one.stroke, one.turn) == (way, turn)
+        and min(one.start, one.end) - SLACK <= share <= max(one.start, one.end) + SLACK
+    ]
+    for one in there:
+        if one.start == one.end:
+            return replace(one, start=0.0, end=1.0, pressure=one.last)
+    if there:
+        return there[0]
     raise StructureError(
         said(
             "no part of the diagram stands over {share:.3f} of the stroke {way}: let its parts "

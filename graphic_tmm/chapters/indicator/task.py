@@ -55,7 +55,9 @@ class Traced:
     """An indicator diagram by points: shares of the stroke from the cover, and pressures."""
 
     out: tuple[tuple[float, float], ...] = key(
-        _TRACED, "points of the stroke from the cover", [[0, "300 kPa"], [1, "60 kPa"]]
+        _TRACED,
+        "points of the stroke from the cover; two at one share are a jump, the second holds there",
+        [[0, "300 kPa"], [1, "60 kPa"]],
     )
     back: tuple[tuple[float, float], ...] = key(
         _TRACED, "points of the stroke back", [[1, "30 kPa"], [0, "150 kPa"]]
@@ -91,8 +93,9 @@ class Stroke:
 class Stretch:
     """A part of an indicator diagram: on the stroke "out" (from the cover) or "back", between two shares of it.
 
-    Shares are counted from the cover, 0 … 1. From ``pressure`` (Pa) at ``start`` it follows p·V^``exponent`` =
-    const, or a straight line to ``last`` (Pa) at ``end``. ``turn``: of the crank, from 0, on which it stands.
+    Shares are counted from the cover, 0 … 1; equal ones are a jump. From ``pressure`` (Pa) at ``start`` it
+    follows p·V^``exponent`` = const, or a straight line to ``last`` (Pa) at ``end``. ``turn``: of the crank,
+    from 0, on which it stands.
     """
 
     stroke: str
@@ -312,11 +315,11 @@ def _turns(asked: Said, side: str) -> Iterator[Found]:
     for name, way, points in traced.strokes():
         ends = (0.0, 1.0) if way == "out" else (1.0, 0.0)
         shares = [share for share, _ in points]
-        turned = any((b - a) * (ends[1] - ends[0]) <= 0 for a, b in pairwise(shares))
-        if (shares[0], shares[-1]) != ends or turned:
+        ahead = v.follows(shares if way == "out" else [-share for share in shares])
+        if (shares[0], shares[-1]) != ends or not ahead:
             says = said(
                 "the shares of the stroke {way} go from {first:g} to {last:g}, one after the other; put them "
-                "in order",
+                "in order, two at a jump",
                 way=way,
                 first=ends[0],
                 last=ends[1],

@@ -12,7 +12,7 @@ from support.teeth import Pair, dense, pair
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import examine
 from graphic_tmm.board.hand import Hand
-from graphic_tmm.board.values import Length, arrays, undefined
+from graphic_tmm.board.values import arrays
 from graphic_tmm.chapters.gears.rows import STATIONS
 from graphic_tmm.chapters.gears.task import GearTask
 
@@ -202,7 +202,7 @@ def test_the_curves_of_sliding_stand_over_their_stations() -> None:
         due = 1 - (0.6, 1 / 0.6)[k] * (length - near) / near
         # a tenth of a millimetre: both coordinates are exponentials, 12 arcs, and a cubic spline follows them
         assert np.abs(spots.imag * mu - due).max() < 0.1 * mu
-    ends = [[of.real(m) for m in end.sliding] for end in sliding.ends]
+    ends = [[of.real(m) for m in end.sliding] for end in sliding.ends.values()]
     np.testing.assert_allclose(ends, [[-0.788, 0.441], [0.615, -1.594]], atol=5e-4)
 
 
@@ -245,15 +245,6 @@ def test_a_shift_at_its_limit_is_not_undercut_and_less_is(z: int) -> None:
 def test_nothing_is_left_undrawn() -> None:
     of = pair(WINDROWER)
     assert not examine(of.log, of.given, [step.it for step in of.log.steps])
-
-
-def test_what_interferes_is_told_where_it_cannot_be_drawn() -> None:
-    of = pair(GearTask(6, 60, 0.008, 0.0, 0.0))
-    assert {"undercut", "interference"} <= {name for name, _ in of.failed()}
-    found = examine(of.log, of.given, [step.it for step in of.log.steps])
-    assert {f.step.op.name for f in found} == {"specific_sliding"}
-    lengths = [m for m in (step.it for step in of.log.steps) if m.kind is Length]
-    assert not any(undefined(of.reading[m])[0, 0] for m in lengths if m.view == "gear")
 
 
 def test_scales_are_the_orders_or_standard_ones() -> None:

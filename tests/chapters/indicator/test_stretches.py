@@ -68,6 +68,21 @@ def test_points_are_joined_by_straight_lines() -> None:
     np.testing.assert_allclose(pressures(drawn(*TRACED)), due, rtol=1e-12)
 
 
+def test_at_a_jump_the_pressure_behind_it_holds() -> None:
+    """At 0.6 m of stroke, crank 0.3, the dead centres are the places that a position stands on exactly."""
+    jumps = (
+        Stretch("out", 0.0, 0.0, 100e3, None, 300e3),
+        Stretch("out", 0.0, 0.4, 300e3, None, 300e3),
+        Stretch("out", 0.4, 0.4, 300e3, None, 80e3),
+        Stretch("out", 0.4, 1.0, 80e3, None, 60e3),
+        *TRACED[2:],
+    )
+    s = shares(12)
+    due = np.where(s < 0.4, 300e3, np.interp(s, [0.4, 1], [80e3, 60e3]))
+    due[7:] = np.interp(s, [0, 0.5, 1], [150e3, 40e3, 30e3])[7:]
+    np.testing.assert_allclose(pressures(drawn(*jumps)), due, rtol=1e-12)
+
+
 def test_the_mean_pressure_of_many_positions_is_that_of_the_strokes() -> None:
     made = drawn(*STEAM, count=360)
     assert FLYWHEEL.of(made) is not None
