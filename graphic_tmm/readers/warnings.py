@@ -6,7 +6,9 @@ from collections.abc import Iterator
 
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.catalogue import SOURCE, speaking
+from graphic_tmm.language.names import plain
 from graphic_tmm.language.said import joined
+from graphic_tmm.readers.divided import told_off
 from graphic_tmm.readers.findings import finding, left_out
 from graphic_tmm.scene.remarks import unplaced
 
@@ -36,6 +38,8 @@ def _told(drawn: Drawn, language: str) -> Iterator[str]:
     findings = drawn.findings()
     yield from (finding(f, project, language) for f in findings if f.kind not in SILENT)
     yield from left_out([f for f in findings if f.kind == "lost"], project, language)
+    if off := told_off(drawn, language):
+        yield plain("; ".join(off))
     for chapter in project.chapters:
         yield from map(speaking(language), chapter.warnings(drawn, language))
     yield from map(speaking(language), drawn.advice())
