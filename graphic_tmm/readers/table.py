@@ -17,7 +17,7 @@ from graphic_tmm.readers.columns import (
     Positions,
 )
 from graphic_tmm.readers.spread import ATTEMPTS, Spread
-from graphic_tmm.readers.text import result_tables, text_tables
+from graphic_tmm.readers.text import left_out, result_tables, text_tables
 from graphic_tmm.readers.writing import as_csv, as_json, decimals_of
 from graphic_tmm.studio import blocks
 
@@ -74,11 +74,14 @@ def table(
     if form == "text":
         decimals = 3 if made.exact else decimals_of(made.division)
         tables = text_tables(found, positions, scene.language, scene.title, decimals, width)
-        return [*tables, *result_tables(told, fine_results(made), scene.language, scene.title)]
+        results_ = result_tables(told, fine_results(made), scene.language, scene.title)
+        return [*tables, *results_, *left_out(scene.left_out, scene.language, scene.title)]
     results, fine = facts_of(made), fine_results(made)
     for name, (value, of) in told.items():
         if math.isfinite(value):
             results[name] = {"value": value, "unit": of, **_divided(name, fine.get(name))}
+    if scene.left_out:
+        results["left_out"] = {name: str(says) for name, says in scene.left_out.items()}
     return as_json(scene_name(scene.source), scales_of(made), positions, found, results)
 
 

@@ -8,6 +8,7 @@ from itertools import groupby
 from graphic_tmm.captions import captions
 from graphic_tmm.chapter import chapters
 from graphic_tmm.finer import Finer
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.symbols import result_symbol, symbol
@@ -73,6 +74,13 @@ def result_tables(
         row = [result_name(name, language), number(value, language, 6), unit(of, language)]
         rows.append([*row, *(_divided(name, fine.get(name), language) if fine else ())])
     return [Framed(f"{title}. {words['results']}", rows, left=True)]
+
+
+def left_out(told: Mapping[str, str], language: str, title: str) -> list[Framed]:
+    """Return the table of chapters that have no result, a sentence each; none if there are none."""
+    speech = speaking(language)
+    rows = [[speech("There is no result")], *([speech(says)] for says in told.values())]
+    return [Framed(f"{title}.", rows, left=True)] if told else []
 
 
 def _divided(name: str, fine: Finer | None, language: str) -> list[str]:

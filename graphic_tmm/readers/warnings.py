@@ -18,7 +18,11 @@ SILENT = ("touching", "lost")
 
 def all_warnings(made: DrawnScene, language: str, *, sheets: bool = False) -> tuple[str, ...]:
     """Return what of a scene comes to nothing or could not be drawn; ``sheets``: and what no sheet shows."""
-    told = (*made.scene.remarks, *(unplaced(made.scene) if sheets else ()))
+    told = (
+        *made.scene.remarks,
+        *made.scene.left_out.values(),
+        *(unplaced(made.scene) if sheets else ()),
+    )
     found = [text for drawn in made.boards for text in warnings(drawn, language)]
     return (*map(speaking(language), told), *found)
 
