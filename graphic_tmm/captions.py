@@ -30,6 +30,8 @@ COMMON: dict[str, str] = {
     "why": said("Why"),
     "synthesis": said("Synthesis"),
     "scales": said("Scale factors"),
+    "finer row": said("at a finer row"),
+    "off": said("off by division, %"),
 }
 """The words that belong to no chapter."""
 

@@ -219,6 +219,9 @@ class Chapter:
     that no drawing changes for it; see `aside`. ``charts``: of what it made, the graphs on axes. ``places``:
     what sheets can show of it, ``sizes``: how large.
 
+    ``result``: of what it made, the marks that are all known at some position where the chapter has a result;
+    ``remedy``: why it has none where one of them is not, and what to do, behind its name.
+
     **Its scale factors.** ``reach``: what they go by, found once. ``plan_scales``: μ of the plans at a size,
     without drawing them. ``scales``: the values of its scale factors, put into what is given; ``choice``:
     enters how they were chosen. ``named``:
@@ -271,6 +274,8 @@ class Chapter:
     record: Callable[[Bench], Any] = lambda bench: None
     aside: Callable[[Bench], Any] = lambda bench: None
     charts: Callable[[Any], Iterable[Chart]] = lambda made: ()
+    result: Callable[[Any], Iterable[Mark]] = lambda made: ()
+    remedy: str = ""
     reach: Callable[[Project, Doubts], Any] = lambda project, doubts: None
     plan_scales: Callable[[Fitting], Mapping[str, Scale]] = lambda fitting: {}
     scales: Callable[[Fitting], Mapping[Mark, object]] = lambda fitting: {}

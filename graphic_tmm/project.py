@@ -191,5 +191,6 @@ def own_boards(scene: Scene) -> tuple[str, ...]:
 
 def called_on(scene: Scene, board: str) -> bool:
     """Whether a scene calls for something of a board."""
-    own = {place.name for one in chapters(board) for place in one.places}
+    there = (one for one in chapters(board) if one.name not in scene.left_out)
+    own = {place.name for one in there for place in one.places}
     return bool(own & scene.called)

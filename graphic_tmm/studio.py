@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 from graphic_tmm.board.hand import MOST, Hand
 from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.errors import ViewError
+from graphic_tmm.errors import TmmError, ViewError
+from graphic_tmm.fitting.absent import in_doubt, without_absent
 from graphic_tmm.fitting.composition import Composition, beside, text
 from graphic_tmm.fitting.formats import formatted
 from graphic_tmm.fitting.given import drawn_as, larger
@@ -50,13 +51,30 @@ def make(
     All that it calls for is drawn, or of that only what is ``wanted`` (places of a sheet); but whether the rest
     can be drawn is found out nevertheless. ``given``: a composition to draw it by, of which nothing is tried.
 
+    A chapter that has no result is left out of it, see `absent`.
+
     Raises
     ------
     SceneError
-        If it has neither.
+        If it has neither, or nothing that it asks for has a result.
     SheetError
         If a scale factor that it fixes draws a plan too small to measure.
     """
+    try:
+        made = _make(scene, exact, wanted, given)
+    except TmmError:
+        if (other := without_absent(scene)) is None:
+            raise
+    else:
+        other = without_absent(scene) if in_doubt(made.boards) else None
+        if other is None:
+            return made
+    return make(other, exact=exact, wanted=wanted, given=given)
+
+
+def _make(
+    scene: Scene, exact: bool, wanted: Set[str] | None, given: Composition | None
+) -> DrawnScene:
     scene = formatted(scene, given)
     mechanism = draws_mechanism(scene, own_boards(scene))
     if given is not None and given.sizes:

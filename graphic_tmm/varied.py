@@ -53,6 +53,10 @@ class Accuracy:
     which still has its old number of positions, gets another; None if it has not what a scene names then.
     What is given position by position is taken to be straight between them.
 
+    ``by_positions``: the results that curves through the positions give, each with the side on which it is
+    dangerous to be off: −1 where it is told too small, +1 too large, 0 none. ``sampled``: whether the scene
+    gives at its positions only what those curves are drawn through.
+
     ``kept``: given marks, besides scale factors, that stay as they were drawn. ``tried``: what a refinement
     tries, by the mark that it leaves.
 
@@ -68,6 +72,8 @@ class Accuracy:
     words: Mapping[str, str] = field(default_factory=dict)
     whole: Callable[[Scene], Scene] = lambda scene: scene
     at_count: Callable[[Scene, int], Scene | None] = lambda scene, count: scene
+    by_positions: Mapping[str, int] = field(default_factory=dict)
+    sampled: Callable[[Scene], bool] = lambda scene: False
     kept: Callable[[Project], Iterable[Mark]] = lambda project: ()
     tried: Callable[[Project], Mapping[Mark, Trial]] = lambda project: {}
     enlarged: Callable[[Scene, Drawn, float], Scene] = lambda scene, drawn, times: scene

@@ -10,9 +10,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
-from graphic_tmm.accuracy.settings import EACH_SLIP, GRID, OWN, Setting, at_count, named
+from graphic_tmm.accuracy.settings import EACH_SLIP, GRID, OWN, Setting, named
 from graphic_tmm.board.hand import HANDS, Hand
 from graphic_tmm.chapter import MECHANISM, chapters
+from graphic_tmm.finer import at_count
 from graphic_tmm.language.said import said
 from graphic_tmm.project import called_on
 from graphic_tmm.scene.records import Scene

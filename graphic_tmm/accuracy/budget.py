@@ -23,12 +23,13 @@ from graphic_tmm.accuracy.measure import Measure
 from graphic_tmm.accuracy.quantities import quantities
 from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.repetition import varying
-from graphic_tmm.accuracy.settings import Setting, whole
+from graphic_tmm.accuracy.settings import Setting
 from graphic_tmm.accuracy.study import Tell
 from graphic_tmm.accuracy.words import WORDS, counted
 from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError, TmmError
+from graphic_tmm.finer import whole
 from graphic_tmm.fitting.measuring import sheets_of
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said

@@ -12,12 +12,13 @@ from graphic_tmm.accuracy.lessons import Fitted, Optimum, best_of, fitted, optim
 from graphic_tmm.accuracy.measure import Measure, Run
 from graphic_tmm.accuracy.quantities import quantities
 from graphic_tmm.accuracy.references import References
-from graphic_tmm.accuracy.settings import Setting, named, whole
+from graphic_tmm.accuracy.settings import Setting, named
 from graphic_tmm.accuracy.shares import Share, shares
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError, TmmError
+from graphic_tmm.finer import whole
 from graphic_tmm.fitting.choice import choices
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project

@@ -8,12 +8,14 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from graphic_tmm.chapter import places
+from graphic_tmm.chapter import Chapter, places
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import TmmError
+from graphic_tmm.fitting.absent import chapter_title
 from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.scales import usual
 from graphic_tmm.fitting.tried import Board, Mechanism, Part
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.late import late
 from graphic_tmm.paper.formats import AUTO, FORMATS, USUAL, growing, turned
@@ -28,10 +30,17 @@ with late(__name__):
     from graphic_tmm.paper.compose.search import fits
     from graphic_tmm.paper.compose.units import Outline
     from graphic_tmm.paper.frame.frame import drawing_area
+    from graphic_tmm.paper.lettering.heights import heights
+    from graphic_tmm.paper.lettering.letters import escape
     from graphic_tmm.paper.packing import Room, settled
+    from graphic_tmm.paper.ruled import table
+    from graphic_tmm.paper.views import wrapped
 
 TRIED = {"A4": "A4", "A3": "A3", "A2": "A2", "A1": "A2"}
 """As large as usual on which format things are drawn to find out whether one holds them."""
+WIDE = 150.0
+"""How wide a sentence is that stands for a chapter, mm."""
+NOTHING = said("There is no result")
 FORMATTED = "formatted"
 """What is kept beside a scene: the same with formats."""
 FAR_TOO_LARGE = 0.55
@@ -47,10 +56,25 @@ def room_on(format: str, language: str, first: bool) -> Room:
 def views_of(place: str, scene: Scene, boards: Sequence[Drawn], lettered: bool) -> list[Drawing]:
     """Return the views of a place as they are drawn, before any of them comes apart."""
     chapter, shown = places()[place]
+    if chapter.name in scene.left_out:
+        return left_out(scene, chapter, place)
     if not chapter.board:
         return shown.plain(scene)
     there = [one for one in boards if one.board == chapter.board]
     return [view for one in there for view in shown.draw(one, lettered)]
+
+
+def left_out(scene: Scene, chapter: Chapter, place: str) -> list[Drawing]:
+    """Return what a sheet shows of a chapter that is left out: a sentence, in the first of its places."""
+    order = [one for sheet in scene.sheets for one in sheet.place]
+    if place != next(one for one in order if places()[one][0] is chapter):
+        return []
+    high, speech = heights(scene, place), speaking(scene.language)
+    told = wrapped(escape(speech(scene.left_out[chapter.name])), high.number, WIDE)
+    name, title = f"table-{chapter.name}-left-out", speech(chapter_title(chapter))
+    rows = [[line] for line in told]
+    sizes = {"size": high.number, "title_size": high.title}
+    return [table(name, title, [speech(NOTHING)], rows, align=["left"], **sizes)]
 
 
 def formatted(scene: Scene, given: Composition | None = None) -> Scene:

@@ -193,7 +193,7 @@ class Rooms:
 
     def _views(self, place: str, piece: Draw, sizes: Sizes) -> list[Drawing]:
         """Return the views of a piece of a place as they are drawn, before any of them comes apart."""
-        board = self.boards.get(places()[place][0].board)
+        board = self._board(place)
         if board is None:
             return views_of(place, self.scene, (), self.lettered)
         key = tuple(sizes[name] for name in board.sizes)
@@ -202,14 +202,19 @@ class Rooms:
             self._last[own] = (key, piece(board.draw(sizes), self.lettered))
         return self._last[own][1]
 
+    def _board(self, place: str) -> Board | None:
+        """Return the board on which a place stands; None if its chapter has none, or is left out."""
+        chapter = places()[place][0]
+        return None if chapter.name in self.scene.left_out else self.boards.get(chapter.board)
+
     def _key(self, place: str, sizes: Sizes) -> Key:
         """Return what the room of a place's views depends on."""
         return tuple(self._of_piece(place, piece, sizes) for piece in pieces(place))
 
     def _of_piece(self, place: str, piece: Draw, sizes: Sizes) -> Key:
         """Return what the room of a piece of a place depends on."""
-        chapter, shown = places()[place]
-        board, own = self.boards.get(chapter.board), (place, piece)
+        shown = places()[place][1]
+        board, own = self._board(place), (place, piece)
         if board is None:
             return own
         if own not in self._depends:

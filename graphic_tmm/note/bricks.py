@@ -12,6 +12,7 @@ from string import Formatter
 from graphic_tmm.captions import captions
 from graphic_tmm.chapter import Chapter, Place
 from graphic_tmm.drawn import Drawn, Results, single
+from graphic_tmm.finer import Finer, finer, sampled
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
@@ -39,6 +40,7 @@ from graphic_tmm.note.figures import fit, is_figure, picture, readable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.readers.columns import Column, known_at
+from graphic_tmm.readers.divided import is_sampled, told_off
 from graphic_tmm.readers.text import column_name
 from graphic_tmm.readers.told import Figures, told
 
@@ -262,15 +264,33 @@ def _told(
 
 def results(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
     """Yield the table of a chapter's results."""
-    words = captions(language)
-    rows = []
+    words, rows = captions(language), []
+    curved = bool(chapter.accuracy.by_positions)
+    fine = finer(drawn) if curved else None
     for name, (value, of) in single(chapter.results(drawn)).items():
         told = Number(number(value, language), "", Source("result", drawn.board, name), value)
-        rows.append((_result(name, chapter.name, language), (told,), _unit(of, language)))
-    if rows:
-        heads = (text(words["value"]), text(words["figure"]), text(words["unit"]))
-        id, title = f"table-results-{chapter.name}", text(words["results"])
-        yield folded(Table(id, title, heads, tuple(rows), "lcc", apart=True))
+        row = (_result(name, chapter.name, language), (told,), _unit(of, language))
+        rows.append((*row, *(_divided(drawn, name, fine, language) if fine is not None else ())))
+    if not rows:
+        return
+    names = ["value", "figure", "unit", *(("finer row", "off") if fine is not None else ())]
+    heads = tuple(text(words[name]) for name in names)
+    id, title = f"table-results-{chapter.name}", text(words["results"])
+    yield folded(Table(id, title, heads, tuple(rows), "lcccc"[: len(heads)], apart=True))
+    if off := told_off(drawn, language) if curved else ():
+        yield Paragraph(lettered("; ".join(off) + "."))
+    if curved and sampled(drawn):
+        yield Paragraph(text(is_sampled(language)))
+
+
+def _divided(drawn: Drawn, name: str, fine: Finer, language: str) -> Iterator[Runs]:
+    """Yield the cells that tell what a finer row gives for a result, and how far it is off."""
+    if name not in fine.due:
+        yield from (text("—"), text("—"))
+        return
+    due, off = fine.due[name][0], 100.0 * fine.off[name]
+    yield (Number(number(due, language), "", Source("due", drawn.board, name), due),)
+    yield (Number(fixed(off, 1, language), "", Source("off", drawn.board, name), off),)
 
 
 def _result(name: str, chapter: str, language: str) -> Runs:

@@ -71,7 +71,7 @@ def picture(drawing: Drawing, language: str, name: str = "") -> Picture:
     title = " ".join(clean(plain(label.text)) for label in titled) or clean(plain(drawing.title))
     kept = tuple(label for label in drawing.labels if label not in titled)
     bare = drawing._replace(labels=kept, cell=None, apart=None)
-    alt = ", ".join([title, *(clean(plain(label.text)) for label in told)])
+    alt = ", ".join([title, *(clean(plain(label.text)).rstrip(",") for label in told)])
     return Picture(f"fig-{name or drawing.name}".replace(" ", "-"), text(title), bare, alt)
 
 

@@ -10,7 +10,7 @@ from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.note.document import Block, Document, once
 from graphic_tmm.note.formats import files
 from graphic_tmm.note.protocol import Known
-from graphic_tmm.note.sections.chapter import chapter_section
+from graphic_tmm.note.sections.chapter import chapter_section, without_result
 from graphic_tmm.note.sections.conclusions import conclusions
 from graphic_tmm.note.sections.introduction import introduction
 from graphic_tmm.note.sections.literature import literature
@@ -40,6 +40,7 @@ def note(made: DrawnScene) -> Document:
         for chapter in board.project.chapters
     ]
     told.sort(key=lambda one: one[0])
+    blocks += without_result(made.scene, language)
     known: Known = set()
     first = [one for one in told if one[0] < FIRST]
     for _, board, chapter in first:

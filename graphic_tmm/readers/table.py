@@ -10,13 +10,14 @@ from typing import Any
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn, DrawnScene, Results, hand_of, single
+from graphic_tmm.finer import Finer, finer
 from graphic_tmm.packaged import scene_name
 from graphic_tmm.readers.columns import (
     Column,
     Positions,
 )
 from graphic_tmm.readers.spread import ATTEMPTS, Spread
-from graphic_tmm.readers.text import result_tables, text_tables
+from graphic_tmm.readers.text import left_out, result_tables, text_tables
 from graphic_tmm.readers.writing import as_csv, as_json, decimals_of
 from graphic_tmm.studio import blocks
 
@@ -73,12 +74,30 @@ def table(
     if form == "text":
         decimals = 3 if made.exact else decimals_of(made.division)
         tables = text_tables(found, positions, scene.language, scene.title, decimals, width)
-        return [*tables, *result_tables(told, scene.language, scene.title)]
-    results = facts_of(made)
+        results_ = result_tables(told, fine_results(made), scene.language, scene.title)
+        return [*tables, *results_, *left_out(scene.left_out, scene.language, scene.title)]
+    results, fine = facts_of(made), fine_results(made)
     for name, (value, of) in told.items():
         if math.isfinite(value):
-            results[name] = {"value": value, "unit": of}
+            results[name] = {"value": value, "unit": of, **_divided(name, fine.get(name))}
+    if scene.left_out:
+        results["left_out"] = {name: str(says) for name, says in scene.left_out.items()}
     return as_json(scene_name(scene.source), scales_of(made), positions, found, results)
+
+
+def fine_results(made: DrawnScene) -> dict[str, Finer]:
+    """Return what finer rows tell of the results of curves, by result."""
+    found = (finer(drawn) for drawn in made.boards)
+    return {name: one for one in found if one is not None for name in one.due}
+
+
+def _divided(name: str, fine: Finer | None) -> dict[str, float]:
+    """Return what machines are told of the number of positions: what is due, how far off the result is."""
+    if fine is None:
+        return {}
+    told = {"due": fine.due[name][0], "off_percent": 100.0 * fine.off[name]}
+    far = name in fine.far and fine.enough is not None
+    return {**told, "positions": fine.enough} if far else told  # type: ignore[dict-item]
 
 
 def _spread(made: DrawnScene, columns: list[Column], results: Results, trials: int) -> Spread:

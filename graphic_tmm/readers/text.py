@@ -7,6 +7,8 @@ from itertools import groupby
 
 from graphic_tmm.captions import captions
 from graphic_tmm.chapter import chapters
+from graphic_tmm.finer import Finer
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.symbols import result_symbol, symbol
@@ -54,16 +56,38 @@ def table_rows(
 
 
 def result_tables(
-    results: Mapping[str, tuple[float, str]], language: str, title: str
+    results: Mapping[str, tuple[float, str]],
+    fine: Mapping[str, Finer],
+    language: str,
+    title: str,
 ) -> list[Framed]:
-    """Return the table of results for a terminal; none if there are none."""
+    """Return the table of results for a terminal; none if there are none.
+
+    ``fine``: what finer rows tell of those that curves give, in columns of their own.
+    """
     if not results:
         return []
     words = captions(language)
-    rows = [[words["results"], words["value"], words["unit"]]]
+    more = [words["finer row"], words["off"]] if fine else []
+    rows = [[words["results"], words["value"], words["unit"], *more]]
     for name, (value, of) in results.items():
-        rows.append([result_name(name, language), number(value, language, 6), unit(of, language)])
+        row = [result_name(name, language), number(value, language, 6), unit(of, language)]
+        rows.append([*row, *(_divided(name, fine.get(name), language) if fine else ())])
     return [Framed(f"{title}. {words['results']}", rows, left=True)]
+
+
+def left_out(told: Mapping[str, str], language: str, title: str) -> list[Framed]:
+    """Return the table of chapters that have no result, a sentence each; none if there are none."""
+    speech = speaking(language)
+    rows = [[speech("There is no result")], *([speech(says)] for says in told.values())]
+    return [Framed(f"{title}.", rows, left=True)] if told else []
+
+
+def _divided(name: str, fine: Finer | None, language: str) -> list[str]:
+    """Return what a finer row gives for a result, and how far it is off, %."""
+    if fine is None:
+        return ["—", "—"]
+    return [number(fine.due[name][0], language, 6), fixed(100.0 * fine.off[name], 1, language)]
 
 
 def column_name(column: Column, language: str) -> str:

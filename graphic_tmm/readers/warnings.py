@@ -6,7 +6,9 @@ from collections.abc import Iterator
 
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.catalogue import SOURCE, speaking
+from graphic_tmm.language.names import plain
 from graphic_tmm.language.said import joined
+from graphic_tmm.readers.divided import told_off
 from graphic_tmm.readers.findings import finding, left_out
 from graphic_tmm.scene.remarks import unplaced
 
@@ -16,7 +18,11 @@ SILENT = ("touching", "lost")
 
 def all_warnings(made: DrawnScene, language: str, *, sheets: bool = False) -> tuple[str, ...]:
     """Return what of a scene comes to nothing or could not be drawn; ``sheets``: and what no sheet shows."""
-    told = (*made.scene.remarks, *(unplaced(made.scene) if sheets else ()))
+    told = (
+        *made.scene.remarks,
+        *made.scene.left_out.values(),
+        *(unplaced(made.scene) if sheets else ()),
+    )
     found = [text for drawn in made.boards for text in warnings(drawn, language)]
     return (*map(speaking(language), told), *found)
 
@@ -36,6 +42,8 @@ def _told(drawn: Drawn, language: str) -> Iterator[str]:
     findings = drawn.findings()
     yield from (finding(f, project, language) for f in findings if f.kind not in SILENT)
     yield from left_out([f for f in findings if f.kind == "lost"], project, language)
+    if off := told_off(drawn, language):
+        yield plain("; ".join(off))
     for chapter in project.chapters:
         yield from map(speaking(language), chapter.warnings(drawn, language))
     yield from map(speaking(language), drawn.advice())

@@ -27,7 +27,8 @@ class Scene:
     drawn in heavy lines. ``author``: what the author of the note says. ``tasks``: what chapters are asked, by
     section (`chapter.Asked`). ``letters``: how high letters of points, titles, numbers are, mm; None:
     by the formats of the sheets. ``remarks``: what of the file comes to nothing, and defaults that matter, a
-    line each. ``told``: the keys that the file writes in its sections, as section.key, each with its line.
+    line each. ``left_out``: chapters that have no result, which it asks for no more, and why. ``told``: the
+    keys that the file writes in its sections, as section.key, each with its line.
     ``doc``: all that is written, as TOML gives it.
     """
 
@@ -52,6 +53,7 @@ class Scene:
     task: Task | None = None
     author: Author = field(default_factory=Author)
     remarks: tuple[str, ...] = ()
+    left_out: Mapping[str, str] = field(default_factory=dict)
     told: Mapping[str, int] = field(default_factory=dict)
     doc: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
 

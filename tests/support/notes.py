@@ -15,6 +15,7 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.drawn import Drawn, DrawnScene
+from graphic_tmm.finer import Finer, finer
 from graphic_tmm.fitting.choice import SCALES, choices
 from graphic_tmm.note.document import Document, Number, Source
 from graphic_tmm.note.formats import files
@@ -75,6 +76,8 @@ def looked_up(made: DrawnScene, one: Number) -> float:
         "segment": _of_segment,
         "column": _of_column,
         "result": lambda drawn, source: float(results_of(drawn)[source.name][0][0]),
+        "due": lambda drawn, source: _finer(drawn).due[source.name][0],
+        "off": lambda drawn, source: 100.0 * _finer(drawn).off[source.name],
         "given": _of_given,
         "asked": lambda drawn, source: _of_task(drawn, *source.name.split(".")),
         "deviation": _of_deviation,
@@ -93,6 +96,12 @@ def _of_mark(drawn: Drawn, source: Source) -> float:
     assert reading is not None
     row = reading.figure(mark)[0]
     return float(row[source.place if row.size > 1 else 0])
+
+
+def _finer(drawn: Drawn) -> Finer:
+    found = finer(drawn)
+    assert found is not None
+    return found
 
 
 def _of_task(drawn: Drawn, section: str, key: str) -> float:

@@ -8,8 +8,9 @@ from graphic_tmm.accuracy.drawing import Pinned, draw, pinned
 from graphic_tmm.accuracy.measure import Measure
 from graphic_tmm.accuracy.quantities import quantities
 from graphic_tmm.accuracy.references import References
-from graphic_tmm.accuracy.settings import Setting, named, whole
+from graphic_tmm.accuracy.settings import Setting, named
 from graphic_tmm.accuracy.study import Study, study
+from graphic_tmm.finer import whole
 from graphic_tmm.project import Project
 from graphic_tmm.quantity import Quantity
 from graphic_tmm.scene.records import Scene

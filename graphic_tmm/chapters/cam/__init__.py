@@ -40,6 +40,7 @@ from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.cam.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.cam.names import CAM, GRAPHS
 from graphic_tmm.chapters.cam.task import ASKED, SECTIONS
+from graphic_tmm.language.said import said
 from graphic_tmm.late import late
 from graphic_tmm.readers.given import given_place
 
@@ -114,6 +115,11 @@ CHAPTER = Chapter(
     aside=record_beside,
     choice=choose,
     charts=lambda made: made.charts,
+    result=lambda made: (made.least,),
+    remedy=said(
+        "no centre of the cam keeps the pressure angle within its limit; allow a larger one "
+        "(pressure, or a smaller transmission), or a smaller stroke or longer phases"
+    ),
     named=lambda project, reading, given: view_scales(project, reading),
     warnings=_limits,
     plans=(CAM.chapter,),

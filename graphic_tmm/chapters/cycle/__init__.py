@@ -85,6 +85,8 @@ CHAPTER = Chapter(
     record=record,
     aside=record_beside,
     charts=lambda made: made.flywheel.charts,
+    result=lambda made: (made.flywheel.segment,),
+    remedy=said("no work can be told of its moments; write them at more points"),
     scales=lambda fitting: fitting.shorter(
         GRAPHS,
         [

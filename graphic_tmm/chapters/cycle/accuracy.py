@@ -11,6 +11,7 @@ from graphic_tmm.board.charts import ScaleOrder, distances
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.cycle.names import CYCLE
 from graphic_tmm.chapters.cycle.task import ASKED, CycleTask
+from graphic_tmm.chapters.flywheel.accuracy import BY_POSITIONS
 from graphic_tmm.chapters.flywheel.names import VIEWS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
@@ -46,6 +47,12 @@ def _finer(scene: Scene, times: Iterable[int], mean: str = "") -> Iterator[tuple
         for one in times:
             count = order.positions * one
             yield str(count), ASKED.put(scene, replace(order, positions=count, flywheel=told))
+
+
+def _at_count(scene: Scene, count: int) -> Scene | None:
+    """Return the cycle divided into so many parts; None if jumps would stand at positions no more."""
+    times, rest = divmod(count, _own(scene) or count)
+    return None if rest else next((one for _, one in _finer(scene, (times,))), scene)
 
 
 def _own(scene: Scene) -> int:
@@ -101,6 +108,8 @@ ACCURACY = Accuracy(
             counted=said("{n} part", "{n} parts"),
         ),
     ),
+    at_count=_at_count,
+    by_positions=BY_POSITIONS,
     enlarged=_enlarged,
     poles=_poles,
     farther=_farther,

@@ -40,7 +40,13 @@ from graphic_tmm.chapter import Chapter, Place
 from graphic_tmm.chapters.diagrams.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.diagrams.names import BASE_VIEW, CALCULATED, DIAGRAMS, VIEWS
 from graphic_tmm.chapters.diagrams.task import ASKED, SECTIONS
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.names import (
+    ACCELERATIONS,
+    FULL_TURN,
+    KINEMATICS,
+    POSITIONS,
+    VELOCITIES,
+)
 from graphic_tmm.fitting.scales import GRAPH, GRAPHS
 from graphic_tmm.late import late
 
@@ -101,6 +107,8 @@ CHAPTER = Chapter(
     sections=SECTIONS,
     record=record,
     aside=record_beside,
+    result=lambda made: [chart.ordinates[0] for chart in made.charts.values()],
+    remedy=FULL_TURN,
     charts=lambda made: made.charts.values(),
     choice=choose,
     scales=lambda fitting: fitting.shorter(

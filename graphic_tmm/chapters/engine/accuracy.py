@@ -12,7 +12,7 @@ from graphic_tmm.chapters.forces.accuracy import MOMENT
 from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.task import ASKED as FORCES_ASKED
 from graphic_tmm.chapters.forces.task import ForcesTask
-from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged
+from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged, sampled
 from graphic_tmm.chapters.kinematics.names import POSITIONS
 from graphic_tmm.chapters.kinematics.plan import ALL
 from graphic_tmm.drawn import Drawn
@@ -90,6 +90,8 @@ ACCURACY = Accuracy(
     places=(ENGINE.chapter,),
     axes=(Axis("rod", _rods, (TURNING,)), Axis("inertia", _series, (TURNING,))),
     at_count=_at_count,
+    by_positions={"work_T": 0, "work_P": 0},
+    sampled=lambda scene: sampled(getattr(ASKED.of(scene), "indicator", None)),
     enlarged=_enlarged,
     words=WORDS,
 )

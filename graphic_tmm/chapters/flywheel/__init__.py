@@ -45,7 +45,13 @@ from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.indicator.names import CALCULATED as STROKE
 from graphic_tmm.chapters.indicator.names import INDICATOR
 from graphic_tmm.chapters.indicator.task import Wish
-from graphic_tmm.chapters.kinematics.names import KINEMATICS, POSITIONS, TURNS, VELOCITIES
+from graphic_tmm.chapters.kinematics.names import (
+    FULL_TURN,
+    KINEMATICS,
+    POSITIONS,
+    TURNS,
+    VELOCITIES,
+)
 from graphic_tmm.fitting.scales import GRAPH, GRAPHS
 from graphic_tmm.late import late
 
@@ -127,6 +133,8 @@ CHAPTER = Chapter(
     record=record,
     aside=record_beside,
     charts=lambda made: made.charts,
+    result=lambda made: (made.segment,),
+    remedy=FULL_TURN,
     scales=lambda fitting: fitting.shorter(
         GRAPHS,
         [

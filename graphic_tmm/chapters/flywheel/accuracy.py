@@ -11,7 +11,8 @@ from graphic_tmm.board.charts import ScaleOrder, distances
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.flywheel.names import FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.task import ASKED
-from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged
+from graphic_tmm.chapters.forces.task import ASKED as FORCES
+from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged, sampled
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
@@ -49,6 +50,30 @@ def _at_count(scene: Scene, count: int) -> Scene:
     if order is None or order.indicator is None:
         return scene
     return ASKED.put(scene, replace(order, indicator=at_count(order.indicator, count)))
+
+
+BY_POSITIONS = {
+    INERTIA: -1,
+    ENERGY_MASS: -1,
+    IRREGULARITY: -1,
+    "A_excess": -1,
+    "cd": -1,
+    "rim_mass": -1,
+    "rim_width": -1,
+    "M_mean": 0,
+    "power": 0,
+    "p_mean_cover": 0,
+    "p_mean_shaft": 0,
+}
+"""Results of the curves. A flywheel that is found too light, a δ that is found too small, are dangerous."""
+
+
+def _sampled(scene: Scene) -> bool:
+    """Whether pressures, or the sizes of loads, are given position by position."""
+    order, forces = ASKED.of(scene), FORCES.of(scene)
+    if order is not None and order.indicator is not None:
+        return sampled(order.indicator)
+    return forces is not None and any(isinstance(load.size, tuple) for load in forces.loads)
 
 
 def _poles(scene: Scene) -> tuple[str, ...]:
@@ -95,6 +120,8 @@ ACCURACY = Accuracy(
     places=(FLYWHEEL.chapter,),
     at_count=_at_count,
     enlarged=_enlarged,
+    by_positions=BY_POSITIONS,
+    sampled=_sampled,
     poles=_poles,
     farther=_farther,
     words=WORDS,

@@ -11,7 +11,8 @@ from graphic_tmm.drawn import Drawn, Results, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note.bricks import filled, result_number
-from graphic_tmm.note.document import Run, Runs
+from graphic_tmm.note.document import Run, Runs, lettered
+from graphic_tmm.readers.divided import told_off
 
 BOTH = said(
     "The moment of inertia of the flywheel is {J_fly} by the change of kinetic energy and {J_fly_energy_mass}"
@@ -63,6 +64,8 @@ def concluded(
         yield told(BOTH if "J_fly_energy_mass" in results else ONE)
     if "J_apart" in results:
         yield told(LESS if single(results)["J_apart"][0] >= 0.0 else MORE)
+    if off := told_off(drawn, language):
+        yield lettered("; ".join(off) + ".")
     if {"A_excess", "M_mean", "power"} <= set(results):
         yield told(EXCESS)
     if {"D_e", "D_max", "J_made"} <= set(results):

@@ -40,6 +40,7 @@ from graphic_tmm.paper.lettering.letters import (
     escape,
 )
 from graphic_tmm.paper.views import captioned, mu_text, pole_figures, stacked
+from graphic_tmm.readers.divided import told_off
 from graphic_tmm.readers.result_table import result_table, results
 
 SKETCH = 110.0
@@ -183,4 +184,6 @@ def results_of(drawn: Drawn, found: Mapping[str, tuple[float, str]], place: str 
         for name, (value, of) in found.items()
         if name not in OFF_SHEET
     ]
-    return results("table-results", words["flywheel"], rows, language, heights(drawn.scene, place))
+    high = heights(drawn.scene, place)
+    made = results("table-results", words["flywheel"], rows, language, high)
+    return captioned(made, *off, heights=high) if (off := told_off(drawn, language)) else made

@@ -20,6 +20,13 @@ def at_count(order: IndicatorTask, count: int) -> IndicatorTask:
     return replace(order, cover=gas(order.cover), shaft=shaft)
 
 
+def sampled(order: IndicatorTask | None) -> bool:
+    """Whether pressures are given at the positions only."""
+    return order is not None and any(
+        side.pressures for side in (order.cover, order.shaft) if side is not None
+    )
+
+
 def enlarged(order: IndicatorTask, times: float) -> IndicatorTask:
     """Return the same diagram so many times larger."""
     mu = None if order.mu is None else order.mu / times

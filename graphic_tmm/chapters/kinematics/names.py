@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from graphic_tmm.chapter import Made
+from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
     from graphic_tmm.chapters.kinematics.plan import KinematicPlans
@@ -18,3 +19,8 @@ TURNS = "turns"
 EXTREMES = "extremes"
 GIVEN = "given"
 """The place of the table of what is given."""
+FULL_TURN = said(
+    "a curve goes through all positions of a turn, and the mechanism does not assemble in each of them; "
+    "change its lengths so that the crank turns fully"
+)
+"""Why there is no curve along the positions, and what to do."""

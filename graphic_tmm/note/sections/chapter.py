@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Container, Iterator
 
 from graphic_tmm.captions import captions
-from graphic_tmm.chapter import Chapter
+from graphic_tmm.chapter import Chapter, chapters
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
 from graphic_tmm.note.bricks import columns, figures_of, heading, paired, results, worked
 from graphic_tmm.note.document import Block, paragraph
 from graphic_tmm.note.plans import section, shown_and_listed
 from graphic_tmm.note.protocol import Known
+from graphic_tmm.scene.records import Scene
 
 
 def chapter_section(drawn: Drawn, chapter: Chapter, language: str, known: Known) -> Iterator[Block]:
@@ -26,6 +28,14 @@ def chapter_section(drawn: Drawn, chapter: Chapter, language: str, known: Known)
         yield heading(title(chapter, language), 1)
         yield from map(paragraph, drawn.scene.author.remarks.get(chapter.name, ()))
         yield from blocks
+
+
+def without_result(scene: Scene, language: str) -> Iterator[Block]:
+    """Yield the sections of chapters that are left out, for they have no result: a sentence that says so."""
+    for chapter in chapters():
+        if chapter.name in scene.left_out:
+            yield heading(title(chapter, language), 1)
+            yield paragraph(f"{speaking(language)(scene.left_out[chapter.name])}.")
 
 
 def title(chapter: Chapter, language: str) -> str:
