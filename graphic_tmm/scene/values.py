@@ -278,7 +278,7 @@ def _extra(value: object, names: Names) -> tuple[float | str, ...]:
 
 
 def _accelerations(value: object, names: Names) -> tuple[str, ...]:
-    if value in ("all", "все"):
+    if value in ("all", "все", ["all"], ["все"]):
         return ("all",)
     if not isinstance(value, list):
         raise ValueError(stands(value, said('write a list of positions, [2, 6, "6*"], or "all"')))
