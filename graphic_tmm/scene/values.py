@@ -10,7 +10,7 @@ from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.scene import lengths, letters, misfits, quantities
 from graphic_tmm.scene.declare import Kind, Names, Schema
 from graphic_tmm.scene.misfits import stands
-from graphic_tmm.scene.quantities import Dimension
+from graphic_tmm.scene.units import Dimension
 
 COUNTERCLOCKWISE, CLOCKWISE = "counterclockwise", "clockwise"
 OTHER_EXTREME = "other extreme"
@@ -187,7 +187,7 @@ def _mu_l(value: object, names: Names) -> float:
     drawn = re.fullmatch(r"\s*([0-9]+(?:[.,][0-9]+)?)\s*:\s*([0-9]+(?:[.,][0-9]+)?)\s*", str(value))
     if isinstance(value, str) and drawn:
         paper, real = (float(part.replace(",", ".")) for part in drawn.groups())
-        number = real / paper / 1000 if paper else 0.0
+        number = quantities.kept(real / paper / 1000, "scale of lengths") if paper else 0.0
     else:
         number = quantities.parse(value, "scale of lengths")
     return _positive_scale(number, value)
@@ -222,7 +222,7 @@ def _positive_scale(number: float, value: object) -> float:
 
 
 def _drawn(value: object, names: Names) -> float:
-    metres = quantities.parse(value, "length")
+    metres = quantities.in_si(value, "length")
     if not _PAPER.holds(metres * 1000):
         raise ValueError(
             said(
@@ -237,7 +237,7 @@ def _drawn(value: object, names: Names) -> float:
 def _ruler(value: object, names: Names) -> float | str:
     if value == "exact":
         return "exact"
-    metres = quantities.parse(value, "length")
+    metres = quantities.in_si(value, "length")
     if not _DIVISION.holds(metres * 1000):
         raise ValueError(
             said('{text} is no ruler; write "0.1 mm", "0.5 mm" or "exact"', text=_told(value))
@@ -330,6 +330,7 @@ LINK_NUMBER = number(Bound(0, 999, whole=True))
 POINT = Kind(
     _point,
     {"type": "array", "items": _LENGTH, "minItems": 2, "maxItems": 2, "description": "x and y"},
+    each="length",
 )
 PLAIN_LENGTH = quantity("length")
 POSITIVE_LENGTH = quantity("length", POSITIVE)

@@ -19,7 +19,7 @@ from graphic_tmm.scene.sections import declared
 from graphic_tmm.scene.tables import key_schema
 
 SCENE = slider_crank(
-    'link = 1\nspeed = 1\n[[load]]\nlink = 3\npoint = "B"\nforce = "1 N"\ndirection = 0\n'
+    'speed = 1\n[[load]]\nlink = 3\npoint = "B"\nforce = "1 N"\ndirection = 0\n'
     '[forces]\npositions = ["all"]'
 )
 
