@@ -112,10 +112,11 @@ def _weight(value: str) -> Said | None:
     )
 
 
-def grouped(told: Iterable[tuple[str, Said]]) -> Iterator[Said]:
+def grouped(told: Iterable[tuple[str, str]]) -> Iterator[Said]:
     """Yield what is told of keys, that of one kind once: its first key, and how many others there are."""
     kinds: dict[tuple[str, object], list[tuple[str, Said]]] = {}
     for key, says in told:
+        assert isinstance(says, Said)
         kinds.setdefault((says.template, says.values.get("si", says)), []).append((key, says))
     for (key, says), *others in kinds.values():
         if others:

@@ -180,7 +180,8 @@ class Section:
     if there may be several) -> every contradiction. ``refuse``: its record -> TaskError of the plan that
     cannot take it. ``joined``: fields of the record that come from other sections. ``idle``: what of it comes
     to nothing, a line each; ``defaults``: the defaults of it that matter. ``weighs``: it needs the mass centres
-    of links. ``shows``: its record -> other sections that are shown where it is.
+    of links. ``metric``: its sizes are told in mm, whatever the units. ``shows``: its record -> other sections
+    that are shown where it is.
     """
 
     name: str
@@ -197,4 +198,5 @@ class Section:
     idle: Callable[[Any, Parts], Iterator[str]] = lambda said, parts: iter(())
     defaults: Callable[[Any, Parts], Iterator[str]] = lambda said, parts: iter(())
     weighs: bool = False
+    metric: bool = False
     shows: Callable[[Any], tuple[str, ...]] = lambda record: ()

@@ -12,7 +12,7 @@ from graphic_tmm.scene import places
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Names, key, made
 from graphic_tmm.scene.misfits import stands
-from graphic_tmm.scene.units import SYSTEMS
+from graphic_tmm.scene.units import SI, SYSTEMS
 
 
 @dataclass(frozen=True)
@@ -168,5 +168,5 @@ class Head:
         v.choice(*SYSTEMS),
         "what sheets, tables and notes are printed in: imperial: ft, lbf, slug; numbers without a unit stay SI",
         "imperial",
-        "SI",
+        SI,
     )

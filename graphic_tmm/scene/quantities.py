@@ -17,7 +17,7 @@ from typing import NamedTuple, NoReturn
 
 from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.scene.misfits import digits_of, meant, short, stands
-from graphic_tmm.scene.units import GRAVITY, SYSTEMS, UNITS, Dimension, System, Unit, plain
+from graphic_tmm.scene.units import GRAVITY, SI, SYSTEMS, UNITS, Dimension, System, Unit, plain
 
 NUMBER = r"(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?"
 LARGEST, SMALLEST = 1e12, 1e-15
@@ -63,7 +63,7 @@ PAPER = "length on the sheet in mm"
 class Measures(NamedTuple):
     """What quantities are kept in while a scene is read, and the g (m/s²) by which a weight becomes a mass."""
 
-    system: System = SYSTEMS["SI"]
+    system: System = SYSTEMS[SI]
     gravity: float = GRAVITY
 
 

@@ -23,7 +23,7 @@ from graphic_tmm.scene.document import Document, raw_links, table
 from graphic_tmm.scene.places import of_section, without_mechanism
 from graphic_tmm.scene.references import Outline, outline
 from graphic_tmm.scene.tables import MOST, understood, unknown_key
-from graphic_tmm.scene.units import SYSTEMS, UNITS
+from graphic_tmm.scene.units import SI, SYSTEMS, UNITS
 
 FIRST = (
     Section("task", mechanism.Task, "lengths found from a task"),
@@ -131,7 +131,7 @@ class Parts:
 
 def measures(doc: Document) -> quantities.Measures:
     """Return what quantities of a document are kept in, and its g; the usual where it says nothing sound."""
-    system = SYSTEMS.get(str(doc.get("units")), SYSTEMS["SI"])
+    system = SYSTEMS.get(str(doc.get("units")), SYSTEMS[SI])
     with suppress(ValueError, StopIteration):
         own = next(one["g"] for one in map(table, doc.values()) if "g" in one)
         if (g := quantities.in_si(own, "acceleration")) > 0:

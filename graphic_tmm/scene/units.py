@@ -216,5 +216,6 @@ _POWERS: Mapping[Dimension, tuple[int, int]] = {
     "scale of forces": (0, 1),
 }
 """Powers of length and force in a dimension; those with a mass have it once."""
-SYSTEMS: Mapping[str, System] = {"SI": System(), "imperial": System(_FT, _SLUG, _LBF)}
+SI = "SI"
+SYSTEMS: Mapping[str, System] = {SI: System(), "imperial": System(_FT, _SLUG, _LBF)}
 """By what a scene calls them: metre, kilogram, newton; foot, slug, pound-force."""
