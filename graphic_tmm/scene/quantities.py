@@ -158,8 +158,8 @@ def article(noun: str) -> str:
 
 
 def spoken(text: str) -> str:
-    """Return a text with plain minus signs and no spaces at its ends."""
-    return text.replace("−", "-").strip()
+    """Return a text with plain minus signs, for dashes too, and no spaces at its ends."""
+    return re.sub("[−–—‒‑]", "-", text).strip()
 
 
 def _parse_text(text: str, dimension: Dimension) -> float:
@@ -273,6 +273,13 @@ def _unknown_unit(text: str, rest: str, dimension: Dimension) -> Said:
         ),
     )
     return joined("; ", filter(None, hints))
+
+
+def is_a(text: str, dimension: Dimension) -> bool:
+    """Whether a text is a number with a unit of a dimension."""
+    match = _QUANTITY.fullmatch(spoken(text)) if len(text) <= 200 else None
+    unit = UNITS.get(plain(match[2])) if match else None
+    return unit is not None and unit.dimension == dimension
 
 
 def in_kgf(value: object) -> bool:

@@ -82,7 +82,9 @@ def no_choice(value: object, words: list[str], known: list[str]) -> Said:
         if one
         else said("it is one of {listed}", listed=listed)
     )
-    return stands(value, misfits.meant(str(value)[:40], known, 0.6), only)
+    told = str(value)[:40]
+    several = sum(word.startswith(told) for word in words) > 1
+    return stands(value, "" if several else misfits.meant(told, known, 0.6), only)
 
 
 def _text(value: object, names: Names) -> str:
@@ -158,12 +160,20 @@ def _angles(value: object, names: Names) -> tuple[float, ...]:
 
 
 def _speed(value: object, names: Names) -> float:
+    if isinstance(value, str) and quantities.is_a(value, "speed"):
+        raise ValueError(
+            said(
+                '"{text}" is the speed of a slider, and no slider can drive: name the link that turns about '
+                'a fixed pivot as link, and its angular speed, for example "380 rpm"',
+                text=misfits.short(value),
+            )
+        )
     number = quantities.parse(value, "angular speed")
     if number == 0:
         raise ValueError(
             said(
-                '{text}: a drive that stands still moves nothing; write "380 rpm"; at a start from rest no '
-                'velocity can be drawn: write a speed as small as "0.001 rad/s" beside the acceleration',
+                "{text}: a drive that stands still moves nothing; for what stands, or starts from rest, write "
+                'a speed so small that nothing comes of it, "0.001 rad/s"',
                 text=_told(value),
             )
         )
@@ -307,7 +317,11 @@ _MM: Schema = {
 def _switch(value: object, names: Names) -> bool:
     if isinstance(value, bool):
         return value
-    raise ValueError(stands(value, said("write true or false")))
+    word = misfits.truth(value) if isinstance(value, str) else ""
+    remedy = (
+        said("write {word}, without quotes", word=word) if word else said("write true or false")
+    )
+    raise ValueError(stands(value, remedy))
 
 
 _LENGTH: Schema = {
