@@ -122,8 +122,15 @@ class Size:
     keys: tuple[str, ...] = ()
 
 
+SIZE = "size"
+"""The unit of lengths that task sheets give in mm."""
+
+
 class Given(NamedTuple):
-    """What a scene gives, as the sheet of a task lists it: its symbol as marks bear it, its value and unit."""
+    """What a scene gives, as the sheet of a task lists it: its symbol as marks bear it, its value and unit.
+
+    Sizes of parts are in `SIZE`: as they are kept, told in mm or in inches.
+    """
 
     symbol: str
     value: float | str

@@ -21,6 +21,7 @@ from graphic_tmm.errors import Fault, SceneError, TmmError
 from graphic_tmm.finer import whole
 from graphic_tmm.fitting.choice import choices
 from graphic_tmm.language.said import said
+from graphic_tmm.language.units import unit_name
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
@@ -91,7 +92,11 @@ def study(
     made = make(scene, exact=True)
     scales = pinned(made)
     measure = Measure(scales, References(full, scales), clock=clock, minutes=minutes)
-    units = {q.name: q.unit for d in measure.drawings(own) for q in quantities(d)}
+    units = {
+        q.name: unit_name(q.unit, scene.language)
+        for d in measure.drawings(own)
+        for q in quantities(d)
+    }
     if not units:
         raise SceneError(scene.source, (Fault("", 0, _nothing(scene)),))
     runs: list[Run] = []

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
@@ -146,9 +145,7 @@ def scene_asked(asked: Asked) -> Scene:
         With every fault of its text.
     """
     scene = judged(asked.text.encode("utf-8"), Path(asked.source), missing=missing)
-    if asked.language and asked.language != scene.language:
-        scene = replace(scene, language=asked.language)
-    return drawn_by(scene, asked.hand, asked.seed)
+    return drawn_by(scene.spoken_in(asked.language), asked.hand, asked.seed)
 
 
 def _draw(desk: _Desk) -> Texts:

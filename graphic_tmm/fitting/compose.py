@@ -17,6 +17,7 @@ from graphic_tmm.fitting.given import restored_sheets
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
+from graphic_tmm.language.units import millimetres
 from graphic_tmm.paper.compose import sheets
 from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import Drawing, Sheet, Within
@@ -190,7 +191,7 @@ def _reduction(boards: Sequence[Drawn], views: Sequence[Drawing]) -> float | Non
     """
     graphs = {f.view for one in boards for f in one.construction.figures if f.kind == "axes"}
     scales = {
-        view: scale.value * 1000.0
+        view: millimetres(scale.value, one.scene.language)
         for one in boards
         for view, scale in one.scales.items()
         if scale.unit == LENGTHS and view not in graphs

@@ -81,8 +81,16 @@ def _languages(folder: Path) -> tuple[str, ...]:
 
 
 def speaking(language: str) -> Speech:
-    """Return a language, its catalogue read once; English for a language that has none."""
-    return _spoken(FOLDER, language)
+    """Return a language, its catalogue read once; English for a language that has none.
+
+    What follows the code says in which units (BCP 47: ``en-u-ms-ussystem``), and nothing of the words.
+    """
+    return _spoken(FOLDER, code_of(language))
+
+
+def code_of(language: str) -> str:
+    """Return the code of a language without what its tag says of units: ``ru`` of ``ru-u-ms-ussystem``."""
+    return language.partition("-")[0]
 
 
 @cache

@@ -25,6 +25,19 @@ def mass_centre(mechanism: Mechanism, link: Link) -> str:
     if link.centre is not None and link.centre in link.points:
         return link.centre
     free = free_points(link.points, mechanism.pins)
+    if not free and len(link.points) > 1:
+        first, second, *_ = link.points
+        raise StructureError(
+            said(
+                "link {number} has a mass, but no point that is its mass centre: put one into its points, such "
+                "as S{number}, of an even rod halfway from {first} to {second}, and write centre = "
+                '"S{number}" in its [[link]]',
+                number=link.number,
+                first=first,
+                second=second,
+            ),
+            f"link {link.number}, centre",
+        )
     meant = next(iter((*free, *link.points)), f"S{link.number}")
     points = said("it has no point yet")
     if link.points:

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.catalogue import code_of, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.document import (
@@ -107,7 +107,7 @@ class _Writer:
     def tree(self) -> Tree:
         meta = {
             "title": {"t": "MetaInlines", "c": _words(self.document.title)},
-            "lang": {"t": "MetaString", "c": self.document.language},
+            "lang": {"t": "MetaString", "c": code_of(self.document.language)},
         }
         blocks = [one for k, b in enumerate(self.document.blocks) for one in self.block(b, k)]
         return {"pandoc-api-version": API, "meta": meta, "blocks": blocks}

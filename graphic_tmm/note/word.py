@@ -15,7 +15,7 @@ from itertools import takewhile
 from typing import NamedTuple
 from xml.sax.saxutils import escape
 
-from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.catalogue import code_of, speaking
 from graphic_tmm.note.document import Break, Document, Paragraph, Table, Text
 from graphic_tmm.note.pandoc import CONTENTS, Outline
 
@@ -102,7 +102,7 @@ def empty(document: Document) -> str:
 
 def reference(language: str) -> bytes:
     """Return the document whose styles and page pandoc takes."""
-    margins = (30, 15, 20, 20) if language == "ru" else (25, 25, 25, 25)
+    margins = (30, 15, 20, 20) if code_of(language) == "ru" else (25, 25, 25, 25)
     parts = {
         "[Content_Types].xml": _content_types(),
         "_rels/.rels": _relations([("rId1", "officeDocument", "word/document.xml")]),
@@ -110,7 +110,7 @@ def reference(language: str) -> bytes:
         "word/_rels/document.xml.rels": _relations(
             [("rId1", "styles", "styles.xml"), ("rId2", "footer", "footer1.xml")]
         ),
-        "word/styles.xml": _style_sheet(language, 1.5 if language == "ru" else 1.25),
+        "word/styles.xml": _style_sheet(language, 1.5 if code_of(language) == "ru" else 1.25),
         "word/footer1.xml": _footer(),
     }
     return zipped([(name, text.encode("utf-8")) for name, text in parts.items()])
@@ -177,7 +177,8 @@ def _footer() -> str:
 
 
 def _style_sheet(language: str, lines: float) -> str:
-    lang = {"ru": "ru-RU", "en": "en-GB"}.get(language, language)
+    code = code_of(language)
+    lang = {"ru": "ru-RU", "en": "en-GB"}.get(code, code)
     fonts = f'<w:rFonts w:ascii="{FONT}" w:hAnsi="{FONT}" w:eastAsia="{FONT}" w:cs="{FONT}"/>'
     defaults = (
         f'<w:docDefaults><w:rPrDefault><w:rPr>{fonts}<w:sz w:val="28"/><w:szCs w:val="28"/>'

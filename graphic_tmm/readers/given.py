@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from graphic_tmm.captions import captions
-from graphic_tmm.chapter import MECHANISM, Given, Place, chapters
+from graphic_tmm.chapter import MECHANISM, SIZE, Given, Place, chapters
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.language.units import unit
+from graphic_tmm.language.units import small, unit
 from graphic_tmm.late import late
 from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights, heights
 from graphic_tmm.scene.quantities import turns_a_minute
@@ -35,8 +35,15 @@ DIGITS = 6
 
 def given_rows(scene: Scene, board: str = MECHANISM) -> tuple[Given, ...]:
     """Return what a scene gives for what stands on a board, chapter by chapter; nothing twice."""
-    found = (row for one in chapters(board) for row in one.given(scene))
+    found = (_sized(row, scene.language) for one in chapters(board) for row in one.given(scene))
     return tuple(dict.fromkeys(found))
+
+
+def _sized(row: Given, language: str) -> Given:
+    if row.unit != SIZE or isinstance(row.value, str):
+        return row
+    value, of = small(row.value, language)
+    return row._replace(value=value, unit=of)
 
 
 def given_speed(index: str, speed: float) -> Given:

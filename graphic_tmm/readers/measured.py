@@ -7,6 +7,7 @@ from graphic_tmm.board.naming import (
 )
 from graphic_tmm.board.values import Length
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.units import unit_name
 from graphic_tmm.readers.columns import (
     Column,
     empty,
@@ -27,7 +28,7 @@ def measured_columns(drawn: Drawn) -> tuple[Column, ...]:
         value = drawn.reading.figure(step.it, mu) if mu is not None else empty(count)
         lengths, figures = (row_of(row, range(count), count) for row in (mm, value))
         unit = mu.unit.removesuffix("/mm").strip("()") if mu is not None else ""
-        unit = "" if unit == "1" else unit
+        unit = "" if unit == "1" else unit_name(unit, drawn.scene.language)
         at = tuple((name, None) for name in drawn.names[:count])
         segment = segment_name(step.it.letter)
         found.append(Column(step.it.view, segment, step.it.name, unit, lengths, figures, at))

@@ -86,7 +86,7 @@ def protocol(
         note = calculation(step, reading, at, language, terms)
         why = reason(step, language, reading, at)
         told_so = sentence(step, language, reading, at)
-        value, of = figure(step, reading, at)
+        value, of = figure(step, reading, at, language)
         yield Line(counted, told_so, note, first, why, step, at, value=value, unit=of)
         first = 0
     yield from _left_out(left_out, language)

@@ -19,7 +19,7 @@ from graphic_tmm.drawn import MEASURED
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import spoken
 from graphic_tmm.language.numbers import number
-from graphic_tmm.language.units import unit
+from graphic_tmm.language.units import unit, unit_name
 
 
 def letters_of(step: Step, name: Callable[[Mark], str]) -> dict[str, str]:
@@ -157,12 +157,12 @@ def _closed(formula: str, numbers: dict[str, str]) -> dict[str, str]:
     }
 
 
-def figure(step: Step, reading: Reading, place: int) -> tuple[float | None, str]:
+def figure(step: Step, reading: Reading, place: int, language: str) -> tuple[float | None, str]:
     """Return the figure that a step leaves in a position, and its unit; None where it leaves none."""
     if not worth(step) or step.it.kind not in (Length, Number, Angle):
         return None, ""
     value = _value(reading, step.it, place)
-    of = MEASURED.get(step.it.kind, step.it.unit)
+    of = unit_name(MEASURED.get(step.it.kind, step.it.unit), language)
     return (value if np.isfinite(value) else None), of
 
 

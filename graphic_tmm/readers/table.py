@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import chain
 from typing import Any
 
@@ -11,6 +12,7 @@ from graphic_tmm.board.values import Reals
 from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn, DrawnScene, Results, hand_of, single
 from graphic_tmm.finer import Finer, finer
+from graphic_tmm.language.units import unit_name
 from graphic_tmm.packaged import scene_name
 from graphic_tmm.readers.columns import (
     Column,
@@ -29,7 +31,9 @@ def columns_of(drawn: Drawn) -> list[Column]:
     """Return the columns of a board; null where a position cannot be drawn."""
     project = drawn.project
     found = chain.from_iterable(one.columns(drawn) for one in project.chapters)
-    return [column.without(drawn.undrawn) for column in found]
+    language = drawn.scene.language
+    units = (replace(column, unit=unit_name(column.unit, language)) for column in found)
+    return [column.without(drawn.undrawn) for column in units]
 
 
 def results_of(drawn: Drawn) -> Results:
@@ -37,7 +41,8 @@ def results_of(drawn: Drawn) -> Results:
     found: dict[str, tuple[Reals, str]] = {}
     for chapter in drawn.project.chapters:
         found |= chapter.results(drawn)
-    return found
+    language = drawn.scene.language
+    return {name: (figures, unit_name(of, language)) for name, (figures, of) in found.items()}
 
 
 def scene_columns(made: DrawnScene) -> list[Column]:
@@ -117,7 +122,8 @@ def scales_of(made: DrawnScene) -> dict[str, Any]:
     found = {}
     for drawn in made.boards:
         for view, scale in drawn.scales.items():
-            found[_scale_key(drawn, view)] = {"value": scale.value, "unit": scale.unit}
+            of = unit_name(scale.unit, made.scene.language)
+            found[_scale_key(drawn, view)] = {"value": scale.value, "unit": of}
         found |= dict(_bases(drawn))
     return found
 
@@ -132,7 +138,8 @@ def _bases(drawn: Drawn) -> Iterator[tuple[str, dict[str, Any]]]:
             view = step.it.view.removesuffix("-calculation").replace(" ", "_").replace("-", "_")
             value = float(drawn.reading[step.it].ravel()[0])
             if math.isfinite(value):
-                yield f"mu_{letter}_{view}", {"value": value, "unit": step.it.unit}
+                of = unit_name(step.it.unit, drawn.scene.language)
+                yield f"mu_{letter}_{view}", {"value": value, "unit": of}
 
 
 BASES = {"μ_φ": "phi", "μ_S": "S"}

@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from graphic_tmm.language.units import tagged
 from graphic_tmm.mechanism.records import (
     Drive,
     Extreme,
@@ -52,7 +53,7 @@ def scene(parts: Parts, source: str) -> Scene:
     return Scene(
         source=source,
         title=head.title,
-        language=head.language,
+        language=tagged(head.language, head.units),
         mechanism=mechanism,
         row=_row(drive) if drive else Row(),
         turned=plans.velocities == "turned",

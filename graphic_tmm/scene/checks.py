@@ -18,6 +18,7 @@ from graphic_tmm.scene.document import table
 from graphic_tmm.scene.mechanism import Drive, Extreme, Link, Slide
 from graphic_tmm.scene.places import of_section
 from graphic_tmm.scene.sections import Parts, pairing
+from graphic_tmm.scene.units import SI
 from graphic_tmm.scene.values import OTHER_EXTREME
 
 
@@ -44,10 +45,23 @@ def check(parts: Parts) -> Iterator[Found]:
             yield from _position(parts.drive, ("plans", "main"), plans.main)
     if scales is not None:
         yield from _scales(scales)
+    yield from _units(parts)
     for section, told in parts.asked:
         faults = list(section.check(told, parts))
         yield from faults or _refused(section, told)
     yield from _placed(parts)
+
+
+def _units(parts: Parts) -> Iterator[Found]:
+    """Sections whose sizes are told in mm, in a scene of feet and pounds."""
+    for section, _ in parts.asked:
+        if section.metric and parts.head is not None and parts.head.units != SI:
+            says = said(
+                'the sizes of [{section}] are told in mm; write units = "{si}", or give it a scene of its own',
+                section=section.name,
+                si=SI,
+            )
+            yield Found(("units",), says)
 
 
 def _refused(section: Section, told: Any) -> Iterator[Found]:

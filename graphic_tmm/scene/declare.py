@@ -13,6 +13,8 @@ from functools import cache
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
+from graphic_tmm.scene.bare import taken
+
 if TYPE_CHECKING:
     from graphic_tmm.bounds import Bound
     from graphic_tmm.mechanism.records import Mechanism
@@ -26,10 +28,11 @@ Said = SimpleNamespace
 
 
 class Found(NamedTuple):
-    """Something wrong at a path of the parsed document."""
+    """Something wrong at a path of the parsed document; no ``fault``: only to be told."""
 
     path: Path
     message: str
+    fault: bool = True
 
 
 class _Faulty:
@@ -54,21 +57,25 @@ class Kind:
     """One value: ``read`` takes it with the named lengths, or raises ValueError with the remedy.
 
     ``told``: what an editor is told of it. ``bound``: between which numbers it lies, in the unit of the record;
-    a plan that refuses on its own asks here. ``unit``: that of a number without one, for people.
+    a plan that refuses on its own asks here. ``unit``: that of a number without one, for people; ``each``: of
+    the numbers in a list, where a list is called otherwise.
     """
 
     read: Callable[[object, Names], Any]
     told: Schema | Callable[[], Schema]
     bound: Bound | None = None
     unit: str = ""
+    each: str = ""
 
     def understood(self, value: object, at: Path, names: Names, found: list[Found]) -> Any:
         """Return what a value means, or FAULTY."""
         try:
-            return self.read(value, names)
+            meant = self.read(value, names)
         except ValueError as error:
             found.append(Found(at, error.args[0]))
             return FAULTY
+        found.extend(Found(at, line, fault=False) for line in taken(value, self.each or self.unit))
+        return meant
 
     def schema(self, tables: dict[str, Schema]) -> Schema:
         """Return what an editor is told."""
@@ -173,7 +180,8 @@ class Section:
     if there may be several) -> every contradiction. ``refuse``: its record -> TaskError of the plan that
     cannot take it. ``joined``: fields of the record that come from other sections. ``idle``: what of it comes
     to nothing, a line each; ``defaults``: the defaults of it that matter. ``weighs``: it needs the mass centres
-    of links. ``shows``: its record -> other sections that are shown where it is.
+    of links. ``metric``: its sizes are told in mm, whatever the units. ``shows``: its record -> other sections
+    that are shown where it is.
     """
 
     name: str
@@ -190,4 +198,5 @@ class Section:
     idle: Callable[[Any, Parts], Iterator[str]] = lambda said, parts: iter(())
     defaults: Callable[[Any, Parts], Iterator[str]] = lambda said, parts: iter(())
     weighs: bool = False
+    metric: bool = False
     shows: Callable[[Any], tuple[str, ...]] = lambda record: ()

@@ -12,6 +12,7 @@ from graphic_tmm.scene import places
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Names, key, made
 from graphic_tmm.scene.misfits import stands
+from graphic_tmm.scene.units import SI, SYSTEMS
 
 
 @dataclass(frozen=True)
@@ -162,4 +163,10 @@ class Head:
     title: str = key(v.TITLE, "what the mechanism is", "Кривошипно-ползунный механизм")
     language: str = key(
         v.choice(*sorted(languages(), reverse=True)), "the language of the sheets", "en", "ru"
+    )
+    units: str = key(
+        v.choice(*SYSTEMS),
+        "what sheets, tables and notes are printed in: imperial: ft, lbf, slug; numbers without a unit stay SI",
+        "imperial",
+        SI,
     )

@@ -9,6 +9,7 @@ from graphic_tmm.scene import quantities, tables
 from graphic_tmm.scene.declare import Key, Kind, Section, Sort, keys_of
 from graphic_tmm.scene.drawing import Head
 from graphic_tmm.scene.sections import LENGTHS, declared
+from graphic_tmm.scene.written import default_text, toml
 
 HEAD = f"""# The keys of a scene
 
@@ -41,7 +42,7 @@ def _page(heading: str, says: str, record: type) -> Iterator[str]:
     yield "|---|---|---|---|---|"
     inner: dict[str, type] = {}
     for name, one in keys_of(record).items():
-        cells = (f"`{name}`", one.says, _value(one.kind), _default(one), _written(one.example))
+        cells = (f"`{name}`", one.says, _value(one.kind), _default(one), _example(one))
         yield "| " + " | ".join(cell.replace("|", "\\|") or NONE for cell in cells) + " |"
         inner.update((table.__name__, table) for table in inner_tables(one.kind))
     yield ""
@@ -93,24 +94,15 @@ def _of_kind(kind: Kind) -> str:
     return ": ".join(part for part in (shape, unit, bound) if part)
 
 
+def _example(declared: Key) -> str:
+    return NONE if declared.example is None else f"`{toml(declared.example)}`"
+
+
 def _default(declared: Key) -> str:
     if declared.default is MISSING:
         return "**to be written**"
-    if declared.default is None or declared.default in ((), {}, ""):
-        return NONE
-    default = declared.default
-    return _written(list(default) if isinstance(default, tuple) else default)
-
-
-def _written(value: object) -> str:
-    """Return a value as a scene file writes it."""
-    if value is None:
-        return NONE
-    if isinstance(value, bool):
-        return f"`{str(value).lower()}`"
-    if isinstance(value, float):
-        return f"`{value:g}`"
-    return "`" + (f'"{value}"' if isinstance(value, str) else str(value).replace("'", '"')) + "`"
+    text = default_text(declared)
+    return NONE if text is None else f"`{text}`"
 
 
 if __name__ == "__main__":

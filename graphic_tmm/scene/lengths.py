@@ -12,7 +12,8 @@ from collections.abc import Mapping
 
 from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.scene import misfits, quantities
-from graphic_tmm.scene.quantities import NUMBER, UNITS
+from graphic_tmm.scene.quantities import NUMBER
+from graphic_tmm.scene.units import UNITS, plain
 
 NAME = re.compile(r"[^\W\d_][^\W²¹]*")
 _TERM = re.compile(
@@ -55,7 +56,7 @@ def _is_quantity(text: str, names: Mapping[str, float]) -> bool:
     if match is None:
         return False
     rest = match.group(1).strip()
-    return rest not in names and (not rest or quantities.plain(rest) in UNITS)
+    return rest not in names and (not rest or plain(rest) in UNITS)
 
 
 def _sum(text: str, names: Mapping[str, float]) -> float:
@@ -99,7 +100,7 @@ def _term(match: re.Match[str], text: str, names: Mapping[str, float]) -> float:
         raise ValueError(_unknown(name, text, names))
     if unit.dimension != "length":
         return quantities.parse(f"{number} {name}", "length")
-    return quantities.measured(number, unit, text)
+    return quantities.kept(quantities.measured(number, unit, text), "length")
 
 
 def _listed(names: Mapping[str, float]) -> Said:

@@ -62,7 +62,12 @@ def letter_fault(letter: str, *, pole: bool = True) -> str:
 
 def folded(letter: str) -> str:
     """Return what a letter looks like on a plan: small, one for look-alikes of two alphabets."""
-    return letter.translate(_ALIKE).casefold()
+    return latin(letter).casefold()
+
+
+def latin(letter: str) -> str:
+    """Return a letter with Latin letters for those of other alphabets that look like them."""
+    return letter.translate(_ALIKE)
 
 
 def clash(first: str, second: str) -> str:

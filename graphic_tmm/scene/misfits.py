@@ -10,6 +10,17 @@ from graphic_tmm.language.said import Said, joined, said
 LONGEST_MEANT, MOST_MEANT = 60, 200
 """A word of more letters is nothing misspelt; so many known words are looked through for what it may mean."""
 
+_TRUTH = {
+    **dict.fromkeys(("true", "yes", "on", "да", "истина", "вкл"), "true"),
+    **dict.fromkeys(("false", "no", "off", "нет", "ложь", "выкл"), "false"),
+}
+"""What people write for the two words that a switch knows."""
+
+
+def truth(word: str) -> str:
+    """Return the word of TOML for what people write for yes or no; "" of any other."""
+    return _TRUTH.get(word.strip().casefold(), "")
+
 
 def kind_of(value: object) -> Said:
     """Return what kind of value stands in the file, in words."""

@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import json
 import re
-import tomllib
 from collections.abc import Container, Iterator, Mapping
-from contextlib import suppress
-from dataclasses import MISSING
 
 from graphic_tmm.paper.formats import AUTO
-from graphic_tmm.scene.declare import Found, Key, Section, keys_of
+from graphic_tmm.scene.declare import Key, Section, keys_of
 from graphic_tmm.scene.letters import POLES
 from graphic_tmm.scene.read import FILE
 from graphic_tmm.scene.schema import schema
 from graphic_tmm.scene.sections import declared
+from graphic_tmm.scene.written import default_text, toml
 
 SCHEMA = "scene.schema.json"
 KEPT = f"# The letters {', '.join(POLES)} are kept for the poles of plans: call a point K, or P1.\n"
@@ -24,8 +22,6 @@ WIDTH = 36
 """Where what a key says stands behind it, characters."""
 _HEAD = re.compile(rf"^#:schema .*\n(?:{re.escape(KEPT)})?", re.MULTILINE)
 _SECTION = re.compile(r"^\[+(\w+)", re.MULTILINE)
-_UNIT = re.compile(r"[\d.,]+( [^\d\s].*)")
-_BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def begun(text: str) -> dict[str, str]:
@@ -91,56 +87,6 @@ def shown(one: Key) -> str | None:
     """Return a key's default as a scene writes it, or its example if it has none; None if there is neither."""
     default = default_text(one)
     return toml(one.example) if default is None and one.example is not None else default
-
-
-def default_text(one: Key) -> str | None:
-    """Return a key's default as a scene writes it; None where that is nothing."""
-    if one.default is not MISSING and one.default is not None and one.default not in ((), {}, ""):
-        for text in _spelled(one):
-            if _read(one, text) == one.default:
-                return text
-    return None
-
-
-def _spelled(one: Key) -> Iterator[str]:
-    """Yield how a default may be written: as it is, one of a list by itself, in the unit of the example."""
-    with suppress(TypeError):
-        yield toml(one.default)
-        if isinstance(one.default, tuple) and len(one.default) == 1:
-            yield toml(one.default[0])
-    unit = _UNIT.fullmatch(one.example) if isinstance(one.example, str) else None
-    if unit is not None and isinstance(one.default, (int, float)):
-        yield toml(f"{one.default:g}{unit[1]}")
-
-
-def _read(one: Key, text: str) -> object:
-    """Return what a value means that is written so; None if it is none."""
-    found: list[Found] = []
-    value = one.kind.understood(tomllib.loads(f"it = {text}")["it"], (), {}, found)
-    return None if found else value
-
-
-def toml(value: object) -> str:
-    """Return a value as TOML writes it, on one line.
-
-    >>> toml({"a": [0, 0.5], "b c": True})
-    '{ a = [0, 0.5], "b c" = true }'
-
-    Raises
-    ------
-    TypeError
-        If TOML has no such values.
-    """
-    if isinstance(value, (bool, int, float)):
-        return f"{value:g}" if isinstance(value, float) else str(value).lower()
-    if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False)
-    if isinstance(value, (list, tuple)):
-        return f"[{', '.join(map(toml, value))}]"
-    if isinstance(value, dict):
-        pairs = (f"{k if _BARE.fullmatch(k) else toml(k)} = {toml(v)}" for k, v in value.items())
-        return f"{{ {', '.join(pairs)} }}"
-    raise TypeError(type(value).__name__)
 
 
 def schema_text() -> str:

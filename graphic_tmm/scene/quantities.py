@@ -9,113 +9,26 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from decimal import Context, Decimal
-from typing import Literal, NamedTuple, NoReturn
+from typing import NamedTuple, NoReturn
 
 from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.scene.misfits import digits_of, meant, short, stands
-
-Dimension = Literal[
-    "length",
-    "angle",
-    "angular speed",
-    "angular acceleration",
-    "speed",
-    "acceleration",
-    "time",
-    "mass",
-    "force",
-    "pressure",
-    "moment",
-    "moment of inertia",
-    "scale of lengths",
-    "scale of velocities",
-    "scale of accelerations",
-    "scale of times",
-    "scale of angles",
-    "scale of pressures",
-    "scale of moments",
-    "scale of works",
-    "scale of forces",
-    "density",
-    "ratio",
-]
-
-
-class Unit(NamedTuple):
-    """What a spelling of a unit means: its dimension, its size in SI units (angles: degrees)."""
-
-    dimension: Dimension
-    factor: Decimal | float
-
+from graphic_tmm.scene.units import GRAVITY, SI, SYSTEMS, UNITS, Dimension, System, Unit, plain
 
 NUMBER = r"(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?"
 LARGEST, SMALLEST = 1e12, 1e-15
 """No figure of a machine is larger, or smaller and not 0, in SI units."""
-KGF = "9.80665"
+NOISE = 1e-12
+"""A length (m) or an angle (degrees) below this is what a program's rounding leaves of 0: points nearer than
+1e-9 m are one, and sums of floats as large as 360 differ by some 1e-13."""
 _EXACT = Context(prec=60)
 _QUANTITY = re.compile(rf"([+-]?{NUMBER})(.*)", re.DOTALL)
 _THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}(?![0-9])")
 
-_TABLE: tuple[tuple[Dimension, str | float, str], ...] = (
-    ("length", "0.001", "mm мм"),
-    ("length", "0.01", "cm см"),
-    ("length", "1", "m м"),
-    ("length", "1000", "km км"),
-    ("length", "0.0254", "in дюйм"),
-    ("angle", "1", "deg ° degree degrees град градус градуса градусов"),
-    ("angle", 180 / math.pi, "rad рад"),
-    ("angular speed", "1", "rad/s рад/с 1/s 1/с s⁻¹ с⁻¹ rad·s⁻¹ рад·с⁻¹"),
-    ("angular speed", math.pi / 30, "rpm об/мин rev/min r/min 1/min 1/мин min⁻¹ мин⁻¹ об·мин⁻¹"),
-    ("angular speed", math.pi / 180, "deg/s °/s град/с °/с"),
-    ("angular speed", 2 * math.pi, "rev/s об/с"),
-    ("angular acceleration", "1", "rad/s² рад/с² 1/s² 1/с² s⁻² с⁻² rad·s⁻² рад·с⁻²"),
-    ("angular acceleration", math.pi / 180, "deg/s² °/s² град/с² °/с²"),
-    ("speed", "1", "m/s м/с m·s⁻¹ м·с⁻¹"),
-    ("speed", "0.01", "cm/s см/с"),
-    ("speed", "0.001", "mm/s мм/с"),
-    ("speed", 1 / 3.6, "km/h км/ч"),
-    ("acceleration", "1", "m/s² м/с² m·s⁻² м·с⁻²"),
-    ("acceleration", "0.001", "mm/s² мм/с²"),
-    ("time", "1", "s с"),
-    ("time", "0.001", "ms мс"),
-    ("time", "60", "min мин"),
-    ("mass", "1", "kg кг"),
-    ("mass", "0.001", "g г"),
-    ("mass", "1000", "t т"),
-    ("mass", KGF, "kgf·s²/m кгс·с²/м"),
-    ("force", "1", "N Н"),
-    ("force", "1000", "kN кН"),
-    ("force", KGF, "kgf кгс"),
-    ("pressure", "1", "Pa Па N/m² Н/м²"),
-    ("pressure", "1e3", "kPa кПа"),
-    ("pressure", "1e6", "MPa МПа N/mm² Н/мм²"),
-    ("pressure", "1e5", "bar бар"),
-    ("pressure", "98066.5", "kgf/cm² кгс/см²"),
-    ("moment", "1", "N·m Н·м"),
-    ("moment", "0.001", "N·mm Н·мм"),
-    ("moment", "1000", "kN·m кН·м"),
-    ("moment", KGF, "kgf·m кгс·м"),
-    ("moment of inertia", "1", "kg·m² кг·м²"),
-    ("moment of inertia", KGF, "kgf·m·s² кгс·м·с²"),
-    ("scale of lengths", "1", "m/mm м/мм"),
-    ("scale of lengths", "0.001", "mm/mm мм/мм"),
-    ("scale of velocities", "1", "(m/s)/mm (м/с)/мм m/s/mm м/с/мм m/(s·mm) м/(с·мм)"),
-    ("scale of times", "1", "s/mm с/мм"),
-    ("scale of angles", "1", "rad/mm рад/мм"),
-    ("scale of pressures", "1", "Pa/mm Па/мм"),
-    ("scale of pressures", "1e3", "kPa/mm кПа/мм"),
-    ("scale of pressures", "1e6", "MPa/mm МПа/мм"),
-    ("scale of moments", "1", "N·m/mm Н·м/мм"),
-    ("scale of works", "1", "J/mm Дж/мм"),
-    ("scale of forces", "1", "N/mm Н/мм"),
-    ("scale of forces", "1000", "kN/mm кН/мм"),
-    ("scale of forces", KGF, "kgf/mm кгс/мм"),
-    ("density", "1", "kg/m³ кг/м³"),
-    ("ratio", "0.01", "%"),
-    ("scale of accelerations", "1", "(m/s²)/mm (м/с²)/мм m/s²/mm м/с²/мм m/(s²·mm) м/(с²·мм)"),
-)
 _WORDS: dict[Dimension, tuple[str, str]] = {
     "length": (said("a length"), "95 mm"),
     "angle": (said("an angle"), "30 deg"),
@@ -139,6 +52,7 @@ _WORDS: dict[Dimension, tuple[str, str]] = {
     "scale of works": (said("a scale of works"), "16.7 J/mm"),
     "scale of forces": (said("a scale of forces"), "40 N/mm"),
     "density": (said("a density"), "7800 kg/m^3"),
+    "power": (said("a power"), "2.2 kW"),
     "ratio": (said("a ratio"), "23 %"),
 }
 """Of each dimension a quantity, in words and as an example."""
@@ -146,39 +60,43 @@ PAPER = "length on the sheet in mm"
 """The unit that sections declare for what is drawn so long."""
 
 
-def _units() -> dict[str, Unit]:
-    return {
-        spelling: Unit(dimension, Decimal(factor) if isinstance(factor, str) else factor)
-        for dimension, factor, spellings in _TABLE
-        for spelling in spellings.split()
-    }
+class Measures(NamedTuple):
+    """What quantities are kept in while a scene is read, and the g (m/s²) by which a weight becomes a mass."""
+
+    system: System = SYSTEMS[SI]
+    gravity: float = GRAVITY
 
 
-UNITS: Mapping[str, Unit] = _units()
-"""Every spelling of a unit in its plain form (see ``plain``) -> what it means."""
+_SI = Measures()
+_MEASURES: ContextVar[Measures] = ContextVar("measures", default=_SI)
 
 
-def plain(unit: str) -> str:
-    """One form for the ways a unit may be typed: ``kg * m^2``, ``kg m2`` -> ``kg·m²``.
-
-    Parameters
-    ----------
-    unit : str
-        The unit as typed; spaces of any kind.
-    """
-    text = re.sub(r"\*\*", "^", unit.strip().removesuffix("."))
-    text = re.sub(r"[*⋅∙•×]", "·", text)
-    text = re.sub(r"\^?(?:-|⁻)([12¹²])(?![0-9])", r"⁻\1", text)
-    text = re.sub(r"(?:(?<=[^\W\d_])|\^|(?<=⁻))([12])(?![0-9])", _raised, text)
-    text = re.sub(r"\s*([·/()])\s*", r"\1", text)
-    return re.sub(r"\s+", "·", text)
+@contextmanager
+def measuring(measures: Measures) -> Iterator[None]:
+    """Keep quantities in the units of a scene while it is read."""
+    token = _MEASURES.set(measures)
+    try:
+        yield
+    finally:
+        _MEASURES.reset(token)
 
 
-def _raised(match: re.Match[str]) -> str:
-    return "¹²"[int(match.group(1)) - 1]
+def kept(value: float, dimension: Dimension) -> float:
+    """Return a quantity in SI in the units that the scene keeps it in."""
+    return value / _MEASURES.get().system.size(dimension)
+
+
+def gravity() -> float:
+    """Return the g (m/s²) by which a weight becomes a mass."""
+    return _MEASURES.get().gravity
 
 
 def parse(value: object, dimension: Dimension) -> float:
+    """Read a quantity of the wanted dimension, in the units that the scene keeps (as `in_si`)."""
+    return kept(in_si(value, dimension), dimension)
+
+
+def in_si(value: object, dimension: Dimension) -> float:
     """Read a quantity of the wanted dimension.
 
     Parameters
@@ -206,14 +124,13 @@ def parse(value: object, dimension: Dimension) -> float:
 
 
 def bounded(value: float, text: str, dimension: Dimension) -> float:
-    """Return ``value`` as a float, or refuse ``text`` if it is not finite, or far too large or small."""
+    """Return ``value`` as a float, 0 where it is rounding; refuse ``text`` if not finite or far too large."""
     if isinstance(value, float) and not math.isfinite(value):
         _refuse(said("{text} is not a finite number", text=short(text)), dimension)
     if abs(value) > LARGEST:
         _refuse(said("{text} is too large a number", text=short(text)), dimension)
-    if 0 < abs(value) < SMALLEST:
-        _refuse(said("{text} is too small a number", text=short(text)), dimension)
-    return float(value)
+    least = NOISE if dimension in ("length", "angle") else SMALLEST
+    return 0.0 if abs(value) < least else float(value)
 
 
 def _refuse(says: str, dimension: Dimension) -> NoReturn:
@@ -241,8 +158,8 @@ def article(noun: str) -> str:
 
 
 def spoken(text: str) -> str:
-    """Return a text with plain minus signs and no spaces at its ends."""
-    return text.replace("−", "-").strip()
+    """Return a text with plain minus signs, for dashes too, and no spaces at its ends."""
+    return re.sub("[−–—‒‑]", "-", text).strip()
 
 
 def _parse_text(text: str, dimension: Dimension) -> float:
@@ -256,11 +173,22 @@ def _parse_text(text: str, dimension: Dimension) -> float:
         raise ValueError(_no_unit(number, dimension))
     if unit is None:
         raise ValueError(_unknown_unit(text, rest, dimension))
-    if dimension == "mass" and unit == UNITS["kgf"]:
-        unit = UNITS["kg"]  # a weight divided by the standard g that makes a kgf of a kg
+    if dimension == "mass" and unit.dimension == "force":
+        return _mass_of(number, unit, text)
     if unit.dimension != dimension:
         raise ValueError(_wrong_dimension(text, number, unit, dimension))
     return measured(number, unit, text)
+
+
+_BY_ITS_OWN_G = {UNITS[force]: UNITS[mass] for force, mass in (("kgf", "kg"), ("lbf", "lb"))}
+"""A weight divided by the standard g that makes a kgf of a kg, a lbf of a lb."""
+
+
+def _mass_of(number: str, weight: Unit, text: str) -> float:
+    """Return the mass (kg) of what weighs so much."""
+    if own := _BY_ITS_OWN_G.get(weight):
+        return measured(number, own, text)
+    return measured(number, weight, text) / gravity()
 
 
 def measured(number: str, unit: Unit, text: str) -> float:
@@ -321,8 +249,12 @@ def _no_unit(number: str, dimension: Dimension) -> Said:
 
 def _wrong_dimension(text: str, number: str, unit: Unit, dimension: Dimension) -> Said:
     it = said('"{text}" is {noun}', text=short(text), noun=_WORDS[unit.dimension][0])
-    example = f"{number} {_WORDS[dimension][1].split()[1]}"
-    return joined("; ", (it, wanted(dimension, example)))
+    if dimension == "force" and unit.dimension == "mass":
+        pounds = unit == UNITS["lb"]
+        size = number if pounds else f"{measured(number, unit, text):.10g}"
+        weight = said('its weight is "{size} {unit}"', size=size, unit="lbf" if pounds else "kgf")
+        return joined("; ", (it, weight, wanted(dimension)))
+    return joined("; ", (it, wanted(dimension)))
 
 
 def _unknown_unit(text: str, rest: str, dimension: Dimension) -> Said:
@@ -343,14 +275,21 @@ def _unknown_unit(text: str, rest: str, dimension: Dimension) -> Said:
     return joined("; ", filter(None, hints))
 
 
+def is_a(text: str, dimension: Dimension) -> bool:
+    """Whether a text is a number with a unit of a dimension."""
+    match = _QUANTITY.fullmatch(spoken(text)) if len(text) <= 200 else None
+    unit = UNITS.get(plain(match[2])) if match else None
+    return unit is not None and unit.dimension == dimension
+
+
 def in_kgf(value: object) -> bool:
-    """Whether a quantity in kgf stands in a value, in its lists or its tables."""
+    """Whether a quantity in kgf or lbf stands in a value, in its lists or its tables."""
     if isinstance(value, dict):
         return any(in_kgf(item) for item in value.values())
     if isinstance(value, list):
         return any(in_kgf(item) for item in value)
     found = _QUANTITY.match(value.strip()) if isinstance(value, str) else None
-    return found is not None and any(unit in found.group(2) for unit in ("kgf", "кгс"))
+    return found is not None and any(unit in found.group(2) for unit in ("kgf", "кгс", "lbf"))
 
 
 ROUND = 1e-9

@@ -10,13 +10,15 @@ from graphic_tmm.errors import Fault, SceneError, first_of
 from graphic_tmm.files import Kind
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import build, checks, references
+from graphic_tmm.scene.bare import grouped
 from graphic_tmm.scene.declare import Found
 from graphic_tmm.scene.document import Document, document, parsed
-from graphic_tmm.scene.faults import fault
+from graphic_tmm.scene.faults import fault, key_of
 from graphic_tmm.scene.lines import line_of, locate
+from graphic_tmm.scene.quantities import measuring
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.remarks import remarks
-from graphic_tmm.scene.sections import understand
+from graphic_tmm.scene.sections import measures, understand
 from graphic_tmm.scene.vary import told
 
 FILE = "scene.toml"
@@ -65,14 +67,18 @@ def understood(
 
 
 def _scene(file: Path, text: str | None, doc: Document, missing: Callable[[str], str]) -> Scene:
-    parts, found = understand(doc)
-    found.extend(references.check(doc, missing))
-    found.extend(checks.check(parts))
-    if found:
-        raise SceneError(str(file), _in_order(text or "", doc, found))
-    made = build.scene(parts, str(file))
-    lines = None if text is None else locate(text)
-    return replace(made, remarks=remarks(parts), told=told(doc, lines), doc=doc)
+    with measuring(measures(doc)):
+        parts, found = understand(doc)
+        faults = [one for one in found if one.fault]
+        faults.extend(references.check(doc, missing))
+        faults.extend(checks.check(parts))
+        if faults:
+            raise SceneError(str(file), _in_order(text or "", doc, faults))
+        made = build.scene(parts, str(file))
+        lines = None if text is None else locate(text)
+        asides = grouped((key_of(doc, one.path), one.message) for one in found)
+        told_of = (*asides, *remarks(parts))
+    return replace(made, remarks=told_of, told=told(doc, lines), doc=doc)
 
 
 def _in_order(text: str, doc: Document, found: list[Found]) -> tuple[Fault, ...]:

@@ -10,6 +10,7 @@ from typing import Any
 
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined
+from graphic_tmm.language.units import retold
 from graphic_tmm.mechanism.records import Mechanism, Row
 from graphic_tmm.scene.author import Author
 from graphic_tmm.scene.drawing import Scales as Scales
@@ -102,6 +103,11 @@ class Scene:
 
         source = scene_name(self.source)
         return understood(changed(self.doc, {**(values or {}), **named}, source), source)
+
+    def spoken_in(self, language: str) -> Scene:
+        """Return the scene in another language, in its own units; "": as it is."""
+        other = retold(self.language, language) if language else self.language
+        return self if other == self.language else replace(self, language=other)
 
     def __str__(self) -> str:
         return f"<Scene {self.title!r}: {self.source}>"

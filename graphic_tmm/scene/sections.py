@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -16,11 +17,13 @@ from graphic_tmm.bounds import INTERVALS
 from graphic_tmm.errors import TmmError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import author, drawing, lengths, letters, mechanism, quantities, registry
+from graphic_tmm.scene.bare import taken
 from graphic_tmm.scene.declare import Found, Path, Section, build, keys_of
 from graphic_tmm.scene.document import Document, raw_links, table
 from graphic_tmm.scene.places import of_section, without_mechanism
 from graphic_tmm.scene.references import Outline, outline
 from graphic_tmm.scene.tables import MOST, understood, unknown_key
+from graphic_tmm.scene.units import SI, SYSTEMS, UNITS
 
 FIRST = (
     Section("task", mechanism.Task, "lengths found from a task"),
@@ -126,6 +129,16 @@ class Parts:
             yield Found((section,), says)
 
 
+def measures(doc: Document) -> quantities.Measures:
+    """Return what quantities of a document are kept in, and its g; the usual where it says nothing sound."""
+    system = SYSTEMS.get(str(doc.get("units")), SYSTEMS[SI])
+    with suppress(ValueError, StopIteration):
+        own = next(one["g"] for one in map(table, doc.values()) if "g" in one)
+        if (g := quantities.in_si(own, "acceleration")) > 0:
+            return quantities.Measures(system, g)
+    return quantities.Measures(system)
+
+
 def understand(doc: Document) -> tuple[Parts, list[Found]]:
     """Check every section of a parsed document.
 
@@ -223,6 +236,9 @@ def _named_lengths(
             found.append(Found(("lengths", name), message))
         try:
             names[name] = quantities.parse(value, "length")
+            found.extend(
+                Found(("lengths", name), line, fault=False) for line in taken(value, "length")
+            )
         except ValueError as error:
             names[name] = math.nan
             found.append(Found(("lengths", name), error.args[0]))
@@ -239,7 +255,7 @@ def _name_fault(name: str, given: Mapping[str, float]) -> str:
             '"{name}" cannot name a length: letters and digits, first a letter, such as l2',
             name=name[:40],
         )
-    if name in quantities.UNITS and quantities.UNITS[name].dimension == "length":
+    if name in UNITS and UNITS[name].dimension == "length":
         return said(
             '"{name}" is a unit of length; choose another name, such as "l_{name}"', name=name
         )

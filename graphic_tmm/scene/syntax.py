@@ -6,6 +6,8 @@ import re
 
 from graphic_tmm.errors import Fault
 from graphic_tmm.language.said import joined, said
+from graphic_tmm.scene.letters import latin
+from graphic_tmm.scene.misfits import truth
 
 _AT = re.compile(r"\s*\((?:at line ([0-9]+), column ([0-9]+)|at end of document)\)")
 _TWICE = (
@@ -15,6 +17,8 @@ _TWICE = (
     "Cannot mutate",
 )
 
+_COMMENT = re.compile(r"""^([^"#]*(?:"[^"]*"[^"#]*)*)#.*$""")
+"""A line with a comment behind it, and what stands before; a # in quotes is none."""
 LONGEST = 300
 """A longer line is not quoted in a remedy."""
 
@@ -59,6 +63,13 @@ def _twice(reason: str, number: int, line: str, match: re.Match[str] | None) -> 
     return Fault(key, number, says)
 
 
+def _sections() -> list[str]:
+    from graphic_tmm.scene.sections import LENGTHS, declared
+
+    named = declared().items()
+    return [f"[{LENGTHS}]", *(f"[[{k}]]" if one.several else f"[{k}]" for k, one in named)]
+
+
 def several() -> frozenset[str]:
     """Return the sections that a scene may have several times."""
     from graphic_tmm.scene.sections import declared
@@ -77,13 +88,15 @@ def _key(line: str) -> str:
 
 def _remedy(line: str) -> str:
     """Return what to do about the commonest mistakes, as far as the line shows them."""
-    name, sign, value = line.partition("=")
-    value = value.strip()
     if len(line) > LONGEST:
         return ""
+    name, sign, value = _COMMENT.sub(r"\1", line).partition("=")
+    value = value.strip()
     if re.search(r"[«»“”„]", line):
         return said('write straight quotes: "..."')
     if not sign and re.match(r"\s*\[", line):
+        if re.search(r"[^\x00-\x7f]", name):
+            return said("sections have English names: {listed}", listed=", ".join(_sections()))
         return said("a section is written [frame], or [[link]] for one of several")
     if not sign:
         return said("write key = value")
@@ -91,20 +104,39 @@ def _remedy(line: str) -> str:
 
 
 def _key_remedy(name: str, value: str) -> str:
-    if re.search(r"[^\x00-\x7f]", name.split("#")[0]) and '"' not in name:
-        return said('a key that is not Latin stands in quotes: "{name}" = ...', name=name.strip())
-    if re.search(r"[{,]\s*[^\x00-\x7f\s\"]+\s*=", value):
-        return said('a key that is not Latin stands in quotes: { "Д" = [0, 0] }')
+    if re.search(r"[^\x00-\x7f]", name) and '"' not in name:
+        return _not_latin(name.strip())
+    if inner := re.search(r"[{,]\s*([^\x00-\x7f\s\"]+)\s*=", value):
+        return _not_latin(inner[1])
     return ""
 
 
+def _not_latin(name: str) -> str:
+    """Return how a key is written that is not Latin; of one that only looks so, both ways."""
+    quoted = said('a key that is not Latin stands in quotes: "{name}" = ...', name=name)
+    looks = latin(name)
+    if not looks.isascii():
+        return quoted
+    says = said('"{name}" is not Latin: write {looks} with Latin letters', name=name, looks=looks)
+    return joined("; ", (says, quoted))
+
+
 def _value_remedy(name: str, value: str) -> str:
-    if not value or value.startswith("#"):
+    if not value:
         return said("a value is missing, {name} = ...", name=name)
+    if word := truth(value):
+        return said("write {name} = {word}", name=name, word=word)
+    if value.count('"') % 2:
+        return said("a quote is not closed: write {name} = {value}", name=name, value=f'{value}"')
+    if re.match(r"[–—‒‑−]\s*[0-9.,]+$", value):
+        right = f"-{value[1:].strip()}"
+        return said('a minus is written "-": {name} = {right}', name=name, right=right)
     if re.match(r"[-+]?[0-9]+,[0-9]", value):
         right = value.replace(",", ".", 1)
         return said("the decimal sign of a number is a point: {right}", right=right)
-    if re.match(r"[-+]?[0-9][0-9.,]*\s*[^\W\d_]", value):
+    if '"' in value:
+        return ""
+    if re.match(r"[-+–—‒‑−]?\s*[0-9][0-9.,]*\s*[^\W\d_]", value):
         return said(
             'a value with a unit stands in quotes: {name} = "{value}"', name=name, value=value
         )

@@ -22,6 +22,7 @@ from graphic_tmm.scene.declare import (
     build,
     keys_of,
 )
+from graphic_tmm.scene.written import default_text, value_of
 
 MOST = 100
 """So many faults of one table are put into words."""
@@ -219,9 +220,8 @@ def key_schema(name: str, declared: Key, tables: dict[str, Schema]) -> Schema:
         made["description"] = declared.says
     if declared.example is not None:
         made["examples"] = [declared.example]
-    default = declared.default
-    if default not in (None, MISSING) and (
-        isinstance(declared.kind, Kind) or default not in ((), {})
-    ):
-        made["default"] = list(default) if isinstance(default, tuple) else default
+    if (text := default_text(declared)) is not None:
+        made["default"] = value_of(text)
+    elif declared.default in ((), "") and isinstance(declared.kind, Kind):
+        made["default"] = [] if declared.default == () else ""
     return made

@@ -11,7 +11,7 @@ from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.scene import lengths, letters, misfits, quantities
 from graphic_tmm.scene.declare import Kind, Names, Schema
 from graphic_tmm.scene.misfits import stands
-from graphic_tmm.scene.quantities import Dimension
+from graphic_tmm.scene.units import Dimension
 
 COUNTERCLOCKWISE, CLOCKWISE = "counterclockwise", "clockwise"
 OTHER_EXTREME = "other extreme"
@@ -83,7 +83,9 @@ def no_choice(value: object, words: list[str], known: list[str]) -> Said:
         if one
         else said("it is one of {listed}", listed=listed)
     )
-    return stands(value, misfits.meant(str(value)[:40], known, 0.6), only)
+    told = str(value)[:40]
+    several = sum(word.startswith(told) for word in words) > 1
+    return stands(value, "" if several else misfits.meant(told, known, 0.6), only)
 
 
 def _text(value: object, names: Names) -> str:
@@ -175,12 +177,20 @@ def _angles(value: object, names: Names) -> tuple[float, ...]:
 
 
 def _speed(value: object, names: Names) -> float:
+    if isinstance(value, str) and quantities.is_a(value, "speed"):
+        raise ValueError(
+            said(
+                '"{text}" is the speed of a slider, and no slider can drive: name the link that turns about '
+                'a fixed pivot as link, and its angular speed, for example "380 rpm"',
+                text=misfits.short(value),
+            )
+        )
     number = quantities.parse(value, "angular speed")
     if number == 0:
         raise ValueError(
             said(
-                '{text}: a drive that stands still moves nothing; write "380 rpm"; at a start from rest no '
-                'velocity can be drawn: write a speed as small as "0.001 rad/s" beside the acceleration',
+                "{text}: a drive that stands still moves nothing; for what stands, or starts from rest, write "
+                'a speed so small that nothing comes of it, "0.001 rad/s"',
                 text=_told(value),
             )
         )
@@ -204,7 +214,7 @@ def _mu_l(value: object, names: Names) -> float:
     drawn = re.fullmatch(r"\s*([0-9]+(?:[.,][0-9]+)?)\s*:\s*([0-9]+(?:[.,][0-9]+)?)\s*", str(value))
     if isinstance(value, str) and drawn:
         paper, real = (float(part.replace(",", ".")) for part in drawn.groups())
-        number = real / paper / 1000 if paper else 0.0
+        number = quantities.kept(real / paper / 1000, "scale of lengths") if paper else 0.0
     else:
         number = quantities.parse(value, "scale of lengths")
     return _positive_scale(number, value)
@@ -239,7 +249,7 @@ def _positive_scale(number: float, value: object) -> float:
 
 
 def _drawn(value: object, names: Names) -> float:
-    metres = quantities.parse(value, "length")
+    metres = quantities.in_si(value, "length")
     if not _PAPER.holds(metres * 1000):
         raise ValueError(
             said(
@@ -254,7 +264,7 @@ def _drawn(value: object, names: Names) -> float:
 def _ruler(value: object, names: Names) -> float | str:
     if value == "exact":
         return "exact"
-    metres = quantities.parse(value, "length")
+    metres = quantities.in_si(value, "length")
     if not _DIVISION.holds(metres * 1000):
         raise ValueError(
             said('{text} is no ruler; write "0.1 mm", "0.5 mm" or "exact"', text=_told(value))
@@ -295,7 +305,7 @@ def _extra(value: object, names: Names) -> tuple[float | str, ...]:
 
 
 def _accelerations(value: object, names: Names) -> tuple[str, ...]:
-    if value in ("all", "все"):
+    if value in ("all", "все", ["all"], ["все"]):
         return ("all",)
     if not isinstance(value, list):
         raise ValueError(stands(value, said('write a list of positions, [2, 6, "6*"], or "all"')))
@@ -324,7 +334,11 @@ _MM: Schema = {
 def _switch(value: object, names: Names) -> bool:
     if isinstance(value, bool):
         return value
-    raise ValueError(stands(value, said("write true or false")))
+    word = misfits.truth(value) if isinstance(value, str) else ""
+    remedy = (
+        said("write {word}, without quotes", word=word) if word else said("write true or false")
+    )
+    raise ValueError(stands(value, remedy))
 
 
 _LENGTH: Schema = {
@@ -347,6 +361,7 @@ LINK_NUMBER = number(Bound(0, 999, whole=True))
 POINT = Kind(
     _point,
     {"type": "array", "items": _LENGTH, "minItems": 2, "maxItems": 2, "description": "x and y"},
+    each="length",
 )
 PLAIN_LENGTH = quantity("length")
 POSITIVE_LENGTH = quantity("length", POSITIVE)

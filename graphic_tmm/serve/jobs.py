@@ -117,7 +117,7 @@ def scene_of(task: Task) -> Scene:
         With every fault of its text.
     """
     scene = judged(task.data, Path(task.file), missing=missing)
-    return replace(scene, language=task.language) if task.language else scene
+    return scene.spoken_in(task.language)
 
 
 @lru_cache(REMEMBERED)

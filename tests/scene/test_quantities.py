@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from graphic_tmm.scene.quantities import LARGEST, UNITS, parse, plain
+from graphic_tmm.scene.quantities import LARGEST, Measures, measuring, parse
+from graphic_tmm.scene.units import UNITS, plain
 
 
 @pytest.mark.parametrize(
@@ -93,8 +94,21 @@ def test_wrong_dimension_says_what_is_wanted():
 
 def test_a_weight_in_kgf_becomes_a_mass_by_the_g_that_makes_a_kgf_of_a_kg():
     assert parse("17.1 kgf", "mass") == 17.1
-    with pytest.raises(ValueError, match="is a force; a mass is wanted"):
-        parse("17.1 N", "mass")
+    assert parse("10 lbf", "mass") == pytest.approx(4.5359237, rel=1e-15)
+
+
+@pytest.mark.parametrize("weight", ["200 N", "200 Н", "0.2 kN", "0,2 кН"])
+def test_a_weight_in_newtons_becomes_a_mass_by_the_g_of_the_scene(weight):
+    assert parse(weight, "mass") == pytest.approx(200 / 9.81, rel=1e-15)
+    with measuring(Measures(gravity=10.0)):
+        assert parse(weight, "mass") == 20.0
+
+
+def test_a_mass_for_a_force_is_answered_with_its_weight():
+    with pytest.raises(ValueError, match='"100 lb" is a mass; its weight is "100 lbf"; a force is'):
+        parse("100 lb", "force")
+    with pytest.raises(ValueError, match='its weight is "1500 kgf"'):
+        parse("1.5 t", "force")
 
 
 @pytest.mark.parametrize(
@@ -176,9 +190,36 @@ def test_decimal_factors_are_correctly_rounded():
     )
 
 
-@pytest.mark.parametrize("value", [1e-16, -1e-300, 5e-324, "1e-20 m", "0.0000000000000001 mm"])
-def test_what_is_too_small_for_any_machine_is_told(value):
-    with pytest.raises(ValueError, match="is too small a number; a length is wanted here"):
-        parse(value, "length")
-    assert parse(0, "length") == 0.0
+@pytest.mark.parametrize("value", [5.551115123125783e-17, -1e-300, 5e-324, "1e-20 m", "9e-10 mm"])
+@pytest.mark.parametrize("dimension", ["length", "angle"])
+def test_what_rounding_leaves_of_zero_is_zero(value, dimension):
+    if dimension == "length" or not isinstance(value, str):
+        assert parse(value, dimension) == 0.0
     assert parse("1e-9 mm", "length") == 1e-12
+    assert parse(1e-16, "force") == 0.0
+
+
+FEET = {
+    # published factors: NIST SP 811, appendix B.8 (to the digits given there)
+    "length": [("1 ft", 0.3048), ("1 in", 0.0254)],
+    "speed": [("1 ft/s", 0.3048)],
+    "acceleration": [("1 ft/s^2", 0.3048)],
+    "mass": [("1 lb", 0.4535924), ("1 slug", 14.59390)],
+    "force": [("1 lbf", 4.448222), ("1 kip", 4448.222)],
+    "pressure": [("1 psi", 6894.757), ("1 lbf/ft^2", 47.88026)],
+    "moment": [("1 lbf*ft", 1.355818), ("1 lb-ft", 1.355818), ("1 lbf in", 0.1129848)],
+    "moment of inertia": [
+        ("1 lb*in^2", 2.926397e-04),
+        ("1 lb-ft2", 0.04214011),
+        ("1 slug*ft^2", 1.355818),
+        ("1 lbf*in*s^2", 0.1129848),
+    ],
+    "density": [("1 lb/in^3", 2.767990e04), ("1 lb/ft^3", 16.01846)],
+    "power": [("1 hp", 745.6999)],
+}
+
+
+@pytest.mark.parametrize("dimension", FEET)
+def test_feet_and_pounds(dimension):
+    for text, value in FEET[dimension]:
+        assert parse(text, dimension) == pytest.approx(value, rel=5e-7), text

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import Given
+from graphic_tmm.chapter import SIZE, Given
 from graphic_tmm.chapters.arc_cam.task import ASKED, FLAT, ROCKER, ArcTask, Flank
 from graphic_tmm.readers.given import given_speed
 from graphic_tmm.scene.records import Scene
-
-MM = 1000.0
 
 
 def given(scene: Scene) -> Iterator[Given]:
@@ -17,9 +15,9 @@ def given(scene: Scene) -> Iterator[Given]:
     order = ASKED.of(scene)
     if order is None:
         return
-    yield Given("r_1", order.base * MM, "mm")
-    yield Given("r_2", order.nose * MM, "mm")
-    yield Given("d", order.distance * MM, "mm")
+    yield Given("r_1", order.base, SIZE)
+    yield Given("r_2", order.nose, SIZE)
+    yield Given("d", order.distance, SIZE)
     if order.rise == order.fall:
         yield _flank("given flank", "r_3", order.rise)
     else:
@@ -35,7 +33,7 @@ def given(scene: Scene) -> Iterator[Given]:
 def _flank(name: str, letter: str, flank: Flank) -> Given:
     if flank.radius is None:
         return Given(name, "given straight")
-    return Given(letter, flank.radius * MM, "mm")
+    return Given(letter, flank.radius, SIZE)
 
 
 def _follower(order: ArcTask) -> Iterator[Given]:
@@ -43,13 +41,13 @@ def _follower(order: ArcTask) -> Iterator[Given]:
         yield Given("given follower", "given face")
         return
     if order.roller:
-        yield Given("r", order.roller * MM, "mm")
+        yield Given("r", order.roller, SIZE)
     else:
         yield Given("given follower", "given edge")
     if order.follower == ROCKER:
         assert order.lever is not None
         assert order.centres is not None
-        yield Given("l", order.lever * MM, "mm")
-        yield Given("a", order.centres * MM, "mm")
+        yield Given("l", order.lever, SIZE)
+        yield Given("a", order.centres, SIZE)
     elif order.offset:
-        yield Given("e", order.offset * MM, "mm")
+        yield Given("e", order.offset, SIZE)

@@ -149,7 +149,7 @@ def _refuse(order: ArcTask) -> None:
 
 SECTIONS = (
     Section(
-        ASKED.section, ArcTask, "a cam given by arcs", alone=True,
+        ASKED.section, ArcTask, "a cam given by arcs", alone=True, metric=True,
         begin='base = "20 mm", distance = "22 mm", flank = "60 mm"', check=check, refuse=_refuse,
     ),
 )  # fmt: skip

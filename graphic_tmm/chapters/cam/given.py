@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import Given
+from graphic_tmm.chapter import SIZE, Given
 from graphic_tmm.chapters.cam.task import (
     ASKED,
     CamTask,
@@ -18,8 +18,6 @@ from graphic_tmm.language.said import said
 from graphic_tmm.readers.given import given_speed
 from graphic_tmm.scene.records import Scene
 
-MM = 1000.0
-
 
 def given(scene: Scene) -> Iterator[Given]:
     """Yield what a scene gives of its cam, lengths in mm; phases by their numbers, as the profile has them."""
@@ -27,11 +25,7 @@ def given(scene: Scene) -> Iterator[Given]:
     if order is None:
         return
     rocks = isinstance(order.follower, RockerFollower)
-    yield (
-        Given("β", math.degrees(order.stroke), "°")
-        if rocks
-        else Given("h", order.stroke * MM, "mm")
-    )
+    yield (Given("β", math.degrees(order.stroke), "°") if rocks else Given("h", order.stroke, SIZE))
     phases = (order.rise, order.upper_dwell, order.fall, order.lower_dwell)
     for number, angle in enumerate(phases, 1):
         if angle:
@@ -78,9 +72,9 @@ def _follower(order: CamTask) -> Iterator[Given]:
     """The sizes of the follower that the task fixes."""
     follower = order.follower
     if isinstance(follower, RockerFollower):
-        yield Given("l", follower.lever * MM, "mm")
-        yield Given("a_w", follower.centres * MM, "mm")
+        yield Given("l", follower.lever, SIZE)
+        yield Given("a_w", follower.centres, SIZE)
     elif isinstance(follower, RollerFollower) and follower.offset:
-        yield Given("e", follower.offset * MM, "mm")
+        yield Given("e", follower.offset, SIZE)
     elif isinstance(follower, FlatFollower) and follower.least:
-        yield Given("[ρ]", follower.least * MM, "mm")
+        yield Given("[ρ]", follower.least, SIZE)

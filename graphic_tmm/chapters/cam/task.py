@@ -369,7 +369,7 @@ def _refuse(order: CamTask) -> None:
 
 SECTIONS = (
     Section(
-        "cam", CamTask, "a cam", alone=True,
+        "cam", CamTask, "a cam", alone=True, metric=True,
         begin='stroke = "28 mm", rise = "100 deg", fall = "90 deg"', check=check, refuse=_refuse,
     ),
 )  # fmt: skip

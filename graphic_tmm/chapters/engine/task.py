@@ -13,6 +13,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Said, Section, key, made
 from graphic_tmm.scene.references import no_moving
+from graphic_tmm.scene.units import SI
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -62,6 +63,11 @@ def check(engine: Said, parts: Parts) -> Iterator[Found]:
     """What an engine needs besides its own section."""
     if engine.point not in parts.names.moving:
         yield Found(("engine", "point"), no_moving(engine.point, parts.names))
+    if engine.unit == "kgf" and parts.head is not None and parts.head.units != SI:
+        says = said(
+            'forces are in pounds-force already; leave it out, or write units = "{si}"', si=SI
+        )
+        yield Found(("engine", "unit"), says)
     if "indicator" not in parts.doc:
         says = said("no pressures are given; write a section [indicator]")
         yield Found(("engine",), says)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import Given
+from graphic_tmm.chapter import SIZE, Given
 from graphic_tmm.chapters.flywheel.task import ASKED, FlywheelTask
 from graphic_tmm.chapters.indicator.given import given_of as given_of_cylinder
 from graphic_tmm.scene.records import Scene
@@ -27,6 +27,6 @@ def given_of(order: FlywheelTask) -> Iterator[Given]:
     if order.J is not None:
         yield Given("J_F", order.J, "kg·m²")
     if order.rim is not None:
-        yield Given("D_e", order.rim.outer * 1000.0, "mm")
+        yield Given("D_e", order.rim.outer, SIZE)
         if order.rim.inner is not None:
-            yield Given("D_i", order.rim.inner * 1000.0, "mm")
+            yield Given("D_i", order.rim.inner, SIZE)

@@ -13,6 +13,7 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
+from graphic_tmm.language.units import millimetres, small
 from graphic_tmm.paper.drawing import Drawing, Stroke, arc, circle, line
 from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.symbols.dimensions import Dimension, dimension, shelf
@@ -171,10 +172,11 @@ class _Sketch:
         return [self.centre + self.ring * complex(math.cos(t), math.sin(t)) for t in turns]
 
     def dimensions(self, language: str) -> list[Dimension]:
-        """The dimensions, in mm of the flywheel."""
+        """The dimensions of the flywheel, in mm or in."""
 
         def mm(metres: float) -> str:
-            return number(round(1000 * metres, 1), language)
+            size, of = small(1000.0 * metres / millimetres(1.0, language), language)
+            return number(round(size, 1 if of == "mm" else 2), language)
 
         sizes = self.sizes
         left = [(self.inner, sizes.inner, 10.0), (self.outer, sizes.outer, 19.0)]

@@ -13,6 +13,7 @@ from graphic_tmm.chapters.indicator.task import IndicatorTask
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Said, Section, key, made
+from graphic_tmm.scene.quantities import kept
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -53,7 +54,9 @@ def _rim(said: Said) -> Rim | None:
         return None
     shaft = said.shaft or round(said.D_e / SHAFT, 3)
     stud = said.stud or round(said.D_e / STUD, 3)
-    return Rim(said.D_e, said.ratio, *MATERIALS[said.material], shaft, said.studs, stud, said.D_i)
+    limit, density = MATERIALS[said.material]
+    limits = kept(limit, "speed"), kept(density, "density")
+    return Rim(said.D_e, said.ratio, *limits, shaft, said.studs, stud, said.D_i)
 
 
 @dataclass(frozen=True)

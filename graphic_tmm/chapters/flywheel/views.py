@@ -30,7 +30,7 @@ from graphic_tmm.drawn import Drawn, Pieces, single
 from graphic_tmm.language import symbols
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
-from graphic_tmm.language.units import unit
+from graphic_tmm.language.units import millimetres, unit
 from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.finish import finished
@@ -161,10 +161,12 @@ def sketch(
     language = drawn.scene.language
     _ = speaking(language)
     order = rim.order
-    outer, inner, width = (_value(drawn, mark) for mark in (rim.outer, rim.inner, rim.width))
+    metre = millimetres(1.0, language) / 1000.0
+    read = (metre * _value(drawn, mark) for mark in (rim.outer, rim.inner, rim.width))
+    outer, inner, width = read
     # made in whole millimetres: the thinnest rim is one
     width = max(round(width, 3), 0.001)
-    sizes = Sizes(outer, inner, width, order.shaft, order.studs, order.stud)
+    sizes = Sizes(outer, inner, width, metre * order.shaft, order.studs, metre * order.stud)
     large, room = 1000 * max(outer, width), SKETCH * drawn.sizes[size]
     reduction = next((r for r in (1, *REDUCTIONS) if large / r <= room), REDUCTIONS[-1])
     title = _("Sketch of the flywheel")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping
 
-from graphic_tmm.chapter import Given
+from graphic_tmm.chapter import SIZE, Given
 from graphic_tmm.chapters.forces.task import ASKED, Load
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -26,8 +26,8 @@ def given(scene: Scene) -> Iterator[Given]:
             yield Given(letter, sizes[0], unit)
     if order.friction is not None:
         yield from _by_pair("f", order.friction.f, "")
-        radii = {name: 1000.0 * radius for name, radius in order.friction.radius.items() if radius}
-        yield from _by_pair("r", radii, "mm")
+        radii = {name: radius for name, radius in order.friction.radius.items() if radius}
+        yield from _by_pair("r", radii, SIZE)
 
 
 def stated(scene: Scene, language: str) -> Iterator[str]:

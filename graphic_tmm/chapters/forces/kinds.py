@@ -8,7 +8,7 @@ from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Names
 from graphic_tmm.scene.misfits import listed, stands
-from graphic_tmm.scene.quantities import Dimension
+from graphic_tmm.scene.units import Dimension
 
 AGAINST = "against"
 """The direction of a load that resists: against the velocity of its point, or the rotation of its link."""

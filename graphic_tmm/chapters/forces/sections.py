@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from graphic_tmm.chapters.forces import task
-from graphic_tmm.chapters.forces.task import GRAVITY
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import letters
 from graphic_tmm.scene.declare import Found, Path, Said, Section
-from graphic_tmm.scene.quantities import KGF, in_kgf
+from graphic_tmm.scene.quantities import in_kgf
 from graphic_tmm.scene.references import Outline, no_link, no_moving, of_link
+from graphic_tmm.scene.units import GRAVITY, KGF
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -146,7 +146,8 @@ def _defaults(asked: Said, parts: Parts) -> Iterator[str]:
     effects = parts.said["effects"]
     if effects is not None and effects.gravity and effects.g is None and in_kgf(parts.doc):
         yield said(
-            "effects.g: it is left out, so weights are taken with {gravity} m/s², while a kgf is {kgf} N; "
+            "effects.g: it is left out, so weights are taken with {gravity} m/s², while kgf and lbf are made "
+            "by {kgf} m/s²; "
             'write g = "{kgf} m/s^2", or the one that is meant',
             gravity=GRAVITY,
             kgf=KGF,

@@ -11,11 +11,10 @@ from graphic_tmm.chapters.indicator.task import IndicatorTask
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Others, Said, key, made
-from graphic_tmm.scene.quantities import KGF
+from graphic_tmm.scene.quantities import kept
 from graphic_tmm.scene.tables import Named
+from graphic_tmm.scene.units import GRAVITY, KGF
 
-GRAVITY = 9.81
-"""g throughout the documents, m/s²: what a weight is taken with if a scene gives no other."""
 AGAINST = w.AGAINST
 _BY_SHARES = [[0, "0 N"], [1, "190 N"]]
 
@@ -198,7 +197,7 @@ def joined(others: Others) -> Mapping[str, object]:
         "inertia": effects.inertia,
         "gas": others["indicator"] if effects.gas else None,
         "friction": friction(rubbed, mechanism) if effects.friction and rubbed else None,
-        "g": GRAVITY if effects.g is None else effects.g,
+        "g": kept(GRAVITY, "acceleration") if effects.g is None else effects.g,
     }
 
 

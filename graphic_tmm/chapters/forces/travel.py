@@ -86,8 +86,9 @@ def _parts(
     if along.min() < -SLACK:
         raise StructureError(
             said(
-                "the row does not begin where the travel of {point} does: begin at an extreme "
-                'position, zero = {{ point = "{point}", at = "left" }}',
+                "the row does not begin where the travel of {point} does: begin at an extreme position, zero = "
+                '{{ point = "{point}", at = "left" }}, or, where another load is told by a travel from there, '
+                "tell this one by_angle",
                 point=travel.of,
             ),
             "drive.zero",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import Given
+from graphic_tmm.chapter import SIZE, Given
 from graphic_tmm.chapters.gears.task import ASKED
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -39,7 +39,7 @@ def given(scene: Scene) -> Iterator[Given]:
         return
     yield Given("z_1", order.z1)
     yield Given("z_2", order.z2)
-    yield Given("m", order.m * 1000.0, "mm")
+    yield Given("m", order.m, SIZE)
     yield Given("x_1", order.x1)
     yield Given("x_2", order.x2)
     if order.delta_y is not None:

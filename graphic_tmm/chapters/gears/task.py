@@ -82,7 +82,7 @@ def _refuse(order: GearTask) -> None:
 
 SECTIONS = (
     Section(
-        "gears", GearTask, "a pair of gears", alone=True,
+        "gears", GearTask, "a pair of gears", alone=True, metric=True,
         begin='z1 = 15, z2 = 25, m = "8 mm"', refuse=_refuse,
     ),
 )  # fmt: skip

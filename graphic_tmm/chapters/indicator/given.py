@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import Given
+from graphic_tmm.chapter import SIZE, Given
 from graphic_tmm.chapters.indicator.task import IndicatorTask
 
 
 def given_of(order: IndicatorTask) -> Iterator[Given]:
     """Yield what is given of a cylinder, diameters in mm; its pressures stand in a table by positions."""
-    yield Given("D", order.cover.bore * 1000.0, "mm")
+    yield Given("D", order.cover.bore, SIZE)
     sides = [side for side in (order.cover, order.shaft) if side is not None]
     if rod := max(side.rod for side in sides):
-        yield Given("d", rod * 1000.0, "mm")
+        yield Given("d", rod, SIZE)
     yield Given("p_{max}", order.highest, "Pa")
     if clearance := max(side.clearance for side in sides):
         yield Given("c", clearance)

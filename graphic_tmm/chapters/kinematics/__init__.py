@@ -87,7 +87,7 @@ with late(__name__):
     )
     from graphic_tmm.chapters.kinematics.transmission import passed
     from graphic_tmm.chapters.kinematics.turning import between, moving
-    from graphic_tmm.language.said import joined
+    from graphic_tmm.language.said import joined, said
 
 
 def _undrawn(project: Project, reading: Reading) -> tuple[int, ...]:
@@ -100,11 +100,19 @@ def _undrawn(project: Project, reading: Reading) -> tuple[int, ...]:
 
 
 def _ranges(project: Project) -> str:
-    """Return, as the end of a sentence, over which ranges of the crank the mechanism assembles."""
-    says = KINEMATICS.on(project).assembly.said
-    return joined("", (": ", says)) if says else ""
+    """Return, as the end of a sentence, where the mechanism assembles, and how to draw it there."""
+    assembly = KINEMATICS.on(project).assembly
+    if not assembly.said:
+        return ""
+    inside = (
+        f'"{(a + (b - a) * share) % 360:.4g} deg"' for a, b in assembly.ranges for share in SHARES
+    )
+    remedy = said("write positions that lie there: extra = [{listed}]", listed=", ".join(inside))
+    return joined("", (": ", assembly.said, "; ", remedy))
 
 
+SHARES = (0.25, 0.5, 0.75)
+"""Where in a range of crank angles a position is proposed."""
 _BOTH = (VELOCITIES, ACCELERATIONS)
 
 CHAPTER = Chapter(

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from graphic_tmm.board.draft import ROUNDING
-from graphic_tmm.chapter import Given
+from graphic_tmm.chapter import SIZE, Given
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.guides import turn
@@ -16,8 +16,6 @@ from graphic_tmm.readers.given import given_speed
 from graphic_tmm.readers.narration import remark
 from graphic_tmm.scene.records import Scene
 
-MM = 1000.0
-
 
 def given(scene: Scene) -> Iterator[Given]:
     """Yield what a scene gives of its mechanism, lengths in mm."""
@@ -26,9 +24,9 @@ def given(scene: Scene) -> Iterator[Given]:
         return
     if scene.task is not None:
         yield Given("K_v", scene.task.K_v)
-        yield Given("S", scene.task.stroke * MM, "mm")
+        yield Given("S", scene.task.stroke, SIZE)
     rows = [*_lengths(mechanism), *frame_sizes(mechanism)]
-    yield from dict.fromkeys(Given(name, size * MM, "mm") for name, size in rows)
+    yield from dict.fromkeys(Given(name, size, SIZE) for name, size in rows)
     yield from _directions(mechanism)
     yield from _drive(mechanism)
     yield from _masses(mechanism)

@@ -30,6 +30,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.scales import Fitting, extent, unscaled
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
+from graphic_tmm.language.units import unit_name
 from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scales, Scene
@@ -216,7 +217,11 @@ def _size(plan: str, usual: Callable[[Scene], float], cap: float, small: float =
     def remedy(drawn: Drawn, key: str) -> str:
         mu = drawn.scales[plan].value
         crank = crank_sizes(KINEMATICS.on(drawn))[PLANS.index(plan)] / mu
-        return f"{mu:g} {UNITS[key]}" if key in UNITS else f"{math.floor(crank) or crank:g} mm"
+        return (
+            f"{mu:g} {unit_name(UNITS[key], drawn.scene.language)}"
+            if key in UNITS
+            else f"{math.floor(crank) or crank:g} mm"
+        )
 
     def own(reach: Mapping[str, Any]) -> float:
         return float(getattr(reach[KINEMATICS.chapter], plan))

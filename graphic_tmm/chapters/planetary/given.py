@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import Given
+from graphic_tmm.chapter import SIZE, Given
 from graphic_tmm.chapters.planetary.task import ASKED, SCHEMES
 from graphic_tmm.readers.given import given_speed
 from graphic_tmm.scene.records import Scene
@@ -20,10 +20,10 @@ def given(scene: Scene) -> Iterator[Given]:
         yield Given("U_{1H}" if order.driving == "1" else "U_{H1}", order.ratio)
         yield Given("ΔU_{max}", 100.0 * order.tolerance, "%")
     if order.module_2 is None:
-        yield Given("m", order.module * 1000.0, "mm")
+        yield Given("m", order.module, SIZE)
     else:
-        yield Given("m_{1-2}", order.module * 1000.0, "mm")
-        yield Given("m_{3-4}", order.module_2 * 1000.0, "mm")
+        yield Given("m_{1-2}", order.module, SIZE)
+        yield Given("m_{3-4}", order.module_2, SIZE)
     for number, teeth in enumerate(order.teeth, 1):
         if teeth is not None:
             yield Given(f"z_{number}", teeth)

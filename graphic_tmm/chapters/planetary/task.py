@@ -340,7 +340,7 @@ def check(asked: Said, parts: Parts) -> Iterator[Found]:
 
 SECTIONS = (
     Section(
-        "planetary", PlanetaryTask, "a planetary train", alone=True,
+        "planetary", PlanetaryTask, "a planetary train", alone=True, metric=True,
         begin='ratio = 4.55, module = "8 mm"', check=check,
         refuse=scheme_of,
     ),

@@ -19,6 +19,7 @@ from graphic_tmm.checking.judging.own_errors import exact
 from graphic_tmm.checking.lessons.steps import Steps, Told
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.units import unit_name
 
 SAME = 1e-9
 """Figures that differ by less than this share are one: what two ways of calculating leave is some 1e-12."""
@@ -68,7 +69,7 @@ def _same(told: Told, cell: Cell, position: str) -> bool:
     mark, names = told.step.it, told.board.names
     if mark.kind is Length:
         due = cell.mm
-    elif mark.kind is Number and mark.unit == cell.unit:
+    elif mark.kind is Number and unit_name(mark.unit, told.board.scene.language) == cell.unit:
         due = cell.value
     else:
         return False

@@ -6,7 +6,8 @@ import math
 import re
 
 from graphic_tmm.language.said import said
-from graphic_tmm.scene.quantities import LARGEST, NUMBER, UNITS, plain
+from graphic_tmm.scene.quantities import LARGEST, NUMBER
+from graphic_tmm.scene.units import UNITS, plain
 
 SHEET = {
     **dict.fromkeys(("mm", "мм"), 1.0),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from graphic_tmm.checking.cells import Cell
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.language.said import said
-from graphic_tmm.scene.quantities import UNITS, plain
+from graphic_tmm.scene.units import UNITS, plain
 
 
 def taken_figure(taken: Taken, cell: Cell) -> float:

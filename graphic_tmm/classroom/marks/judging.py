@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
@@ -97,7 +96,7 @@ def judge(given: Given, photographs: Mapping[str, bytes] | None = None) -> Done:
 def scene_of(task: Task) -> Scene:
     """Return the scene of a task; raises as `scene.read.read`."""
     scene = judged(task.text.encode("utf-8"), Path(task.source), missing=missing)
-    return replace(scene, language=task.language) if task.language else scene
+    return scene.spoken_in(task.language)
 
 
 @lru_cache(maxsize=8)

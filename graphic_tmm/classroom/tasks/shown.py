@@ -16,7 +16,7 @@ from graphic_tmm.handout.words import indexed
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
-from graphic_tmm.language.units import unit
+from graphic_tmm.language.units import millimetres, unit
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.lettering.letters import escape
@@ -105,7 +105,11 @@ def _scheme(scene: Scene, draw: Drawer, room: complex, setting: Setting) -> Bloc
         return None
     _, language = speaking(scene.language), scene.language
     mu = f"μ_{{l}} = {number(made.mu, language)} {unit('m/mm', language)}"
-    scale = _(SCALE, scale=ratio(0.001 / made.mu, language), mu=mu) if made.mu else ""
+    scale = (
+        _(SCALE, scale=ratio(1.0 / millimetres(made.mu, language), language), mu=mu)
+        if made.mu
+        else ""
+    )
     plain = made.mu == 0.0 or scene.task is not None
     title = made.view.title or _(SCHEME)
     told = (escape(title), _(NO_SCALE) if plain else scale, *map(indexed, made.notes))

@@ -16,13 +16,13 @@ import numpy as np
 from graphic_tmm.chapter import MECHANISM, Given
 from graphic_tmm.errors import TmmError
 from graphic_tmm.language.numbers import number
+from graphic_tmm.language.units import small
 from graphic_tmm.readers.given import given_rows, sought
 from graphic_tmm.readers.protocol import synthesis
 from graphic_tmm.scene.read import judged
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.splice import set_to
 
-MM = 1000.0
 SHARES = ((1.2, 0.8), (1.1, 0.9), (1.3, 1.0), (0.8, 0.9))
 """By how much K_v − 1 and the stroke are another for a scheme not to scale; the first that can be read."""
 TRIED = (1.0, 1.01)
@@ -74,7 +74,9 @@ def _synthesis(scene: Scene) -> tuple[frozenset, dict[str, float]]:  # type: ign
     found = synthesis(scene)
     assert found is not None
     own = {name for name, mark in found.lengths.items() if mark not in found.given}
-    return frozenset(found.given), {n: v * MM for n, v in found.values().items() if n in own}
+    return frozenset(found.given), {
+        n: small(v, scene.language)[0] for n, v in found.values().items() if n in own
+    }
 
 
 def _sum(tried: Sequence[Scene], values: Sequence[object], language: str) -> str:

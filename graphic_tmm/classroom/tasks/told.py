@@ -19,8 +19,8 @@ from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.readers.protocol import synthesis as read_synthesis
 from graphic_tmm.scene.declare import keys_of
-from graphic_tmm.scene.quantities import plain
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.units import plain
 
 Document = Mapping[str, Any]
 

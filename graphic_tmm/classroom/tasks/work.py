@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path as File
 from typing import NamedTuple
 
@@ -145,7 +144,7 @@ def task(given: Task) -> Done:
 
 def _scene(given: Task, text: str) -> Scene:
     scene = judged(text.encode("utf-8"), File(given.source), missing=missing)
-    return replace(scene, language=given.language) if given.language else scene
+    return scene.spoken_in(given.language)
 
 
 def _scaled(text: str, scales: Mapping[str, Scale]) -> str:

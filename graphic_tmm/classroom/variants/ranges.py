@@ -29,7 +29,8 @@ from graphic_tmm.scene.document import Document, document
 from graphic_tmm.scene.faults import key_of
 from graphic_tmm.scene.lines import line_of, locate
 from graphic_tmm.scene.misfits import meant, short
-from graphic_tmm.scene.quantities import NUMBER, UNITS, Dimension, parse, plain
+from graphic_tmm.scene.quantities import NUMBER, parse
+from graphic_tmm.scene.units import UNITS, Dimension, plain
 
 FILE = "ranges.toml"
 RANGES = Kind(said("a file of ranges"), said("name a file of ranges (TOML)"), 256_000)

@@ -6,8 +6,6 @@ same sheets, and nobody searches for sizes thirty times.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from graphic_tmm.classroom.variants.variant import Base
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import TmmError
@@ -61,9 +59,9 @@ def begun(scene: Scene, start: str, own: str = "") -> tuple[DrawnScene, Composed
         If it cannot be drawn, or a view fits no sheet.
     """
     given = known_composition(start.encode("utf-8"), beside(scene.source)) if start else None
-    if not own or own == scene.language:
+    if scene.spoken_in(own) is scene:
         return composed_sheets(scene, given, near=True)
-    _, found = composed_sheets(replace(scene, language=own), given, near=True)
+    _, found = composed_sheets(scene.spoken_in(own), given, near=True)
     return composed_as_large(scene, found.composition)
 
 

@@ -14,7 +14,8 @@ from graphic_tmm.classroom.variants.variant import LONGEST_NAME, Value, Variant,
 from graphic_tmm.errors import Fault, SceneError, first_of
 from graphic_tmm.files import Kind, read
 from graphic_tmm.language.said import said
-from graphic_tmm.scene.quantities import NUMBER, UNITS, plain
+from graphic_tmm.scene.quantities import NUMBER
+from graphic_tmm.scene.units import UNITS, plain
 
 VARIANTS = Kind(said("a table of variants"), said("name a CSV or xlsx file of variants"), 8_000_000)
 MOST, COLUMNS = 100_000, 256

@@ -18,11 +18,12 @@ from graphic_tmm.packaged import scene_name
 from graphic_tmm.scene.declare import Path
 from graphic_tmm.scene.document import Document, document
 from graphic_tmm.scene.faults import key_of
-from graphic_tmm.scene.quantities import NUMBER, UNITS, plain
+from graphic_tmm.scene.quantities import NUMBER
 from graphic_tmm.scene.read import FILE, SCENE, judged
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.splice import Unplaced, literal, quoted, set_to
 from graphic_tmm.scene.spoken import spoken
+from graphic_tmm.scene.units import UNITS, plain
 from graphic_tmm.scene.vary import place_of as place_in
 
 LONGEST_NAME = 40

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
@@ -59,7 +58,7 @@ def read_scene(name: str | None, *, lettered: bool = False) -> Scene:
         scene = read(path)
     language = asked() or scene.language
     hear(language)
-    return scene if language == scene.language else replace(scene, language=language)
+    return scene.spoken_in(language)
 
 
 def language_of(path: Path) -> str:

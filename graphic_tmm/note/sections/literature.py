@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.catalogue import code_of, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note.document import Block, Heading, Item, Listed, paragraph, text
 
@@ -50,5 +50,5 @@ def _called_for(made: DrawnScene, language: str) -> list[str]:
         key=lambda one: one.number,
     )
     named = dict.fromkeys(key for one in chapters for key in one.sources)
-    keys = (*named, *(ESKD if language == "ru" else ISO))
+    keys = (*named, *(ESKD if code_of(language) == "ru" else ISO))
     return [speaking(language)(BOOKS[key]) for key in keys]

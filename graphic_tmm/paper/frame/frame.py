@@ -12,7 +12,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.language.catalogue import Speech, languages, speaking
+from graphic_tmm.language.catalogue import Speech, code_of, languages, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke, line
@@ -153,7 +153,7 @@ def _inner(format: str, language: str) -> Box:
                 listed=", ".join(FORMATS),
             )
         )
-    if language not in languages():
+    if code_of(language) not in languages():
         raise SheetError(
             said(
                 "no frame in {language!r}: choose one of {listed}",

@@ -1,0 +1,88 @@
+"""Every default and every example, as people read it, is accepted as it is printed."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator
+from dataclasses import MISSING
+from pathlib import Path
+from typing import Any
+
+from support.command import invoke
+from support.scenes import slider_crank, written
+
+from graphic_tmm.scene import keys
+from graphic_tmm.scene.declare import Found, Key, keys_of
+from graphic_tmm.scene.drawing import Head
+from graphic_tmm.scene.new import shown
+from graphic_tmm.scene.sections import declared
+from graphic_tmm.scene.tables import key_schema
+
+SCENE = slider_crank(
+    'speed = 1\n[[load]]\nlink = 3\npoint = "B"\nforce = "1 N"\ndirection = 0\n'
+    '[forces]\npositions = ["all"]'
+)
+
+
+def _keys(record: type, at: str) -> Iterator[tuple[str, Key]]:
+    """Yield the keys of a section, and those of the tables in it."""
+    others = getattr(record, "OTHERS", None)
+    inner = list(keys.inner_tables(others)) if others is not None else []
+    for name, one in keys_of(record).items():
+        yield f"{at}.{name}", one
+        inner += keys.inner_tables(one.kind)
+    for table in inner:
+        yield from _keys(table, f"{at}.{table.__name__}")
+
+
+ALL = [
+    *_keys(Head, ""),
+    *(one for section in declared().values() for one in _keys(section.record, section.name)),
+]
+
+
+def _taken(one: Key, at: str, value: Any) -> Any:
+    found: list[Found] = []
+    taken = one.kind.understood(value, (at,), {}, found)
+    assert not found, (at, value, found)
+    return taken
+
+
+def test_all_keys_are_walked() -> None:
+    assert len(ALL) > 250
+    assert {"forces.positions", "link.Slide.offset", "frame.Guide.angle"} <= dict(ALL).keys()
+
+
+def test_a_default_is_accepted_as_it_is_printed() -> None:
+    empty = (None, MISSING, (), {}, "")
+    said = [
+        (at, one) for at, one in ALL if not any(one.default is e or one.default == e for e in empty)
+    ]
+    assert len(said) > 80
+    for at, one in said:
+        printed = keys._default(one)
+        assert printed[0] == printed[-1] == "`", (at, printed)
+        for text in (printed.strip("`"), shown(one)):
+            assert _taken(one, at, tomllib.loads(f"it = {text}")["it"]) == one.default, at
+
+
+def test_a_default_of_the_schema_is_accepted() -> None:
+    said = [(at, one, key_schema(at, one, {})) for at, one in ALL]
+    for at, one, told in said:
+        if "default" in told:
+            assert _taken(one, at, told["default"]) == one.default, at
+
+
+def test_an_example_is_accepted_as_it_is_printed() -> None:
+    for at, one in ALL:
+        if (printed := keys._example(one)) != keys.NONE:
+            _taken(one, at, tomllib.loads(f"it = {printed.strip('`')}")["it"])
+
+
+def test_all_positions_may_stand_in_a_list(tmp_path: Path) -> None:
+    one, other = (
+        invoke("table", written(tmp_path, text), "-f", "csv")
+        for text in (SCENE, SCENE.replace('["all"]', '"all"'))
+    )
+    assert one.exit_code == other.exit_code == 0, one.output
+    assert one.output == other.output
