@@ -34,6 +34,10 @@ ROCKER_LENGTH = said(
     "The stone slides along the rocker, so this length changes with the position: it is read off the "
     "drawing each time."
 )
+CYLINDER_LENGTH = said(
+    "The piston slides in the cylinder, so this length changes with the position: it is read off the "
+    "drawing each time."
+)
 SPEED_OF_PIN = said(
     "The crank turns about a fixed pivot: the speed of its pin is the angular velocity times the radius."
 )
@@ -142,9 +146,13 @@ IN_LINE = said(
     "Crank and rod are in one line, so the line from the crank's pivot to the pin tells the angle of the "
     "crank."
 )
-CRANK_CIRCLE = said("The pin of the crank, and the stone on it, goes round on this circle.")
+CRANK_CIRCLE = said("The pin of the crank goes round on this circle.")
 ROCKER_TOUCHES = said(
     "The rocker swings out farthest where its line touches the circle of the pin: there crank and rocker "
+    "are square to one another, and it turns back."
+)
+CYLINDER_TOUCHES = said(
+    "The cylinder swings out farthest where its axis touches the circle of the pin: there crank and axis "
     "are square to one another, and it turns back."
 )
 CRANK_AT_EXTREME = said("The line from the pivot to the pin tells the angle of the crank.")
