@@ -74,7 +74,6 @@ with late(__name__):
     from graphic_tmm.chapters.kinematics.scales import (
         SCALE_KEYS,
         extents,
-        outlying,
         plan_scales,
         sizes_of,
     )
@@ -199,7 +198,7 @@ CHAPTER = Chapter(
     reach=extents,
     plan_scales=plan_scales,
     choice=choose,
-    warnings=outlying,
+    warnings=views.warned,
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     undrawn=_undrawn,
     ranges=_ranges,

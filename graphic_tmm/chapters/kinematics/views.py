@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from graphic_tmm.captions import captions
 from graphic_tmm.chapters.kinematics.ink_equations import draw_equations
+from graphic_tmm.chapters.kinematics.ink_links import LinksInk
 from graphic_tmm.chapters.kinematics.ink_plans import (
     Place,
     draw_plan,
@@ -21,14 +22,14 @@ from graphic_tmm.chapters.kinematics.names import (
     VELOCITIES,
 )
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans
-from graphic_tmm.chapters.kinematics.scales import reaches
+from graphic_tmm.chapters.kinematics.scales import outlying, reaches
 from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
 from graphic_tmm.chapters.kinematics.transmission import best
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Stand, Stroke
-from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.finish import TOGETHER, finished
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
@@ -95,6 +96,24 @@ def main_position(drawn: Drawn) -> int:
         return told
     angles = [float(angle or 0.0) for angle in drawn.project.angles]
     return best(made.tried, angles, [k for k in made.accelerated if k in there], there)
+
+
+def warned(drawn: Drawn, language: str) -> Iterator[str]:
+    """Yield, as sentences, what outlies the plans, and mass centres of pistons that lie off their rods."""
+    yield from outlying(drawn, language)
+    ink, at = LinksInk(drawn.construction, drawn.reading, reaches(drawn)), main_position(drawn)
+    for figure in (one for one in ink.figures if one.kind == "piston"):
+        pin, way = ink.foot(figure, at), ink.cylinder(figure, at).way
+        for told in ink.of(figure.name, "centre"):
+            mark = told.marks[0]
+            if ((ink.at(mark, at) - pin) / way).real < -TOGETHER:
+                yield speaking(language)(
+                    "link {number}: its mass centre {centre} lies behind the pin {pin} of its rod, away from "
+                    'the piston; if it is on the rod, write angle = "180 deg" in its slides',
+                    number=figure.name,
+                    centre=mark.letter,
+                    pin=figure.marks[0].letter,
+                )
 
 
 def given_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
