@@ -25,8 +25,8 @@ from graphic_tmm.paper.symbols.kinematic import (
     tube,
 )
 
-CLEAR = JOINT_RADIUS + 3.5
-"""So far the pin of the rod stays off the tube, mm, and the end of the tube off the pivot."""
+OUT, BEFORE = JOINT_RADIUS + 1.5, JOINT_RADIUS + 3.5
+"""So far the pin of the rod stays out of the tube, and the tube ends before its pivot, mm."""
 ROOM = 2.0
 """What is left between the piston and the ends of the tube in its outermost places, mm."""
 
@@ -56,7 +56,7 @@ def cylinder(reach: Reach) -> Cylinder:
     sense = -1.0 if reach.low + reach.high > 0.0 else 1.0
     far, near = sorted((sense * reach.low, sense * reach.high))
     inside = near - far + PISTON_LENGTH + 2 * ROOM
-    closed = max(near + CLEAR + inside, -CLEAR)
+    closed = max(near + OUT + inside, -BEFORE)
     return Cylinder(sense, closed - inside, closed, closed - ROOM - PISTON_LENGTH / 2 - near)
 
 
@@ -96,13 +96,14 @@ class Placed(NamedTuple):
         yield from piston(self.piston(pin), float(np.degrees(np.angle(self.way))))
 
     def axis(self, pin: complex) -> tuple[complex, complex]:
-        """Return the ends of the axis behind the piston, to the end of the tube or the pivot behind it."""
-        return self.piston(pin), self.foot + max(self.of.closed, 0.0) * self.way
+        """Return the ends of the axis between the piston and the pivot, if that is behind it."""
+        piston = self.piston(pin)
+        behind = ((piston - self.foot) / self.way).real
+        return piston, self.foot + max(behind, 0.0) * self.way
 
     def guide(self, pin: complex) -> tuple[complex, complex]:
         """Return the ends of the line that the guide is lettered at: from the piston to behind the tube."""
-        first, last = self.axis(pin)
-        return first, last + BEYOND * self.way
+        return self.piston(pin), self.foot + (max(self.of.closed, 0.0) + BEYOND) * self.way
 
     def held(self, spots: list[complex], pen: str) -> Iterator[Stroke]:
         """Yield what holds points of the link to its tube: the shortest way from each that lies off it."""

@@ -131,14 +131,18 @@ class LinksInk:
         """Return what is told of the cylinders that a link is, and each of them in one position."""
         return [(one, self.cylinder(one, index)) for one in self.of(name, *CONTENTS)]
 
-    def rods(self, name: str, index: int) -> list[Bar]:
-        """Return the rods of a link's pistons, each from the pin, or a point behind it, to the piston."""
+    def rods(self, name: str, index: int, *, heavy: bool = True) -> list[Bar]:
+        """Return the rods of a link's pistons, each from the pin, or a point behind it, to the piston.
+
+        ``heavy``: the piston is drawn, else only where its middle is.
+        """
         spots, found = self.spots(name, index), []
         for figure in self.of(name, "piston"):
             pin, placed = self.foot(figure, index), self.cylinder(figure, index)
             own = [(z - pin) / placed.way for z in spots]
             behind = min([0.0, *(z.real for z in own if abs(z.imag) <= TOGETHER)])
-            found.append(Bar((pin + behind * placed.way, placed.face(pin)), pin, pin))
+            end = placed.face(pin) if heavy else placed.piston(pin)
+            found.append(Bar((pin + behind * placed.way, end), pin, pin))
         return found
 
     def foot(self, figure: Figure, index: int) -> complex:
@@ -171,11 +175,12 @@ class LinksInk:
             spot, foot = self.at(figure.marks[0], index), self.foot(figure, index)
             if abs(spot - foot) > TOGETHER:
                 made.append(line(pens[0], spot, foot))
-        rods = self.rods(name, index)
+        rods = self.rods(name, index, heavy=pens == MAIN)
         made += [line(pens[0], *rod.ends) for rod in rods]
         if (tubes := self._tubes(name, index)) and pens == MAIN:
             return made + [held for _, one in tubes for held in one.held(spots, pens[0])]
-        made += [line(pens[0], *one.axis(self.foot(figure, index))) for figure, one in tubes]
+        axes = [one.axis(self.foot(figure, index)) for figure, one in tubes]
+        made += [line(pens[0], *ends) for ends in axes if abs(ends[1] - ends[0]) > TOGETHER]
         held = any(all(_on(spot, bar) for spot in spots) for bar in (*bars, *rods))
         return made if held else made + _outline(spots, pens[0])
 
@@ -223,7 +228,10 @@ class LinksInk:
         at = self.at(mark, index or 0)
         if mark in self.joined:
             return [*body(turning_pair(at), "pair", [mark], index)]
-        return [*body([circle("main", at, POINT_RADIUS, filled=True)], "point", [mark], index)]
+        tubes = {f.name for f in self.figures if f.kind in CONTENTS}
+        over = any(mark in f.marks for name in tubes for f in self.of(name, "link"))
+        pen = "rod" if over else "main"
+        return [*body([circle(pen, at, POINT_RADIUS, filled=True)], "point", [mark], index)]
 
     def corners(self, name: str, index: int) -> list[Stroke]:
         """Return the filled corners where a guide and the rest of its link are one, if there is room."""

@@ -25,10 +25,10 @@ ARC_AND_GUIDE = said(
 TWO_GUIDES = said("The pin belongs to both sliders, so it is where their paths cross.")
 LINK_AXIS = said("The axis of a link goes through its two pins.")
 SLIDER_PATH = said(
-    "A slider does not turn on its guide: each of its points moves on a parallel to it."
+    "A link that slides does not turn on its guide: each of its points moves on a parallel to it."
 )
 SLIDER_AXIS = said(
-    "A slider does not turn on its guide, so its axis keeps the direction of the guide."
+    "A link that slides does not turn on its guide, so its axis keeps the direction of the guide."
 )
 ROCKER_LENGTH = said(
     "The stone slides along the rocker, so this length changes with the position: it is read off the "
