@@ -56,11 +56,13 @@ from graphic_tmm.chapters.kinematics.names import (
     VELOCITIES,
 )
 from graphic_tmm.chapters.kinematics.scales import SIZES
+from graphic_tmm.chapters.kinematics.task import ASKED, SECTIONS
 from graphic_tmm.late import late
 
 if TYPE_CHECKING:
     from graphic_tmm.board.execute import Reading
     from graphic_tmm.project import Project
+    from graphic_tmm.scene.records import Scene
 
 with late(__name__):
     from graphic_tmm.board.values import undefined
@@ -102,6 +104,17 @@ def _ranges(project: Project) -> str:
     """Return, as the end of a sentence, over which ranges of the crank the mechanism assembles."""
     says = KINEMATICS.on(project).assembly.said
     return joined("", (": ", says)) if says else ""
+
+
+def _needs(scene: Scene) -> dict[str, object]:
+    """Return the plans that further rows are read off."""
+    rows = ASKED.of(scene)
+    if rows is None:
+        return {}
+    gained = bool(rows.relative or rows.paths)
+    return dict.fromkeys(
+        [*[VELOCITIES] * bool(rows.pins or gained), *[ACCELERATIONS] * gained], True
+    )
 
 
 _BOTH = (VELOCITIES, ACCELERATIONS)
@@ -189,7 +202,9 @@ CHAPTER = Chapter(
         ),
     ),
     sizes=SIZES,
+    sections=SECTIONS,
     asked=lambda scene: scene.mechanism is not None,
+    needs=_needs,
     always=True,
     given=given,
     stated=stated,

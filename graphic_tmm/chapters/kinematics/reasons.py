@@ -160,4 +160,25 @@ STANDS_STILL = said(
     "In an extreme position the point turns back: its velocity in the asked direction is 0, so it is "
     "looked for between two angles at which that velocity has opposite senses."
 )
+ANGLE_OF_LINK = said("The angle of a link is that of a line fixed in it, from the x axis.")
+ALONG_THE_GUIDE = said(
+    "The point slides along its guide: where it is, is read along it, with a sign for either way."
+)
+WHOLE_RELATIVE = said(
+    "The vector from one image to another is the whole acceleration of one point relative to the other, its "
+    "normal and tangential parts together."
+)
+PATH_WAY = said("The velocity of a point lies along the tangent of its path.")
+PATH_ALONG = said(
+    "Along the path means along the velocity: its direction is that of the plan of velocities."
+)
+PATH_ACROSS = said("The normal of the path is square to the velocity.")
+PATH_TANGENTIAL = said(
+    "The part of the acceleration along the path changes the size of the velocity; it is positive where the "
+    "point goes faster."
+)
+PATH_NORMAL = said(
+    "The part of the acceleration square to the path turns the velocity towards the centre of curvature; it "
+    "is positive where that lies on the left of the way."
+)
 VECTOR = said("This vector is known in length and direction: it is laid off to scale.")
