@@ -42,6 +42,9 @@ class Slide:
 
     The slider's own x axis is parallel to the guide turned by ``angle`` (degrees) and lies ``offset``
     metres to its left (its origin does); the slider's own points are laid off from there.
+
+    ``cylinder``: what presses on the piston, "oil" or "gas", where the slider is a piston with its rod and
+    ``on`` its cylinder; "" where it is a block on a guide.
     """
 
     on: int
@@ -49,6 +52,7 @@ class Slide:
     offset: float = 0.0
     angle: float = 0.0
     side: Side | None = None
+    cylinder: str = ""
 
 
 @dataclass(frozen=True)

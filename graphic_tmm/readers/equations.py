@@ -101,8 +101,11 @@ def _bar(symbol: str) -> str:
     return f"\\bar{{{symbol[0]}}}{symbol[1:]}"
 
 
-def quantity(letter: str) -> str:
-    """Return the quantity that a segment stands for: pb -> v_{B}, ab -> v_{BA}, n_{ab} -> a_{BA}^{n}."""
+def quantity(letter: str, relative: str = "v") -> str:
+    """Return the quantity that a segment stands for: pb -> v_{B}, ab -> v_{BA}, n_{ab} -> a_{BA}^{n}.
+
+    ``relative``: what a segment between two images stands for.
+    """
     stem, _, rest = letter.partition("_")
     if rest and stem in "ωε":
         return letter
@@ -111,7 +114,7 @@ def quantity(letter: str) -> str:
         return f"a_{{{''.join(reversed(ends)).upper()}}}^{{{stem}}}"
     if ends[0] in QUANTITIES:
         return f"{QUANTITIES[ends[0]]}_{{{''.join(ends[1:]).upper()}}}"
-    return f"v_{{{''.join(reversed(ends)).upper()}}}"
+    return f"{relative}_{{{''.join(reversed(ends)).upper()}}}"
 
 
 def ends_of(letter: str) -> list[str]:

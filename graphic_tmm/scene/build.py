@@ -166,7 +166,7 @@ def _slide(table: m.Slide, bodies: dict[int, m.Frame | m.Link], frame: int) -> S
     if table.side is not None:
         sign = geometry.sense(table.side, line, fixed=on == frame)
         side = Side(sign, flips_at=table.flips_at)
-    return Slide(on, line, table.offset, table.angle, side)
+    return Slide(on, line, table.offset, table.angle, side, table.cylinder or "")
 
 
 def _row(drive: m.Drive) -> Row:

@@ -80,6 +80,12 @@ class Slide:
     flips_at: tuple[float, ...] | None = key(
         v.ANGLES, "crank angles at which the side changes", ["90 deg"], None
     )
+    cylinder: str | None = key(
+        v.choice("oil", "gas", масло="oil", газ="gas"),
+        "this link is a piston with its rod, the one it slides on their cylinder: what presses on the piston",
+        "oil",
+        None,
+    )
 
 
 @dataclass(frozen=True)

@@ -148,6 +148,12 @@ def _slides(path: Path, link: Document, names: Outline) -> Iterator[Found]:
         elif number == link.get("number"):
             says = said("link {number} cannot slide on itself; write another number", number=number)
             yield Found((*at, "on"), says)
+        elif number == names.frame and "cylinder" in slide:
+            says = said(
+                "a cylinder is a link that moves, and link {number} slides on the frame; leave cylinder out",
+                number=link.get("number"),
+            )
+            yield Found((*at, "cylinder"), says)
         else:
             yield from _along((*at, "along"), slide.get("along"), number, names)
 

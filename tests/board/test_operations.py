@@ -224,6 +224,7 @@ REFERENCES: dict[str, Callable[..., Bounded]] = {
     "cross": _cross,
     "tangent": _tangent,
     "rocker_line": _through,
+    "cylinder_axis": _through,
     "directed": lambda p, to, side: ((p, side * to[1]), (0, 4 * EPS)),
     "touch": _touch,
     "similar": lambda a, b, A, B, S: _image(a, b - a, B - A, S - A),

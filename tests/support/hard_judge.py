@@ -22,7 +22,7 @@ import numpy as np
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import Finding, examine
 from graphic_tmm.board.geometry import EPS
-from graphic_tmm.board.operations.instruments import rocker_line
+from graphic_tmm.board.operations.instruments import cylinder_axis, rocker_line
 from graphic_tmm.board.values import Arc
 from graphic_tmm.chapters.kinematics.bodies import PinLeg
 from graphic_tmm.chapters.kinematics.positions import side_record, side_values
@@ -117,7 +117,7 @@ def _conditions(sheet: Board, reading: Any) -> tuple[float, float, float]:
     found = {"positions": 1.0, "velocities": 1.0, "accelerations": 1.0}
     with np.errstate(all="ignore"):
         for step in sheet.log.steps:
-            if step.op.condition is not None and step.op is not rocker_line:
+            if step.op.condition is not None and step.op not in (rocker_line, cylinder_axis):
                 value = step.op.condition(*(reading[mark] for mark in step.uses))
                 found[step.it.view] *= max(1.0, float(np.ravel(value)[0]))
     r, v, a = found.values()

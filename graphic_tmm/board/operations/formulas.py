@@ -104,8 +104,9 @@ def normal(segment: Length, mu_v: Number, link: Length, mu_l: Number, mu_a: Numb
 
 @formula(
     why=said(
-        "The guide turns while the stone slides in it: the relative velocity is turned with the guide, and "
-        "the stone comes to places that move faster or slower. Each adds ω·v_r, both together 2·ω·v_r."
+        "The guide turns while the other link slides along it: the relative velocity is turned with the "
+        "guide, and that link comes to places that move faster or slower. Each adds ω·v_r, both together "
+        "2·ω·v_r."
     )
 )
 def coriolis(omega: Number, segment: Length, mu_v: Number, mu_a: Number) -> Length:

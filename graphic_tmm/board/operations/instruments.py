@@ -267,6 +267,25 @@ def rocker_line(pivot: Point, stone: Point) -> Line:
 
 
 @operation(
+    condition=_rocker_condition,
+    fails="the pin of the piston rod stands on the cylinder's pivot",
+    gaps=(
+        Gap(
+            _rocker_gap,
+            "{pin} passes over {pivot}",
+        ),
+    ),
+    why=said(
+        "The axis of the cylinder goes through its pivot {pivot} and through {pin}, the pin of the piston "
+        "rod, which slides along it."
+    ),
+)
+def cylinder_axis(pivot: Point, pin: Point) -> Line:
+    """Through {pivot} and {pin} draw the axis of the cylinder {it}."""
+    return Line(pivot, unit(pin - pivot))
+
+
+@operation(
     sides=("in its sense", "against its sense"),
     why=said("The link lies along its guide {to}, and its own axis points this way."),
 )

@@ -10,8 +10,7 @@ import numpy as np
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.values import Line
-from graphic_tmm.chapters.kinematics.ink_links import LinksInk
-from graphic_tmm.chapters.kinematics.ink_positions import HEAVY
+from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
 from graphic_tmm.chapters.kinematics.reaches import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.paper.drawing import Ink, Wanted
@@ -46,7 +45,7 @@ class Bodies:
 
     def strokes(self) -> Iterator[Ink]:
         """The links, and what slides on them; they stand on the points of the figure."""
-        found = [s for name in self.names for s in self.ink.lines(name, self.index, HEAVY)]
+        found = [s for name in self.names for s in self.ink.lines(name, self.index, MAIN)]
         found += self.ink.symbols(self.names, self.index)
         own = {of.slot: mark.slot for of, mark in self.points.items()}
         for stroke in found:

@@ -12,6 +12,7 @@ from graphic_tmm.chapters.forces.loads import VIEW as LOADS
 from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.note_lever import applied, compared
 from graphic_tmm.chapters.forces.note_sums import Kept, sums
+from graphic_tmm.chapters.forces.pins import told as pins_told
 from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.polygons import Polygon
 from graphic_tmm.chapters.forces.table import DIFFERENCE, force_columns
@@ -19,6 +20,7 @@ from graphic_tmm.chapters.forces.views import EXACTLY, force_views, lever_views,
 from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.note.bricks import (
@@ -70,6 +72,7 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
         return
     page = _Page(drawn, made, language)
     yield paragraph(speaking(language)(WORKED, position=drawn.names[page.at]))
+    yield from (Paragraph(text(plain(pin))) for pin in pins_told(drawn, language))
     yield from listed(drawn, LOADS, page.at, language)
     plans = KINEMATICS.on(drawn)
     crank = plans.structure.driver

@@ -25,6 +25,8 @@ from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
 from graphic_tmm.chapters.forces.loads import Couple
 from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.pins import below
+from graphic_tmm.chapters.forces.pins import told as pins_told
 from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.chapters.forces.statics import Solved
@@ -131,7 +133,7 @@ def _three(
     )
     scale = drawn.scales.get(polygon.view)
     own = mu_text(drawn.scales[shown.figure.view], language)
-    told = partial(captioned, heights=high)
+    told, pins = partial(captioned, heights=high), below(drawn, shown.links, language)
     if scale is None:
         return [
             told(
@@ -158,7 +160,7 @@ def _three(
     equation = vectors_of(polygon, language)
     return paired(
         [
-            told(finished(figure, lettered), title, f"{own}, {_('forces not to scale')}"),
+            told(finished(figure, lettered), title, f"{own}, {_('forces not to scale')}", *pins),
             told(finished(plan, lettered), caption, mu_text(scale, language), equation),
             draw_balances(f"equations-{name}-{position}", heading, rows, place, high),
         ]
@@ -320,7 +322,10 @@ def force_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
     if not rows:
         return []
     high = heights(drawn.scene, "force table")
-    return [result_table("forces", rows, drawn.names, drawn.scene.language, heights=high)]
+    language = drawn.scene.language
+    table = result_table("forces", rows, drawn.names, language, heights=high)
+    lines = pins_told(drawn, language)
+    return [captioned(table, *lines, heights=high) if lines else table]
 
 
 def _as_printed(drawn: Drawn, column: Column) -> Column:
@@ -346,9 +351,11 @@ def _as_printed(drawn: Drawn, column: Column) -> Column:
 
 
 def polygon_equation(drawn: Drawn, view: str, language: str) -> list[str]:
-    """Return the vector equation of the polygon drawn in a view, in plain text."""
-    return [
+    """Return the vector equation of a polygon, in plain text; before it, in the first view, the shared pins."""
+    equations = [
         " + ".join(plain(symbol(letter, language)) for letter, _, _ in polygon.sides) + " = 0"
         for polygon in FORCES.on(drawn).polygons
         if polygon.view == view
     ]
+    first = view == FORCES.on(drawn).polygons[0].view
+    return [*(map(plain, pins_told(drawn, language)) if first else ()), *equations]

@@ -56,11 +56,13 @@ from graphic_tmm.chapters.kinematics.names import (
     VELOCITIES,
 )
 from graphic_tmm.chapters.kinematics.scales import SIZES
+from graphic_tmm.chapters.kinematics.task import ASKED, SECTIONS
 from graphic_tmm.late import late
 
 if TYPE_CHECKING:
     from graphic_tmm.board.execute import Reading
     from graphic_tmm.project import Project
+    from graphic_tmm.scene.records import Scene
 
 with late(__name__):
     from graphic_tmm.board.values import undefined
@@ -74,7 +76,6 @@ with late(__name__):
     from graphic_tmm.chapters.kinematics.scales import (
         SCALE_KEYS,
         extents,
-        outlying,
         plan_scales,
         sizes_of,
     )
@@ -113,6 +114,19 @@ def _ranges(project: Project) -> str:
 
 SHARES = (0.25, 0.5, 0.75)
 """Where in a range of crank angles a position is proposed."""
+
+
+def _needs(scene: Scene) -> dict[str, object]:
+    """Return the plans that further rows are read off."""
+    rows = ASKED.of(scene)
+    if rows is None:
+        return {}
+    gained = bool(rows.relative or rows.paths)
+    return dict.fromkeys(
+        [*[VELOCITIES] * bool(rows.pins or gained), *[ACCELERATIONS] * gained], True
+    )
+
+
 _BOTH = (VELOCITIES, ACCELERATIONS)
 
 CHAPTER = Chapter(
@@ -173,6 +187,14 @@ CHAPTER = Chapter(
             tells=ACCELERATIONS,
         ),
         Place(
+            "position table",
+            0,
+            views.position_table,
+            asks=asks.position_table,
+            shows=(POSITIONS,),
+            follows=(POSITIONS,),
+        ),
+        Place(
             "velocity table",
             0,
             views.velocity_table,
@@ -198,7 +220,9 @@ CHAPTER = Chapter(
         ),
     ),
     sizes=SIZES,
+    sections=SECTIONS,
     asked=lambda scene: scene.mechanism is not None,
+    needs=_needs,
     always=True,
     given=given,
     stated=stated,
@@ -207,7 +231,7 @@ CHAPTER = Chapter(
     reach=extents,
     plan_scales=plan_scales,
     choice=choose,
-    warnings=outlying,
+    warnings=views.warned,
     scale_key=lambda view: SCALE_KEYS.get(view, ""),
     undrawn=_undrawn,
     ranges=_ranges,

@@ -14,6 +14,7 @@ from graphic_tmm.board.draft import ROUNDING, Draft
 from graphic_tmm.board.operations.instruments import (
     cross,
     cut,
+    cylinder_axis,
     directed,
     join,
     measure,
@@ -147,14 +148,17 @@ def _rpr(site: Site) -> Closing:
     pin, centre, inner = stone_leg.pair.name, rocker_leg.pair.name, site.group.inner
     a, c = site.pivot(stone_leg), site.pivot(rocker_leg)
     offset = rocker_offset(site.group, stone, rocker)
+    filled = inner.slide is not None and inner.slide.cylinder
     if offset == 0.0:
-        guide = line = draft.draw(rocker_line, f"({centre}{pin})", c, a)
+        axis = cylinder_axis if filled else rocker_line
+        guide = line = draft.draw(axis, f"({centre}{pin})", c, a)
         side: Mark | None = site.side
     else:
         height = site.draft.length(f"h_{{{pin}}}", offset)
         guide = draft.draw(tangent, f"({inner.name})", a, c, height, site.side)
         line, side = draft.draw(join, f"({centre}{pin})", c, a, why=why.LINK_AXIS), None
-    distance = draft.draw(measure, f"{centre}{pin}", c, a, why=why.ROCKER_LENGTH)
+    because = why.CYLINDER_LENGTH if filled else why.ROCKER_LENGTH
+    distance = draft.draw(measure, f"{centre}{pin}", c, a, why=because)
     site.sliding(stone, inner, (pin, stone.points[pin], a), guide, side)
     site.sliding(rocker, inner, (centre, rocker.points[centre], c), guide, side)
     slid = GuideLeg(stone.number, stone_leg.body, guide, True, site.links[1].number)

@@ -297,7 +297,9 @@ def _stone(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> 
     arc = draft.draw(strike, name, frame.marks[pivot], length, why=because)
     which = draft.take(Side, "±", float(choice))
     rocker = frame.marks[group.legs[1].pair.name]
-    found = draft.draw(touch, f"{pin}_{{{tag}}}", rocker, arc, which, why=why.ROCKER_TOUCHES)
+    slide = group.inner.slide
+    swings = why.CYLINDER_TOUCHES if slide is not None and slide.cylinder else why.ROCKER_TOUCHES
+    found = draft.draw(touch, f"{pin}_{{{tag}}}", rocker, arc, which, why=swings)
     ends = frame.marks[pivot], found
     return draft.draw(bearing, f"φ_{{{tag}}}", *ends, unit="°", why=why.CRANK_AT_EXTREME)
 

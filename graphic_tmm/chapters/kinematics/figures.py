@@ -15,6 +15,11 @@ from graphic_tmm.mechanism.guides import level
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Pair
 
+SLIDING = ("slider", "stone", "piston")
+"""What slides: on a guide of the frame, on one of a moving link, in a cylinder."""
+CONTENTS = ("oil", "gas")
+"""What is told of a guide that is a cylinder: what presses on its piston."""
+
 
 def tell_link(draft: Draft, mechanism: Mechanism, body: Body) -> None:
     """Tell the points of a link, and its mass centre apart from them unless that is a turning pair."""
@@ -38,17 +43,22 @@ def tell_group(
     """Tell the links of a group, its guides and what slides on them.
 
     A stone is told by a point of its link and the line it slides along, a guide by the same two; where the line
-    may turn round against its link, by the side too.
+    may turn round against its link, by the side too; of a cylinder what is in it, by what tells its piston.
     """
     for leg in closing.legs:
         tell_link(draft, mechanism, bodies[leg.link])
     for leg in closing.legs:
         if not isinstance(leg, GuideLeg):
             continue
-        slider, owner = _pair(closing, leg).links
+        pair = _pair(closing, leg)
+        slider, owner = pair.links
         at = _stone(bodies, closing, leg, slider)
-        kind = "slider" if owner == mechanism.frame.number else "stone"
+        filled = pair.slide.cylinder if pair.slide is not None else ""
+        moving = "piston" if filled else "stone"
+        kind = "slider" if owner == mechanism.frame.number else moving
         draft.figure(kind, str(slider), at, leg.line)
+        if filled:
+            draft.figure(filled, str(owner), at, leg.line)
         turning = () if side is None or not leg.inner else (side,)
         draft.figure("guide", str(owner), at, leg.line, *turning)
 
@@ -75,7 +85,7 @@ def rigid(figures: Iterable[Figure], name: str) -> tuple[Mark, ...]:
         mark
         for figure in figures
         if figure.name == name
-        for mark in {"stone": figure.marks[:1], "slider": figure.marks[:1]}.get(
+        for mark in dict.fromkeys(SLIDING, figure.marks[:1]).get(
             figure.kind, figure.marks if figure.kind in ("link", "frame") else ()
         )
     ]

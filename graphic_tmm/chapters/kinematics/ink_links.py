@@ -1,14 +1,15 @@
 """The links of a plan of positions in ink: each as what it is, in any of its positions.
 
 The points of a link make its rigid figure, a rod or a plate. A guide of its own is a line rigidly joined to it,
-as long as the stone's whole path over the turn; the stone stands on it, turned with it. A main line of a link
-is as long in one position as in any other. All of it is ink of bodies: it stands on the marks of its link.
+as long as the stone's whole path over the turn; the stone stands on it, turned with it. A cylinder is a tube
+about its guide, in which a piston stands on its rod. A main line of a link is as long in one position as in any
+other. All of it is ink of bodies: it stands on the marks of its link.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -16,12 +17,14 @@ import shapely
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Figure, Mark
-from graphic_tmm.chapters.kinematics.figures import rigid
+from graphic_tmm.chapters.kinematics.figures import CONTENTS, SLIDING, rigid
+from graphic_tmm.chapters.kinematics.ink_cylinder import Placed, cylinder
 from graphic_tmm.chapters.kinematics.reaches import VIEW, Reach
 from graphic_tmm.paper.drawing import Ink, Stroke, circle, line
 from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.finish import TOGETHER
 from graphic_tmm.paper.symbols.kinematic import (
+    PISTON_WIDTH,
     SLIDER_WIDTH,
     STONE_WIDTH,
     guide,
@@ -30,7 +33,12 @@ from graphic_tmm.paper.symbols.kinematic import (
     stone,
     turning_pair,
 )
+from graphic_tmm.readers.equations import ends_of
 
+MAIN = ("rod", "main")
+"""Pens of rods and of guides in a main position: a rod runs over what slides, a guide under it."""
+WIDTHS = {"slider": SLIDER_WIDTH, "stone": STONE_WIDTH, "piston": PISTON_WIDTH}
+"""Of what slides, mm."""
 OVERRUN = 12.0
 """How far a guide of the frame goes on behind the outermost places of its slider, mm."""
 THROUGH = 9.0
@@ -64,6 +72,10 @@ class LinksInk:
         )
         self.joined = {mark for mark, times in count.items() if times > 1}
         self.frame = next(f for f in self.figures if f.kind == "frame")
+        tubes = {f.marks: f for f in self.figures if f.kind in CONTENTS}
+        self.tubes = {
+            f.marks[:2]: f for f in self.figures if f.kind == "guide" and f.marks[:2] in tubes
+        }
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -92,15 +104,45 @@ class LinksInk:
         """Return the guides of a moving link."""
         spots, found = self.spots(name, index), []
         for figure in self.of(name, "guide"):
+            if figure in self.tubes.values():
+                continue
             reach, way = self.reaches[figure], self.along(figure, index)
-            holder = spots[reach.anchor]
-            through = self.foot(figure, index)
+            foot, holder = self._held(figure, index)
+            lift = ((foot - holder) / way).imag
             own = [(z - holder) / way for z in spots]
-            lift = ((through - holder) / way).imag
             ends = [z.real for z in own if abs(z.imag - lift) <= TOGETHER]
             ends += [0.0, reach.low - THROUGH, reach.high + THROUGH]
-            foot = holder + 1j * lift * way
             found.append(Bar((foot + min(ends) * way, foot + max(ends) * way), foot, holder))
+        return found
+
+    def _held(self, figure: Figure, index: int) -> tuple[complex, complex]:
+        """Return where a guide of a moving link is held: on it, and at the point of its link."""
+        way, through = self.along(figure, index), self.foot(figure, index)
+        holder = self.spots(figure.name, index)[self.reaches[figure].anchor]
+        return holder + 1j * ((through - holder) / way).imag * way, holder
+
+    def cylinder(self, figure: Figure, index: int) -> Placed:
+        """Return the cylinder in which a piston slides or that a guide is, in one position."""
+        guide = self.tubes[figure.marks[:2]]
+        foot, _ = self._held(guide, index)
+        return cylinder(self.reaches[guide]).place(foot, self.along(guide, index))
+
+    def _tubes(self, name: str, index: int) -> list[tuple[Figure, Placed]]:
+        """Return what is told of the cylinders that a link is, and each of them in one position."""
+        return [(one, self.cylinder(one, index)) for one in self.of(name, *CONTENTS)]
+
+    def rods(self, name: str, index: int, *, heavy: bool = True) -> list[Bar]:
+        """Return the rods of a link's pistons, each from the pin, or a point behind it, to the piston.
+
+        ``heavy``: the piston is drawn, else only where its middle is.
+        """
+        spots, found = self.spots(name, index), []
+        for figure in self.of(name, "piston"):
+            pin, placed = self.foot(figure, index), self.cylinder(figure, index)
+            own = [(z - pin) / placed.way for z in spots]
+            behind = min([0.0, *(z.real for z in own if abs(z.imag) <= TOGETHER)])
+            end = placed.face(pin) if heavy else placed.piston(pin)
+            found.append(Bar((pin + behind * placed.way, end), pin, pin))
         return found
 
     def foot(self, figure: Figure, index: int) -> complex:
@@ -112,34 +154,44 @@ class LinksInk:
 
     def marks(self, name: str) -> list[Mark]:
         """Return the marks that a link stands on: its points, its guides, where it slides on others."""
-        told = self.of(name, "guide", "stone", "slider")
+        told = self.of(name, "guide", *SLIDING)
         return [*rigid(self.figures, name), *(mark for one in told for mark in one.marks)]
 
     def lines(self, name: str, index: int, pens: tuple[str, str]) -> list[Ink]:
-        """Return the main lines of a link; ``pens``: of its rods, and of its guides."""
-        return [*body(self._lines(name, index, pens), "link", self.marks(name), index)]
+        """Return the main lines of a link; ``pens``: of its rods, and of its guides. Tubes are drawn `MAIN`."""
+        made, marks = self._lines(name, index, pens), self.marks(name)
+        tubes = [s for _, one in self._tubes(name, index) for s in one.tube() if pens == MAIN]
+        return [*body(made, "link", marks, index), *body(tubes, "cylinder", marks, index)]
 
     def _lines(self, name: str, index: int, pens: tuple[str, str]) -> list[Stroke]:
         bars, spots = self.bars(name, index), self.spots(name, index)
-        made = [line(pens[1], *bar.ends) for bar in bars]
+        made: list[Stroke] = [line(pens[1], *bar.ends) for bar in bars]
         made += [
             line(pens[0], bar.holder, bar.foot)
             for bar in bars
             if abs(bar.holder - bar.foot) > TOGETHER
         ]
-        for figure in self.of(name, "stone", "slider"):
+        for figure in self.of(name, *SLIDING):
             spot, foot = self.at(figure.marks[0], index), self.foot(figure, index)
             if abs(spot - foot) > TOGETHER:
                 made.append(line(pens[0], spot, foot))
-        held = any(all(_on(spot, bar) for spot in spots) for bar in bars)
+        rods = self.rods(name, index, heavy=pens == MAIN)
+        made += [line(pens[0], *rod.ends) for rod in rods]
+        if (tubes := self._tubes(name, index)) and pens == MAIN:
+            return made + [held for _, one in tubes for held in one.held(spots, pens[0])]
+        axes = [one.axis(self.foot(figure, index)) for figure, one in tubes]
+        made += [line(pens[0], *ends) for ends in axes if abs(ends[1] - ends[0]) > TOGETHER]
+        held = any(all(_on(spot, bar) for spot in spots) for bar in (*bars, *rods))
         return made if held else made + _outline(spots, pens[0])
 
     def notches(self, name: str, index: int) -> list[Ink]:
         """Return a notch across the guide wherever a slider or a stone stands in a thin position."""
         made = list[Ink]()
-        for figure in self.of(name, "stone", "slider"):
-            half = (SLIDER_WIDTH if figure.kind == "slider" else STONE_WIDTH) / 2
+        for figure in self.of(name, *SLIDING):
+            half = WIDTHS[figure.kind] / 2
             foot, way = self.foot(figure, index), self.along(figure, index)
+            if figure.kind == "piston":
+                foot = self.cylinder(figure, index).piston(foot)
             notch = line("thin", foot - 1j * half * way, foot + 1j * half * way)
             made += body([notch], figure.kind, figure.marks, index)
         return made
@@ -150,23 +202,36 @@ class LinksInk:
         for name in names:
             made += self.ties(name, index)
             made += body(self.corners(name, index), "link", self.marks(name), index)
-            for figure in self.of(name, "stone", "slider"):
-                angle = float(np.degrees(np.angle(self.along(figure, index))))
-                draw = slider if figure.kind == "slider" else stone
-                box = draw(self.foot(figure, index), angle, pin=False)
-                made += body(box, figure.kind, figure.marks, index)
+            for figure in self.of(name, *SLIDING):
+                made += body(self._sliding(figure, index), figure.kind, figure.marks, index)
+            for figure, placed in self._tubes(name, index):
+                made += body(placed.filled(figure.kind), "cylinder", figure.marks, index)
+                if named(figure):
+                    axis = line("centre", *placed.guide(self.foot(figure, index)))
+                    made += body([axis], "guide", figure.marks, index)
             made += self.centre(name, index)
         marks = dict.fromkeys(m for name in names for f in self.of(name, "link") for m in f.marks)
         for mark in marks:
             made += self.point(mark, index)
         return made
 
+    def _sliding(self, figure: Figure, index: int) -> Iterable[Stroke]:
+        """Return the sign of what slides."""
+        foot = self.foot(figure, index)
+        if figure.kind == "piston":
+            return self.cylinder(figure, index).head(foot)
+        angle = float(np.degrees(np.angle(self.along(figure, index))))
+        return (slider if figure.kind == "slider" else stone)(foot, angle, pin=False)
+
     def point(self, mark: Mark, index: int | None) -> list[Ink]:
         """Return the sign of a point: a turning pair, or an ordinary point of its link; None: of the frame."""
         at = self.at(mark, index or 0)
         if mark in self.joined:
             return [*body(turning_pair(at), "pair", [mark], index)]
-        return [*body([circle("main", at, POINT_RADIUS, filled=True)], "point", [mark], index)]
+        tubes = {f.name for f in self.figures if f.kind in CONTENTS}
+        over = any(mark in f.marks for name in tubes for f in self.of(name, "link"))
+        pen = "rod" if over else "main"
+        return [*body([circle(pen, at, POINT_RADIUS, filled=True)], "point", [mark], index)]
 
     def corners(self, name: str, index: int) -> list[Stroke]:
         """Return the filled corners where a guide and the rest of its link are one, if there is room."""
@@ -196,7 +261,10 @@ class LinksInk:
         for figure in self.of(name, "centre"):
             spot = self.at(figure.marks[0], index)
             spots = self.spots(name, index)
-            inked = [bar.ends for bar in self.bars(name, index)] + ([spots] if spots else [])
+            inked: list[Sequence[complex]] = [bar.ends for bar in self.bars(name, index)]
+            inked += [rod.ends for rod in self.rods(name, index)]
+            inked += [tube.corners for _, tube in self._tubes(name, index)]
+            inked += [spots] if spots else []
             ink = shapely.union_all(
                 [shapely.MultiPoint([(z.real, z.imag) for z in part]).convex_hull for part in inked]
             )
@@ -224,6 +292,12 @@ class LinksInk:
 
 def _place(row: np.ndarray, index: int) -> complex:
     return complex(row[0, index if row.shape[1] > 1 else 0])
+
+
+def named(guide: Figure) -> str:
+    """Return the name that a guide bears on a plan; two letters of points are none."""
+    name = guide.marks[1].name.rstrip("′").strip("()")
+    return "" if len(ends_of(name)) > 1 else name
 
 
 def _on(spot: complex, bar: Bar) -> bool:

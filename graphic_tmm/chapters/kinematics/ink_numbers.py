@@ -19,7 +19,8 @@ import shapely
 
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.kinematics.ink_links import LinksInk
+from graphic_tmm.chapters.kinematics.figures import SLIDING
+from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk, named
 from graphic_tmm.paper.drawing import Ink, Label, Stroke, Wanted, circle, line
 from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.lettering.indices import markup
@@ -32,7 +33,6 @@ from graphic_tmm.paper.symbols.kinematic import (
     STONE_LENGTH,
     STONE_WIDTH,
 )
-from graphic_tmm.readers.equations import ends_of
 
 PIN = 1.2
 """How far a pin of a thin position reaches, with some room, mm."""
@@ -186,22 +186,23 @@ def _ends(ink: LinksInk, crank: tuple[Mark, Mark]) -> Iterator[tuple[Mark, Mark]
 
 
 def guide_names(ink: LinksInk, main: int, size: float) -> Iterator[Wanted]:
-    """Yield the names of guides at both ends, as the equations call them; two letters of points are none."""
+    """Yield the names of guides at their ends, as the equations call them."""
     told = set[tuple[str, complex]]()
     for guide in (one for one in ink.figures if one.kind == "guide"):
-        path = guide.marks[1]
-        name = path.name.rstrip("′").strip("()")
-        if len(ends_of(name)) > 1:
+        path, name = guide.marks[1], named(guide)
+        if not name:
             continue
         fixed = guide.name == ink.frame.name
         rails = [ink.rail(guide)] if fixed else [bar.ends for bar in ink.bars(guide.name, main)]
-        for ends in rails:
-            for end, other in (ends, ends[::-1]):
-                key = (name, complex(round(end.real, 3), round(end.imag, 3)))
-                if key not in told:
-                    told.add(key)
-                    place = None if fixed else main
-                    yield Wanted(markup(name), end, size, 0.5, end - other, (path.slot,), place)
+        ways = [way for ends in rails for way in (ends, ends[::-1])]
+        if guide.marks[:2] in ink.tubes:
+            ways = [ink.cylinder(guide, main).guide(ink.foot(guide, main))[::-1]]
+        for end, other in ways:
+            key = (name, complex(round(end.real, 3), round(end.imag, 3)))
+            if key not in told:
+                told.add(key)
+                place = None if fixed else main
+                yield Wanted(markup(name), end, size, 0.5, end - other, (path.slot,), place)
 
 
 def link_numbers(
@@ -247,13 +248,13 @@ def _tried(ink: LinksInk, name: str, main: int) -> Iterator[Tried]:
                 foot = ink.at(mark, main) + complex(side * GROUND_LENGTH / 2, -FOOT_HEIGHT)
                 yield from ((foot, side * away + 0j, 0.0) for away in AWAY)
         return
-    for stroke in ink.lines(name, main, ("rod", "main")):
+    for stroke in ink.lines(name, main, MAIN):
         assert isinstance(stroke, Stroke)
         corners = [complex(x, y) for x, y, _ in stroke.path]
         for a, b in pairwise([*corners, *corners[:1]] if stroke.closed else corners):
             if abs(b - a) >= LEAST:
                 yield from _along(a, b)
-    for slid in ink.of(name, "slider", "stone"):
+    for slid in (one for one in ink.of(name, *SLIDING) if one.kind in BOX):
         yield from _about(ink.foot(slid, main), ink.along(slid, main), BOX[slid.kind])
 
 

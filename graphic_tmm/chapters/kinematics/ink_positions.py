@@ -18,7 +18,7 @@ from graphic_tmm.board.operations.curve import bezier, french_curve
 from graphic_tmm.board.operations.locus import REFINE
 from graphic_tmm.board.record import Construction, Figure, Mark, Step
 from graphic_tmm.board.values import Curve
-from graphic_tmm.chapters.kinematics.ink_links import LinksInk
+from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
 from graphic_tmm.chapters.kinematics.ink_numbers import (
     PIN,
     guide_names,
@@ -46,9 +46,8 @@ AHEAD = 20.0
 """So many degrees ahead of the crank it begins at least, and that of ε1 behind it."""
 PAIR = 2.2
 """How far the sign of a pair reaches, with some room, mm."""
-HEAVY, FULL, THIN = ("rod", "main"), ("medium", "medium"), ("thin", "thin")
-"""Pens of rods and of guides: in the main position a rod runs over what slides, a guide under it; in extreme
-positions; in all others."""
+FULL, THIN = ("medium", "medium"), ("thin", "thin")
+"""Pens of rods and of guides in extreme positions, and in all others that are not the main one."""
 
 
 def draw_positions_ink(
@@ -189,7 +188,7 @@ class PositionsInk(LinksInk):
 
     def heavy(self, index: int) -> list[Ink]:
         """The whole mechanism in one position: links, what slides, pivots."""
-        strokes = [s for name in self.names for s in self.lines(name, index, HEAVY)]
+        strokes = [s for name in self.names for s in self.lines(name, index, MAIN)]
         return [*strokes, *self.symbols(self.names, index), *self.pivots()]
 
     def thin(self, index: int, pens: tuple[str, str] = THIN) -> list[Ink]:

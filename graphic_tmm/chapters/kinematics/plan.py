@@ -28,7 +28,9 @@ from graphic_tmm.chapters.kinematics.positions import (
 )
 from graphic_tmm.chapters.kinematics.reaches import Reach, guides, reaches
 from graphic_tmm.chapters.kinematics.row import draw_row, extreme_places
+from graphic_tmm.chapters.kinematics.rows import Further, Ground, draw_rows
 from graphic_tmm.chapters.kinematics.survey import Survey, survey
+from graphic_tmm.chapters.kinematics.task import ASKED
 from graphic_tmm.chapters.kinematics.transmission import best
 from graphic_tmm.chapters.kinematics.velocities import crank_arm, draw_velocities
 from graphic_tmm.errors import StructureError
@@ -50,7 +52,7 @@ class KinematicPlans:
     ``tried``: the mechanism at any angles; ``mu_l``: the scale factor of lengths; ``accelerated``: the
     positions (indices) that get an acceleration plan, ``extremes``: those that are extreme positions;
     ``numbers``: where each position stands in the row, in intervals of it; ``count`` of the positions make the
-    closed row, over so many ``turns``.
+    closed row, over so many ``turns``; ``rows``: what tables are asked to tell besides.
     """
 
     mechanism: Mechanism
@@ -67,6 +69,7 @@ class KinematicPlans:
     numbers: np.ndarray
     count: int
     turns: int = 1
+    rows: tuple[Further, ...] = ()
 
     @property
     def in_turn(self) -> int:
@@ -150,6 +153,9 @@ def record(bench: Bench) -> KinematicPlans:
         accelerations = draw_accelerations(draft, mechanism, structure, positions, velocities)
         bench.rows[ACCELERATIONS] = accelerated
         bench.tell(ACCELERATIONS, accelerated)
+    rows, quarters = ASKED.of(scene), (1 if mechanism.drive.speed > 0 else -1) * scene.turned
+    ground = Ground(draft, mechanism, structure, positions, velocities, accelerations, quarters)
+    further = draw_rows(ground, rows) if rows is not None else ()
     for group in structure.groups:
         side = side_record(mechanism, group)
         if group.name in positions.sides and side is not None:
@@ -169,6 +175,7 @@ def record(bench: Bench) -> KinematicPlans:
         _numbers(angles, row, mechanism.drive),
         row.count,
         turns,
+        further,
     )
     of_first_turn = [k for k in range(len(bench.names)) if k not in made.repeated]
     bench.best = partial(best, tried, np.ravel(angles), accelerated, of_first_turn)

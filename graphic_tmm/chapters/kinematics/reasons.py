@@ -28,13 +28,17 @@ ARC_AND_GUIDE = said(
 TWO_GUIDES = said("The pin belongs to both sliders, so it is where their paths cross.")
 LINK_AXIS = said("The axis of a link goes through its two pins.")
 SLIDER_PATH = said(
-    "A slider does not turn on its guide: each of its points moves on a parallel to it."
+    "A link that slides does not turn on its guide: each of its points moves on a parallel to it."
 )
 SLIDER_AXIS = said(
-    "A slider does not turn on its guide, so its axis keeps the direction of the guide."
+    "A link that slides does not turn on its guide, so its axis keeps the direction of the guide."
 )
 ROCKER_LENGTH = said(
     "The stone slides along the rocker, so this length changes with the position: it is read off the "
+    "drawing each time."
+)
+CYLINDER_LENGTH = said(
+    "The piston slides in the cylinder, so this length changes with the position: it is read off the "
     "drawing each time."
 )
 SPEED_OF_PIN = said(
@@ -145,14 +149,39 @@ IN_LINE = said(
     "Crank and rod are in one line, so the line from the crank's pivot to the pin tells the angle of the "
     "crank."
 )
-CRANK_CIRCLE = said("The pin of the crank, and the stone on it, goes round on this circle.")
+CRANK_CIRCLE = said("The pin of the crank goes round on this circle.")
 ROCKER_TOUCHES = said(
     "The rocker swings out farthest where its line touches the circle of the pin: there crank and rocker "
+    "are square to one another, and it turns back."
+)
+CYLINDER_TOUCHES = said(
+    "The cylinder swings out farthest where its axis touches the circle of the pin: there crank and axis "
     "are square to one another, and it turns back."
 )
 CRANK_AT_EXTREME = said("The line from the pivot to the pin tells the angle of the crank.")
 STANDS_STILL = said(
     "In an extreme position the point turns back: its velocity in the asked direction is 0, so it is "
     "looked for between two angles at which that velocity has opposite senses."
+)
+ANGLE_OF_LINK = said("The angle of a link is that of a line fixed in it, from the x axis.")
+ALONG_THE_GUIDE = said(
+    "The point slides along its guide: where it is, is read along it, with a sign for either way."
+)
+WHOLE_RELATIVE = said(
+    "The vector from one image to another is the whole acceleration of one point relative to the other, its "
+    "normal and tangential parts together."
+)
+PATH_WAY = said("The velocity of a point lies along the tangent of its path.")
+PATH_ALONG = said(
+    "Along the path means along the velocity: its direction is that of the plan of velocities."
+)
+PATH_ACROSS = said("The normal of the path is square to the velocity.")
+PATH_TANGENTIAL = said(
+    "The part of the acceleration along the path changes the size of the velocity; it is positive where the "
+    "point goes faster."
+)
+PATH_NORMAL = said(
+    "The part of the acceleration square to the path turns the velocity towards the centre of curvature; it "
+    "is positive where that lies on the left of the way."
 )
 VECTOR = said("This vector is known in length and direction: it is laid off to scale.")

@@ -52,7 +52,8 @@ def plan_columns(drawn: Drawn, plan: str, *, read: bool = False) -> tuple[Column
         ):
             mm, value = (np.abs(reading.figure(step.it, by)) for by in (None, view.scale))
             rows = row_of(mm, places, count), row_of(value, places, count)
-            sought = quantity(step.it.name) if motion is not None else ""
+            relative = "a" if plan == ACCELERATIONS else "v"
+            sought = quantity(step.it.name, relative) if motion is not None else ""
             segment = segment_name(step.it.letter)
             unit = UNITS[plan]
             ends = called.get(step.it, "")
@@ -63,6 +64,10 @@ def plan_columns(drawn: Drawn, plan: str, *, read: bool = False) -> tuple[Column
         letter = f"{RATE_LETTERS[plan]}_{link}"
         row = row_of(reading.figure(mark), places, count)
         found.append(Column(plan, segment_name(letter), letter, mark.unit, empty(count), row))
+    for one in KINEMATICS.on(drawn).rows if not read else ():
+        if one.plan == plan:
+            row = row_of(reading.figure(one.mark), places, count)
+            found.append(Column(plan, one.name, one.letter, one.unit, empty(count), row))
     return tuple(found)
 
 
@@ -79,13 +84,13 @@ def measured_vectors(drawn: Drawn) -> Iterator[Column]:
 
 
 def rate_marks(project: Project) -> dict[tuple[str, str], Mark]:
-    """Return the rates of links by plan and the name that machines read."""
+    """Return the rates of links, and further rows, by plan and the name that machines read."""
     plans, found = KINEMATICS.on(project), {}
     for plan, sign in RATE_NAMES.items():
         motion = plans.motion(plan)
         for link, mark in motion.rates.items() if motion is not None else ():
             found[plan, f"{sign}{link}"] = mark
-    return found
+    return {**found, **{(one.plan, one.name): one.mark for one in plans.rows}}
 
 
 def speed_marks(project: Project) -> list[Mark]:

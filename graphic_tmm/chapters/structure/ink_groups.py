@@ -10,9 +10,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Figure
-from graphic_tmm.chapters.kinematics.ink_links import LinksInk
+from graphic_tmm.chapters.kinematics.figures import SLIDING
+from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
 from graphic_tmm.chapters.kinematics.ink_numbers import link_numbers
-from graphic_tmm.chapters.kinematics.ink_positions import HEAVY, PAIR
+from graphic_tmm.chapters.kinematics.ink_positions import PAIR
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.paper.drawing import Drawing, Ink, line
 from graphic_tmm.paper.figure import body
@@ -38,7 +39,7 @@ def draw_part(
     """Return one part of a mechanism: the links of these numbers, in one position (an index)."""
     ink = LinksInk(construction, reading, reaches)
     names = [str(number) for number in links]
-    strokes: list[Ink] = [stroke for one in names for stroke in ink.lines(one, index, HEAVY)]
+    strokes: list[Ink] = [stroke for one in names for stroke in ink.lines(one, index, MAIN)]
     strokes += _outer_guides(ink, names, index)
     strokes += [stroke for stroke in ink.symbols(names, index) if stroke.part != "centre"]
     marks = dict.fromkeys(m for one in names for told in ink.of(one, "link") for m in told.marks)
@@ -57,7 +58,7 @@ def _outer_guides(ink: LinksInk, names: Sequence[str], index: int) -> Iterator[I
     """Yield a piece of each guide on which a link of the part slides and which is no link of it."""
     own = {figure.marks[1] for one in names for figure in ink.of(one, "guide")}
     for one in names:
-        for slid in ink.of(one, "slider", "stone"):
+        for slid in ink.of(one, *SLIDING):
             path = slid.marks[1]
             if path not in own:
                 foot, way = ink.foot(slid, index), ink.along(slid, index)

@@ -13,6 +13,8 @@ LINK_NAMES = Tongues(
         "rocker": said("rocker"),
         "slotted rocker": said("slotted rocker"),
         "coupler": said("connecting rod"),
+        "cylinder": said("cylinder"),
+        "piston": said("piston with rod"),
         "slider": said("slider"),
         "stone": said("sliding block"),
         "frame": said("frame"),
@@ -23,13 +25,15 @@ LINK_NAMES = Tongues(
 
 
 def link_role(mechanism: Mechanism, structure: Structure, link: Link) -> str:
-    """Return what a link is by its pairs: crank, rocker, coupler, slider, stone ... (a key of LINK_NAMES)."""
+    """Return what a link is by its pairs: crank, rocker, coupler, slider, piston ... (a key of LINK_NAMES)."""
     frame = mechanism.frame.number
     if link.number == frame:
         return "frame"
+    pairs = [pair for pair in structure.pairs if link.number in pair.links]
+    for pair in (one for one in pairs if one.slide is not None and one.slide.cylinder):
+        return "piston" if pair.links[0] == link.number else "cylinder"
     if link.number == structure.driver:
         return "crank"
-    pairs = [pair for pair in structure.pairs if link.number in pair.links]
     slides_on = [
         pair.links[1] for pair in pairs if pair.kind == "P" and pair.links[0] == link.number
     ]

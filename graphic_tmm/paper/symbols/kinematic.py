@@ -33,6 +33,10 @@ SLIDER_LENGTH, SLIDER_WIDTH = 12.0, 6.0
 """A slider on a guide of the frame, mm."""
 STONE_LENGTH, STONE_WIDTH = 10.0, 5.0
 """A stone on a rocker, mm: smaller than a slider, so that it shows on the link."""
+TUBE_WIDTH, PISTON_LENGTH, PISTON_WIDTH = 8.0, 4.0, 6.4
+"""A cylinder: the width of its tube, length and width of its piston, mm."""
+PORT = 3.0
+"""Side of the triangle that tells oil (filled) from gas (open), as ГОСТ 2.782 has it, mm."""
 CORNER, ROOF = 4.0, 3.2
 """Legs of the triangle that joins two bars firmly, its height over a straight bar, mm."""
 ARROW_LENGTH, ARROW_WIDTH = 4.5, 1.2
@@ -114,6 +118,24 @@ def slider(
 def stone(at: complex, angle: float = 0.0, *, pin: bool = True) -> Strokes:
     """Return the stone on a rocker: a smaller rectangle than the slider on a fixed guide."""
     return slider(at, angle, length=STONE_LENGTH, width=STONE_WIDTH, pin=pin, kind="stone")
+
+
+def tube(start: complex, end: complex) -> Strokes:
+    """Return the tube of a cylinder between the middles of its ends; it hides what lies under it."""
+    half = 1j * (end - start) / abs(end - start) * TUBE_WIDTH / 2
+    return (line("body", start + half, end + half, end - half, start - half, closed=True),)
+
+
+def piston(at: complex, angle: float = 0.0) -> Strokes:
+    """Return a piston about the middle of it, in a tube along ``angle``."""
+    return slider(at, angle, length=PISTON_LENGTH, width=PISTON_WIDTH, pin=False, kind="piston")
+
+
+def port(at: complex, way: complex, *, filled: bool) -> Strokes:
+    """Return the sign of what is in a cylinder, at its wall: ``way`` (of length 1) leads in; filled: oil."""
+    base, half = at - PORT * way, 0.5j * PORT * way
+    pen = "main" if filled else "body"
+    return (line(pen, at, base + half, base - half, closed=True, filled=filled),)
 
 
 def rigid_joint(at: complex, first: complex, second: complex) -> Strokes:

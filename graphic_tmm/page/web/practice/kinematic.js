@@ -10,7 +10,7 @@
 /** What of the ink of a mechanism says nothing of how its links are joined. */
 const NO_SYMBOL = ".label, title, desc, [data-part=number], [data-part=leader], path:not([data-of])";
 /** Sliders: a rectangle where the sheet draws a position in full, else the stroke of its middle. */
-const SLIDERS = "[data-part=stone][d$=Z], [data-part=slider][d$=Z]";
+const SLIDERS = "[data-part=stone][d$=Z], [data-part=slider][d$=Z], [data-part=piston][d$=Z]";
 /** Parts that draw the points they stand on. */
 const OF_POINTS = "[data-part=pair], [data-part=pivot], [data-part=centre], [data-part=stone]";
 
@@ -65,7 +65,7 @@ function turnArrow(arrow, joints, at) {
 }
 
 /**
- * Put the rectangle of a slider where another position has but a stroke for it.
+ * Put the rectangle of a slider or a piston where another position has but a stroke for it.
  * @param {Element} slider
  * @param {Element} ink
  * @param {Joint[]} joints

@@ -19,7 +19,7 @@ export const SORTS = { point: "P", line: "L", arc: "A", length: "M", number: "N"
  * @type {Instrument[]}
  */
 export const INSTRUMENTS = [
-  { name: "edge", key: "1", sign: "M3 17 21 7M6 15.5h.1M18 8.7h.1", ops: { join: "PP", rocker_line: "PP" } },
+  { name: "edge", key: "1", sign: "M3 17 21 7M6 15.5h.1M18 8.7h.1", ops: { join: "PP", rocker_line: "PP", cylinder_axis: "PP" } },
   {
     name: "parallel",
     key: "2",

@@ -21,7 +21,7 @@ const BEYOND = 6;
 /** A segment that is shorter is none, mm. */
 const SHORTEST = 0.05;
 /** From which of its marks to which an operation leaves a segment that stays. @type {Record<string, [number, number]>} */
-const SEGMENTS = { measure: [0, 1], measure_along: [0, 1], join: [0, 1], rocker_line: [0, 1] };
+const SEGMENTS = { measure: [0, 1], measure_along: [0, 1], join: [0, 1], rocker_line: [0, 1], cylinder_axis: [0, 1] };
 
 /**
  * Return what is drawn of marks: lines thin, segments over them, points on top.

@@ -1,0 +1,167 @@
+"""Rows of the tables that are asked for by name: each is a step of its own, and none where none is asked for.
+
+The acceleration of a point has a part along its path, a^t, and one square to it, a^n = v²/ρ, towards the centre
+of curvature: the vector from the pole is read along the velocity and square to it. ρ = (pk·μ_v)²/(a^n·μ_a).
+Where the point stands still its velocity has no direction, where a^n is 0 the path is straight and ρ infinite.
+
+Source: Артоболевский И. И., Теория механизмов и машин (планы ускорений; скорость скольжения в шарнирах).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.instruments import (
+    bearing,
+    join,
+    measure,
+    measure_along,
+    parallel,
+    square,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.kinematics import reasons as why
+from graphic_tmm.chapters.kinematics.bodies import GuideLeg
+from graphic_tmm.chapters.kinematics.formulas import path_radius, rubbing, rubbing_on_fixed
+from graphic_tmm.chapters.kinematics.images import image_letter
+from graphic_tmm.chapters.kinematics.motion import Motion, reading_of
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.positions import Positions
+from graphic_tmm.chapters.kinematics.task import Rows
+from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.mechanism.structure import Structure
+from graphic_tmm.scene import letters
+
+
+class Further(NamedTuple):
+    """A row that is no segment of its plan: what machines call it, its letter, its unit, its mark."""
+
+    plan: str
+    name: str
+    letter: str
+    unit: str
+    mark: Mark
+
+
+class Ground(NamedTuple):
+    """What the rows are read off; ``quarters``: by how many right angles velocities are turned back."""
+
+    draft: Draft
+    mechanism: Mechanism
+    structure: Structure
+    positions: Positions
+    velocities: Motion | None
+    accelerations: Motion | None
+    quarters: int
+
+    def place(self, letter: str) -> Mark:
+        """Return a point on the plan of positions."""
+        return self.positions.point(letter)
+
+    def image(self, motion: Motion, letter: str) -> Mark:
+        """Return the image of a point on a plan, as of the first link that has it."""
+        link = next(one for one in self.mechanism.links if letter in one.points)
+        return motion.images.by_letter[link.number][letter]
+
+
+def draw_rows(ground: Ground, asked: Rows) -> tuple[Further, ...]:
+    """Draw what the rows ask for; segments that are read stand in their plans, the rest is returned."""
+    draft, found = ground.draft, list[Further]()
+    draft.open(POSITIONS)
+    for pair in asked.lengths:
+        _length(ground, *_letters(pair))
+    for pair in asked.angles:
+        ends = [ground.place(letter) for letter in _letters(pair)]
+        letter = f"φ_{{{pair}}}"
+        mark = draft.draw(bearing, letter, *ends, unit="°", free=True, why=why.ANGLE_OF_LINK)
+        found.append(Further(POSITIONS, f"phi{pair}", letter, "°", mark))
+    if asked.pins:
+        found += _pins(ground, asked)
+    if ground.accelerations is not None:
+        for pair in asked.relative:
+            first, second = _letters(pair)
+            ends = [ground.image(ground.accelerations, k) for k in (second, first)]
+            draft.open(ACCELERATIONS)
+            name = f"{image_letter(second)}{image_letter(first)}"
+            draft.draw(measure, name, *ends, free=True, why=why.WHOLE_RELATIVE)
+        for letter in asked.paths:
+            found += _path(ground, ground.accelerations, letter)
+    return tuple(found)
+
+
+def _letters(pair: str) -> tuple[str, str]:
+    found = letters.split(pair)
+    assert found is not None
+    return found
+
+
+def _length(ground: Ground, first: str, second: str) -> None:
+    """Measure a distance; along its guide where the second point is of a link that slides on one."""
+    draft, ends = ground.draft, (ground.place(first), ground.place(second))
+    for closing in ground.positions.closings:
+        for leg in closing.legs:
+            body = ground.positions.bodies[leg.link]
+            if isinstance(leg, GuideLeg) and body.marks.get(second) == ends[1]:
+                name = f"{first}{second}"
+                draft.draw(measure_along, name, *ends, leg.line, free=True, why=why.ALONG_THE_GUIDE)
+                return
+    draft.draw(measure, f"{first}{second}", *ends, free=True)
+
+
+def _pins(ground: Ground, asked: Rows) -> Iterator[Further]:
+    """Calculate how fast pins rub: of a pin of more links, each against the link that bears it."""
+    draft, motion = ground.draft, ground.velocities
+    assert motion is not None
+    draft.open(VELOCITIES)
+    for letter, size in asked.pins.items():
+        joined = [p for p in ground.structure.pairs if p.kind == "R" and p.name == letter]
+        rates = [[motion.rates[n] for n in pair.links if n in motion.rates] for pair in joined]
+        if not any(rates):
+            says = said("no links turn against each other in {letter}", letter=letter)
+            raise StructureError(says, f"rows.pins.{letter}", head="rows")
+        radius = draft.take(Number, f"r_{{{letter}}}", size, "m")
+        for pair, turning in zip(joined, rates, strict=True):
+            if not turning:
+                continue
+            name = f"{letter}{pair.links[0]}{pair.links[1]}"
+            op = rubbing if len(turning) == 2 else rubbing_on_fixed
+            value = draft.draw(op, f"v_{{{name}}}", radius, *turning, unit="m/s", free=True)
+            yield Further(VELOCITIES, f"v{name}", f"v_{{{name}}}", "m/s", value)
+
+
+def _path(ground: Ground, gained: Motion, letter: str) -> Iterator[Further]:
+    """Read the acceleration of a point along its path and square to it; calculate the radius of the path."""
+    draft, motion = ground.draft, ground.velocities
+    assert motion is not None
+    image, end = (ground.image(one, letter) for one in (motion, gained))
+    speed = reading_of(draft, motion, image)
+    if speed is None:
+        says = said("{letter} stands still: it has no path", letter=letter)
+        raise StructureError(says, "rows.paths", head="rows")
+    small = image_letter(letter)
+    draft.open(VELOCITIES)
+    way = draft.draw(
+        join, f"(v_{{{letter}}})", motion.images.pole, image, free=True, why=why.PATH_WAY
+    )
+    draft.open(ACCELERATIONS)
+    pole, across = gained.images.pole, ((square, ground.quarters), (parallel, -ground.quarters))
+    (op, sense), (other, back) = across if ground.quarters else ((parallel, 1), (square, 1))
+    along = draft.draw(
+        op, f"(t_{{{small}}})", pole, way, sense=sense, free=True, why=why.PATH_ALONG
+    )
+    normal = draft.draw(
+        other, f"(n_{{{small}}})", pole, way, sense=back, free=True, why=why.PATH_ACROSS
+    )
+    draft.draw(
+        measure_along, f"t_{{{small}}}", pole, end, along, free=True, why=why.PATH_TANGENTIAL
+    )
+    part = draft.draw(
+        measure_along, f"n_{{{small}}}", pole, end, normal, free=True, why=why.PATH_NORMAL
+    )
+    radius = draft.draw(path_radius, f"ρ_{{{letter}}}", speed, part, unit="m", free=True)
+    yield Further(ACCELERATIONS, f"rho{letter}", f"ρ_{{{letter}}}", "m", radius)
