@@ -67,8 +67,13 @@ def segments_of(columns: Iterable[Column]) -> Mapping[str, Aliases]:
 
 def segment_meant(typed: str, plan: str, known: Aliases) -> Meant:
     """Return which segment of a plan is meant, by any name that it has or had in an earlier version."""
-    now = "" if typed in known else renamed(plan, typed, known)
-    return Meant((now,), "former") if now else meant(typed, known)
+    now = "" if typed in known else renamed(plan, signs(typed), known)
+    found = Meant((now,), "former") if now else meant(typed, known)
+    for level in () if found.names else LEVELS:
+        names = {renamed(plan, word, known) for word in keys(typed, level)} - {""}
+        if names:
+            return Meant(tuple(sorted(names)), _how(typed, level))
+    return found
 
 
 def meant(typed: str, known: Aliases) -> Meant:
@@ -82,8 +87,7 @@ def meant(typed: str, known: Aliases) -> Meant:
     for level in LEVELS:
         found = _alike(typed, known, level)
         if found:
-            how = level if level in SILENT else "look-alikes" if cyrillic(typed) else "case"
-            return Meant(found, how)
+            return Meant(found, _how(typed, level))
     if "?" in typed:
         return Meant(_having(known, lambda alias: lost(typed, signs(alias))), "lost")
     back = restored(typed)
@@ -91,6 +95,10 @@ def meant(typed: str, known: Aliases) -> Meant:
         return meant(back, known)._replace(how="lost")
     pole = _poles(typed, known)
     return pole if pole.names else _turned(typed, known)
+
+
+def _how(typed: str, level: str) -> str:
+    return level if level in SILENT else "look-alikes" if cyrillic(typed) else "case"
 
 
 def _alike(typed: str, known: Aliases, level: str) -> tuple[str, ...]:
