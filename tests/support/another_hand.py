@@ -238,7 +238,7 @@ MACHINES = {
     "rpr": Machine({P: 0.004, V: 0.02, A: 0.2}, (1, 3, 6), slotted_lever),
     "six": Machine({P: 0.004, V: 0.04, A: 1.0}, (1, 3, 6), six_bar),
 }
-CALCULATED = frozenset({"pa", "πa", "an2", "πn3", "ak2", "πn3", "cn4"})
+CALCULATED = frozenset({"pa", "πa", "an2", "πn3", "ak2", "cn4"})
 Rows = dict[tuple[str, str, str], list[str]]
 """The cells mm, value, unit, x, y of a file of readings, by plan, position and segment."""
 

@@ -119,7 +119,7 @@ def six_bar(s: Student) -> None:
 
 
 CRANK = {"OA": 50.0, "AB": 175.0, "AS2": 70.0, "omega": 20.0}
-CALCULATED = frozenset({"pa", "πa", "an2", "πn3", "ak2", "πn3", "cn4"})
+CALCULATED = frozenset({"pa", "πa", "an2", "πn3", "ak2", "cn4"})
 MACHINES = {
     "sc": Machine(
         {P: 0.002, V: 0.025, A: 0.5}, CRANK, (1, 3, 5), slider_crank, CALCULATED, ("OA", "AB")

@@ -10,7 +10,7 @@ from support.students.records import F, P, Step, V
 Place = tuple[str, str]
 """A plan and a segment or letter."""
 ENDS = {
-    "an2": {"n2"}, "πn3": {"n3"}, "πn3": {"n3"}, "cn4": {"n4"}, "ak2": {"k2"},
+    "an2": {"n2"}, "πn3": {"n3"}, "cn4": {"n4"}, "ak2": {"k2"},
     "pa": {"a", "vA"}, "πa": {"a", "aA"}, "Mi2": {"J2"}, "M_sum": {"ΣM2", "R01"},
     "V": {"HV"}, "a": {"Ha"}, "S": {"V"}, "φ": {"dS", "ddS"},
 }  # fmt: skip
