@@ -8,14 +8,32 @@ Exit status: 0 fine, 1 a check has found something, 2 bad input (one clear messa
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 
 import click
 
 from graphic_tmm.commands.shared.group import Commands
+from graphic_tmm.language.said import said
+
+
+def _changes(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
+    """Print what has changed, page by page where somebody sits at a terminal."""
+    if wanted:
+        text = Path(__file__).with_name("CHANGES.md").read_text(encoding="utf-8")
+        click.echo_via_pager(text)
+        ctx.exit()
 
 
 @click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="graphic-tmm")
+@click.option(
+    "--changes",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_changes,
+    help=said("Show what each version changed, the newest first, and exit."),
+)
 def main() -> None:
     """Emulate the drawing board: plans of mechanisms as recorded constructions.
 

@@ -13,6 +13,7 @@ from graphic_tmm.face.asked import absent
 from graphic_tmm.face.html import grid
 from graphic_tmm.face.needs import needed
 from graphic_tmm.face.quantity import Quantity
+from graphic_tmm.readers.former import renamed
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,7 +22,8 @@ class Column:
 
     ``mm`` on the sheet and ``value`` in its ``unit`` (SI), both (trial, position): NaN where nothing is
     measured or nothing could be drawn. ``positions``: their numbers, as on the sheet; ``angles``: of the crank,
-    or of what else turns, degrees, (position,), NaN where there are none. ``name``: what people call it.
+    or of what else turns, degrees, (position,), NaN where there are none. ``name``: what people call it;
+    ``quantity``: the letter of what the segment stands for, "" if it has none of its own.
 
     Examples
     --------
@@ -38,6 +40,7 @@ class Column:
     value: Reals
     positions: tuple[str, ...]
     angles: Reals
+    quantity: str = ""
 
     def at(self, position: str | int) -> Quantity:
         """Return the quantity in one position.
@@ -115,14 +118,18 @@ class Table(Mapping[str, Column]):
         Parameters
         ----------
         segment : str
-            Its letters, as on the plan: ``"pb"``; ``"omega2"``, ``"R12"``.
+            Its letters, as on the plan: ``"pb"``, ``"n3a3"``; ``"omega2"``, ``"R12"``. A name of an earlier
+            version is understood, too.
 
         Raises
         ------
         AbsentError
             If the plan has none: it is a KeyError that tells those that there are.
         """
-        found = next((one for one in self._columns if one.segment == segment), None)
+        known = {one.segment: one for one in self._columns}
+        found = known.get(segment) or known.get(
+            renamed(self.plan, segment, {k: (one.quantity,) for k, one in known.items()})
+        )
         if found is None:
             raise absent(segment, self.columns)
         return found

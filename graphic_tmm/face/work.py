@@ -157,4 +157,5 @@ def _column(one: Column, usual: Positions, trials: int, language: str) -> tables
     mm, value = (np.broadcast_to(rows, (trials, rows.shape[1])) for rows in (one.mm, one.value))
     name = plain(column_name(one, language))
     positions = tuple(number for number, _ in at)
-    return tables.Column(one.segment, name, one.unit, mm, value, positions, angles)
+    stands_for = plain(one.quantity)
+    return tables.Column(one.segment, name, one.unit, mm, value, positions, angles, stands_for)

@@ -191,7 +191,7 @@ def _block(
     )
     rows: list[tuple[Runs, ...]] = []
     for column, figures in zip(cells, told(cells), strict=True):
-        name = column.ends or column_name(column, language)
+        name = column_name(column, language)
         if column.drawn:
             lengths = _told(drawn, column, figures, shown, language, mm=True)
             rows.append((_lettered(name), _unit("mm", language), *lengths))

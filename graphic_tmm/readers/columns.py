@@ -25,7 +25,6 @@ class Column:
 
     ``mm``, ``value``: (trial, position), NaN where nothing is measured; one trial where all drawings are alike.
     ``quantity``: the letter of what it stands for, if that is not the one of the segment.
-    ``ends``: the letters on the plan between which the segment lies, if it is not called by them.
     ``at``: the numbers of its positions and their angles (degrees, None where there is none), if they are not
     those of the mechanism.
     """
@@ -38,7 +37,6 @@ class Column:
     value: Reals
     at: Positions = ()
     quantity: str = ""
-    ends: str = ""
 
     def without(self, places: Sequence[int]) -> Column:
         """Return the column with nothing at the places (indices) of positions that cannot be drawn."""

@@ -9,7 +9,7 @@ the line itself. A side that begins at the pole has no vector but that of the li
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from graphic_tmm.board import roles
@@ -101,17 +101,19 @@ def _bar(symbol: str) -> str:
     return f"\\bar{{{symbol[0]}}}{symbol[1:]}"
 
 
-def quantity(letter: str, relative: str = "v") -> str:
-    """Return the quantity that a segment stands for: pb -> v_{B}, ab -> v_{BA}, n_{ab} -> a_{BA}^{n}.
+def components(construction: Construction) -> Mapping[Mark, str]:
+    """Return the letters of the components of accelerations, by their segments: n3a3 -> a_{A3B}^{t}."""
+    return {one.marks[0]: one.name for one in construction.figures if one.kind == roles.COMPONENT}
+
+
+def quantity(segment: Mark, of: Mapping[Mark, str], relative: str = "v") -> str:
+    """Return the quantity that a segment stands for: pb -> v_{B}, ab -> v_{BA}; a component has its letter.
 
     ``relative``: what a segment between two images stands for.
     """
-    stem, _, rest = letter.partition("_")
-    if rest and stem in "ωε":
-        return letter
-    ends = ends_of((rest or letter).strip("{}"))
-    if rest:
-        return f"a_{{{''.join(reversed(ends)).upper()}}}^{{{stem}}}"
+    if segment in of:
+        return of[segment]
+    ends = ends_of(segment.name)
     if ends[0] in QUANTITIES:
         return f"{QUANTITIES[ends[0]]}_{{{''.join(ends[1:]).upper()}}}"
     return f"{relative}_{{{''.join(reversed(ends)).upper()}}}"
@@ -139,7 +141,7 @@ def equations(construction: Construction, plan: str, *, turned: bool = False) ->
         return
     turned = turned and view.pole.role == roles.VELOCITY
     steps = [step for step in construction.steps if step.it.view == plan]
-    read = {step.uses[2]: step.it.name for step in steps if step.op is measure_along}
+    read, of = {s.uses[2]: s.it for s in steps if s.op is measure_along}, components(construction)
     group, fresh = "", dict[Mark, Step]()
     for step in steps:
         if step.note:
@@ -147,7 +149,7 @@ def equations(construction: Construction, plan: str, *, turned: bool = False) ->
         fresh[step.it] = step
         if step.op is meet:
             lines = [fresh[mark] for mark in reversed(step.uses)]
-            yield _equation(group, step.it, view.pole, lines, fresh, read, turned)
+            yield _equation(group, step.it, view.pole, lines, fresh, (read, of), turned)
 
 
 def _equation(
@@ -156,10 +158,14 @@ def _equation(
     pole: Mark,
     lines: list[Step],
     fresh: dict[Mark, Step],
-    read: dict[Mark, str],
+    told: tuple[Mapping[Mark, Mark], Mapping[Mark, str]],
     turned: bool,
 ) -> Equation:
-    """Return the equation of the point where two lines met."""
+    """Return the equation of the point where two lines met.
+
+    ``told``: the lengths read along lines, by these; the letters of components, by their lengths.
+    """
+    read, of = told
     root = VECTORS[pole.role]
     name = f"{root}_{{{point.name.upper()}}}"
     sought: Term | str = name
@@ -171,12 +177,12 @@ def _equation(
             drawn, length = fresh[start].uses
             end, start = start, fresh[drawn].uses[0]
             way = _direction(fresh[drawn], turned)
-            known.insert(0, Term(quantity(length.name), True, way, (start, end), drawn))
+            known.insert(0, Term(quantity(length, of), True, way, (start, end), drawn))
         if start != pole:
             known.insert(0, Term(f"{root}_{{{start.name.upper()}}}", True, marks=(pole, start)))
         direction = _direction(line, turned)
         if known:
-            symbol = quantity(read[line.it]) if line.it in read else name
+            symbol = quantity(read[line.it], of) if line.it in read else name
             ends = line.uses[0], point
             sides.append((*known, Term(symbol, False, direction, ends, line.it)))
         else:

@@ -48,7 +48,7 @@ def result_table(
     shown = known_at(columns)
     rows = []
     for column, figures in zip(columns, told(columns), strict=True):
-        letter = words.get(column.letter) or markup(column.ends or symbol(column.letter, language))
+        letter = words.get(column.letter) or markup(symbol(column.letter, language))
         if column.drawn:
             cells = [fixed(figures.mm[k], figures.mm_places, language) for k in shown]
             rows.append([letter, unit("mm", language), *cells])

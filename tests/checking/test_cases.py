@@ -17,16 +17,16 @@ SCENES = ("sc", "fb", "rpr", "six")
 SURE = frozenset({"fine", "wrong"})
 MEETING = "of two meetings the other one"
 BLAMED = {
-    "Coriolis_turned_six": "k_aa3 has the opposite sense",
-    "coriolis_left_out_six": "k_aa3 was left out",
-    "coriolis_along_rpr": r"k_aa3\) was drawn parallel to \(BA\) instead of square",
-    "coriolis_half_rpr": "k_aa3 was calculated as ω_3·aa3·μ_v/μ_a",
-    "eps_total_sc": "ε_2 was calculated with ab instead of t_ab",
-    "normal_forgotten_sc": "n_ab was left out",
-    "normal_from_the_wrong_end_sc": "n_ab has the opposite sense|n_ab points away",
-    "normal_pb_sc": "n_ab was calculated with pb instead of ab",
-    "normal_v_over_l_rpr": r"n_ba3 was calculated as pa3·μ_v/\(BA·μ_l\)/μ_a",
-    "normal_wrong_link_sc": "n_ab was calculated with OA instead of AB",
+    "Coriolis_turned_six": "ak2 has the opposite sense",
+    "coriolis_left_out_six": "ak2 was left out",
+    "coriolis_along_rpr": r"ak2\) was drawn parallel to \(BA\) instead of square",
+    "coriolis_half_rpr": "ak2 was calculated as ω_3·aa3·μ_v/μ_a",
+    "eps_total_sc": "ε_2 was calculated with ab instead of n2b",
+    "normal_forgotten_sc": "an2 was left out",
+    "normal_from_the_wrong_end_sc": "an2 has the opposite sense|an2 points away",
+    "normal_pb_sc": "an2 was calculated with pb instead of ab",
+    "normal_v_over_l_rpr": r"πn3 was calculated as pa3·μ_v/\(BA·μ_l\)/μ_a",
+    "normal_wrong_link_sc": "an2 was calculated with OA instead of AB",
     "other_assembly_fb": f"{MEETING} was marked for B",
     "other_dead_centre_sc": f"{MEETING} was marked for B|counted from 180°",
     "mirrored_positions_fb": f"{MEETING} was marked for B",
@@ -114,6 +114,6 @@ def test_a_rate_found_from_another_segment_is_wrong() -> None:
 def test_what_follows_from_a_wrong_reading_names_it() -> None:
     """The normal component is wrong; what is drawn from it says so."""
     rows = report("normal_pb_sc").readings
-    assert {one.taken.segment for one in rows if one.verdict == WRONG} == {"nab"}
+    assert {one.taken.segment for one in rows if one.verdict == WRONG} == {"an2"}
     followed = {one.taken.segment: one.follows.segment for one in rows if one.follows is not None}
-    assert followed["πb"] == "nab"
+    assert followed["πb"] == "an2"

@@ -14,8 +14,8 @@ from graphic_tmm.checking.records import INSTRUMENT, MISTAKE, UNKNOWN, Likely, R
 
 A = "accelerations"
 DUE = Likely(
-    "operand", "step 5: n_ab was calculated with CB instead of AB", (), 3, 0.0, (), MISTAKE, "operand", A,
-    "nab", "", "", 0.95,
+    "operand", "step 5: an2 was calculated with CB instead of AB", (), 3, 0.0, (), MISTAKE, "operand", A,
+    "an2", "", "", 0.95,
 )  # fmt: skip
 
 
@@ -26,14 +26,14 @@ def planted() -> Planted:
     assert one is not None
     (truth,) = one.truths
     assert truth.shown
-    assert {(A, "nab"), (A, "ncb")} & truth.places
+    assert {(A, "an2"), (A, "πn3")} & truth.places
     return one
 
 
 def due() -> Likely:
     """A finding that is right."""
     (truth,) = planted().truths
-    name = "nab" if (A, "nab") in truth.places else "ncb"
+    name = "an2" if (A, "an2") in truth.places else "πn3"
     links = " ".join(("OA", "AB", "CB"))
     return DUE._replace(segment=name, position=truth.position, says=f"with {links}")
 
@@ -54,7 +54,7 @@ def test_a_right_name_is_right() -> None:
 @pytest.mark.parametrize(
     ("change", "wanted"),
     [
-        ({"segment": "tab"}, (False, True, False, False, True)),
+        ({"segment": "n2b"}, (False, True, False, False, True)),
         ({"plan": "velocities"}, (False, True, False, False, True)),
         ({"family": "meeting"}, (True, False, False, False, True)),
         ({"says": "with that of another link"}, (True, True, False, True, False)),
@@ -81,7 +81,7 @@ def test_nothing_told_is_not_right() -> None:
 
 
 def test_the_first_finding_counts() -> None:
-    wrong = due()._replace(family="meeting", segment="tab", chance=0.5)
+    wrong = due()._replace(family="meeting", segment="n2b", chance=0.5)
     assert told(wrong, due()) == (False, False, False, True, False)
 
 
@@ -98,7 +98,7 @@ def test_a_mistake_that_gives_the_same_figures_is_right() -> None:
     one = plant(half, "rpr", 5, "mm")
     assert one is not None
     (truth,) = one.truths
-    found = DUE._replace(family="left out", segment="kaa3", position=truth.position)
+    found = DUE._replace(family="left out", segment="ak2", position=truth.position)
     other = truth._replace(families=("factor",))
     assert outcome(one._replace(truths=(other,)), report(found), EARLY).family
     assert not outcome(one._replace(truths=(other,)), report(found), ()).family

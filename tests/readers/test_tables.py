@@ -61,8 +61,8 @@ def printed_of(name: str) -> dict[str, Any]:
     [
         ("pb", "pb"),
         ("ps2", "ps2"),
-        ("n_{ab}", "nab"),
-        ("k_{aa3}", "kaa3"),
+        ("P_{i3}", "Pi3"),
+        ("n3a3", "n3a3"),
         ("πs2", "πs2"),
         ("ω_2", "omega2"),
         ("ε_{12}", "epsilon12"),
@@ -299,7 +299,7 @@ def test_the_default_table_differs_by_the_rulers_rounding_only() -> None:
 
 
 def test_null_where_a_position_has_no_acceleration_plan() -> None:
-    found = column(tabled("engine"), "accelerations", "nab")
+    found = column(tabled("engine"), "accelerations", "an2")
     assert [k + 1 for k, mm in enumerate(found["mm"]) if mm is not None] == [2, 5]
     assert found["unit"] == "m/s²"
 

@@ -106,11 +106,11 @@ def slider_crank(pen: Pencil, phi: float, accelerated: bool, side: int) -> Sheet
     if accelerated:
         a = 80.0 * pen.ray("πa", -a_)
         n = (ab * mu_v) ** 2 / (rod * mu_l) / mu_a
-        n2 = a + n * pen.ray("nab", -along)
-        b = met(n2, pen.ray("tab", 1j * along), 0j, pen.ray("πb", 1.0))
-        pen.drawn("πa", a), pen.drawn("tab", b - n2), pen.drawn("πb", b), pen.drawn("nab", n)
+        n2 = a + n * pen.ray("an2", -along)
+        b = met(n2, pen.ray("n2b", 1j * along), 0j, pen.ray("πb", 1.0))
+        pen.drawn("πa", a), pen.drawn("n2b", b - n2), pen.drawn("πb", b), pen.drawn("an2", n)
         s, t = a + 0.4 * (b - a), pen.read(b - n2)
-        lengths |= {(A, "πa"): 80.0, (A, "nab"): n, (A, "tab"): t}
+        lengths |= {(A, "πa"): 80.0, (A, "an2"): n, (A, "n2b"): t}
         lengths |= {(A, "πb"): pen.read(b), (A, "πs2"): pen.read(s)}
         rates[A, "epsilon2"] = sense(b - n2, 1j * along) * t * mu_a / (rod * mu_l)
         points |= {(A, "a"): a, (A, "n2"): n2, (A, "b"): b, (A, "s2"): s}
@@ -141,12 +141,12 @@ def four_bar(pen: Pencil, phi: float, accelerated: bool, side: int) -> Sheet:
         a = 72.0 * pen.ray("πa", -a_)
         n = (ab * mu_v) ** 2 / (rod * mu_l) / mu_a
         m = (pb * mu_v) ** 2 / (rocker * mu_l) / mu_a
-        n2, n3 = a + n * pen.ray("nab", -u), m * pen.ray("ncb", -w)
-        b = met(n2, pen.ray("tab", 1j * u), n3, pen.ray("tcb", 1j * w))
-        pen.drawn("πa", a), pen.drawn("tab", b - n2), pen.drawn("tcb", b - n3)
-        pen.drawn("nab", n), pen.drawn("ncb", m)
+        n2, n3 = a + n * pen.ray("an2", -u), m * pen.ray("πn3", -w)
+        b = met(n2, pen.ray("n2b", 1j * u), n3, pen.ray("n3b", 1j * w))
+        pen.drawn("πa", a), pen.drawn("n2b", b - n2), pen.drawn("n3b", b - n3)
+        pen.drawn("an2", n), pen.drawn("πn3", m)
         e, t, s = a + shape * (b - a), pen.read(b - n2), pen.read(b - n3)
-        lengths |= {(A, "πa"): 72.0, (A, "nab"): n, (A, "ncb"): m, (A, "tab"): t, (A, "tcb"): s}
+        lengths |= {(A, "πa"): 72.0, (A, "an2"): n, (A, "πn3"): m, (A, "n2b"): t, (A, "n3b"): s}
         lengths |= {(A, "πb"): pen.read(b), (A, "πe"): pen.read(e)}
         rates[A, "epsilon2"] = sense(b - n2, 1j * u) * t * mu_a / (rod * mu_l)
         rates[A, "epsilon3"] = sense(b - n3, 1j * w) * s * mu_a / (rocker * mu_l)
@@ -188,13 +188,13 @@ def rocker(pen: Pencil, phi: float, accelerated: bool, side: int, by: Slotted) -
         a = pi_a * pen.ray("πa", -a_)
         k = 2.0 * abs(omega) * aa3 * by.mu_v / by.mu_a
         n = (pa3 * by.mu_v) ** 2 / (long * by.mu_l) / by.mu_a
-        k2 = a + k * pen.ray("kaa3", sense(omega, 1.0) * slides * 1j * u)
-        n3 = n * pen.ray("nba3", -u)
-        a3 = met(k2, pen.ray("raa3", u), n3, pen.ray("tba3", 1j * u))
-        pen.drawn("πa", a), pen.drawn("raa3", a3 - k2), pen.drawn("tba3", a3 - n3)
-        pen.drawn("kaa3", k), pen.drawn("nba3", n)
+        k2 = a + k * pen.ray("ak2", sense(omega, 1.0) * slides * 1j * u)
+        n3 = n * pen.ray("πn3", -u)
+        a3 = met(k2, pen.ray("k2a3", u), n3, pen.ray("n3a3", 1j * u))
+        pen.drawn("πa", a), pen.drawn("k2a3", a3 - k2), pen.drawn("n3a3", a3 - n3)
+        pen.drawn("ak2", k), pen.drawn("πn3", n)
         r, t, c = pen.read(a3 - k2), pen.read(a3 - n3), a3 * shape
-        lengths |= {(A, "πa"): pi_a, (A, "kaa3"): k, (A, "nba3"): n, (A, "raa3"): r, (A, "tba3"): t}
+        lengths |= {(A, "πa"): pi_a, (A, "ak2"): k, (A, "πn3"): n, (A, "k2a3"): r, (A, "n3a3"): t}
         lengths[A, "πc"] = pen.read(c)
         epsilon = sense(a3 - n3, 1j * u) * t * by.mu_a / (long * by.mu_l)
         rates |= {(A, "epsilon2"): epsilon, (A, "epsilon3"): epsilon}
@@ -222,11 +222,11 @@ def six_bar(pen: Pencil, phi: float, accelerated: bool, side: int) -> Sheet:
     if accelerated:
         c = sheet.points[A, "c"]
         n = (cd * by.mu_v) ** 2 / (rod * by.mu_l) / by.mu_a
-        n4 = c + n * pen.ray("ncd", -u)
-        d = met(n4, pen.ray("tcd", 1j * u), 0j, pen.ray("πd", 1.0))
-        pen.drawn("tcd", d - n4), pen.drawn("πd", d)
+        n4 = c + n * pen.ray("cn4", -u)
+        d = met(n4, pen.ray("n4d", 1j * u), 0j, pen.ray("πd", 1.0))
+        pen.drawn("n4d", d - n4), pen.drawn("πd", d)
         t = pen.read(d - n4)
-        sheet.lengths.update({(A, "ncd"): n, (A, "tcd"): t, (A, "πd"): pen.read(d)})
+        sheet.lengths.update({(A, "cn4"): n, (A, "n4d"): t, (A, "πd"): pen.read(d)})
         sheet.rates[A, "epsilon4"] = sense(d - n4, 1j * u) * t * by.mu_a / (rod * by.mu_l)
         sheet.points.update({(A, "n4"): n4, (A, "d"): d})
     return sheet
@@ -238,7 +238,7 @@ MACHINES = {
     "rpr": Machine({P: 0.004, V: 0.02, A: 0.2}, (1, 3, 6), slotted_lever),
     "six": Machine({P: 0.004, V: 0.04, A: 1.0}, (1, 3, 6), six_bar),
 }
-CALCULATED = frozenset({"pa", "πa", "nab", "ncb", "kaa3", "nba3", "ncd"})
+CALCULATED = frozenset({"pa", "πa", "an2", "πn3", "ak2", "cn4"})
 Rows = dict[tuple[str, str, str], list[str]]
 """The cells mm, value, unit, x, y of a file of readings, by plan, position and segment."""
 

@@ -77,7 +77,7 @@ def wrong_link(step: Step) -> Operands:
 
 def wrong_sense(step: Step) -> Operands:
     """Lay the normal component off the other way."""
-    return {**step.takes, "sense": -1.0} if step.name == "nab" else step.takes
+    return {**step.takes, "sense": -1.0} if step.name == "an2" else step.takes
 
 
 def wrong_way(step: Step) -> Operands:

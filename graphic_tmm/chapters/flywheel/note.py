@@ -87,7 +87,7 @@ class FlywheelPage(Worked):
         """The table of what is read: segments of the plans of velocities, pressures."""
         speeds = [one for one in kinematic_columns(self.drawn) if one.plan == VELOCITIES]
         gas_ = [one for one in flywheel_columns(self.drawn) if one.unit == "Pa"]
-        some = [(one, True) for one in speeds if one.drawn and one.ends != "pa"]
+        some = [(one, True) for one in speeds if one.drawn and one.segment != "pa"]
         some += [(one, False) for one in gas_]
         places = [k for k in range(self.drawn.project.count) if k not in self.drawn.undrawn]
         yield self.upright("table-flywheel-readings", words.READ, some, places)

@@ -126,11 +126,11 @@ class _Page:
             yield Display((Formula((Symbol(vectors_of(polygon, language)),)),))
         yield from blocks[1:]
 
-    def moments(self, rows: Iterator[object], *, letters: bool = False) -> Iterator[Block]:
-        """Yield the equations of moments among rows that are written; ``letters``: without their figures."""
+    def moments(self, rows: Iterator[object]) -> Iterator[Block]:
+        """Yield the equations of moments among rows that are written."""
         for _ in rows:
             pass
-        found = tuple(sums(self.writer, self.drawn.board, letters=letters))
+        found = tuple(sums(self.writer, self.drawn.board))
         if found:
             yield Paragraph(text(speaking(self.language)(MOMENTS)))
             yield Display(found)

@@ -1,4 +1,8 @@
-"""Sums of moments as formulas of a note: the same terms as beside a figure, each number with its mark."""
+"""Sums of moments as formulas of a note: the same terms as beside a figure, each number with its mark.
+
+Letters stand for sizes beside a figure, where nothing else tells their signs. A note tells them where it
+calculates, so that the size of what is negative stands in bars here: − |M′|, after M′ = −33846 N·mm.
+"""
 
 from __future__ import annotations
 
@@ -42,10 +46,10 @@ class Kept(Writer):
         return super().summed(heading, of, mu)
 
 
-def sums(writer: Kept, board: str, *, letters: bool = False) -> Iterator[Formula]:
-    """Yield the sums that were written since the last time, as formulas; ``letters``: no figures."""
+def sums(writer: Kept, board: str) -> Iterator[Formula]:
+    """Yield the sums that were written since the last time, as formulas."""
     for one in writer.sums:
-        yield from _Told(writer, board, one).formulas(letters=letters)
+        yield from _Told(writer, board, one).formulas()
     writer.sums.clear()
 
 
@@ -56,8 +60,8 @@ class _Told:
         self.writer, self.board, self.one = writer, board, one
         self.put: dict[str, Leaf] = {}
 
-    def formulas(self, *, letters: bool) -> Iterator[Formula]:
-        """Yield ΣM by letters, then what it gives with figures, unless it is told by ``letters`` alone."""
+    def formulas(self) -> Iterator[Formula]:
+        """Yield ΣM by letters, then what it gives with figures."""
         one, writer = self.one, self.writer
         heading = Symbol(writer.letter(one.heading))
         if one.sought is None:
@@ -68,9 +72,7 @@ class _Told:
         sense = one.sought.sense * writer.sense(one.sought.value)
         left = [*self._parts(figures=False), (sense, self._last(one.sought))]
         yield from broken(Formula((heading, self._tree(_signed(left)), Symbol("0"))))
-        if letters:
-            return
-        name = Symbol(writer.letter(one.sought.letter))
+        name = self._tree(self._barred(one.sought.value, one.sought.letter))
         value = self._figure(one.sought.value, one.sought.unit)
         yield from broken(Formula((name, self._tree(self._quotient(one.sought, sense)), value)))
 
@@ -100,14 +102,25 @@ class _Told:
         return [*forces, *couples]
 
     def _term(self, term: Term, figures: bool) -> Node:
-        name = self.writer.name(term.acts, self.one.of)
-        acts = self._leaf(self._size(term.acts) if figures else Symbol(name))
+        of = {**self.one.of.forces, **self.one.of.couples}
+        name = of.get(term.acts, term.acts.name)
+        acts = self._leaf(self._size(term.acts)) if figures else self._barred(term.acts, name)
         if term.arm is None:
             return acts
         return Node("·", (acts, self._either(term.arm, figures)))
 
     def _either(self, mark: Mark, figures: bool) -> Node:
-        return self._leaf(self._size(mark) if figures else Symbol(self.writer.letter(mark.name)))
+        return self._leaf(self._size(mark)) if figures else self._barred(mark, mark.name)
+
+    def _barred(self, mark: Mark, name: str) -> Node:
+        """Return the letter of a size, in bars where the letter itself has been told to be negative.
+
+        Arms are told with their signs on the lever only, in a table.
+        """
+        letter = self._leaf(Symbol(self.writer.letter(name.removeprefix("−"))))
+        negative = self.writer.sense(mark) != (-1 if name.startswith("−") else 1)
+        told = self.one.mu is None or mark.kind is not Length
+        return Node("abs", (letter,)) if negative and told else letter
 
     def _size(self, mark: Mark) -> Number:
         """Return the size of a mark, a length as the ruler tells it."""
@@ -128,7 +141,7 @@ class _Told:
 
     def _last(self, sought: Sought) -> Node:
         """Return the term of what is sought: a force and its arm, times the scale factor, or a couple."""
-        name = self._leaf(Symbol(self.writer.letter(sought.letter)))
+        name = self._barred(sought.value, sought.letter)
         if sought.by is None:
             return name
         by = self._either(sought.by, False)

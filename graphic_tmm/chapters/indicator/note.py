@@ -135,7 +135,7 @@ class Worked(Page):
         words = captions(self.language)
         heads = [text(words["position"])]
         for column, mm in some:
-            name = markup(column.ends or column_name(column, self.language))
+            name = markup(column_name(column, self.language))
             of = unit("mm" if mm else column.unit, self.language)
             heads.append((Symbol(name), Text(f", {of}")))
         body = tuple(

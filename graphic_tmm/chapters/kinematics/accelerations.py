@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.naming import between
 from graphic_tmm.board.operations.formulas import (
     coriolis,
     normal,
@@ -24,6 +25,7 @@ from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
 from graphic_tmm.chapters.kinematics.images import Base, Hanging, Images, image_letter
 from graphic_tmm.chapters.kinematics.motion import Motion, hang_group, known_image, measure_absolute
 from graphic_tmm.chapters.kinematics.positions import Positions
+from graphic_tmm.chapters.kinematics.segments import component
 from graphic_tmm.chapters.kinematics.velocities import crank_arm
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure
@@ -71,21 +73,24 @@ def _crank(
     assert omega is not None
     because = why.NORMAL_OF_PIN if epsilon else why.GAIN_OF_PIN
     value = draft.draw(product_of_squares, normal_of, omega, arm, unit="m/s²", why=because)
-    length = draft.draw(to_board, f"n_{{{letter}}}" if epsilon else f"π{letter}", value)
-    inward = draft.draw(parallel, f"(π{letter})", pole, body.axis, sense=-1, why=why.TO_THE_PIVOT)
+    first = f"n{number}" if epsilon else letter
+    segment = between(pole, first)
+    length = draft.draw(to_board, segment, value)
+    inward = draft.draw(parallel, f"({segment})", pole, body.axis, sense=-1, why=why.TO_THE_PIVOT)
+    end = draft.draw(lay_off, first, inward, length, why=why.VECTOR)
     if epsilon:
-        end = draft.draw(lay_off, f"n{number}", inward, length, why=why.VECTOR)
+        component(draft, length, "n", letter)
         draft.say(f"a_{{{pin}}}^{{t}} = ε_{number}·l_{{{pivot}{pin}}},  ⊥ {pivot}{pin}")
         plan.rates[number] = draft.take(Number, f"ε_{number}", epsilon, "1/s²")
         name_t, gain = f"a_{{{pin}}}^{{t}}", plan.rates[number]
         value = draft.draw(product, name_t, gain, arm, unit="m/s²", why=why.TANGENTIAL_OF_PIN)
-        length = draft.draw(to_board, f"t_{{{letter}}}", value)
-        line = draft.draw(
-            square, f"(t_{{{letter}}})", end, body.axis, sense=1, why=why.ACROSS_THE_CRANK
-        )
+        segment = between(end, letter)
+        length = draft.draw(to_board, segment, value)
+        component(draft, length, "t", letter)
+        line = draft.draw(square, f"({segment})", end, body.axis, sense=1, why=why.ACROSS_THE_CRANK)
         image = draft.draw(lay_off, letter, line, length, why=why.VECTOR)
     else:
-        image = draft.draw(lay_off, letter, inward, length, why=why.VECTOR)
+        image = end
         plan.measured.add(image)
     base = Base(body.marks[pivot], body.marks[pin], pole, image)
     plan.images.hang(body, Hanging(base.A, pole, base), {pivot: pole, pin: image})
@@ -107,16 +112,13 @@ def _group(
     )
     for leg, line in zip(closing.legs, lines, strict=True):
         if isinstance(leg, PinLeg):
-            _read_tangential(draft, plan, closing, leg, point, line)
+            _read_tangential(draft, plan, leg, point, line)
         elif draft.uses(line)[0] == plan.images.pole:
-            name = f"π{point.letter}"
-            plan.readings[leg.link] = draft.draw(
-                measure_along, name, plan.images.pole, point, line, why=why.ABSOLUTE_ACCELERATION
-            )
+            plan.readings[leg.link] = _read(draft, point, line, why.ABSOLUTE_ACCELERATION)
             plan.measured.add(point)
         else:
-            name = f"r_{{{known_image(plan, closing, leg).letter}{closing.image_letter}}}"
-            draft.draw(measure_along, name, draft.uses(line)[0], point, line, why=why.RELATIVE_READ)
+            length = _read(draft, point, line, why.RELATIVE_READ)
+            component(draft, length, "r", point.name, known_image(plan, closing, leg).name)
     hang_group(positions, plan, closing, point)
 
 
@@ -124,46 +126,48 @@ def _tangential_line(
     draft: Draft, velocities: Motion, plan: Motion, closing: Closing, leg: PinLeg
 ) -> Mark:
     """Lay off the normal segment from the pivot's image; draw the line of the tangential one."""
-    name = _leg_name(closing, leg)
-    start = known_image(plan, closing, leg)
-    reading = velocities.readings[leg.link]
-    length = draft.draw(normal, f"n_{{{name}}}", reading, leg.length)
+    letter, start = f"n{leg.link}", known_image(plan, closing, leg)
+    segment, reading = between(start, letter), velocities.readings[leg.link]
+    length = draft.draw(normal, segment, reading, leg.length)
+    component(draft, length, "n", closing.image_letter, leg.letter)
     because = why.TO_THE_OTHER_POINT
     inward = draft.draw(
-        parallel, f"(n_{{{name}}})", start, leg.line, sense=-1, role=roles.NORMAL, why=because
+        parallel, f"({segment})", start, leg.line, sense=-1, role=roles.NORMAL, why=because
     )
-    end = draft.draw(lay_off, f"n{leg.link}", inward, length, free=True, why=why.VECTOR)
-    return draft.draw(square, f"(t_{{{name}}})", end, leg.line, sense=1, why=why.TANGENTIAL)
+    end = draft.draw(lay_off, letter, inward, length, free=True, why=why.VECTOR)
+    segment = between(end, closing.image_letter)
+    return draft.draw(square, f"({segment})", end, leg.line, sense=1, why=why.TANGENTIAL)
 
 
 def _relative_line(
     draft: Draft, velocities: Motion, plan: Motion, closing: Closing, leg: GuideLeg
 ) -> Mark:
     """Lay off the Coriolis segment if what is slid on turns; draw the line of the relative acceleration."""
-    letter = closing.image_letter
     start = known_image(plan, closing, leg)
     turning = velocities.rates.get(closing.legs[1].link if leg.inner else leg.body)
     if turning is not None:
-        name, slid = f"{start.letter}{letter}", velocities.readings[leg.link]
-        length = draft.draw(coriolis, f"k_{{{name}}}", turning, slid)
+        letter, slid = f"k{leg.link}", velocities.readings[leg.link]
+        segment = between(start, letter)
+        length = draft.draw(coriolis, segment, turning, slid)
+        component(draft, length, "k", closing.image_letter, start.name)
         across = draft.draw(
-            square, f"(k_{{{name}}})", start, leg.line, sense=1, why=why.CORIOLIS_ACROSS
+            square, f"({segment})", start, leg.line, sense=1, why=why.CORIOLIS_ACROSS
         )
-        start = draft.draw(lay_off, f"k{leg.link}", across, length, free=True, why=why.VECTOR)
+        start = draft.draw(lay_off, letter, across, length, free=True, why=why.VECTOR)
     because = why.ACCELERATION_ALONG if start == plan.images.pole else why.RELATIVE_ALONG
-    return draft.draw(parallel, f"({start.letter}{letter})", start, leg.line, sense=1, why=because)
+    segment = between(start, closing.image_letter)
+    return draft.draw(parallel, f"({segment})", start, leg.line, sense=1, why=because)
 
 
-def _read_tangential(
-    draft: Draft, plan: Motion, closing: Closing, leg: PinLeg, point: Mark, line: Mark
-) -> None:
-    start = draft.uses(line)[0]
-    name, because = f"t_{{{_leg_name(closing, leg)}}}", why.TANGENTIAL_READ
-    segment = draft.draw(measure_along, name, start, point, line, why=because)
+def _read_tangential(draft: Draft, plan: Motion, leg: PinLeg, point: Mark, line: Mark) -> None:
+    segment = _read(draft, point, line, why.TANGENTIAL_READ)
+    component(draft, segment, "t", point.name, leg.letter)
     plan.rates[leg.link] = draft.draw(
         rate, f"ε_{leg.link}", segment, leg.length, unit="1/s²", why=why.EPSILON
     )
 
 
-def _leg_name(closing: Closing, leg: PinLeg) -> str:
-    return f"{image_letter(leg.letter)}{closing.image_letter}"
+def _read(draft: Draft, point: Mark, line: Mark, because: str) -> Mark:
+    """Measure from where a line begins to the point on it."""
+    start = draft.uses(line)[0]
+    return draft.draw(measure_along, between(start, point.letter), start, point, line, why=because)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.naming import between
 from graphic_tmm.board.operations.instruments import measure, measure_along
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics import reasons as why
@@ -96,7 +97,7 @@ def measure_absolute(draft: Draft, plan: Motion, positions: Positions) -> None:
         if image == pole or image in plan.measured:
             continue
         plan.measured.add(image)
-        draft.draw(measure, f"{pole.letter}{image.letter}", pole, image, why=because)
+        draft.draw(measure, between(pole, image.letter), pole, image, why=because)
 
 
 def reading_of(draft: Draft, plan: Motion, image: Mark) -> Mark | None:

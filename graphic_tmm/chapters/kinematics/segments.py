@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import NamedTuple
 
+from graphic_tmm.board import roles
+from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import lay_off, measure, measure_along
 from graphic_tmm.board.record import Construction, Mark, Step
 
@@ -47,13 +48,9 @@ def _ends(step: Step, by_mark: dict[Mark, Step]) -> tuple[Mark, Mark, str] | Non
     return None
 
 
-def end_letters(construction: Construction, plan: str) -> Mapping[Mark, str]:
-    """Return what lengths of a plan are called by the points between which they lie, first end first.
+def component(draft: Draft, segment: Mark, part: str, *images: str) -> None:
+    """Tell which component of an acceleration a segment is: normal, tangential, Coriolis (k), relative (r).
 
-    A component that is calculated or read (n_{ab}) is so a segment of the plan like any other: n₂b.
+    ``images``: the letters of the point that it is of, and of the one it is about.
     """
-    found = {}
-    for one in vectors(construction, plan):
-        length = one.step.uses[1] if one.step.op is lay_off else one.step.it
-        found[length] = f"{one.start.name}{one.end.name}"
-    return found
+    draft.figure(roles.COMPONENT, f"a_{{{''.join(images).upper()}}}^{{{part}}}", segment)

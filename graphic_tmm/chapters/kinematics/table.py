@@ -16,11 +16,10 @@ from graphic_tmm.chapters.kinematics.names import (
     POSITIONS,
     VELOCITIES,
 )
-from graphic_tmm.chapters.kinematics.segments import end_letters
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, empty, row_of
-from graphic_tmm.readers.equations import quantity
+from graphic_tmm.readers.equations import components, quantity
 
 UNITS = {POSITIONS: "m", VELOCITIES: "m/s", ACCELERATIONS: "m/s²"}
 """Of what the segments of a plan stand for."""
@@ -32,8 +31,7 @@ RATE_NAMES = {VELOCITIES: "omega", ACCELERATIONS: "epsilon"}
 def plan_columns(drawn: Drawn, plan: str, *, read: bool = False) -> tuple[Column, ...]:
     """Return the columns of one plan at its positions: segments, magnitudes; rates with their sign.
 
-    On a sheet a segment is called by the letters at its ends, elsewhere by that of its length. ``read``: only
-    the segments that are measured, not those that were calculated before they were laid off.
+    ``read``: only the segments that are measured, not those that were calculated before they were laid off.
     """
     motion, reading, log = KINEMATICS.on(drawn).motion(plan), drawn.of(plan), drawn.construction
     view = log.view(plan)
@@ -42,7 +40,7 @@ def plan_columns(drawn: Drawn, plan: str, *, read: bool = False) -> tuple[Column
     if motion is None and plan != POSITIONS:
         return ()
     count, places, found = len(drawn.names), drawn.row(plan), []
-    called = end_letters(log, plan) if motion is not None else {}
+    parts = components(log)
     for step in log.steps:
         # a length that is laid off is a segment of its plan; of the links' lengths only what is read is told
         if (
@@ -53,13 +51,9 @@ def plan_columns(drawn: Drawn, plan: str, *, read: bool = False) -> tuple[Column
             mm, value = (np.abs(reading.figure(step.it, by)) for by in (None, view.scale))
             rows = row_of(mm, places, count), row_of(value, places, count)
             relative = "a" if plan == ACCELERATIONS else "v"
-            sought = quantity(step.it.name, relative) if motion is not None else ""
+            sought = quantity(step.it, parts, relative) if motion is not None else ""
             segment = segment_name(step.it.letter)
-            unit = UNITS[plan]
-            ends = called.get(step.it, "")
-            found.append(
-                Column(plan, segment, step.it.name, unit, *rows, quantity=sought, ends=ends)
-            )
+            found.append(Column(plan, segment, step.it.name, UNITS[plan], *rows, quantity=sought))
     for link, mark in sorted(motion.rates.items()) if motion is not None and not read else ():
         letter = f"{RATE_LETTERS[plan]}_{link}"
         row = row_of(reading.figure(mark), places, count)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.naming import between
 from graphic_tmm.board.operations.formulas import product, rate, to_board
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet, parallel, square
 from graphic_tmm.board.record import Mark
@@ -87,12 +88,13 @@ def _crank(
     plan.speed = omega
     arm = crank_arm(draft, positions, structure)
     velocity = draft.draw(product, f"v_{pin}", omega, arm, unit="m/s", why=why.SPEED_OF_PIN)
-    length = draft.draw(to_board, f"p{image_letter(pin)}", velocity)
+    segment = between(pole, image_letter(pin))
+    length = draft.draw(to_board, segment, velocity)
     if turn.turned:
         op, sense, because = parallel, 1, why.VELOCITY_OF_PIN_TURNED
     else:
         op, sense, because = square, turn.sense, why.VELOCITY_OF_PIN
-    line = draft.draw(op, f"(p{image_letter(pin)})", pole, body.axis, sense=sense, why=because)
+    line = draft.draw(op, f"({segment})", pole, body.axis, sense=sense, why=because)
     image = draft.draw(lay_off, image_letter(pin), line, length, why=why.VECTOR)
     plan.measured.add(image)
     base = Base(body.marks[pivot], body.marks[pin], pole, image)
@@ -117,7 +119,7 @@ def _group(draft: Draft, positions: Positions, plan: Motion, turn: _Turn, closin
         draw = turn.across if isinstance(leg, PinLeg) else turn.along
         starts.append(start)
         fixed = start == plan.images.pole
-        lines.append(draw(f"({start.letter}{letter})", start, leg.line, fixed))
+        lines.append(draw(f"({between(start, letter)})", start, leg.line, fixed))
     point = draft.draw(meet, letter, lines[1], lines[0], free=True, why=why.BOTH_EQUATIONS)
     for leg, start, line in zip(closing.legs, starts, lines, strict=True):
         _read(draft, plan, leg, start, point, line)
@@ -127,7 +129,7 @@ def _group(draft: Draft, positions: Positions, plan: Motion, turn: _Turn, closin
 def _read(
     draft: Draft, plan: Motion, leg: PinLeg | GuideLeg, start: Mark, point: Mark, line: Mark
 ) -> None:
-    name, fixed = f"{start.letter}{point.letter}", start == plan.images.pole
+    name, fixed = between(start, point.letter), start == plan.images.pole
     because = why.ABSOLUTE_VELOCITY if fixed else why.RELATIVE_VELOCITY
     segment = draft.draw(measure_along, name, start, point, line, why=because)
     plan.readings[leg.link] = segment

@@ -60,7 +60,7 @@ class Steps:
         self._by_mark = {(told.board.board, told.step.it): told for told in self.in_turn}
 
     def labelled(self, plan: str, label: str) -> Told | None:
-        """Return the step of a plan that a report calls so: 5 n_{ab}; of another plan, if only that has it."""
+        """Return the step of a plan that a report calls so: 5 an2; of another plan, if only that has it."""
         if (plan, label) in self._by_label:
             return self._by_label[plan, label]
         others = [told for (_, name), told in self._by_label.items() if name == label]

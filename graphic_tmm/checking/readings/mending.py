@@ -14,6 +14,7 @@ from graphic_tmm.checking.readings.names import (
     meant,
     plan_meant,
     position_meant,
+    segment_meant,
     segments_of,
 )
 from graphic_tmm.checking.readings.poles import from_poles
@@ -153,7 +154,7 @@ def _named(part: Taken, plan: str, names: Names) -> Meant:
         letters = names.points.get(plan, {})
         found = meant(part.segment, letters)
         return found if found.names else meant(part.segment, poles)
-    found = meant(part.segment, names.segments.get(plan, {}))
+    found = segment_meant(part.segment, plan, names.segments.get(plan, {}))
     return found if found.names or part.mm != 0.0 else meant(part.segment, poles)
 
 

@@ -20,12 +20,13 @@ from graphic_tmm.checking.readings.spelling import (
 from graphic_tmm.language.catalogue import languages
 from graphic_tmm.language.names import plain
 from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.former import renamed
 from graphic_tmm.readers.text import column_name, result_name
 
 Aliases = Mapping[str, frozenset[str]]
 """What things are called besides, by the names that code has for them."""
-SILENT = ("sign", "sound")
-"""Levels of spelling that need no word: nobody can mean anything else."""
+SILENT = ("sign", "sound", "former")
+"""How names are found that need no word: nobody can mean anything else."""
 _STOP = frozenset(("план", "плана", "plan", "of", "the", "and"))
 _ENDINGS = re.compile(r"(?:ies|es|ий|ия|ие|ей|[аеёиоуыэюяйьsy])+$")
 _STEM = 3
@@ -59,8 +60,19 @@ def segments_of(columns: Iterable[Column]) -> Mapping[str, Aliases]:
             names = {result_name(column.segment, language) for language in languages()}
         else:
             names = {plain(column_name(column, language)) for language in languages()}
-        names |= {column.segment, plain(column.letter), plain(column.quantity), plain(column.ends)}
+        names |= {column.segment, plain(column.letter), plain(column.quantity)}
         found.setdefault(column.plan, {})[column.segment] = frozenset(names - {""})
+    return found
+
+
+def segment_meant(typed: str, plan: str, known: Aliases) -> Meant:
+    """Return which segment of a plan is meant, by any name that it has or had in an earlier version."""
+    now = "" if typed in known else renamed(plan, signs(typed), known)
+    found = Meant((now,), "former") if now else meant(typed, known)
+    for level in () if found.names else LEVELS:
+        names = {renamed(plan, word, known) for word in keys(typed, level)} - {""}
+        if names:
+            return Meant(tuple(sorted(names)), _how(typed, level))
     return found
 
 
@@ -75,8 +87,7 @@ def meant(typed: str, known: Aliases) -> Meant:
     for level in LEVELS:
         found = _alike(typed, known, level)
         if found:
-            how = level if level in SILENT else "look-alikes" if cyrillic(typed) else "case"
-            return Meant(found, how)
+            return Meant(found, _how(typed, level))
     if "?" in typed:
         return Meant(_having(known, lambda alias: lost(typed, signs(alias))), "lost")
     back = restored(typed)
@@ -84,6 +95,10 @@ def meant(typed: str, known: Aliases) -> Meant:
         return meant(back, known)._replace(how="lost")
     pole = _poles(typed, known)
     return pole if pole.names else _turned(typed, known)
+
+
+def _how(typed: str, level: str) -> str:
+    return level if level in SILENT else "look-alikes" if cyrillic(typed) else "case"
 
 
 def _alike(typed: str, known: Aliases, level: str) -> tuple[str, ...]:

@@ -12,7 +12,12 @@ from typing import NamedTuple
 from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, pointed, points
 from graphic_tmm.checking.judging.taken_marks import steps_of
 from graphic_tmm.checking.readings.mending import Names, names_of
-from graphic_tmm.checking.readings.names import Meant, meant, plan_meant, position_meant
+from graphic_tmm.checking.readings.names import (
+    Meant,
+    plan_meant,
+    position_meant,
+    segment_meant,
+)
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.checking.template.told import explained
 from graphic_tmm.drawn import DrawnScene
@@ -94,7 +99,7 @@ def _marked(typed: str, names: Names) -> tuple[str, tuple[str, ...]]:
         return plan.one, tuple(names.segments.get(plan.one, {})) or tuple(known)
     found = []
     for one in filter(None, (part.strip() for part in rest.split(","))):
-        segment = meant(one, known)
+        segment = segment_meant(one, plan.one, known)
         if not segment.one:
             raise SheetError(_unknown("--only", one, segment, known))
         found.append(segment.one)

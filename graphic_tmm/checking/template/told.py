@@ -37,8 +37,6 @@ def explained(made: DrawnScene, rows: Sequence[Taken], due: Mapping[Key, Cell]) 
             at=at,
             scales=_scales(made, plan, rows, due),
         )
-        if ends := _ends(made, plan, rows):
-            yield said("On the plan: {ends}", ends=joined(", ", ends))
         if laid := _calculated(made, plan, place, rows, due):
             yield said("Calculated there, not measured: {segments}", segments=laid)
     yield from _counted(made, rows)
@@ -62,16 +60,6 @@ def _scales(made: DrawnScene, plan: str, rows: Sequence[Taken], due: Mapping[Key
         for (mu, of), segments in found.items()
     ]
     return joined("; ", told) if told else said("no scale factor")
-
-
-def _ends(made: DrawnScene, plan: str, rows: Sequence[Taken]) -> list[Said]:
-    """Return between which points segments lie that are not called by them."""
-    asked = {row.segment for row in rows if row.plan == plan}
-    return [
-        said("{segment} is {ends}", segment=one.segment, ends=plain(one.ends))
-        for one in scene_columns(made)
-        if one.plan == plan and one.segment in asked and one.ends not in ("", one.segment)
-    ]
 
 
 def _calculated(

@@ -23,6 +23,7 @@ from graphic_tmm.fitting.fit import sheets_taken
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project, own_boards
 from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.former import is_called
 from graphic_tmm.readers.warnings import SILENT
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import draws_mechanism, make
@@ -109,7 +110,7 @@ def _seen(made: DrawnScene, good: Good) -> Iterator[str]:
         if drawn.undrawn or any(one.kind not in SILENT for one in drawn.findings()):
             yield said("a step cannot be drawn, or not surely")
         for one in shortest(drawn, good.vector):
-            if one.segment not in good.short:
+            if not any(is_called(one, name) for name in good.short):
                 yield said(
                     "{plan}:{segment} shorter than {limit:g} mm",
                     plan=one.plan,

@@ -13,9 +13,10 @@ from graphic_tmm.board.naming import (
     segment_name,
 )
 from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.kinematics.ink_equations import draw_equations
 from graphic_tmm.chapters.kinematics.names import KINEMATICS
-from graphic_tmm.readers.equations import Equation, ends_of, equations, quantity
+from graphic_tmm.readers.equations import Equation, components, ends_of, equations, quantity
 
 
 def _lettered(log: Construction, plan: str, letter: str) -> Mark | None:
@@ -86,7 +87,7 @@ def test_the_sides_of_an_equation_are_equal_on_the_plan(name: str, plan: str) ->
     lengths: dict[str, Mark] = {}
     for mark in work.project.marks(plan):
         if mark.kind.__name__ == "Length":
-            lengths.setdefault(quantity(mark.name), mark)
+            lengths.setdefault(quantity(mark, components(log)), mark)
     for equation in found(name, plan):
         point = _lettered(
             log, plan, re.sub(r"[va]_|[{}]", "", equation.text.split(" =")[0]).lower()
@@ -110,18 +111,38 @@ def test_the_sides_of_an_equation_are_equal_on_the_plan(name: str, plan: str) ->
         ("pb", "v_{B}"),
         ("aa3", "v_{A3A}"),
         ("πs2", "a_{S2}"),
-        ("n_{ba3}", "a_{A3B}^{n}"),
-        ("k_{aa3}", "a_{A3A}^{k}"),
-        ("ω_2", "ω_2"),
         ("p1b", "v_{BP1}"),  # from the image of a point P1, not from the pole
         ("pp1", "v_{P1}"),
         ("π1k3", "v_{K3Π1}"),
         ("ωb", "v_{BΩ}"),  # from the image of a point Ω: no rate
-        ("n_{ωb}", "a_{BΩ}^{n}"),
     ],
 )
 def test_a_segment_stands_for_its_quantity(letter: str, due: str) -> None:
-    assert quantity(letter) == due
+    assert quantity(Mark(0, letter, Length, "velocities"), {}) == due
+
+
+@pytest.mark.parametrize(
+    ("name", "due"),
+    [
+        (
+            "windrower",
+            {
+                "ak2": "a_{A3A}^{k}",
+                "k2a3": "a_{A3A}^{r}",
+                "πn3": "a_{A3B}^{n}",
+                "n3a3": "a_{A3B}^{t}",
+            }
+            | {"cn4": "a_{DC}^{n}", "n4d": "a_{DC}^{t}"},
+        ),
+        (
+            "accelerating-crank",
+            {"πn1": "a_{A}^{n}", "n1a": "a_{A}^{t}", "an2": "a_{BA}^{n}", "n2b": "a_{BA}^{t}"},
+        ),
+    ],
+)
+def test_components_are_declared_where_they_are_recorded(name: str, due: dict[str, str]) -> None:
+    found = components(in_usual(name).project.construction)
+    assert {mark.name: letter for mark, letter in found.items()} == due
 
 
 def test_the_ends_of_a_segment() -> None:
@@ -131,7 +152,7 @@ def test_the_ends_of_a_segment() -> None:
 
 
 @pytest.mark.parametrize(
-    ("letter", "due"), [("ω_2", "omega2"), ("ε_{12}", "epsilon12"), ("ωb", "ωb"), ("n_{ab}", "nab")]
+    ("letter", "due"), [("ω_2", "omega2"), ("ε_{12}", "epsilon12"), ("ωb", "ωb"), ("n3a3", "n3a3")]
 )
 def test_a_rate_is_a_rate_by_its_index(letter: str, due: str) -> None:
     assert segment_name(letter) == due

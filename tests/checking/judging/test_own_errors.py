@@ -63,21 +63,21 @@ def test_what_follows_from_a_slip_is_not_punished() -> None:
     name = "engine"
     due = cells(exact(name))
     ab, pb = due["velocities", "ab", "2"].mm, due["velocities", "pb", "2"].mm
-    nab = due["accelerations", "nab", "2"].mm
+    an2 = due["accelerations", "an2", "2"].mm
     assert ab is not None
     assert pb is not None
-    assert nab is not None
+    assert an2 is not None
     found = abs(ab) - 12.0
     rows = [
         Taken("velocities", "2", "ab", mm=found, line=2),
         Taken("velocities", "2", "pb", mm=pb, line=3),
-        Taken("accelerations", "2", "nab", mm=abs(nab) * (found / abs(ab)) ** 2, line=4),
+        Taken("accelerations", "2", "an2", mm=abs(an2) * (found / abs(ab)) ** 2, line=4),
     ]
     report = check(read(SHEETS / name), rows, trials=80)
     verdicts = {one.taken.segment: one.verdict for one in report.readings}
     assert verdicts["ab"] == WRONG
     assert verdicts["pb"] == FINE
-    assert verdicts["nab"] == FINE
+    assert verdicts["an2"] == FINE
 
 
 def test_by_a_hand_that_hardly_slips_a_deviation_of_a_thousandth_is_wrong() -> None:

@@ -163,13 +163,13 @@ def test_a_quantity_follows_from_the_length_beside_it(tmp_path: Path) -> None:
 
 def test_a_rate_is_judged_by_what_was_read(tmp_path: Path) -> None:
     """ε₂ = t·μ_a/l: of the student's own t, 10 mm too short; and of another segment than t."""
-    tab = abs(cells(drawn("sc"))["accelerations", "tab", "1"].mm or 0.0)
-    right = (tab - 12.0) * 0.5 / 0.35
-    rows = "accelerations,1,tab,{:.1f},,,,\naccelerations,1,epsilon2,,{:.4g},1/s^2,,\n"
-    report = checked("sc", rows.format(tab - 12.0, right), tmp_path)
+    n2b = abs(cells(drawn("sc"))["accelerations", "n2b", "1"].mm or 0.0)
+    right = (n2b - 12.0) * 0.5 / 0.35
+    rows = "accelerations,1,n2b,{:.1f},,,,\naccelerations,1,epsilon2,,{:.4g},1/s^2,,\n"
+    report = checked("sc", rows.format(n2b - 12.0, right), tmp_path)
     assert verdicts(report) == [WRONG, FINE]
     assert report.readings[1].follows == report.readings[0].taken
-    other = checked("sc", rows.format(tab, tab * 1.06 * 0.5 / 0.35), tmp_path)
+    other = checked("sc", rows.format(n2b, n2b * 1.06 * 0.5 / 0.35), tmp_path)
     assert verdicts(other) == [FINE, WRONG]
 
 

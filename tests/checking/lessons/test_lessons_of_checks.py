@@ -27,12 +27,12 @@ from graphic_tmm.checking.records import UNKNOWN, WRONG, Judged, Likely, Taken
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.readers.protocol import told
 
-NORMAL = "5 n_{ab}"
+NORMAL = "5 an2"
 DUE = 11.91
 
 
 def normal(position: str = "5", mm: float = 44.3) -> Judged:
-    return row("accelerations", position, "nab", DUE, NORMAL, mm=mm)
+    return row("accelerations", position, "an2", DUE, NORMAL, mm=mm)
 
 
 @settings(max_examples=30)
@@ -154,10 +154,10 @@ def likely(plan: str, step: str = "", segment: str = "", position: str = "") -> 
     return told._replace(plan=plan, step=step, segment=segment, position=position)
 
 
-@pytest.mark.parametrize("step", ["n_{ab}", NORMAL, "", "nab"])
+@pytest.mark.parametrize("step", ["an2", NORMAL, ""])
 def test_a_finding_has_a_lesson_on_its_step_though_no_reading_blames_it(step: str) -> None:
-    finding = likely("accelerations", step, "nab", "3")
-    fine = row("accelerations", "3", "nab", DUE, mm=12.0)
+    finding = likely("accelerations", step, "an2", "3")
+    fine = row("accelerations", "3", "an2", DUE, mm=12.0)
     (lesson,) = lessons(fine, findings=(finding,))
     assert (lesson.step, lesson.names, lesson.shown, lesson.position) == (NORMAL, (0,), fine, "3")
     (blamed,) = lessons(normal(), findings=(finding,))
@@ -177,7 +177,7 @@ def test_a_finding_may_show_in_a_later_plan_than_it_was_made_in() -> None:
     # a stands in both plans: it is the one of the plan that is named, else the last before the reading
     (here,) = lessons(findings=(likely("accelerations", "a", "b"),))
     assert here.view == "accelerations"
-    (before,) = lessons(findings=(likely("accelerations", "(ab)", "nab"),))
+    (before,) = lessons(findings=(likely("accelerations", "(ab)", "an2"),))
     assert before.view == "velocities"
 
 
@@ -187,8 +187,8 @@ def test_a_finding_of_no_step_has_no_lesson(plan: str) -> None:
 
 
 def test_a_step_that_nobody_knows_has_no_lesson() -> None:
-    assert lessons(row("accelerations", "3", "nab", DUE, "99 x", mm=3.0)) == ()
-    other = row("nowhere", "3", "nab", DUE, NORMAL, mm=3.0)
+    assert lessons(row("accelerations", "3", "an2", DUE, "99 x", mm=3.0)) == ()
+    other = row("nowhere", "3", "an2", DUE, NORMAL, mm=3.0)
     assert [one.plan for one in lessons(other)] == ["nowhere"]
 
 

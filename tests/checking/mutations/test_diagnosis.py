@@ -90,8 +90,8 @@ def test_an_honest_drawing_has_no_mistake() -> None:
 @pytest.mark.parametrize(
     ("letter", "family", "was", "now"),
     [
-        ("n_{ab}", "operand", "AB", "OA"),
-        ("n_{ab}", "power", "", ""),
+        ("an2", "operand", "AB", "OA"),
+        ("an2", "power", "", ""),
         ("(ab)", "direction", "", ""),
         ("ω_2", "operand", "AB", "OA"),
     ],
@@ -102,7 +102,7 @@ def test_a_planted_one_is_named_on_its_step(letter: str, family: str, was: str, 
     assert first.kind == MISTAKE
     assert first.family == family
     # of the accelerations one position is drawn here: one reading alone is never sure
-    assert (first.chance >= 0.8) == ((letter, family) != ("n_{ab}", "operand"))
+    assert (first.chance >= 0.8) == ((letter, family) != ("an2", "operand"))
     sentences = (first.says, *first.like)
     assert any(letter.translate({ord(c): None for c in "{}"}) in says for says in sentences)
     if now:
@@ -110,7 +110,7 @@ def test_a_planted_one_is_named_on_its_step(letter: str, family: str, was: str, 
 
 
 def test_sentences_are_in_the_language_asked_for() -> None:
-    rows = drawn_with(planted(of("n_{ab}", "operand", "AB", "OA")))
+    rows = drawn_with(planted(of("an2", "operand", "AB", "OA")))
     assert "вычислено с OA вместо AB" in said_of(rows, "ru")[0].says
 
 
@@ -153,7 +153,7 @@ def test_two_mistakes_are_told_whichever_explains_more(plus: float) -> None:
     (board,) = exact(SCENE).boards
     cranks = [one for one in mistaken(board.construction, board.given) if one.family == CRANK]
     crank = next(one for one in cranks if one.times == plus)
-    normal = planted(of("n_{ab}", "operand", "AB", "OA"))
+    normal = planted(of("an2", "operand", "AB", "OA"))
     first, second = said_of(drawn_with(crank, normal))
     assert (first.family, second.family) == (CRANK, "operand")
     assert min(first.chance, second.chance) >= 0.8
@@ -161,10 +161,10 @@ def test_two_mistakes_are_told_whichever_explains_more(plus: float) -> None:
 
 def test_a_reading_with_which_others_were_drawn_was_not_only_read_amiss() -> None:
     """Half of a normal component in one position, and what follows from it."""
-    half = planted(lambda one: of("n_{cb}", "factor")(one) and one.times == 0.5)
+    half = planted(lambda one: of("πn3", "factor")(one) and one.times == 0.5)
     found = said_of(drawn_with(half, place=2))
     assert all(one.kind != SLIP for one in found)
-    assert any("n_cb" in one.says for one in found)
+    assert any("πn3" in one.says for one in found)
 
 
 @pytest.mark.parametrize("times", [0.97, 1.03])

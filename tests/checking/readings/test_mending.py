@@ -91,12 +91,12 @@ def test_what_windows_1251_has_lost_is_found_again_where_one_thing_fits(tmp_path
 
 
 def test_what_may_mean_two_things_is_refused_with_both(tmp_path):
-    made = gallery.made("accelerating-crank")
+    made = gallery.made("planetary")
     with pytest.raises(SceneError) as caught:
-        typed(tmp_path, made, ["accelerations;1;пa;10;;;;"])
+        typed(tmp_path, made, ["planet;;z1;10;;;;"])
     (fault,) = caught.value.faults
     assert fault.line == 2
-    assert '"пa" may mean na or πa (plan accelerations)' in fault.message
+    assert '"planet" may mean planetary or planetary-' in fault.message
 
 
 def test_one_reading_under_two_names_stands_there_twice(tmp_path, made):

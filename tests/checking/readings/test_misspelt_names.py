@@ -9,7 +9,13 @@ import pytest
 from support import gallery
 from support.misspelt import misspelt
 
-from graphic_tmm.checking.readings.names import meant, plan_meant, position_meant, segments_of
+from graphic_tmm.checking.readings.names import (
+    meant,
+    plan_meant,
+    position_meant,
+    segment_meant,
+    segments_of,
+)
 from graphic_tmm.checking.readings.writing import result_columns
 from graphic_tmm.readers.table import scene_columns, scene_results
 
@@ -32,7 +38,7 @@ def outcomes(names, times):
                     typed, way = misspelt(source, due)
                     if typed in known:
                         continue  # it is another name: nobody can know better
-                    found = meant(typed, known).names
+                    found = segment_meant(typed, plan, known).names
                     what = "right" if found == (due,) else "several" if due in found else "nothing"
                     if found and due not in found:
                         wrong.append((name, plan, due, typed, way, found))
@@ -65,7 +71,12 @@ def test_misspelt_segments_of_scenes_with_every_chapter():
             ("accelerations", typed, "πa")
             for typed in ("pia", "Pi a", "па", "?a", "ПЂa", "p'a", "pa")
         ],
-        *[("accelerations", typed, "nba3") for typed in ("n_ba3", "нба3", "n_{ba3}", "πn3")],
+        *[("accelerations", typed, "πn3") for typed in ("πn3", "π n₃", "pin3", "пн3", "a_A3B^n")],
+        # as earlier versions called it
+        *[
+            ("accelerations", typed, "πn3")
+            for typed in ("nba3", "n_ba3", "нба3", "n_{ba3}", "NBA3")
+        ],
         *[("accelerations", typed, "epsilon4") for typed in ("ε4", "e4", "eps4", "?4", "ɛ_4")],
         *[("forces", typed, "P_bal_forces") for typed in ("P_ур", "Pур", "Рур", "P_b")],
         *[("forces", typed, "Pi1") for typed in ("P_и1", "Ри1", "P_{i1}")],
@@ -75,7 +86,7 @@ def test_misspelt_segments_of_scenes_with_every_chapter():
     ],
 )
 def test_a_segment_by_what_it_is_called_elsewhere(plan, typed, due):
-    assert meant(typed, segments("windrower")[plan]).names == (due,)
+    assert segment_meant(typed, plan, segments("windrower")[plan]).names == (due,)
 
 
 @pytest.mark.parametrize("typed", ["bd", "da", "x", "?", "??", "pab", "?b", "n", "_", "пб"])

@@ -27,7 +27,7 @@ from graphic_tmm.checking.report.parts import doubtful_parts, wrong_parts
 WHOLE = (SLIP, UNKNOWN)
 """What says a whole sentence of its own."""
 KINDS = (MISTAKE, SLIP, INSTRUMENT, UNKNOWN, UNSEEN)
-SAYS = "шаг 10: n_ba3 вычислено с BC"
+SAYS = "шаг 10: πn3 вычислено с BC"
 
 
 def likely(kind: str = MISTAKE, *, like: tuple[str, ...] = (), chance: float = 0.0) -> Likely:

@@ -48,7 +48,7 @@ def _to_another_point(step: Step, tools: Tools) -> Iterator[Variant]:
 
 
 def _from_another_point(step: Step, tools: Tools) -> Iterator[Variant]:
-    """Measure what does not start at the pole from there, or from another point: tab from a, not from n2."""
+    """Measure what does not start at the pole from there, or from another point: n2b from a, not from n2."""
     due = step.takes["start"]
     if due != POLES[step.plan]:
         for letter in others([*letters_of(tools, step.plan, step.position), POLES[step.plan]], due):

@@ -23,14 +23,14 @@ def slider_crank_plans(s: Student, *, accelerated: bool = True) -> None:
     if not accelerated:
         return
     s.lay(A, "a", "πa", s.crank_acceleration("πa", "OA"), "π", ("along", "OA"), -1.0)
-    n = s.normal("nab", "ab", "AB")
-    s.lay(A, "n2", "nab", n, "a", ("along", "AB"), -1.0)
-    s.meet(A, "b", ("tab", "n2", ("square", "AB")), ("πb", "π", ("along", "x")))
+    n = s.normal("an2", "ab", "AB")
+    s.lay(A, "n2", "an2", n, "a", ("along", "AB"), -1.0)
+    s.meet(A, "b", ("n2b", "n2", ("square", "AB")), ("πb", "π", ("along", "x")))
     s.image(A, "s2", "a", "b", share)
-    s.read(A, "tab", "n2", "b")
+    s.read(A, "n2b", "n2", "b")
     s.read(A, "πb", "π", "b")
     s.read(A, "πs2", "π", "s2")
-    s.rate(A, "epsilon2", "tab", "AB", s.turns(A, "n2", "b", ("square", "AB")))
+    s.rate(A, "epsilon2", "n2b", "AB", s.turns(A, "n2", "b", ("square", "AB")))
 
 
 def slider_crank(s: Student) -> None:
@@ -53,17 +53,17 @@ def four_bar(s: Student) -> None:
     if not s.accelerated:
         return
     s.lay(A, "a", "πa", s.crank_acceleration("πa", "OA"), "π", ("along", "OA"), -1.0)
-    n, m = s.normal("nab", "ab", "AB"), s.normal("ncb", "pb", "CB")
-    s.lay(A, "n2", "nab", n, "a", ("along", "AB"), -1.0)
-    s.lay(A, "n3", "ncb", m, "π", ("along", "CB"), -1.0)
-    s.meet(A, "b", ("tab", "n2", ("square", "AB")), ("tcb", "n3", ("square", "CB")))
+    n, m = s.normal("an2", "ab", "AB"), s.normal("πn3", "pb", "CB")
+    s.lay(A, "n2", "an2", n, "a", ("along", "AB"), -1.0)
+    s.lay(A, "n3", "πn3", m, "π", ("along", "CB"), -1.0)
+    s.meet(A, "b", ("n2b", "n2", ("square", "AB")), ("n3b", "n3", ("square", "CB")))
     s.image(A, "e", "a", "b", shape)
-    s.read(A, "tab", "n2", "b")
-    s.read(A, "tcb", "n3", "b")
+    s.read(A, "n2b", "n2", "b")
+    s.read(A, "n3b", "n3", "b")
     s.read(A, "πb", "π", "b")
     s.read(A, "πe", "π", "e")
-    s.rate(A, "epsilon2", "tab", "AB", s.turns(A, "n2", "b", ("square", "AB")))
-    s.rate(A, "epsilon3", "tcb", "CB", s.turns(A, "n3", "b", ("square", "CB")))
+    s.rate(A, "epsilon2", "n2b", "AB", s.turns(A, "n2", "b", ("square", "AB")))
+    s.rate(A, "epsilon3", "n3b", "CB", s.turns(A, "n3", "b", ("square", "CB")))
 
 
 def slotted_plans(s: Student, arm: float) -> None:
@@ -85,15 +85,15 @@ def slotted_plans(s: Student, arm: float) -> None:
         return
     slides = s.turns(V, "a", "a3", ("along", "BA"))
     s.lay(A, "a", "πa", s.crank_acceleration("πa", "OA"), "π", ("along", "OA"), -1.0)
-    k, n = s.coriolis("kaa3", "aa3", "omega3"), s.normal("nba3", "pa3", "BA")
-    s.lay(A, "k2", "kaa3", k, "a", ("square", "BA"), slides * turn)
-    s.lay(A, "n3", "nba3", n, "π", ("along", "BA"), -1.0)
-    s.meet(A, "a3", ("raa3", "k2", ("along", "BA")), ("tba3", "n3", ("square", "BA")))
+    k, n = s.coriolis("ak2", "aa3", "omega3"), s.normal("πn3", "pa3", "BA")
+    s.lay(A, "k2", "ak2", k, "a", ("square", "BA"), slides * turn)
+    s.lay(A, "n3", "πn3", n, "π", ("along", "BA"), -1.0)
+    s.meet(A, "a3", ("k2a3", "k2", ("along", "BA")), ("n3a3", "n3", ("square", "BA")))
     s.image(A, "c", "π", "a3", arm / long)
-    s.read(A, "raa3", "k2", "a3")
-    s.read(A, "tba3", "n3", "a3")
+    s.read(A, "k2a3", "k2", "a3")
+    s.read(A, "n3a3", "n3", "a3")
     s.read(A, "πc", "π", "c")
-    s.rate(A, "epsilon3", "tba3", "BA", s.turns(A, "n3", "a3", ("square", "BA")))
+    s.rate(A, "epsilon3", "n3a3", "BA", s.turns(A, "n3", "a3", ("square", "BA")))
     s.page.rates[A, "epsilon2"] = s.page.rates[A, "epsilon3"]
 
 
@@ -110,16 +110,16 @@ def six_bar(s: Student) -> None:
     s.rate(V, "omega4", "cd", "CD", s.turns(V, "c", "d", ("square", "CD")))
     if not s.accelerated:
         return
-    n = s.normal("ncd", "cd", "CD")
-    s.lay(A, "n4", "ncd", n, "c", ("along", "CD"), -1.0)
-    s.meet(A, "d", ("tcd", "n4", ("square", "CD")), ("πd", "π", ("along", "x")))
-    s.read(A, "tcd", "n4", "d")
+    n = s.normal("cn4", "cd", "CD")
+    s.lay(A, "n4", "cn4", n, "c", ("along", "CD"), -1.0)
+    s.meet(A, "d", ("n4d", "n4", ("square", "CD")), ("πd", "π", ("along", "x")))
+    s.read(A, "n4d", "n4", "d")
     s.read(A, "πd", "π", "d")
-    s.rate(A, "epsilon4", "tcd", "CD", s.turns(A, "n4", "d", ("square", "CD")))
+    s.rate(A, "epsilon4", "n4d", "CD", s.turns(A, "n4", "d", ("square", "CD")))
 
 
 CRANK = {"OA": 50.0, "AB": 175.0, "AS2": 70.0, "omega": 20.0}
-CALCULATED = frozenset({"pa", "πa", "nab", "ncb", "kaa3", "nba3", "ncd"})
+CALCULATED = frozenset({"pa", "πa", "an2", "πn3", "ak2", "cn4"})
 MACHINES = {
     "sc": Machine(
         {P: 0.002, V: 0.025, A: 0.5}, CRANK, (1, 3, 5), slider_crank, CALCULATED, ("OA", "AB")

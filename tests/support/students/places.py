@@ -10,7 +10,7 @@ from support.students.records import F, P, Step, V
 Place = tuple[str, str]
 """A plan and a segment or letter."""
 ENDS = {
-    "nab": {"n2"}, "ncb": {"n3"}, "nba3": {"n3"}, "ncd": {"n4"}, "kaa3": {"k2"},
+    "an2": {"n2"}, "πn3": {"n3"}, "cn4": {"n4"}, "ak2": {"k2"},
     "pa": {"a", "vA"}, "πa": {"a", "aA"}, "Mi2": {"J2"}, "M_sum": {"ΣM2", "R01"},
     "V": {"HV"}, "a": {"Ha"}, "S": {"V"}, "φ": {"dS", "ddS"},
 }  # fmt: skip
@@ -30,11 +30,11 @@ def own_places(step: Step) -> set[Place]:
         names.add(step.name.split()[-1])
         names |= set(POLYGON) if step.name[:1] in "MRy" or step.name[:2] == "Pi" else set()
         names |= {"P_bal_lever"} if step.name.startswith("lever") else set()
-    if step.kind == "rate" and step.takes["of"] in ("pa3", "tba3"):
+    if step.kind == "rate" and step.takes["of"] in ("pa3", "n3a3"):
         names |= {f"{step.name[:-1]}{k}" for k in (2, 3)}  # the stone turns with the rocker
     found = {(step.plan, name) for name in names}
     # which way it points is seen from the relative velocity alone
-    return found | ({(V, "aa3")} if (step.kind, step.name) == ("laid", "kaa3") else set())
+    return found | ({(V, "aa3")} if (step.kind, step.name) == ("laid", "ak2") else set())
 
 
 def taking_given(steps: Iterable[Step], given: Mapping[str, Any]) -> set[Place]:

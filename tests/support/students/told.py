@@ -78,7 +78,7 @@ def step_in(says: str) -> frozenset[Place]:
 
 
 def shorter(name: str) -> set[str]:
-    """Return a name as the student has it: (t_ab) is tab, y_Pi2 the force Pi2, l_AS2 the length AS2."""
+    """Return a name as the student has it: (n2b) is n2b, y_Pi2 the force Pi2, l_AS2 the length AS2."""
     plain = name.strip("(),").replace("_", "")
     names = {plain, name.strip("(),")}
     if re.match("[ylh][A-Z]", plain):
