@@ -208,7 +208,7 @@ def check(
     if not template:
         _refuse_half_asked(scene, readings, photo, (sheet, corners, poles or None, readings_out))
         _refuse_twice_asked(readings, poles, readings_out)
-        _refuse_untemplated(short or bool(only), position)
+        _refuse_untemplated(short or bool(only), position, output)
     task = read_scene(scene, lettered=True)
     if template:
         write_template(task, short, only, position or "", output)
@@ -282,9 +282,12 @@ def _refuse_twice_asked(
         )
 
 
-def _refuse_untemplated(short: bool, position: str | None) -> None:
-    if short or position is not None:
-        raise click.UsageError(said("--short, --only and --position go with --template"))
+def _refuse_untemplated(short: bool, position: str | None, output: str | None) -> None:
+    table = (output or "").lower().endswith((".csv", ".xlsx"))
+    if short or position is not None or table:
+        raise click.UsageError(
+            said("--short, --only, --position and -o for a table go with --template")
+        )
 
 
 def _judged(scene: Scene, readings: str, by: _By) -> Report:

@@ -52,19 +52,19 @@ class Plans(Choice):
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> tuple[str, ...]:
         """Return the plans that are meant; refuse what is the name of none."""
-        from graphic_tmm.captions import captions
+        from graphic_tmm.captions import plans_named
         from graphic_tmm.checking.readings.names import plan_meant
         from graphic_tmm.readers.protocol import plans
 
         if isinstance(value, tuple):  # it is understood already
             return value
-        known, words = plans(), captions(reader().language)
+        known = plans()
         every = (speaking(language)(ALL).casefold() for language in languages())
         if str(value).casefold() in every:
             return known
         if meant := plan_meant(str(value), known).names:
             return meant
-        listed = ", ".join(f"{plan} ({words[plan]})" for plan in known)
+        listed = plans_named(known, reader().language)
         return self.fail(said("{value!r} is not one of {choices}.", value=value, choices=listed))
 
 
