@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from graphic_tmm.language.catalogue import Speech, languages, speaking
 from graphic_tmm.language.said import said
 
 
@@ -125,3 +126,28 @@ BEGINNINGS = (
 def beginning(name: str) -> Beginning | None:
     """Return a mechanism to begin with by its name; None if there is none."""
     return next((one for one in BEGINNINGS if one.name == name), None)
+
+
+LINKS = (
+    said("crank", context="link"),
+    said("connecting rod", context="link"),
+    said("coupler", context="link"),
+    said("rocker", context="link"),
+    said("slotted rocker", context="link"),
+    said("lever", context="link"),
+    said("slider", context="link"),
+    said("ram", context="link"),
+    said("stone", context="link"),
+    said("piston", context="link"),
+    said("piston rod", context="link"),
+    said("cylinder", context="link"),
+    said("rack", context="link"),
+    said("knife", context="link"),
+)
+"""What the links of these mechanisms are called."""
+
+
+def link_name(name: str, speech: Speech) -> str:
+    """Return a link's name in a language, whatever language it is written in; one of no link here as it is."""
+    known = (link for link in LINKS if any(speaking(one)(link) == name for one in languages()))
+    return speech(next(known, name))

@@ -7,6 +7,7 @@ chapter declares those of its own (`Chapter.captions`), so that they go where it
 from __future__ import annotations
 
 from collections import ChainMap
+from collections.abc import Iterable
 
 from graphic_tmm.chapter import chapters
 from graphic_tmm.language.catalogue import speaking
@@ -40,6 +41,12 @@ def captions(language: str) -> Words:
     """Return the words of the kernel and of all chapters in a language, by the names that code has for them."""
     declared = [dict(one.captions) for one in chapters()]
     return Words(ChainMap(COMMON, *declared), speaking(language))
+
+
+def plans_named(plans: Iterable[str], language: str) -> str:
+    """Return plans by both of their names, as a message lists them: forces (Force analysis)."""
+    words = captions(language)
+    return ", ".join(f"{plan} ({words.get(plan, plan)})" for plan in plans)
 
 
 def view_name(view: str, language: str) -> str:

@@ -15,11 +15,12 @@
 
 from __future__ import annotations
 
+import errno
 import re
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-from graphic_tmm.language.said import joined, said
+from graphic_tmm.language.said import Said, joined, said
 
 TRACEBACK = "GRAPHIC_TMM_TRACEBACK"
 """The variable of the environment by which a fault of the program shows where it is."""
@@ -145,6 +146,31 @@ class MissingError(TmmError, ImportError):
     """A package that is needed and is not installed."""
 
     __str__ = Exception.__str__
+
+
+_REASONS = {
+    errno.ENOENT: said("there is no such file or folder"),
+    errno.EACCES: said("permission denied"),
+    errno.EPERM: said("permission denied"),
+    errno.EROFS: said("the disk can only be read"),
+    errno.ENOSPC: said("no space is left on the disk"),
+    errno.ENOTDIR: said("a file stands where a folder should be"),
+    errno.EEXIST: said("a file stands where a folder should be"),
+    errno.EISDIR: said("a folder stands there"),
+    errno.ENAMETOOLONG: said("the name is too long"),
+    errno.EADDRINUSE: said("the port is taken"),
+    errno.EADDRNOTAVAIL: said("this computer has no such address"),
+}
+
+
+def reason_of(error: OSError | ValueError) -> str:
+    """Return why the system refuses a file or an address; in its own words what people hardly meet."""
+    if isinstance(error, OSError):
+        own = error.strerror
+        if isinstance(own, Said):
+            return own
+        return _REASONS.get(error.errno or 0) or str(own or error).lower()
+    return said("no file can be called so")
 
 
 def own_fault(error: BaseException) -> str:

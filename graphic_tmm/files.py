@@ -20,7 +20,7 @@ from secrets import token_hex
 from socket import gethostname
 from typing import BinaryIO, NamedTuple, NoReturn
 
-from graphic_tmm.errors import Fault, SceneError, SheetError, printable
+from graphic_tmm.errors import Fault, SceneError, SheetError, printable, reason_of
 from graphic_tmm.language.said import said
 
 HOST = re.sub(r"[^A-Za-z0-9-]", "", gethostname())[:40] or "host"
@@ -79,7 +79,7 @@ def opened(file: Path, kind: Kind) -> BinaryIO:
     except FileNotFoundError:
         _refuse(file, said("there is no such file; {remedy}", remedy=kind.remedy))
     except (OSError, ValueError) as error:
-        reason = type(error).__name__
+        reason = reason_of(error)
         _refuse(
             file,
             said("the file cannot be read ({reason}); check its name and rights", reason=reason),
@@ -95,7 +95,7 @@ def read(file: Path, kind: Kind) -> bytes:
         with _standard_input() if file == STANDARD_INPUT else opened(file, kind) as stream:
             data = stream.read(kind.largest + 1)
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
+        reason = reason_of(error)
         _refuse(
             file,
             said("the file cannot be read ({reason}); {remedy}", reason=reason, remedy=kind.remedy),
@@ -152,9 +152,9 @@ def write(
         for name, text in texts.items():
             place = folder / name
             if place.is_dir():
-                raise IsADirectoryError(21, "a folder stands there", str(place))
+                raise IsADirectoryError(21, said("a folder stands there"), str(place))
             if place.exists() and not place.is_file():
-                raise OSError(22, "a device or a pipe stands there", str(place))
+                raise OSError(22, said("a device or a pipe stands there"), str(place))
             passing = folder / f".graphic-tmm-{HOST}-{os.getpid()}-{token_hex(8)}.part"
             waiting.append((passing, place))
             passing.write_bytes(text.encode("utf-8") if isinstance(text, str) else text)
@@ -164,7 +164,7 @@ def write(
         _place(waiting)
     except OSError as error:
         _clear(waiting, made)
-        reason = (error.strerror or str(error)).lower()
+        reason = reason_of(error)
         raise SheetError(
             said(
                 "cannot write into {folder}: {reason}; {remedy}",

@@ -10,18 +10,19 @@ import click
 from graphic_tmm.commands.shared.progress import progress
 from graphic_tmm.commands.shared.scenes import SceneName, drawn_by, hands, read_scene
 from graphic_tmm.commands.shared.spoken import Command
-from graphic_tmm.commands.shared.telling import say, show
+from graphic_tmm.commands.shared.telling import rendered, say, show
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
     from graphic_tmm.accuracy.study import Study
 
+WIDTH = 200
+"""Characters of a line of the report."""
+
 
 @click.command(cls=Command)
 @click.argument("scene", required=False, type=SceneName())
-@click.option(
-    "-o", "--output", help=said("Folder for the figure, as SVG and PNG; none if left out.")
-)
+@click.option("-o", "--output", help=said("Folder for the report, and the figure as SVG and PNG."))
 @click.option("-f", "--format", "form", type=click.Choice(["text", "json"]), default="text")
 @click.option("--trials", type=click.IntRange(10, 10_000), default=100, show_default=True)
 @click.option(
@@ -51,19 +52,21 @@ def accuracy(
     table = read_minutes(minutes) if minutes is not None else None
     with progress() as tell:
         found = study(task, hand=hand, trials=trials, minutes=table, clock=not no_time, tell=tell)
-    show(json_report(found) if form == "json" else text_report(found), 200)
-    for path in _figured(found, output) if output is not None else ():
-        say(str(path))
+    report = json_report(found) if form == "json" else text_report(found)
+    show(report, WIDTH)
+    if output is not None:
+        end = "json" if form == "json" else "txt"
+        for path in _written(found, {end: rendered(report, WIDTH, printed=False)}, output):
+            say(str(path))
 
 
-def _figured(found: Study, output: str) -> tuple[Path, ...]:
-    """Write the figure of a study into a folder; return its files."""
+def _written(found: Study, report: dict[str, str], output: str) -> tuple[Path, ...]:
+    """Write the report and the figure of a study (by their ends) into a folder; return the files."""
     from graphic_tmm.accuracy.figure import figures
     from graphic_tmm.files import write
     from graphic_tmm.packaged import scene_name
 
     stem = scene_name(found.scene.source)
-    files: dict[str, str | bytes] = {
-        f"{stem}-accuracy.{end}": content for end, content in figures(found).items()
-    }
+    every: dict[str, str | bytes] = {**report, **figures(found)}
+    files = {f"{stem}-accuracy.{end}": content for end, content in every.items()}
     return write(Path(output), files, remedy=said("name another folder with -o"))

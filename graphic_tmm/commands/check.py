@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from graphic_tmm.commands.shared.ending import WRONG
+from graphic_tmm.commands.shared.formats import form_of
 from graphic_tmm.commands.shared.limits import limited
 from graphic_tmm.commands.shared.marking import (
     MarkedBy,
@@ -27,6 +28,9 @@ if TYPE_CHECKING:
     from graphic_tmm.checking.records import Report
     from graphic_tmm.fitting.composition import Composition
     from graphic_tmm.scene.records import Scene
+
+FORMS = ("text", "md", "json", "html")
+"""What a report can be."""
 
 
 @click.command(cls=Command)
@@ -79,8 +83,8 @@ if TYPE_CHECKING:
     "-o",
     "--output",
     help=said(
-        "With --template: the file, .csv or .xlsx; a short one has a picture of its letters. With --class: the "
-        "folder for summary, gradebook and reports."
+        "File for the report, instead of printing. With --template: the file, .csv or .xlsx; a short one has a "
+        "picture of its letters. With --class: the folder for summary, gradebook and reports."
     ),
 )
 @click.option(
@@ -162,9 +166,8 @@ if TYPE_CHECKING:
     "-f",
     "--format",
     "form",
-    type=click.Choice(["text", "md", "json", "html", "csv", "xlsx"]),
-    default="text",
-    show_default=True,
+    type=click.Choice([*FORMS, "csv", "xlsx"]),
+    help=said("Default: by the file's name, else text."),
 )
 def check(
     scene: str,
@@ -191,15 +194,15 @@ def check(
     sheet: int | None,
     poles: tuple[str, ...],
     readings_out: str | None,
-    form: str,
+    form: str | None,
 ) -> None:
     """Compare READINGS of a hand-made drawing (a CSV file) with SCENE; status 1 if something is wrong."""
     by = _By(hand, points, trials, (doubtful, wrong))
     if folder is not None:
         of_one = (readings, template, short, only, position, overlay, photo, corners, sheet)
-        refuse_mixed((*of_one, poles, readings_out), form, output)
-        where = (scheduler, limit)
-        mark_folder(MarkedBy(scene, folder, variants, marks, output, form, *where), by.options)
+        refuse_mixed((*of_one, poles, readings_out), form or FORMS[0], output)
+        of = (scene, folder, variants, marks, output, form or FORMS[0], scheduler, limit)
+        mark_folder(MarkedBy(*of), by.options)
         return
     refuse_without_class((variants, marks, scheduler, limit), form)
     if not template:
@@ -223,7 +226,7 @@ def check(
         click.echo(str(path), err=report is not None)  # a report has the other stream to itself
     if report is None:
         return
-    show(_told(report, form), 160)
+    show(_told(report, form_of(form, output, FORMS)), 160, output)
     if report.wrong:
         raise SystemExit(WRONG)
 
@@ -280,8 +283,11 @@ def _refuse_twice_asked(
 
 
 def _refuse_untemplated(short: bool, position: str | None, output: str | None) -> None:
-    if short or position is not None or output is not None:
-        raise click.UsageError(said("--short, --only, --position and -o go with --template"))
+    table = (output or "").lower().endswith((".csv", ".xlsx"))
+    if short or position is not None or table:
+        raise click.UsageError(
+            said("--short, --only, --position and -o for a table go with --template")
+        )
 
 
 def _judged(scene: Scene, readings: str, by: _By) -> Report:

@@ -10,13 +10,11 @@ import click
 
 from graphic_tmm.commands.shared.scenes import ParamType, SceneName
 from graphic_tmm.commands.shared.spoken import Command
-from graphic_tmm.language.reader import asked, reader
+from graphic_tmm.language.reader import reader
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
     from graphic_tmm.beginnings import Beginning
-
-OTHERS = said("What may be added; take the # away from the lines that you want.")
 
 
 class Mechanism(ParamType):
@@ -107,6 +105,7 @@ def _refuse_old(target: Path) -> None:
 
 def _write(target: Path, one: Beginning | None, like: str | None) -> None:
     """Write the files of a new scene, and tell their names."""
+    from graphic_tmm.beginnings import link_name
     from graphic_tmm.files import write
     from graphic_tmm.packaged import scene_path
     from graphic_tmm.scene.document import document
@@ -118,9 +117,6 @@ def _write(target: Path, one: Beginning | None, like: str | None) -> None:
     read(file)
     text = document(file, SCENE)[0]
     speech = reader()
-    files = begun(text)
-    if one is not None:
-        language = asked() or speech.language
-        files = begun_with(text, speech(one.title), language, speech(OTHERS))
+    files = begun_with(text, one.title, speech, link_name) if one else begun(text, speech)
     for path in write(target, files):
         click.echo(str(path))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -12,19 +12,27 @@ from graphic_tmm.commands.shared.formats import chosen
 from graphic_tmm.commands.shared.progress import waiting
 from graphic_tmm.commands.shared.scenes import SceneName, read_scene
 from graphic_tmm.commands.shared.spoken import Command
-from graphic_tmm.commands.shared.telling import warn
+from graphic_tmm.commands.shared.telling import show, warn
+from graphic_tmm.language.catalogue import languages, speaking
+from graphic_tmm.language.reader import reader
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
     from graphic_tmm.drawn import DrawnScene
 
-    Choice = click.Choice[str]
+    Choice = click.Choice[Any]
 else:
     Choice = click.Choice  # no generic class before click 8.2
 
+ALL = said("all", context="plans")
+
 
 class Plans(Choice):
-    """The plans of all chapters, looked up when one is asked for: help of other commands stays light."""
+    """The plans of all chapters, looked up when one is asked for: help of other commands stays light.
+
+    A plan may be named as code names it, or as people do in any language; what may mean several plans means all
+    of them.
+    """
 
     def __init__(self) -> None:
         super().__init__([])
@@ -34,11 +42,30 @@ class Plans(Choice):
         """``all``, and every plan."""
         from graphic_tmm.readers.protocol import plans
 
-        return ("all", *plans())
+        return (ALL, *plans())
 
     @choices.setter
     def choices(self, value: object) -> None:
         """Leave them to be looked up."""
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> tuple[str, ...]:
+        """Return the plans that are meant; refuse what is the name of none."""
+        from graphic_tmm.captions import plans_named
+        from graphic_tmm.checking.readings.names import plan_meant
+        from graphic_tmm.readers.protocol import plans
+
+        if isinstance(value, tuple):  # it is understood already
+            return value
+        known = plans()
+        every = (speaking(language)(ALL).casefold() for language in languages())
+        if str(value).casefold() in every:
+            return known
+        if meant := plan_meant(str(value), known).names:
+            return meant
+        listed = plans_named(known, reader().language)
+        return self.fail(said("{value!r} is not one of {choices}.", value=value, choices=listed))
 
 
 @click.command(cls=Command)
@@ -46,9 +73,11 @@ class Plans(Choice):
 @click.option(
     "-p",
     "--plan",
+    "wanted",
     type=Plans(),
     default="all",
     show_default=True,
+    help=said("Of which plan: by this name, or as sheets call it."),
 )
 @click.option("-n", "--position", help=said("Number of the position, as on the sheet."))
 @click.option("--why", is_flag=True, help=said("Tell why each step is done, too."))
@@ -58,7 +87,13 @@ class Plans(Choice):
     is_flag=True,
     help=said("Write the series of pictures as A4 sheets, with an overview, instead."),
 )
-@click.option("-o", "--output", help=said("--sheets: folder for the sheets.  [default: out]"))
+@click.option(
+    "-o",
+    "--output",
+    help=said(
+        "File to write, instead of printing; --sheets: folder for the sheets.  [default: out]"
+    ),
+)
 @click.option(
     "-f",
     "--format",
@@ -67,7 +102,7 @@ class Plans(Choice):
 )
 def steps(
     scene: str | None,
-    plan: str,
+    wanted: tuple[str, ...],
     position: str | None,
     why: bool,
     exact: bool,
@@ -77,30 +112,28 @@ def steps(
 ) -> None:
     """Print the numbered protocol of a plan in one position, with the calculation note."""
     from graphic_tmm.fitting.composition import beside, read_composition
-    from graphic_tmm.readers.protocol import plans, steps_of
+    from graphic_tmm.readers.protocol import steps_of
     from graphic_tmm.studio import make
 
-    wanted = _formats(forms, output, sheets=sheets)
+    formats = _formats(forms, sheets=sheets)
     task = read_scene(scene, lettered=sheets)
     given = read_composition(beside(task.source))
     with waiting(said("drawing the plans")):
         drawn = make(task, exact=exact, given=given)
-    chosen = plans() if plan == "all" else (plan,)
-    lines = steps_of(drawn, chosen, position, task.language, why=why)
+    lines = steps_of(drawn, wanted, position, task.language, why=why)
     if sheets:
-        lines = _written(drawn, chosen, position, wanted, output or "out")
-    for line in lines:
-        click.echo(line)
+        lines = _written(drawn, wanted, position, formats, output or "out")
+    show("".join(f"{line}\n" for line in lines), 0, None if sheets else output)
     warn(drawn)
 
 
-def _formats(forms: str | None, output: str | None, *, sheets: bool) -> list[str]:
+def _formats(forms: str | None, *, sheets: bool) -> list[str]:
     """Return what the sheets are written as; refuse what is none of it, and what is asked of no sheets."""
     from graphic_tmm.errors import SheetError
     from graphic_tmm.handout import FORMATS
 
-    if not sheets and (forms is not None or output is not None):
-        raise SheetError(said("-o and -f tell where sheets are written and as what: add --sheets"))
+    if not sheets and forms is not None:
+        raise SheetError(said("-f tells as what sheets are written: add --sheets"))
     return chosen(forms or FORMATS[0], FORMATS)
 
 

@@ -5,11 +5,14 @@ from __future__ import annotations
 import click
 
 from graphic_tmm.commands.shared.budget import budgeted, within
+from graphic_tmm.commands.shared.formats import form_of
 from graphic_tmm.commands.shared.progress import waiting
 from graphic_tmm.commands.shared.scenes import SceneName, drawn_by, hands, read_scene
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import show, terminal_width, warn
 from graphic_tmm.language.said import said
+
+FORMS = ("text", "csv", "json")
 
 
 @click.command(cls=Command)
@@ -18,10 +21,10 @@ from graphic_tmm.language.said import said
     "-f",
     "--format",
     "form",
-    type=click.Choice(["text", "csv", "json"]),
-    default="text",
-    show_default=True,
+    type=click.Choice(FORMS),
+    help=said("Default: by the file's name, else text."),
 )
+@click.option("-o", "--output", help=said("File to write, instead of printing."))
 @click.option(
     "--exact", is_flag=True, help=said("Read without the ruler's rounding; print all digits.")
 )
@@ -47,7 +50,8 @@ from graphic_tmm.language.said import said
 @budgeted
 def table(
     scene: str | None,
-    form: str,
+    form: str | None,
+    output: str | None,
     exact: bool,
     width: int | None,
     decimal: str,
@@ -59,14 +63,17 @@ def table(
 ) -> None:
     """Print what SCENE calls for, whether or not a sheet shows it: segments in mm, quantities in SI."""
     from graphic_tmm.fitting.composition import beside, read_composition
+    from graphic_tmm.readers.table import WIDTH
     from graphic_tmm.readers.table import table as told
     from graphic_tmm.studio import make
 
     task = within(drawn_by(read_scene(scene), hand, seed), budget)
     given = read_composition(beside(task.source))
-    wide = width or terminal_width()
+    wide = width or (terminal_width() if output is None else WIDTH)
+    form = form_of(form, output, FORMS)
     with waiting(said("drawing the plans")):
         drawn = make(task, exact=exact, given=given)
         text = told(drawn, form, trials, width=wide, comma=decimal == "comma")
-    show("\ufeff" + text if bom and form == "csv" and isinstance(text, str) else text, wide)
+    marked = bom and form == "csv" and isinstance(text, str)
+    show(f"\ufeff{text}" if marked else text, wide, output)
     warn(drawn)

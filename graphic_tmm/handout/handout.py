@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from graphic_tmm.captions import plans_named
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.handout.chosen import chosen
@@ -34,8 +35,8 @@ def all_series(made: DrawnScene, plans: Sequence[str], position: str | None) -> 
         says = said(
             "nothing is drawn of {listed}, so there are no pictures: leave out --sheets, "
             "or choose from {known}",
-            listed=", ".join(plans),
-            known=", ".join(names) or said("none"),
+            listed=plans_named(plans, made.scene.language),
+            known=plans_named(names, made.scene.language) or said("none"),
         )
         raise SceneError(made.scene.source, (Fault("--plan", 0, says),))
     return [series(one.drawn, one.draw, one.place, one.untold) for one in found]

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import execute
-from graphic_tmm.captions import captions, view_name
+from graphic_tmm.captions import captions, plans_named, view_name
 from graphic_tmm.chapter import MECHANISM, chapters
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.errors import Fault, SceneError
@@ -83,9 +83,11 @@ def told(
 
     every = found(wanted, position)
     if not every:
-        there = ", ".join(plan for plan in plans() if found((plan, ""), None))
+        there = [plan for plan in plans() if found((plan, ""), None)]
         says = said(
-            "the scene has no plan {listed}; it has {there}", listed=", ".join(wanted), there=there
+            "the scene has no plan {listed}; it has {there}",
+            listed=plans_named(wanted, language),
+            there=plans_named(there, language),
         )
         raise SceneError(made.scene.source, (Fault("--plan", 0, says),))
     return every

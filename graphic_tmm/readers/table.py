@@ -75,7 +75,8 @@ def table(
     told = single(numbers)
     positions = positions_of(made)
     if form == "csv":
-        return as_csv(positions, found, None if made.exact else made.division, comma=comma)
+        division = None if made.exact else made.division
+        return as_csv(positions, found, division, comma=comma, language=scene.language)
     if form == "text":
         decimals = 3 if made.exact else decimals_of(made.division)
         tables = text_tables(found, positions, scene.language, scene.title, decimals, width)

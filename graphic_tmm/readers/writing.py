@@ -9,12 +9,24 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
 from graphic_tmm.readers.columns import (
     Column,
     Positions,
     Row,
 )
 
+HEADS = (
+    said("plan", context="column"),
+    said("position", context="column"),
+    said("angle_deg", context="column"),
+    said("segment", context="column"),
+    said("mm", context="column"),
+    said("value", context="column"),
+    said("unit", context="column"),
+)
+"""The titles of CSV's columns; readings may have them, too."""
 DIGITS = 4
 """Significant digits of a quantity that is not read off a length itself, as the protocol tells it."""
 
@@ -50,8 +62,9 @@ def as_csv(
     division: float | None = None,
     *,
     comma: bool = False,
+    language: str = "en",
 ) -> str:
-    """Return the tables as CSV: a line for each segment and position.
+    """Return the tables as CSV: a line for each segment and position, under titles in a language.
 
     Parameters
     ----------
@@ -62,7 +75,7 @@ def as_csv(
     """
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n", delimiter=";" if comma else ",")
-    writer.writerow(["plan", "position", "angle_deg", "segment", "mm", "value", "unit"])
+    writer.writerow(map(speaking(language), HEADS))
 
     def put(text: str) -> str:
         return text.replace(".", ",") if comma else text

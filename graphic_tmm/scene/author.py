@@ -135,43 +135,44 @@ class ByChapter(Named):
 class Author:
     """What the author of the explanatory note says; what is left out is left out there."""
 
-    ministry: str = key(LINE, "on top of the title page", "Министерство образования", "")
-    university: str = key(
-        LINE, "below it", "Вятская государственная сельскохозяйственная академия", ""
-    )
+    ministry: str = key(LINE, "on top of the title page", said("Ministry of Education"), "")
+    university: str = key(LINE, "below it", said("State Technical University"), "")
     department: str = key(
         LINE,
         "left out: the organisation of the title block",
-        "Кафедра теоретической и строительной механики",
+        said("Department of Applied Mechanics"),
         "",
     )
-    discipline: str = key(LINE, "what is studied", "Теория механизмов и машин", "")
+    discipline: str = key(LINE, "what is studied", said("Theory of mechanisms and machines"), "")
     kind_of_work: str | None = key(
-        KIND_OF_WORK, "what the note belongs to", "курсовой проект", None
+        KIND_OF_WORK, "what the note belongs to", said("course project"), None
     )
     theme: str = key(
         LINE,
         "left out: the name of the title block and the title of the scene",
-        "Проектирование и исследование механизма валковой жатки",
+        said("Design and study of the mechanism of a windrower"),
         "",
     )
     variant: str = key(LABEL, "of the task", 8, "")
-    group: str = key(LABEL, "of the author, who is drawn_by of the title block", "М-31", "")
-    city: str = key(LINE, "at the foot of the title page", "Киров", "")
+    group: str = key(LABEL, "of the author, who is drawn_by of the title block", said("M-31"), "")
+    city: str = key(LINE, "at the foot of the title page", said("Kirov"), "")
     year: int | None = key(YEAR, "beside the city", 2026, None)
     machine: tuple[str, ...] = key(
         PARAGRAPHS,
         "what the machine is for: the introduction begins with it",
-        "Жатка скашивает зерновые в валки.",
+        said("The windrower cuts grain and lays it in swaths."),
         (),
     )
     introduction: tuple[str, ...] = key(
-        PARAGRAPHS, "goes on with the introduction", ["Нож приводит кулисный механизм."], ()
+        PARAGRAPHS,
+        "goes on with the introduction",
+        [said("A slotted rocker drives the knife.")],
+        (),
     )
     task: tuple[str, ...] = key(
         PARAGRAPHS,
         "conditions of the task, behind what is given",
-        "Принять длину шатуна равной длине плеча кулисы.",
+        said("Take the connecting rod as long as the rocker's arm."),
         (),
     )
     remarks: Mapping[str, tuple[str, ...]] = key(
@@ -181,11 +182,14 @@ class Author:
         {},
     )
     conclusions: tuple[str, ...] = key(
-        PARAGRAPHS, "behind those that follow from the results", "Условия задания выполнены.", ()
+        PARAGRAPHS,
+        "behind those that follow from the results",
+        said("The conditions of the task are met."),
+        (),
     )
     literature: tuple[str, ...] = key(
         BOOKS,
         "left out: the books that the chapters follow",
-        ["Артоболевский И. И. Теория механизмов и машин. М.: Наука, 1988."],
+        [said("Norton R. L. Design of Machinery. New York: McGraw-Hill, 2012.")],
         (),
     )

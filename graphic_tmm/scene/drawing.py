@@ -124,13 +124,13 @@ class SheetOrder:
     name: str = key(
         v.TEXT,
         "its name; left out: that of the title block, or the title of the scene",
-        "Силовой расчёт",
+        said("Force analysis"),
         "",
     )
     designation: str = key(
         v.TEXT,
-        "its designation; left out: that of the title block, or ТММ.01.01.000, of the second ТММ.01.02.000 …",
-        "ТММ.01.02.000",
+        "its designation; left out: that of the title block, or one of the kind of the example",
+        said("TMM.01.02.000"),
         "",
     )
     chosen: bool = False
@@ -160,7 +160,7 @@ class TitleBlock:
 class Head:
     """The keys before the first section."""
 
-    title: str = key(v.TITLE, "what the mechanism is", "Кривошипно-ползунный механизм")
+    title: str = key(v.TITLE, "what the mechanism is", said("Slider-crank mechanism"))
     language: str = key(
         v.choice(*sorted(languages(), reverse=True)), "the language of the sheets", "en", "ru"
     )

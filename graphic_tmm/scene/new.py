@@ -4,46 +4,65 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Container, Iterator, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
+from typing import Any
 
+from graphic_tmm.language.catalogue import SOURCE, Speech, languages, speaking
+from graphic_tmm.language.said import Said, said
 from graphic_tmm.paper.formats import AUTO
 from graphic_tmm.scene.declare import Key, Section, keys_of
 from graphic_tmm.scene.letters import POLES
 from graphic_tmm.scene.read import FILE
-from graphic_tmm.scene.schema import schema
+from graphic_tmm.scene.schema import in_language, schema
 from graphic_tmm.scene.sections import declared
 from graphic_tmm.scene.written import default_text, toml
 
 SCHEMA = "scene.schema.json"
-KEPT = f"# The letters {', '.join(POLES)} are kept for the poles of plans: call a point K, or P1.\n"
+KEPT = said(
+    "The letters {letters} are kept for the poles of plans: call a point K, or P1.",
+    letters=", ".join(POLES),
+)
+OTHERS = said("What may be added; take the # away from the lines that you want.")
 MANNER = ("scales", "hand", "sheet", "title_block", "note")
 """The sections that say how a mechanism is drawn and noted, not what it is."""
 WIDTH = 36
 """Where what a key says stands behind it, characters."""
-_HEAD = re.compile(rf"^#:schema .*\n(?:{re.escape(KEPT)})?", re.MULTILINE)
+REMARK = re.compile(r"(?<=# ).+")
+"""What stands behind a sign of comments."""
+_NAME = re.compile(r'(?<=^name)( *= *")([^"]+)', re.MULTILINE)
 _SECTION = re.compile(r"^\[+(\w+)", re.MULTILINE)
 
 
-def begun(text: str) -> dict[str, str]:
-    """Return the files of a new scene by name.
+def begun(text: str, speech: Speech) -> dict[str, str]:
+    """Return the files of a new scene by name, with what leads editors and authors in a language.
 
     ``text``: of the scene that is copied; the line that leads editors to the schema leads to the folder's own.
     """
-    return {FILE: f"#:schema {SCHEMA}\n{KEPT}{_HEAD.sub('', text)}", SCHEMA: schema_text()}
+    kept = "|".join(re.escape(f"# {speaking(one)(KEPT)}\n") for one in languages())
+    told = re.sub(rf"^#:schema .*\n(?:{kept})?", "", text, flags=re.MULTILINE)
+    head = f"#:schema {SCHEMA}\n# {speech(KEPT)}\n"
+    return {FILE: f"{head}{told}", SCHEMA: schema_text(speech.language)}
 
 
-def begun_with(text: str, title: str, language: str, remark: str) -> dict[str, str]:
-    """Return the files of a new scene by name: what a scene is of, under a title and in a language of its own.
+def begun_with(
+    text: str, title: str, speech: Speech, link_name: Callable[[str, Speech], str]
+) -> dict[str, str]:
+    """Return the files of a new scene by name: what a scene is of, under a title, all in a language.
 
     ``text``: of the scene that it is taken from. How that is drawn is left out; each section that it does not
-    have stands behind it as a comment, with defaults and examples, under ``remark``.
+    have stands behind it as a comment, with defaults and examples. ``link_name``: of a link, in a language.
     """
-    parts = dict(_parts(text))
-    kept = "".join(part for name, part in parts.items() if name and name not in MANNER)
-    head = f"title    = {toml(title)}\nlanguage = {toml(language)}\n\n"
-    others = "\n".join(_examples(parts.keys() - set(MANNER)))
+    kept = REMARK.sub(lambda found: speech(found[0]), mechanism_of(text))
+    kept = _NAME.sub(lambda found: f"{found[1]}{link_name(found[2], speech)}", kept)
+    head = f"title    = {toml(speech(title))}\nlanguage = {toml(speech.language)}\n\n"
+    others = "\n".join(_examples(dict(_parts(kept)), speech))
     sheet = f"[[sheet]]\nformat = {toml(AUTO)}"
-    return begun(f"{head}{kept.strip()}\n\n{sheet}\n\n# {remark}\n\n{others}")
+    return begun(f"{head}{kept.strip()}\n\n{sheet}\n\n# {speech(OTHERS)}\n\n{others}", speech)
+
+
+def mechanism_of(text: str) -> str:
+    """Return the sections of a scene that say what it is, not how it is drawn."""
+    return "".join(part for name, part in _parts(text) if name and name not in MANNER)
 
 
 def _parts(text: str) -> Iterator[tuple[str, str]]:
@@ -62,33 +81,49 @@ def _parts(text: str) -> Iterator[tuple[str, str]]:
     yield from found.items()
 
 
-def _examples(there: Container[str]) -> Iterator[str]:
+def _examples(there: Container[str], speech: Speech) -> Iterator[str]:
     """Yield the lines of the sections that are not there, as comments."""
     for section in declared().values():
         if section.name in there:
             continue
         keys = {
-            name: one for name, one in keys_of(section.record).items() if shown(one) is not None
+            name: value
+            for name, one in keys_of(section.record).items()
+            if (value := shown(one, speech)) is not None
         }
         if keys:
-            yield from (f"# {line}".rstrip() for line in _example(section, keys))
+            yield from (f"# {line}".rstrip() for line in _example(section, keys, speech))
             yield ""
 
 
-def _example(section: Section, keys: Mapping[str, Key]) -> Iterator[str]:
+def _example(section: Section, keys: Mapping[str, str], speech: Speech) -> Iterator[str]:
     head = f"[[{section.name}]]" if section.several else f"[{section.name}]"
-    says = (section.record.__doc__ or "").partition("\n")[0]
-    yield f"{head:<{WIDTH}} # {says}"
-    for name, one in keys.items():
-        yield f"{f'{name} = {shown(one)}':<{WIDTH}} # {one.says}"
+    yield f"{head:<{WIDTH}} # {speech(about(section.record))}"
+    known = keys_of(section.record)
+    for name, value in keys.items():
+        yield f"{f'{name} = {value}':<{WIDTH}} # {speech(known[name].says)}"
 
 
-def shown(one: Key) -> str | None:
+def about(record: type) -> str:
+    """Return the sentence that says what a record is, in English."""
+    return (record.__doc__ or "").partition("\n")[0]
+
+
+def shown(one: Key, speech: Speech) -> str | None:
     """Return a key's default as a scene writes it, or its example if it has none; None if there is neither."""
     default = default_text(one)
-    return toml(one.example) if default is None and one.example is not None else default
+    return default or (None if one.example is None else toml(in_words(one.example, speech)))
 
 
-def schema_text() -> str:
-    """Return the JSON Schema of scenes as it is printed and shipped."""
-    return json.dumps(schema(), ensure_ascii=False, indent=2) + "\n"
+def in_words(value: Any, speech: Speech) -> Any:
+    """Return an example in a language: what was said is told in it, all else is written alike everywhere."""
+    if isinstance(value, list):
+        return [in_words(one, speech) for one in value]
+    return speech(value) if isinstance(value, Said) else value
+
+
+def schema_text(language: str = SOURCE) -> str:
+    """Return the JSON Schema of scenes as it is printed in a language, and shipped in English."""
+    return (
+        json.dumps(in_language(schema(), speaking(language)), ensure_ascii=False, indent=2) + "\n"
+    )

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import MISSING
 from typing import Any
 
+from graphic_tmm.language.catalogue import Speech
+from graphic_tmm.language.said import Said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Schema, Section, keys_of
 from graphic_tmm.scene.drawing import Head
@@ -30,6 +32,18 @@ def schema() -> Schema:
         "title": "SceneFile",
         "type": "object",
     }
+
+
+def in_language(part: Any, speech: Speech) -> Any:
+    """Return a schema, or a part of one, with what it says to people in a language."""
+    if isinstance(part, dict):
+        return {
+            name: speech(one) if name == "description" else in_language(one, speech)
+            for name, one in part.items()
+        }
+    if isinstance(part, list):
+        return [in_language(one, speech) for one in part]
+    return speech(part) if isinstance(part, Said) else part
 
 
 def _section(section: Section, tables: dict[str, Schema]) -> Schema:

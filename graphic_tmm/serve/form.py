@@ -20,8 +20,8 @@ from graphic_tmm.scene.declare import Key, Kind, Path, Section, Sort, keys_of
 from graphic_tmm.scene.document import Document, parsed, table
 from graphic_tmm.scene.drawing import Head
 from graphic_tmm.scene.faults import key_of
-from graphic_tmm.scene.keys import inner_tables
 from graphic_tmm.scene.lines import Layout, layout
+from graphic_tmm.scene.new import about
 from graphic_tmm.scene.sections import LENGTHS, declared
 from graphic_tmm.scene.tables import ByShape, Named, Several, Table
 from graphic_tmm.serve.fields import Field, blank
@@ -187,26 +187,9 @@ class _Written(NamedTuple):
         return self.text[begin:end].replace("\r\n", "\n") or json.dumps(value, default=str)
 
 
-def sentences() -> Iterator[str]:
-    """Yield what a form may say of sections and keys, in English."""
-    records: list[type] = [Head]
-    for section in declared().values():
-        yield _sentence(section)
-        records.append(section.record)
-    for record in records:
-        yield from _of_record(record)
-
-
-def _of_record(record: type) -> Iterator[str]:
-    for one in keys_of(record).values():
-        yield one.says
-        for inner in inner_tables(one.kind):
-            yield from _of_record(inner)
-
-
 def _sentence(section: Section) -> str:
     """Return the sentence that says what a section is."""
-    return section.says or (section.record.__doc__ or "").partition("\n")[0]
+    return section.says or about(section.record)
 
 
 def _name(item: object) -> str:

@@ -11,7 +11,7 @@ from types import FrameType
 import uvicorn
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
-from graphic_tmm.errors import SheetError
+from graphic_tmm.errors import SheetError, reason_of
 from graphic_tmm.language.said import said
 from graphic_tmm.serve.desk import Desk
 from graphic_tmm.serve.extra import LOOPBACK
@@ -75,7 +75,7 @@ def _listening(host: str, port: int) -> socket.socket:
             made.close()
             raise
     except (OSError, UnicodeError, OverflowError) as error:
-        reason = (getattr(error, "strerror", None) or str(error)).lower()
+        reason = reason_of(error) if isinstance(error, OSError) else str(error).lower()
         says = said(
             "cannot listen at {host}, port {port}: {reason}; choose others with --host, --port",
             host=host,

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import csv
-import io
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import product
 from pathlib import Path
 
 import pytest
+from support.command import rows
 from support.gallery import ALL, SHEETS
 from support.verdicts import Verdicts, verdicts
 
@@ -56,7 +56,7 @@ def results(made: DrawnScene) -> Iterator[list[str]]:
 
 def exported(made: DrawnScene) -> Iterator[list[str]]:
     """Every figure as the table is written for machines."""
-    for row in csv.DictReader(io.StringIO(str(table(made, "csv")))):
+    for row in rows(str(table(made, "csv"))):
         yield [row[head] or ("1" if head == "unit" else "") for head in HEAD]
     yield from results(made)
 

@@ -11,6 +11,7 @@ from support.command import invoke
 
 from graphic_tmm.beginnings import BEGINNINGS
 from graphic_tmm.commands import new as command
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.packaged import packaged
 from graphic_tmm.scene.declare import MISSING, Kind, keys_of
 from graphic_tmm.scene.new import MANNER, SCHEMA, shown
@@ -75,7 +76,7 @@ def test_a_section_in_comments_is_one_when_the_signs_are_taken_away(tmp_path: Pa
                 or not isinstance(one.kind, Kind)
             ):
                 continue
-            assert shown(one) is not None
+            assert shown(one, speaking("en")) is not None
             defaults += one.kind.understood(value, (), {}, []) == default
             asked += 1
     assert asked > 40

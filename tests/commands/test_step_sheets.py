@@ -107,9 +107,8 @@ def test_a_plan_that_a_position_has_not_is_refused(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("option", [("-o", "out"), ("-f", "svg")])
-def test_folder_and_format_belong_to_sheets(option: tuple[str, str]) -> None:
-    refused(invoke("steps", "-l", "en", TASK, *option), "add --sheets")
+def test_a_format_belongs_to_sheets() -> None:
+    refused(invoke("steps", "-l", "en", TASK, "-f", "svg"), "add --sheets")
 
 
 @pytest.mark.slow

@@ -98,7 +98,7 @@ def test_results_hold_every_drawing() -> None:
 
 def test_records_are_the_rows_of_the_csv() -> None:
     table = tmm.draw("engine", exact=True).table("velocities")
-    lines = printed("table", "engine", "-f", "csv", "--exact").splitlines()
+    lines = printed("table", "engine", "-f", "csv", "--exact", "-l", "en").splitlines()
     due = [line.split(",") for line in lines[1:] if line.startswith("velocities,")]
     records = table.to_records()
     assert list(records[0]) == lines[0].split(",")

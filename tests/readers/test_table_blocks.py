@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import json
 import math
@@ -18,6 +17,7 @@ from hypothesis import strategies as st
 from rich.console import Console
 from support.columns import along
 from support.command import invoke, printed
+from support.command import rows as csv_rows
 from support.examples import most
 from support.scenes import calling, source, written
 
@@ -112,10 +112,6 @@ def test_blocks_hold_as_many_positions_as_fit(count: int, width: int, digits: in
 
 
 # CSV
-
-
-def csv_rows(printed: str, delimiter: str = ",") -> list[dict[str, str]]:
-    return list(csv.DictReader(io.StringIO(printed), delimiter=delimiter))
 
 
 @pytest.mark.slow
@@ -216,7 +212,7 @@ def test_a_decimal_comma_comes_with_semicolons_and_a_mark_on_request() -> None:
 def test_a_table_with_decimal_commas_is_read_back_by_the_check(tmp_path: Path) -> None:
     path = tmp_path / "own.csv"
     path.write_text(printed("table", "engine", "-f", "csv", "--decimal", "comma", "--bom"), "utf-8")
-    assert text_of(path).startswith("plan;position")
+    assert text_of(path).startswith("план;положение")
     done = invoke("check", "engine", path, "-f", "json")
     assert done.exit_code in (0, 1), done.output
     assert len(json.loads(done.stdout)["readings"]) > 100

@@ -18,6 +18,7 @@ from support import gallery
 from support.boards import in_usual_size
 from support.columns import along
 from support.command import column, invoke, tabled
+from support.command import rows as csv_rows
 from support.gallery import NAMES, drawn
 from support.scenes import edited
 
@@ -196,7 +197,7 @@ def test_csv_holds_what_json_holds(name: str) -> None:
     text, whole = table(drawing, "csv"), table(drawing, "json")
     assert isinstance(text, str)
     assert isinstance(whole, str)
-    rows = list(csv.DictReader(io.StringIO(text)))
+    rows = csv_rows(text)
     made = json.loads(whole)
     due = [
         (one["plan"], place["number"], one["segment"], mm, value, one["unit"])

@@ -97,9 +97,11 @@ def test_the_schema_and_the_reference_tell_it() -> None:
     assert "spring.loaded" in size_keys()
 
 
-def test_the_page_of_keys_is_up_to_date() -> None:
-    kept = Path(keys.__file__).with_suffix(".md").read_text(encoding="utf-8")
-    printed = re.sub(r"## `\[spring\]`\n.*?(?=## )", "", keys.reference(), flags=re.DOTALL)
+@pytest.mark.parametrize(("language", "suffix"), [("en", ".md"), ("ru", ".ru.md")])
+def test_the_pages_of_keys_are_up_to_date(language: str, suffix: str) -> None:
+    kept = Path(keys.__file__).with_suffix(suffix).read_text(encoding="utf-8")
+    told = keys.reference(language)
+    printed = re.sub(r"## `\[spring\]`\n.*?(?=## )", "", told, flags=re.DOTALL)
     assert kept == printed
 
 

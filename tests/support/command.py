@@ -12,6 +12,7 @@ from click.testing import CliRunner, Result
 
 from graphic_tmm.__main__ import main
 from graphic_tmm.language.catalogue import languages, speaking
+from graphic_tmm.readers.writing import HEADS
 
 
 def invoke(*arguments: object) -> Result:
@@ -26,9 +27,12 @@ def printed(*arguments: object) -> str:
     return done.stdout
 
 
-def rows(text: str) -> list[dict[str, str]]:
-    """Return the rows of a table printed as CSV."""
-    return list(csv.DictReader(io.StringIO(text)))
+def rows(text: str, delimiter: str = ",") -> list[dict[str, str]]:
+    """Return the rows of a table printed as CSV, whatever the language of its titles."""
+    titles = {speaking(one)(head): str(head) for one in languages() for head in HEADS}
+    first, *others = csv.reader(io.StringIO(text), delimiter=delimiter)
+    names = [titles.get(title, title) for title in first]
+    return [dict(zip(names, cells, strict=True)) for cells in others]
 
 
 def tabled(*arguments: object) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from functools import cache
 from importlib import import_module
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import graphic_tmm
 
@@ -96,10 +96,33 @@ def _of_operations() -> Iterator[Message]:
 
 
 def _of_sections() -> Iterator[Message]:
-    from graphic_tmm.serve.form import sentences
+    from graphic_tmm.scene.keys import sentences
+    from graphic_tmm.scene.schema import schema
+    from graphic_tmm.scene.sections import declared
 
-    for text in sentences():
-        yield Message("", text, "", "graphic_tmm/serve/form.py")
+    for text in (*sentences(), *_described(schema()), *(one.says for one in declared().values())):
+        yield Message("", text, "", "graphic_tmm/scene/keys.py")
+
+
+def _described(part: Any) -> Iterator[str]:
+    """Yield what a schema says to people."""
+    inner = part.values() if isinstance(part, dict) else part if isinstance(part, list) else ()
+    if isinstance(part, dict) and isinstance(part.get("description"), str):
+        yield part["description"]
+    for one in inner:
+        yield from _described(one)
+
+
+def _of_beginnings() -> Iterator[Message]:
+    """Yield what the authors of the scenes that mechanisms are begun from say beside them."""
+    from graphic_tmm.beginnings import BEGINNINGS
+    from graphic_tmm.packaged import scene_path
+    from graphic_tmm.scene.new import REMARK, mechanism_of
+
+    for one in BEGINNINGS:
+        text = (scene_path(one.scene) / "scene.toml").read_text(encoding="utf-8")
+        for remark in REMARK.findall(mechanism_of(text)):
+            yield Message("", remark, "", "graphic_tmm/beginnings.py")
 
 
 @cache
@@ -107,7 +130,9 @@ def messages() -> tuple[Message, ...]:
     """Return every text once that has a word in it, in the order of the files."""
     found: dict[tuple[str, str], Message] = {}
     own = [one for file in sources() for one in (*_of_file(file), *_helps(file))]
-    for one in sorted([*own, *_of_operations(), *_of_sections()], key=lambda one: one.file):
+    for one in sorted(
+        [*own, *_of_operations(), *_of_sections(), *_of_beginnings()], key=lambda one: one.file
+    ):
         known = found.setdefault(one.key, one)
         if one.plural and not known.plural:
             found[one.key] = one

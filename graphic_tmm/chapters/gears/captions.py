@@ -7,6 +7,7 @@ from graphic_tmm.language.said import said
 CAPTIONS: dict[str, str] = {
     "chapter gears": said("Gear pair"),
     "given gears": said("Given data: gears"),
+    "gears": said("Gear pair"),
     "gear": said("Meshing of the gears"),
     "gear-dimensions": said("Dimensions of the gear pair"),
     "gear-rolling-1": said("Construction of a tooth of wheel 1"),

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from graphic_tmm.classroom.batch.record import HOME
-from graphic_tmm.errors import SheetError, printable
+from graphic_tmm.errors import SheetError, printable, reason_of
 from graphic_tmm.language.said import said
 
 
@@ -32,7 +32,7 @@ def locked(out: Path) -> Iterator[None]:
         file.parent.mkdir(parents=True, exist_ok=True)
         stream = file.open("ab")
     except OSError as error:
-        reason = (error.strerror or str(error)).lower()
+        reason = reason_of(error)
         says = said(
             "cannot write into {folder}: {reason}; {remedy}",
             folder=folder,

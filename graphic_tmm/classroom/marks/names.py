@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from graphic_tmm.classroom.variants.table import folded
-from graphic_tmm.errors import SheetError, printable
+from graphic_tmm.errors import SheetError, printable, reason_of
 from graphic_tmm.language.said import joined, said
 
 TABLES = (".csv", ".tsv", ".txt", ".xlsx")
@@ -125,7 +125,7 @@ def _listed(folder: Path) -> list[Path]:
         says = said(
             "--class: {folder}: {reason}; check its rights",
             folder=printable(str(folder)),
-            reason=(error.strerror or str(error)).lower(),
+            reason=reason_of(error),
         )
         raise SheetError(says) from error
     seen = (one for one in found if not _is_aside(one.name))

@@ -80,7 +80,7 @@ def _piped() -> Iterator[None]:
 
 def _ended(error: BaseException) -> int:
     """Tell a person what has ended the program; return the exit status."""
-    from graphic_tmm.errors import TmmError
+    from graphic_tmm.errors import TmmError, reason_of
 
     if isinstance(error, BrokenPipeError):
         return _hushed()
@@ -92,7 +92,7 @@ def _ended(error: BaseException) -> int:
         in_words_of(reader(), error).show()
     elif isinstance(error, OSError):
         place = f"{error.filename}: " if error.filename else ""
-        what = str(error.strerror or error)
+        what = reason_of(error)
         tell(said("{place}{what}: check the path and its rights", place=place, what=what))
     elif isinstance(error, TmmError):
         tell(error.told(reader()))

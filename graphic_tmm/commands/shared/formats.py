@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import PurePath
 
 from graphic_tmm.language.said import said
 
@@ -27,3 +28,13 @@ def chosen(forms: str, known: Sequence[str], option: str = "--format") -> list[s
         )
         raise SheetError(says)
     return wanted
+
+
+def form_of(form: str | None, output: str | None, known: Sequence[str]) -> str:
+    """Return the one form that is asked for: by its name, else by the end of a file's name, else the first.
+
+    >>> form_of(None, "table.CSV", ["text", "csv"]), form_of("text", "table.csv", ["text", "csv"])
+    ('csv', 'text')
+    """
+    end = PurePath(output or "").suffix[1:].lower()
+    return form or (end if end in known else known[0])

@@ -62,7 +62,7 @@ def refuse_mixed(of_one: Sequence[object], form: str, output: str | None) -> Non
         raise click.UsageError(said("-f xlsx: name a folder for it with -o"))
 
 
-def refuse_without_class(of_class: Sequence[object], form: str) -> None:
+def refuse_without_class(of_class: Sequence[object], form: str | None) -> None:
     """Refuse what is for a class where there is none."""
     if any(one is not None for one in of_class) or form in ("csv", "xlsx"):
         raise click.UsageError(

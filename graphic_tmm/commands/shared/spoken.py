@@ -6,6 +6,7 @@ import gettext
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from copy import copy
+from inspect import cleandoc
 from typing import Any, TypeVar
 
 import click
@@ -42,6 +43,14 @@ CLICK = (
     said("Option {name!r} does not take a value."),
 )
 """What click itself says, by gettext, where a person can meet it here."""
+METAVARIABLES = (
+    said("[OPTIONS]"),
+    said("COMMAND [ARGS]..."),
+    said("text", context="metavariable"),
+    said("integer range", context="metavariable"),
+    said("float range", context="metavariable"),
+)
+"""What click writes in a usage, and (in capitals) for the value of an option."""
 
 
 def language_asked(arguments: Sequence[str]) -> str:
@@ -118,21 +127,30 @@ class Command(click.Command):
         """Return the help in the reader's language."""
         return click.Command.get_help(translated(self, reader()), ctx)
 
+    def get_short_help_str(self, limit: int = 45) -> str:
+        """Return the line of the command in the help of all, in the reader's language."""
+        return click.Command.get_short_help_str(translated(self, reader()), limit)
+
 
 def translated(command: C, speech: Speech) -> C:
     """Return a command as its help shows it in a language."""
     shown = copy(command)
-    shown.help = speech(command.help or "")
+    shown.help = speech(cleandoc(command.help or ""))
+    shown.options_metavar = speech(command.options_metavar or "")
+    if isinstance(shown, click.Group):
+        shown.subcommand_metavar = speech(shown.subcommand_metavar or "")
     shown.params = [_translated(one, speech) for one in command.params]
     shown._help_option = None  # made anew in the language
     return shown
 
 
 def _translated(param: click.Parameter, speech: Speech) -> click.Parameter:
-    if not isinstance(param, click.Option) or not param.help:
+    if not isinstance(param, click.Option):
         return param
     shown = copy(param)
-    shown.help = speech(param.help)
+    shown.help = speech(param.help or "") or None
+    shown.type = copy(param.type)
+    shown.type.name = speech(param.type.name, context="metavariable")
     return shown
 
 

@@ -47,14 +47,37 @@ def terminal_width() -> int:
     return shutil.get_terminal_size().columns if sys.stdout.isatty() else WIDTH
 
 
-def show(text: str | list[Any], width: int) -> None:
-    """Print text, or what rich makes of tables; so wide if this is no terminal."""
+def show(text: str | list[Any], width: int, output: str | None = None) -> None:
+    """Print text, or what rich makes of tables, so wide if this is no terminal; or write it into a file.
+
+    ``output``: the file's name, which is then told on the error stream.
+
+    Raises
+    ------
+    SheetError
+        If the file cannot be written; nothing is left behind then.
+    """
+    if output is None:
+        click.echo(rendered(text, width), nl=False)
+        return
+    from pathlib import Path
+
+    from graphic_tmm.files import write
+
+    file = Path(output)
+    written = {file.name: rendered(text, width, printed=False)}
+    for path in write(file.parent, written, remedy=said("name another file with -o")):
+        say(str(path))
+
+
+def rendered(text: str | list[Any], width: int, *, printed: bool = True) -> str:
+    """Return what is printed; or what goes into a file, without what only a terminal shows."""
     if isinstance(text, str):
-        click.echo(text, nl=False)
-        return
-    if (framed := _without_rich(text, width)) is not None:
-        click.echo(framed, nl=False)
-        return
+        return text
+    terminal = printed and sys.stdout.isatty()
+    if (framed := _without_rich(text, width, printed=printed)) is not None:
+        return framed
+    from io import StringIO
     from itertools import chain
 
     from rich.console import Console
@@ -63,7 +86,7 @@ def show(text: str | list[Any], width: int) -> None:
 
     from graphic_tmm.readers.framed import Framed
 
-    console = Console(width=None if sys.stdout.isatty() else width)
+    console = Console(width=None if terminal else width, file=None if printed else StringIO())
     with console.capture() as written:  # rich has an end of its own for a reader who is gone
         for part in chain.from_iterable(
             one.parts() if isinstance(one, Framed) else (one,) for one in text
@@ -71,15 +94,16 @@ def show(text: str | list[Any], width: int) -> None:
             wide = console.options.update(max_width=10_000)
             needed = Measurement.get(console, wide, part).maximum if isinstance(part, Table) else 0
             console.print(part, width=max(console.width, needed))
-    click.echo(written.get(), nl=False)
+    return written.get()
 
 
-def _without_rich(tables: list[Any], width: int) -> str | None:
+def _without_rich(tables: list[Any], width: int, *, printed: bool) -> str | None:
     """Return tables as text where nothing is bold, italic or coloured; None where that is for rich to print."""
     from graphic_tmm.readers.framed import Framed
 
     told = sys.stdout.encoding or ""
-    if sys.stdout.isatty() or not told.lower().startswith("utf") or any(map(os.getenv, _FORCED)):
+    rich = sys.stdout.isatty() or not told.lower().startswith("utf") or any(map(os.getenv, _FORCED))
+    if printed and rich:
         return None
     found = [one.plain(width) if isinstance(one, Framed) else None for one in tables]
     return None if None in found else "".join(filter(None, found))

@@ -12,6 +12,7 @@ import pytest
 from click.testing import CliRunner
 from support import sheet_reader
 from support.command import invoke, printed
+from support.command import rows as csv_rows
 from support.gallery import SHEETS
 
 from graphic_tmm.__main__ import main
@@ -154,8 +155,10 @@ def test_a_table_of_readings_goes_out_with_the_scales_of_the_key() -> None:
     words = texts({name: text for name, text in files.items() if name.endswith(".svg")})
     for value, unit in told:
         assert f"= {value} " in words, (value, unit)
-    rows = list(csv.DictReader(str(files["keys/7/shaper-7.csv"]).splitlines()))
-    longest = max((row for row in rows if row["segment"] == "pd"), key=lambda row: float(row["mm"]))
+    lengths = csv_rows(str(files["keys/7/shaper-7.csv"]))
+    longest = max(
+        (row for row in lengths if row["segment"] == "pd"), key=lambda row: float(row["mm"])
+    )
     mu = float(longest["value"]) / float(longest["mm"])
     assert mu == pytest.approx(float(told[1][0].replace(",", ".")), rel=2e-3)
     rows = [

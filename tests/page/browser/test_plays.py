@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -15,6 +13,7 @@ import pytest
 from support import pages
 from support.browser import Opened
 from support.command import invoke
+from support.command import rows as csv_rows
 from support.gallery import ALL, SHEETS
 from support.lesson import Played, at_the_end, names, walk
 from support.pixels import alone, at, show_alone
@@ -186,7 +185,7 @@ def test_lengths_are_those_of_the_tables(name: str, lesson) -> None:
     """The tables tell lengths, the protocol their senses too."""
     out = invoke("table", SHEETS / name, "-f", "csv").stdout
     cells: dict[tuple[str, str, str], set[float]] = {}
-    for row in csv.DictReader(io.StringIO(out)):
+    for row in csv_rows(out):
         if row["mm"]:
             key = row["plan"], row["position"], bare(row["segment"])
             mm = abs(float(row["mm"]))  # as a ruler reads it, where a scene has none too

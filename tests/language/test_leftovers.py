@@ -1,0 +1,132 @@
+"""Nothing of one language stands in an output of the other: five scenes that no one has drawn before, both ways.
+
+A scene is in one language and is asked for in the other; symbols, units, names of files and keys may stay.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from support.command import invoke
+from support.each import each
+from support.leftovers import english, leftovers, of_page, of_svg
+from support.scenes import MECHANISM, calling
+
+from graphic_tmm.__main__ import main
+from graphic_tmm.captions import captions
+from graphic_tmm.readers.protocol import plans
+
+BARE = 'title = "T"\nlanguage = "en"\n'
+DRIVEN = MECHANISM.replace("positions = 8", "positions = 8\naccelerations = [1, 2]")
+ARCS = '[arc_cam]\nbase = "20 mm"\ndistance = "22 mm"\nnose = "7 mm"\nflank = "straight"\nroller = "9 mm"\n'
+SCENES = {
+    "forces": (DRIVEN, ("effects", "load", "forces", "friction")),
+    "diagrams": (DRIVEN, ("diagrams", "indicator", "flywheel")),
+    "engine": (DRIVEN, ("indicator", "engine")),
+    "cam and gears": (BARE, ("cam", "gears")),
+    "train and arcs": (BARE, ("planetary", ARCS)),
+}
+LANGUAGES = ("en", "ru")
+ALL = [(name, language) for name in SCENES for language in LANGUAGES]
+TEX = re.compile(r"\$[^$]*\$")
+TAGS = re.compile(r"<[^>]*>")
+
+
+def written(name: str, language: str, folder: Path) -> tuple[Path, str]:
+    """Write a scene whose own language is the other one; return its file and what it says."""
+    head, sections = SCENES[name]
+    other = next(one for one in LANGUAGES if one != language)
+    head = head.replace('language = "en"', f'language = "{other}"')
+    file = calling(folder, *sections, sheet="", head=head)
+    return file, file.read_text(encoding="utf-8")
+
+
+def ran(language: str, *words: object) -> str:
+    """Return what a command prints for people, on both streams; the check may find something."""
+    done = invoke(*words, "-l", language)
+    assert done.exit_code in (0, 1), (words, done.output)
+    return f"{done.stdout}\n{done.stderr}"
+
+
+def drawn(file: Path, language: str, folder: Path) -> Iterator[tuple[str, str]]:
+    """Yield what is written and printed of a scene, by name."""
+    yield "draw", ran(language, "draw", file, "-o", folder / "drawn")
+    yield "page", ran(language, "page", file, "-o", folder / "page", "--practice")
+    yield "note", ran(language, "note", file, "-f", "md", "-o", folder / "note")
+    yield "task", ran(language, "task", file, "-o", folder / "task", "--readings", "--keys", "none")
+    for path in sorted(folder.rglob("*.*")):
+        text = path.read_text(encoding="utf-8")
+        readers = {".svg": of_svg, ".html": of_page, ".md": lambda told: TEX.sub("", told)}
+        if path.suffix in (*readers, ".csv") and path != file:
+            yield str(path.relative_to(folder)), readers.get(path.suffix, str)(text)
+
+
+def told(file: Path, language: str, folder: Path) -> Iterator[tuple[str, str]]:
+    """Yield what is printed of a scene, by name; readings of 7 mm each are judged."""
+    for words in (("table",), ("table", "-f", "csv"), ("steps", "--why")):
+        yield " ".join(words), ran(language, words[0], file, *words[1:])
+    yield "accuracy", ran(language, "accuracy", file, "--trials", "10", "--no-time")
+    template = ran(language, "check", file, "--template")
+    yield "template", template
+    yield "short", ran(language, "check", file, "--template", "--short")
+    rows = [re.split("[,;]", row)[:3] for row in template.splitlines()[1:40] if row.strip()]
+    readings = folder / "readings.csv"
+    lines = ["plan,position,segment,mm", *(",".join([*row, "7"]) for row in rows)]
+    readings.write_text("\n".join(lines), encoding="utf-8")
+    for form in ("text", "md", "html"):
+        report = ran(language, "check", file, readings, "-f", form, "--trials", "20")
+        yield f"check {form}", TAGS.sub(" ", of_page(report)) if form != "text" else report
+
+
+def found(name: str, language: str, folder: Path, outputs: object) -> dict[str, list[str]]:
+    file, own = written(name, language, folder)
+    every = outputs(file, language, folder)  # type: ignore[operator]
+    names = re.compile("|".join(re.escape(str(one)) for one in (file, folder, folder.name)))
+    counted = {what: leftovers(names.sub("", text), language, own) for what, text in every}
+    assert len(counted) > 5
+    return {what: words for what, words in counted.items() if words}
+
+
+@pytest.mark.slow
+@each("name, language", ALL)
+def test_what_is_drawn_is_in_one_language(name: str, language: str, tmp_path: Path) -> None:
+    assert found(name, language, tmp_path, drawn) == {}
+
+
+@pytest.mark.slow
+@each("name, language", ALL)
+def test_what_is_told_is_in_one_language(name: str, language: str, tmp_path: Path) -> None:
+    assert found(name, language, tmp_path, told) == {}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_helps_keys_and_new_scenes_are_in_one_language(language: str, tmp_path: Path) -> None:
+    commands = main.list_commands(None)  # type: ignore[arg-type]
+    outputs = {name: ran(language, name, "--help") for name in commands}
+    outputs["help"] = ran(language, "--help")
+    outputs["keys"] = re.sub("`[^`]*`", "", ran(language, "keys"))
+    outputs["schema"] = "\n".join(re.findall('"description": "(.*)"', ran(language, "schema")))
+    for line in ran(language, "new", "--list").splitlines():
+        if line:
+            name = line.split()[0]
+            ran(language, "new", tmp_path / name, name)
+            outputs[f"new {name}"] = (tmp_path / name / "scene.toml").read_text("utf-8")
+    assert len(outputs) > 30
+    counted = {what: leftovers(text, language) for what, text in outputs.items()}
+    assert {what: words for what, words in counted.items() if words} == {}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_plan_has_a_name_for_people(language: str) -> None:
+    words = captions(language)
+    assert not [plan for plan in plans() if leftovers(words[plan], language)]
+
+
+def test_what_is_left_over_is_found() -> None:
+    assert len(english()) > 1000
+    assert leftovers("Draw a line through A, план", "ru") == ["Draw", "line", "through"]
+    assert leftovers("the plan, план of M. Иванов", "en", "Иванов") == ["план"]
+    assert leftovers("μ_v = 2 м/с, omega2, SVG, SCENE, [drive] speed, π", "ru") == []
