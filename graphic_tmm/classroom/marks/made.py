@@ -66,6 +66,12 @@ def dues(made: DrawnScene) -> Mapping[tuple[Key, str], tuple[float, ...]]:
     return found
 
 
+def plans_of(made: DrawnScene) -> tuple[str, ...]:
+    """Return the plans of a scene that something can be read off, in its order."""
+    figures = (*cells(made), *points(made))
+    return tuple(dict.fromkeys(plan for plan, _, _ in figures if plan != RESULTS))
+
+
 def _plans(made: DrawnScene, taken: Sequence[Taken]) -> Iterator[Plan]:
     """Yield the plans of a scene in its order: how much of each is there."""
     try:
@@ -73,8 +79,7 @@ def _plans(made: DrawnScene, taken: Sequence[Taken]) -> Iterator[Plan]:
     except SheetError:
         wanted = set()
     given = {(one.plan, one.segment) for one in taken}
-    plans = dict.fromkeys(plan for plan, _, _ in (*cells(made), *points(made)) if plan != RESULTS)
-    for plan in plans:
+    for plan in plans_of(made):
         own = {one for one in wanted if one[0] == plan}
         there = any(one.plan == plan for one in taken)
         pointed = any(one.plan == plan and one.pointed for one in taken)

@@ -28,6 +28,7 @@ from graphic_tmm.classroom.marks.judging import (
     scene_of,
     work,
 )
+from graphic_tmm.classroom.marks.made import plans_of
 from graphic_tmm.classroom.marks.names import HandIn, Skipped, hand_ins
 from graphic_tmm.classroom.marks.others import Other, copied, is_suspect, looks_like
 from graphic_tmm.classroom.marks.row import Row, asked, faults, known
@@ -41,6 +42,7 @@ from graphic_tmm.fitting.composition import COMPOSITION, beside, read_compositio
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.studio import make
 
 Tell = Callable[[int, int, str], None]
 
@@ -109,6 +111,8 @@ def mark_class(of: Class, out: Path, tell: Tell = lambda done, count, name: None
             folder=printable(str(of.folder)),
         )
         raise SheetError(says)
+    if of.rule.plans:
+        of = of._replace(rule=_with_plans(of.rule, scene))
     tasks = _tasks(of, {one.variant for one in found})
     works, lost = [], dict[str, str]()
     for one in found:
@@ -133,19 +137,18 @@ def _marked(
     speech = speaking(scene.language)
     good = [one for one in found if not rows[one.file].skipped]
     bad = [Skipped(one.name, rows[one.file].skipped) for one in found if one not in good]
-    rule = _with_plans(of.rule, [rows[one.file] for one in good], scene.language)
     others = _others(of, good, rows, out, tell)
     entries = tuple(
-        Entry(one, row, marked(rule, lost._replace(other=other is not None)), other)
+        Entry(one, row, marked(of.rule, lost._replace(other=other is not None)), other)
         for one in good
         for row in (rows[one.file],)
-        for lost, other in ((faults(rule, row), others.get(one.file)),)
+        for lost, other in ((faults(of.rule, row), others.get(one.file)),)
     )
-    plans = tuple(one.plan for one in asked(rule, entries[0].row)) if entries else ()
+    plans = tuple(one.plan for one in asked(of.rule, entries[0].row)) if entries else ()
     pairs = alike([one.row for one in entries])
     entries = _with_copied(entries, pairs)
     told = tuple(sorted([*bad, *(Skipped(one.name, speech(one.why)) for one in skipped)]))
-    return Marked(scene.title, scene.language, rule, plans, entries, pairs, told)
+    return Marked(scene.title, scene.language, of.rule, plans, entries, pairs, told)
 
 
 def _with_copied(entries: Sequence[Entry], pairs: Sequence[Alike]) -> tuple[Entry, ...]:
@@ -273,13 +276,11 @@ def _others(
     return found
 
 
-def _with_plans(rule: Rule, rows: Sequence[Row], language: str) -> Rule:
-    """Return a rule with its plans called as the scene calls them."""
-    known = {one.plan for row in rows for one in row.plans}
-    if not rule.plans or not known:
-        return rule
+def _with_plans(rule: Rule, scene: Scene) -> Rule:
+    """Return a rule with its plans called as the scene calls them; refused before anything is judged."""
+    known = plans_of(make(scene, exact=True))
     names = {name.casefold(): name for name in known}
-    for tongue in ("en", language):
+    for tongue in ("en", scene.language):
         names |= {captions(tongue)[name].casefold(): name for name in known}
     strange = [plan for plan in rule.plans if plan.casefold() not in names]
     if strange:
