@@ -177,6 +177,14 @@ CHAPTER = Chapter(
             tells=ACCELERATIONS,
         ),
         Place(
+            "position table",
+            0,
+            views.position_table,
+            asks=asks.position_table,
+            shows=(POSITIONS,),
+            follows=(POSITIONS,),
+        ),
+        Place(
             "velocity table",
             0,
             views.velocity_table,

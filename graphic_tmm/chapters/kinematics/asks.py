@@ -6,8 +6,11 @@ from collections.abc import Iterator
 
 from graphic_tmm.chapters.kinematics.given import wanted_accelerations
 from graphic_tmm.chapters.kinematics.row import OTHER
+from graphic_tmm.chapters.kinematics.task import ASKED, Rows
 from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
+from graphic_tmm.language.units import unit
 from graphic_tmm.scene.records import Scene
 
 
@@ -23,6 +26,31 @@ def positions(scene: Scene, language: str) -> Iterator[str]:
         yield _(_ANGLES, n=len(extra), listed=", ".join(extra))
     if scene.trajectories:
         yield _(_PATHS, n=len(scene.trajectories), listed=", ".join(scene.trajectories))
+    asked = ASKED.of(scene)
+    if asked is not None:
+        yield from _rows(asked, language)
+
+
+def _rows(asked: Rows, language: str) -> Iterator[str]:
+    """Ask for further rows, a sentence a kind."""
+    _ = speaking(language)
+    pins = (
+        f"{k} ({number(1000 * r, language)} {unit('mm', language)})" for k, r in asked.pins.items()
+    )
+    for says, listed in (
+        (_LENGTHS, asked.lengths),
+        (_OF_LINKS, asked.angles),
+        (_RELATIVE, asked.relative),
+        (_CURVED, asked.paths),
+        (_PINS, tuple(pins)),
+    ):
+        if listed:
+            yield _(says, listed=", ".join(listed))
+
+
+def position_table(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the table of positions."""
+    yield speaking(language)(_POSITION_TABLE)
 
 
 def velocities(scene: Scene, language: str) -> Iterator[str]:
@@ -72,6 +100,16 @@ def both_tables(scene: Scene, language: str) -> Iterator[str]:
     yield speaking(language)(_BOTH_TABLES if scene.row.accelerations else _VELOCITY_TABLE)
 
 
+_LENGTHS = said("In every position these lengths are read off: {listed}.")
+_OF_LINKS = said("In every position the angles of these lines with the x axis are found: {listed}.")
+_RELATIVE = said(
+    "Whole relative accelerations are read off, of the first point to the second: {listed}."
+)
+_CURVED = said(
+    "Normal and tangential accelerations and radii of curvature of the paths are found of points: {listed}."
+)
+_PINS = said("The rubbing speeds of these pins (radius) are found: {listed}.")
+_POSITION_TABLE = said("Lengths and angles are put into a table.")
 _PLAN = said(
     "The plan of positions is drawn for {n} position of the crank; the first one bears the number {first}.",
     "The plan of positions is drawn for {n} equally spaced positions of the crank; the first one "

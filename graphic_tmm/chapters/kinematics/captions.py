@@ -10,6 +10,7 @@ CAPTIONS: dict[str, str] = {
     "extremes": said("Extreme positions"),
     "velocities": said("Velocity plan"),
     "accelerations": said("Acceleration plan"),
+    "table positions": said("Positions from the plans"),
     "table velocities": said("Velocities from the plans"),
     "table accelerations": said("Accelerations from the plans"),
     "positions in a turn": said("Positions"),

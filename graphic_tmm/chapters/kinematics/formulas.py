@@ -28,7 +28,7 @@ def rubbing_on_fixed(radius: Number, omega: Number) -> Number:
 
 @formula(
     holds="{normal} ≠ 0",
-    fails="the normal acceleration reads 0: the path is straight there, its radius infinite, or too flat to be read",
+    fails="the normal acceleration reads 0: the path is straight there, ρ infinite or too large to read",
     why=said(
         "A point that goes along a curve at v has the normal acceleration v²/ρ towards its centre of "
         "curvature, so ρ is the square of {segment}·{mu_v} divided by {normal}·{mu_a}."

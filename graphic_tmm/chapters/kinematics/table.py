@@ -84,13 +84,13 @@ def measured_vectors(drawn: Drawn) -> Iterator[Column]:
 
 
 def rate_marks(project: Project) -> dict[tuple[str, str], Mark]:
-    """Return the rates of links by plan and the name that machines read."""
+    """Return the rates of links, and further rows, by plan and the name that machines read."""
     plans, found = KINEMATICS.on(project), {}
     for plan, sign in RATE_NAMES.items():
         motion = plans.motion(plan)
         for link, mark in motion.rates.items() if motion is not None else ():
             found[plan, f"{sign}{link}"] = mark
-    return found
+    return {**found, **{(one.plan, one.name): one.mark for one in plans.rows}}
 
 
 def speed_marks(project: Project) -> list[Mark]:

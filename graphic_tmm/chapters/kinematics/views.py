@@ -24,6 +24,7 @@ from graphic_tmm.chapters.kinematics.names import (
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 from graphic_tmm.chapters.kinematics.scales import outlying, reaches
 from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
+from graphic_tmm.chapters.kinematics.task import ASKED
 from graphic_tmm.chapters.kinematics.transmission import best
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -44,6 +45,10 @@ EQUATIONS = {
     ACCELERATIONS: said("Equations of accelerations"),
 }
 """What the vector equations of a plan are called."""
+BEHIND = said(
+    "link {number}: its mass centre {centre} lies behind the pin {pin} of its rod, away from the piston; if it "
+    'is on the rod, write angle = "180 deg" in its slides'
+)
 
 
 def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -108,8 +113,7 @@ def warned(drawn: Drawn, language: str) -> Iterator[str]:
             mark = told.marks[0]
             if ((ink.at(mark, at) - pin) / way).real < -TOGETHER:
                 yield speaking(language)(
-                    "link {number}: its mass centre {centre} lies behind the pin {pin} of its rod, away from "
-                    'the piston; if it is on the rod, write angle = "180 deg" in its slides',
+                    BEHIND,
                     number=figure.name,
                     centre=mark.letter,
                     pin=figure.marks[0].letter,
@@ -201,6 +205,11 @@ def _equations(plan: str, drawn: Drawn, place: str) -> list[Drawing]:
     return noted([draw_equations(log, plan, title, told, high, language)], plan)
 
 
+def position_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the table of lengths and angles that are read off the plan of positions."""
+    return _table(POSITIONS, drawn, "position table")
+
+
 def velocity_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the table of velocities."""
     return _table(VELOCITIES, drawn, "velocity table")
@@ -212,14 +221,16 @@ def acceleration_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 
 def both_tables(drawn: Drawn, lettered: bool) -> list[Drawing]:
-    """Return both tables."""
-    return [*velocity_table(drawn, lettered), *acceleration_table(drawn, lettered)]
+    """Return both tables; before them that of positions, where rows of it are asked for."""
+    asked = ASKED.of(drawn.scene)
+    first = position_table(drawn, lettered) if asked and (asked.lengths or asked.angles) else []
+    return [*first, *velocity_table(drawn, lettered), *acceleration_table(drawn, lettered)]
 
 
 def _table(plan: str, drawn: Drawn, place: str) -> list[Drawing]:
     """Return the table of a plan, lettered as on the sheets of its ``place`` or of both."""
     rows = [one.without(KINEMATICS.on(drawn).repeated) for one in plan_columns(drawn, plan)]
-    if KINEMATICS.on(drawn).motion(plan) is None or drawn.of(plan) is None:
+    if not rows or drawn.of(plan) is None:
         return []
     high = heights(drawn.scene, place, "results")
     return [result_table(plan, rows, drawn.names, drawn.scene.language, heights=high)]
