@@ -86,7 +86,9 @@ def _behind(order: tuple[str, ...], place: str, more: str) -> tuple[str, ...]:
 
 
 def asking(one: Chapter) -> Section | None:
-    """Return the section that asks for what a chapter shows; None if it has none."""
+    """Return the section that asks for what a chapter shows; None if it has none, or is always there."""
+    if one.always:
+        return None
     return next((section for section in one.sections if not section.gives), None)
 
 

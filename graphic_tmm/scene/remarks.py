@@ -68,7 +68,7 @@ def _unplaced(scene: Scene) -> Iterator[str]:
     seen = [section for section in there if scene.shown & set(of_section(section))]
     shown = {name for section in seen for name in section.shows(scene.tasks[section.name])}
     for section in there:
-        if section in seen or section.name in shown:
+        if section in seen or section.name in shown or not of_section(section):
             continue
         yield said(
             "{section}: no sheet shows it (table does); add {listed} to the place of a [[sheet]]",

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-from fuzz import Case, command, run
+from fuzz import Case, run
 from fuzz_options import CSV, OUT, SCENE
 from fuzz_tasks import Task
 
@@ -96,7 +96,7 @@ def filled(template: str, file: Path) -> bytes:
     for k, line in enumerate(lines[head + 1 :], head + 1):
         plan, position, segment, *_, unit = line.split(sign)[:6]
         found, times = due.get((plan, segment, position)), 1.5 if k % 5 == 4 else 1.0
-        if found is None or found.mm is None and found.value is None:
+        if found is None or (found.mm is None and found.value is None):
             continue
         mm = "" if found.mm is None else f"{abs(found.mm) * times:.1f}"
         value = f"{found.value * times:.6g}" if found.mm is None and found.value else ""

@@ -60,9 +60,7 @@ def scene(number: int, seed: int = 0) -> str:
     return text.replace('language = "en"', f'language = "{pick.choice(("en", "ru"))}"')
 
 
-def _tail(
-    pick: random.Random, drawn: Sampled, mechanism: Mechanism, count: int
-) -> Iterator[str]:
+def _tail(pick: random.Random, drawn: Sampled, mechanism: Mechanism, count: int) -> Iterator[str]:
     if mechanism.drive.acceleration:
         yield f"acceleration = {abs(mechanism.drive.acceleration)!r}"
     at = sorted(pick.sample(range(count), min(count, pick.randint(1, 2))))

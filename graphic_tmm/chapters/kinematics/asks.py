@@ -34,7 +34,9 @@ def positions(scene: Scene, language: str) -> Iterator[str]:
 def _rows(asked: Rows, language: str) -> Iterator[str]:
     """Ask for further rows, a sentence a kind."""
     _ = speaking(language)
-    pins = (f"{k} ({number(1000 * r, language)} {unit('mm', language)})" for k, r in asked.pins.items())
+    pins = (
+        f"{k} ({number(1000 * r, language)} {unit('mm', language)})" for k, r in asked.pins.items()
+    )
     for says, listed in (
         (_LENGTHS, asked.lengths),
         (_OF_LINKS, asked.angles),
@@ -100,62 +102,13 @@ def both_tables(scene: Scene, language: str) -> Iterator[str]:
 
 _LENGTHS = said("In every position these lengths are read off: {listed}.")
 _OF_LINKS = said("In every position the angles of these lines with the x axis are found: {listed}.")
-_RELATIVE = said("Whole relative accelerations are read off, of the first point to the second: {listed}.")
+_RELATIVE = said(
+    "Whole relative accelerations are read off, of the first point to the second: {listed}."
+)
 _CURVED = said(
     "Normal and tangential accelerations and radii of curvature of the paths are found of points: {listed}."
 )
 _PINS = said("The rubbing speeds of these pins (radius) are found: {listed}.")
-_POSITION_TABLE)
-
-
-def velocities(scene: Scene, language: str) -> Iterator[str]:
-    """Ask for the plans of velocities."""
-    _ = speaking(language)
-    if scene.common_pole:
-        yield _(_TURNED_COMMON if scene.turned else _COMMON)
-    else:
-        yield _(_TURNED if scene.turned else _VELOCITIES)
-
-
-def accelerations(scene: Scene, language: str) -> Iterator[str]:
-    """Ask for the plans of accelerations."""
-    if scene.row.accelerations:
-        yield wanted_accelerations(scene, language) or speaking(language)(_ALL)
-
-
-def equations(scene: Scene, language: str) -> Iterator[str]:
-    """Ask for the equations of the plans."""
-    yield speaking(language)(_BOTH_EQUATIONS if scene.row.accelerations else _EQUATIONS)
-
-
-def velocity_equations(scene: Scene, language: str) -> Iterator[str]:
-    """Ask for those of velocities."""
-    yield speaking(language)(_EQUATIONS)
-
-
-def acceleration_equations(scene: Scene, language: str) -> Iterator[str]:
-    """Ask for those of accelerations."""
-    if scene.row.accelerations:
-        yield speaking(language)(_ACCELERATION_EQUATIONS)
-
-
-def velocity_table(scene: Scene, language: str) -> Iterator[str]:
-    """Ask for the table of velocities."""
-    yield speaking(language)(_VELOCITY_TABLE)
-
-
-def acceleration_table(scene: Scene, language: str) -> Iterator[str]:
-    """Ask for the table of accelerations."""
-    if scene.row.accelerations:
-        yield speaking(language)(_ACCELERATION_TABLE)
-
-
-def both_tables(scene: Scene, language: str) -> Iterator[str]:
-    """Ask for both tables."""
-    yield speaking(language)(_BOTH_TABLES if scene.row.accelerations else _VELOCITY_TABLE)
-
-
-_ROWS = said("In every position these are found besides: {listed}.")
 _POSITION_TABLE = said("Lengths and angles are put into a table.")
 _PLAN = said(
     "The plan of positions is drawn for {n} position of the crank; the first one bears the number {first}.",
