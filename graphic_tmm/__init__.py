@@ -27,7 +27,6 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from graphic_tmm.any_angles.found import Motion as Motion
     from graphic_tmm.any_angles.found import PointMotion as PointMotion
-    from graphic_tmm.any_angles.motion import motion as motion
     from graphic_tmm.errors import AbsentError as AbsentError
     from graphic_tmm.errors import BareError as BareError
     from graphic_tmm.errors import ConstructionError as ConstructionError
@@ -44,6 +43,7 @@ if TYPE_CHECKING:
     from graphic_tmm.face.checks import Verdict as Verdict
     from graphic_tmm.face.drawn import Drawn as Drawn
     from graphic_tmm.face.drawn import draw as draw
+    from graphic_tmm.face.motion import motion as motion
     from graphic_tmm.face.quantity import Quantity as Quantity
     from graphic_tmm.face.reading import read as read
     from graphic_tmm.face.reading import scenes as scenes
@@ -82,7 +82,7 @@ _HOMES = {
     "Verdict": "face.checks",
     "ViewError": "errors",
     "draw": "face.drawn",
-    "motion": "any_angles.motion",
+    "motion": "face.motion",
     "read": "face.reading",
     "scenes": "face.reading",
 }

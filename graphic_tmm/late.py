@@ -18,6 +18,9 @@ from importlib import import_module
 from threading import Lock
 from typing import Any
 
+from graphic_tmm.errors import MissingError
+from graphic_tmm.language.said import said
+
 _ONE_AT_A_TIME = Lock()
 
 
@@ -102,3 +105,18 @@ def late(package: str) -> Iterator[None]:
             yield
         finally:
             builtins.__import__ = usual
+
+
+def needed(module: str, package: str) -> Any:
+    """Return a module that may be missing.
+
+    Raises
+    ------
+    MissingError
+        If it is: how its package is installed.
+    """
+    try:
+        return import_module(module)
+    except ImportError as error:
+        says = said("this needs the package {package}: pip install {package}", package=package)
+        raise MissingError(says) from error

@@ -2,18 +2,62 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields
 from typing import Any
+
+import numpy as np
 
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.errors import ConstructionError
 from graphic_tmm.language.said import said
+from graphic_tmm.late import needed
+from graphic_tmm.moving import Plan, Quantity
 
 Points = Mapping[tuple[str, int], Complexes]
 """Of a letter on a link, x + iy in the frame's axes, (angle,)."""
 OF_LINKS = 4
 """Behind the angles and what is told of points."""
+PLAN_OF: Mapping[Quantity, Plan] = {
+    "places": "positions",
+    "velocities": "velocities",
+    "accelerations": "accelerations",
+    "omega": "velocities",
+    "epsilon": "accelerations",
+    "forces": "forces",
+    "balance": "forces",
+}
+"""By which plan a quantity is found."""
+COMPONENTS = {"places": "", "velocities": "v", "accelerations": "a"}
+"""How the components of what is told of a point are called in a data frame: D.x, D.vx, D.ax."""
+SHOWN = 6
+"""So many names are told where a motion is shown."""
+
+
+class NotAsked(Mapping[Any, Any]):
+    """A quantity that was not asked for: it is false, and says how to ask when something of it is wanted."""
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+
+    def __getitem__(self, key: object) -> Any:
+        raise self._error()
+
+    def __iter__(self) -> Iterator[Any]:
+        raise self._error()
+
+    def __len__(self) -> int:
+        return 0
+
+    def __repr__(self) -> str:
+        return f"<{self._error()}>"
+
+    def _error(self) -> ConstructionError:
+        says = said(
+            'motion: {plan} were not asked for: write plans=["{plan}"], or name it among others',
+            plan=self.plan,
+        )
+        return ConstructionError(says)
 
 
 @dataclass(frozen=True)
@@ -27,24 +71,17 @@ class PointMotion:
     @property
     def place(self) -> Complexes:
         """Where it is, m."""
-        return self._told(self.of.places, "positions")
+        return self.of.places[self._key]
 
     @property
     def velocity(self) -> Complexes:
         """Its velocity, m/s."""
-        return self._told(self.of.velocities, "velocities")
+        return self.of.velocities[self._key]
 
     @property
     def acceleration(self) -> Complexes:
         """Its acceleration, m/s²."""
-        return self._told(self.of.accelerations, "accelerations")
-
-    def _told(self, values: Points, plan: str) -> Complexes:
-        if not values:
-            raise ConstructionError(
-                said("motion: {plan} were not asked for: name them among plans", plan=plan)
-            )
-        return values[self._key]
+        return self.of.accelerations[self._key]
 
     @property
     def _key(self) -> tuple[str, int]:
@@ -61,6 +98,7 @@ class Motion:
     NaN where nothing assembles. What is the same at all angles is an array of one number repeated, which takes
     no memory and cannot be written to; a point of two links that are pinned together is one array. ``k["D"]``
     is the point D: ``k["D"].place``, ``.velocity``, ``.acceleration``; ``k["D", 5]`` as a point of link 5.
+    What was not asked for raises, when something of it is wanted, an error that says how to ask.
 
     Attributes
     ----------
@@ -114,7 +152,7 @@ class Motion:
                     "motion: there is no point {point}; there are {known}", point=point, known=known
                 )
             )
-        if any(not self._same(keys[0], key) for key in keys[1:]):
+        if not self._same_everywhere(point):
             known = ", ".join(f"{key}" for key in keys)
             raise ConstructionError(
                 said(
@@ -129,18 +167,59 @@ class Motion:
         """Whether there is a point of that letter, or of that (letter, link)."""
         return any(point in (key, key[0]) for key in self._points)
 
+    def to_pandas(self) -> Any:
+        """Return a data frame: a row an angle, a column a component, in SI.
+
+        Returns
+        -------
+        pandas.DataFrame
+            ``angle_deg``; of points ``D.x``, ``D.y``, ``D.vx``, ``D.vy``, ``D.ax``, ``D.ay``, where links
+            differ in theirs ``D(5).x``; ``omega3``, ``epsilon3``; ``R12.x``, ``R12.y``; the balance.
+
+        Raises
+        ------
+        MissingError
+            If pandas is not installed.
+        """
+        found: dict[str, Reals] = {"angle_deg": self.angles}
+        for letter, link in self._points:
+            name = letter if self._same_everywhere(letter) else f"{letter}({link})"
+            for quantity, of in COMPONENTS.items():
+                if values := getattr(self, quantity):
+                    found |= _components(f"{name}.{of}", values[letter, link])
+        found |= {f"omega{link}": row for link, row in self._of("omega").items()}
+        found |= {f"epsilon{link}": row for link, row in self._of("epsilon").items()}
+        for name, row in self._of("forces").items():
+            found |= _components(f"{name}.", row)
+        return needed("pandas", "pandas").DataFrame({**found, **self._of("balance")})
+
+    def _of(self, quantity: str) -> Mapping[Any, Any]:
+        """Return what is told of a quantity; nothing of one that was not asked for."""
+        return getattr(self, quantity) or {}
+
     @property
     def _points(self) -> dict[tuple[str, int], Any]:
-        return dict.fromkeys((*self.places, *self.velocities, *self.accelerations))
+        return dict.fromkeys(key for quantity in COMPONENTS for key in self._of(quantity))
 
-    def _same(self, one: tuple[str, int], other: tuple[str, int]) -> bool:
-        plans = (self.places, self.velocities, self.accelerations)
-        return all(plan.get(one) is plan.get(other) for plan in plans)
+    def _same_everywhere(self, letter: str) -> bool:
+        """Whether the points of all links at a letter move as one."""
+        first, *others = (key for key in self._points if key[0] == letter)
+        plans = [self._of(quantity) for quantity in COMPONENTS]
+        return all(plan.get(first) is plan.get(one) for plan in plans for one in others)
 
     def __repr__(self) -> str:
-        letters = ", ".join(dict.fromkeys(letter for letter, _ in self._points))
-        there = {"points": letters}
+        there = {"points": _listed(letter for letter, _ in self._points)}
         for one in fields(self)[OF_LINKS:]:
-            there[one.name] = ", ".join(map(str, getattr(self, one.name)))
+            there[one.name] = _listed(getattr(self, one.name) or ())
         told = "; ".join(f"{name} {value}" for name, value in there.items() if value)
         return f"<motion at {self.angles.size} angles: {told}>"
+
+
+def _listed(names: Iterable[object]) -> str:
+    """Return the first of some names, each once."""
+    every = list(dict.fromkeys(map(str, names)))
+    return ", ".join(every if len(every) <= SHOWN else [*every[: SHOWN - 1], "..."])
+
+
+def _components(name: str, vector: Complexes) -> dict[str, Reals]:
+    return {f"{name}x": np.real(vector), f"{name}y": np.imag(vector)}

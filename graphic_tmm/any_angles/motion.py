@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
-from typing import cast, get_args
+from collections.abc import Collection, Mapping, Sequence
+from functools import partial
+from typing import Any, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from graphic_tmm.any_angles.found import Motion
+from graphic_tmm.any_angles.found import PLAN_OF, Motion, NotAsked
 from graphic_tmm.any_angles.recorded import recorded
 from graphic_tmm.board.road import translator
 from graphic_tmm.board.values import Reals
@@ -30,41 +31,12 @@ def motion(
     angles: ArrayLike,
     points: Collection[str] | None = None,
     *,
-    plans: Collection[Plan] = PLANS,
+    plans: Plan | Collection[Plan] = PLANS,
     exact: bool = False,
     fast: bool | None = None,
     threads: int | None = None,
 ) -> Motion:
-    """Draw plans of a scene at angles of its crank and return what they say, in SI.
-
-    The log is recorded at the first call and kept beside the scene; only the steps are run that what is asked
-    for needs. Arrays of a call that is compiled lie side by side in one piece of memory, which goes when the
-    last of them does.
-
-    Parameters
-    ----------
-    scene
-        A scene with a mechanism. Its scale factors and its hand hold; of a hand that slips, the first
-        drawing.
-    angles
-        Directions of the crank from the x axis, degrees, counter-clockwise positive: a number or a row.
-    points
-        Letters of the points wanted; None for all.
-    plans
-        What is wanted, of "positions", "velocities" (with ω), "accelerations" (with ε), and "forces": the
-        reactions and what balances the crank, of a scene that has loads. A load by the travel of a slider turns
-        at the ends of its travel; one by the angle or by the position is read off its diagram along straight
-        lines, gas off the indicator diagram as drawn. They go with the cycle, which begins at the zero
-        position; its angles go on to 720° where it takes two turns.
-    exact
-        Read without the ruler's rounding.
-    fast
-        Whether the log is compiled (extra ``fast``), to the same numbers within 1e-12; None: where llvmlite is
-        installed, at any number of angles. A process' first call for a kind of mechanism takes some hundredths
-        of a second more then, less where the code is kept on the disk; every other one takes a tenth, of
-        mechanisms of other lengths too. It hangs on nothing that was called before.
-    threads
-        How many threads a compiled log may use; None: as many as there are. The numbers do not depend on it.
+    """Draw plans of a scene at angles of its crank and return what they say, in SI; see `face.motion`.
 
     Raises
     ------
@@ -75,17 +47,9 @@ def motion(
     ConstructionError
         If a point or a plan is unknown, the angles are no row of numbers, or ``fast`` is asked for and cannot
         be had.
-
-    Examples
-    --------
-    >>> import graphic_tmm
-    >>> scene = graphic_tmm.read("sheets/windrower")
-    >>> k = graphic_tmm.motion(scene, [0, 90, 180], ["C", "D"])
-    >>> k["D"].velocity.shape, k.omega[3].shape
-    ((3,), (3,))
     """
     row = _row(angles)
-    asked = frozenset(plans if not isinstance(plans, str) else (cast(Plan, plans),))
+    asked: frozenset[Plan] = frozenset((plans,) if isinstance(plans, str) else plans)
     if not asked <= ALL:
         says = said(
             "motion: there is no plan {name}; there are {known}",
@@ -108,7 +72,12 @@ def motion(
     # a product of the row with itself tells in one pass whether all of it can be turned by
     at = row if math.isfinite(row.dot(row)) else np.where(np.isinf(row), np.nan, row)
     fast = translator() if fast is None else fast
-    return Motion(row, *ready.told(at, of.known, fast=fast, threads=threads))
+    told = ready.told(at, of.known, fast=fast, threads=threads)
+    return Motion(row, *map(partial(_unless, asked), PLAN_OF.values(), told))
+
+
+def _unless(asked: frozenset[Plan], plan: Plan, told: dict[Any, Any]) -> Mapping[Any, Any]:
+    return told if plan in asked else NotAsked(plan)
 
 
 def _row(angles: ArrayLike) -> Reals:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -104,6 +104,8 @@ def _ten(number: Reals) -> Any:
 
 
 EXACT = Hand()
+HandName = Literal["exact", "cad", "careful", "student"]
+"""What hands are called."""
 HANDS = {
     "exact": EXACT,
     "cad": Hand(ruler=0.01, prick=0.002, compass=0.002, swing=0.002, reading=0.0, digits=6),

@@ -10,7 +10,7 @@ import numpy as np
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.findings import examine
-from graphic_tmm.board.hand import HANDS
+from graphic_tmm.board.hand import HANDS, HandName
 from graphic_tmm.board.operations import formulas  # noqa: F401 - entered into the table by being read
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Complexes, Point, Reals
@@ -79,7 +79,7 @@ class Board(Drafting):
     def __init__(
         self,
         *,
-        hand: str = "exact",
+        hand: HandName = "exact",
         seed: int = 0,
         trials: int = 1,
         language: str = "en",

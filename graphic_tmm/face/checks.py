@@ -8,9 +8,8 @@ import json
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple, get_args
 
-from graphic_tmm.checking.judging.reader import POINTS
 from graphic_tmm.checking.readings.read import read_readings, readings_of
 from graphic_tmm.checking.records import Report, Taken
 from graphic_tmm.checking.report.html import html_report
@@ -24,8 +23,10 @@ Readings = (
     str | os.PathLike[str] | bytes | Mapping[str, Sequence[Any]] | Iterable[Mapping[str, Any]]
 )
 """What readings may be taken from."""
-JUDGES = ("cad", "careful", "student")
+Judge = Literal["cad", "careful", "student"]
 """Hands by whose drawings readings may be judged: those that slip."""
+Way = Literal["paper", "screen", "photo"]
+"""How points are read."""
 WIDTH = 110
 """Characters of a line of a printed report."""
 NAME = "readings"
@@ -143,7 +144,7 @@ class Check:
         MissingError
             If pandas is not installed.
         """
-        from graphic_tmm.face.needs import needed
+        from graphic_tmm.late import needed
 
         return needed("pandas", "pandas").DataFrame(self.to_records())
 
@@ -236,7 +237,7 @@ def judges(hand: str, points: str, trials: int, doubtful: float, wrong: float) -
     SheetError
         If a number is out of its range.
     """
-    for name, known in ((hand, JUDGES), (points, tuple(POINTS))):
+    for name, known in ((hand, get_args(Judge)), (points, get_args(Way))):
         if name not in known:
             raise absent(name, known)
     limits = {"trials": (trials, 20, 100_000), "doubtful": (doubtful, 0.5, 1.0)}

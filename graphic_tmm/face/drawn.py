@@ -7,15 +7,17 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from graphic_tmm.board.hand import HANDS
-from graphic_tmm.errors import AbsentError, SceneError, SheetError
+from graphic_tmm.board.hand import HANDS, HandName
+from graphic_tmm.errors import AbsentError, SceneError, SheetError, TmmError
 from graphic_tmm.face.asked import Named, absent, within
+from graphic_tmm.face.html import rendered
 from graphic_tmm.face.quantity import Quantity
 from graphic_tmm.face.reading import Source, read
 from graphic_tmm.face.sheets import Sheet
 from graphic_tmm.face.tables import Table
 from graphic_tmm.face.told import Steps, steps_of
 from graphic_tmm.face.work import Work
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.protocol import plans, told
 from graphic_tmm.readers.table import facts_of, scales_of
@@ -26,7 +28,7 @@ from graphic_tmm.scene.records import Scene
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from graphic_tmm.face.checks import Check, Readings
+    from graphic_tmm.face.checks import Check, Judge, Readings, Way
 
 MOST = 100_000
 """So often a hand draws at the most."""
@@ -35,7 +37,7 @@ MOST = 100_000
 def draw(
     scene: Source = None,
     *,
-    hand: str | None = None,
+    hand: HandName | None = None,
     seed: int | None = None,
     trials: int = 1,
     exact: bool = False,
@@ -253,8 +255,8 @@ class Drawn:
         self,
         readings: Readings,
         *,
-        hand: str = "student",
-        points: str = "paper",
+        hand: Judge = "student",
+        points: Way = "paper",
         trials: int = 400,
         doubtful: float = 0.97,
         wrong: float = 5.0,
@@ -331,6 +333,16 @@ class Drawn:
         from graphic_tmm.face.plots import plotted
 
         return plotted(self.table(plan), segments, ax, self.scene.language)
+
+    def _repr_html_(self) -> str:
+        """Return the first sheet for a notebook, and how many more there are; why there is none."""
+        _ = speaking(self.scene.language)
+        try:
+            sheets = self.sheets
+        except TmmError as error:
+            return rendered("said.html", title=self.scene.title, lines=error.told(_).splitlines())
+        more = _("and {n} more: .sheets", n=len(sheets) - 1) if len(sheets) > 1 else ""
+        return sheets[0]._repr_html_() + rendered("said.html", title="", lines=[more])
 
     def __repr__(self) -> str:
         scene = self.scene

@@ -16,7 +16,6 @@ author may move a view by hand; what does not fit any more is put elsewhere, and
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from types import MappingProxyType
@@ -27,7 +26,7 @@ from graphic_tmm.errors import Fault, SceneError, first_of
 from graphic_tmm.files import Kind
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.formats import FORMATS
-from graphic_tmm.scene.document import Document, document, parsed, table
+from graphic_tmm.scene.document import Document, document, number, parsed, table
 
 FILE = "composition.toml"
 COMPOSITION = Kind(
@@ -37,6 +36,8 @@ DIGITS = 2
 """Places are told to so many decimals of a mm, and drawn so."""
 MOST = 20
 """So many faults of a file are told."""
+LEAST, LARGEST = 1e-3, 1e4
+"""What is drawn in less is a dot on paper, in more no paper holds it: mm, or a share of the usual."""
 
 
 class Placed(NamedTuple):
@@ -122,10 +123,12 @@ def known_composition(data: bytes, file: Path) -> Composition:
 
 def _composition(file: Path, doc: Document) -> Composition:
     faults: list[Fault] = []
-    sizes = table(doc.get("sizes"))
+    sizes = _table(doc, "sizes", "sizes", faults)
     for name, size in sizes.items():
-        if not _number_is(size, above=0.0):
-            faults.append(Fault(f"sizes.{name}", 0, said("a number above 0 is wanted")))
+        if not LEAST <= (number(size) or 0.0) <= LARGEST:
+            limits = {"least": f"{LEAST:g}", "most": f"{LARGEST:g}"}
+            says = said("a number from {least} to {most} is wanted", **limits)
+            faults.append(Fault(f"sizes.{name}", 0, says))
     sheets = doc.get("sheet")
     found = [
         _sheet(table(one), f"sheet {k + 1}", faults)
@@ -139,26 +142,33 @@ def _composition(file: Path, doc: Document) -> Composition:
 
 
 def _sheet(told: Document, where: str, faults: list[Fault]) -> Placed:
-    order, format, views = told.get("order"), told.get("format"), table(told.get("views"))
+    order, format = told.get("order"), told.get("format")
+    views = _table(told, "sheet.views", f"{where}, views", faults)
     if not isinstance(order, int) or isinstance(order, bool) or order < 1:
         faults.append(
             Fault(f"{where}, order", 0, said("the number of a [[sheet]] of the scene is wanted"))
         )
         order = 1
-    if format not in FORMATS:
+    if not isinstance(format, str) or format not in FORMATS:
         listed = ", ".join(FORMATS)
         faults.append(Fault(f"{where}, format", 0, said("choose one of {listed}", listed=listed)))
     places = {}
     for name, at in views.items():
-        if isinstance(at, list) and len(at) == 2 and all(map(_number_is, at)):
-            places[name] = complex(*at)
+        x, y = map(number, at) if isinstance(at, list) and len(at) == 2 else (None, None)
+        if x is not None and y is not None:
+            places[name] = complex(x, y)
         else:
             says = said("a corner is wanted: [x, y] in mm from the lower left corner of the paper")
             faults.append(Fault(f"{where}, views.{name}", 0, says))
     return Placed(order - 1, str(format), places)
 
 
-def _number_is(value: object, above: float = -math.inf) -> bool:
-    """Whether a value of the file is a finite number."""
-    there = isinstance(value, (int, float)) and not isinstance(value, bool)
-    return there and math.isfinite(value) and value > above  # type: ignore[operator, arg-type]
+def _table(doc: Document, name: str, where: str, faults: list[Fault]) -> Document:
+    """Return a table of the file; an empty one where there is none, or something else."""
+    found = doc.get(name.rpartition(".")[2], {})
+    if not isinstance(found, dict):
+        says = said(
+            "a section is wanted: [{name}] on a line of its own, its keys below it", name=name
+        )
+        faults.append(Fault(where, 0, says))
+    return table(found)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import tomllib
 from pathlib import Path
@@ -101,3 +102,14 @@ def raw_links(doc: Document) -> list[tuple[Place, Document]]:
 def table(value: object) -> Document:
     """Return a value of the document if it is a table, else an empty one."""
     return value if isinstance(value, dict) else {}
+
+
+def number(value: object) -> float | None:
+    """Return a value of the document if it is a number that arithmetic can hold; None of all else."""
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return None
+    try:
+        found = float(value)
+    except OverflowError:
+        return None
+    return found if math.isfinite(found) else None

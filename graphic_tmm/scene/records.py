@@ -20,7 +20,7 @@ from graphic_tmm.scene.places import called_by
 from graphic_tmm.scene.registry import sections
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Scene:
     """A scene: the mechanism, its motion, the plans wanted and the sheets they are placed on.
 
@@ -57,6 +57,11 @@ class Scene:
     left_out: Mapping[str, str] = field(default_factory=dict)
     told: Mapping[str, int] = field(default_factory=dict)
     doc: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
+
+    def __repr__(self) -> str:
+        links = "" if self.mechanism is None else f", {len(self.mechanism.links)} moving links"
+        tasks = "".join(f", [{name}]" for name, task in self.tasks.items() if task is not None)
+        return f"<Scene {self.title!r} of {self.source}{links}{tasks}>"
 
     @cached_property
     def cache(self) -> dict[Any, Any]:

@@ -142,8 +142,18 @@ def test_no_plan_is_run_that_nobody_asked_for() -> None:
     found = graphic_tmm.motion(read(SHEETS / "windrower"), ANGLES, "D", plans=["velocities"])
     assert set(found.velocities) == {("D", 4), ("D", 5)}
     assert not any(map(len, (found.places, found.accelerations, found.epsilon, found.forces)))
-    with pytest.raises(ConstructionError, match="positions were not asked for"):
+    with pytest.raises(
+        ConstructionError, match=r'positions were not asked for: write plans=\["pos'
+    ):
         _ = found["D"].place
+    for one in (found.forces, found.balance):
+        with pytest.raises(
+            ConstructionError, match=r'forces were not asked for: write plans=\["for'
+        ):
+            dict(one)
+        with pytest.raises(ConstructionError, match="forces were not asked for"):
+            one["R12"]
+        assert "forces were not asked for" in repr(one)
     with pytest.raises(ConstructionError, match="there is no plan speeds; there are positions"):
         graphic_tmm.motion(read(SHEETS / "windrower"), 0.0, plans=["speeds"])  # type: ignore[list-item]
     with pytest.raises(ConstructionError, match=r"asks for no forces: write \[forces\]"):

@@ -28,7 +28,8 @@ FORCES: tuple[Plan, ...] = (*PLANS, "forces")
 
 
 def numbers(found: Motion) -> list[np.ndarray]:
-    return [one for quantity in QUANTITIES for one in getattr(found, quantity).values()]
+    told = (getattr(found, quantity) or {} for quantity in QUANTITIES)
+    return [one for by_key in told for one in by_key.values()]
 
 
 def bytes_of(found: Motion) -> list[bytes]:
@@ -103,7 +104,9 @@ def test_compiled_and_executed_are_the_same(name: str) -> None:
     assert scene.mechanism is not None
     speed = abs(scene.mechanism.drive.speed)
     for quantity in QUANTITIES:
-        one, other = (np.array(list(getattr(of, quantity).values())) for of in (plain, fast))
+        one, other = (
+            np.array(list((getattr(of, quantity) or {}).values())) for of in (plain, fast)
+        )
         if one.size:
             # the links of a parallelogram turn as its crank does, or not at all
             top = max(np.nanmax(np.abs(one)), speed**2 if quantity == "epsilon" else 0.0)

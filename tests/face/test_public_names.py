@@ -10,7 +10,7 @@ import sys
 from collections.abc import Iterator
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 import pytest
@@ -20,7 +20,10 @@ from support.gallery import CASES, ROOT
 import graphic_tmm as tmm
 from graphic_tmm import errors
 from graphic_tmm.board.grammar import Operation
+from graphic_tmm.board.hand import HANDS, HandName
 from graphic_tmm.board.operations import instruments
+from graphic_tmm.checking.judging.reader import POINTS
+from graphic_tmm.face.checks import Judge, Way
 
 SCRIPT = CASES / "user_script.py"
 RECORDS = {"Fault", "Motion", "PointMotion", "Scene"}
@@ -160,8 +163,8 @@ def test_an_instrument_is_told_by_the_sentence_of_its_operation(name, op) -> Non
 # types
 
 
-@pytest.mark.slow
-def test_a_users_script_is_typed_by_mypy_strict(tmp_path: Path) -> None:
+def mypy(script: Path, folder: Path) -> str:
+    """Return what mypy --strict says of a script of a user."""
     done = subprocess.run(
         [
             sys.executable,
@@ -170,23 +173,55 @@ def test_a_users_script_is_typed_by_mypy_strict(tmp_path: Path) -> None:
             "--strict",
             "--config-file=",
             "--cache-dir",
-            tmp_path,
-            SCRIPT,
+            folder,
+            script,
         ],
-        cwd=tmp_path,
+        cwd=folder,
         env={"PYTHONPATH": str(ROOT), "MYPYPATH": str(ROOT), "PATH": ""},
         capture_output=True,
         text=True,
         check=False,
     )
-    mine = [line for line in done.stdout.splitlines() if "user_script.py" in line]
-    assert [line for line in mine if ": error:" in line] == [], done.stdout
-    shown = re.findall(r'user_script\.py:\d+: note: Revealed type is "(.+)"', done.stdout)
+    return done.stdout
+
+
+@pytest.mark.slow
+def test_a_users_script_is_typed_by_mypy_strict(tmp_path: Path) -> None:
+    told = mypy(SCRIPT, tmp_path)
+    mine = [line for line in told.splitlines() if "user_script.py" in line]
+    assert [line for line in mine if ": error:" in line] == [], told
+    shown = re.findall(r'user_script\.py:\d+: note: Revealed type is "(.+)"', told)
     assert len(shown) == SCRIPT.read_text(encoding="utf-8").count("\nreveal_type(") + 1
     bare = [one for one in shown if one == "Any" or one.startswith("Any ")]
     assert bare == []
     for due in ("records.Scene", "drawn.Drawn", "tables.Table", "quantity.Quantity", "Path"):
         assert any(due in one for one in shown), due
+
+
+WRONG = """
+import graphic_tmm as tmm
+tmm.draw("crank-rocker", hand="studnt")
+tmm.Board(hand="studnt")
+tmm.draw("crank-rocker").check("readings.csv", hand="exact")
+tmm.draw("crank-rocker").check("readings.csv", points="papper")
+tmm.motion("crank-rocker", 0.0, plans=["speeds"])
+tmm.motion("crank-rocker", 0.0, plans="speeds")
+"""
+
+
+@pytest.mark.slow
+def test_mypy_finds_hands_ways_and_plans_that_do_not_exist(tmp_path: Path) -> None:
+    script = tmp_path / "wrong.py"
+    script.write_text(WRONG, encoding="utf-8")
+    told = mypy(script, tmp_path)
+    found = {int(line) for line in re.findall(r"wrong\.py:(\d+): error: ", told)}
+    assert found == set(range(3, 9)), told
+
+
+def test_the_names_that_types_know_are_those_that_there_are() -> None:
+    assert get_args(HandName) == tuple(HANDS)
+    assert {"exact", *get_args(Judge)} == set(HANDS)
+    assert get_args(Way) == tuple(POINTS)
 
 
 def test_a_users_script_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -208,11 +208,11 @@ def cased(number_: int, one: Task) -> Case:
 # ---------------------------------------------------------------- the command
 
 
-def _only(number_: int, one: Task) -> int:
+def _only(number_: int, one: Task, work: Callable[[int], Case]) -> int:
     print(*one.line)
     data = one.minutes if one.command == "minutes" else one.readings
     print(data.decode("utf-8", "backslashreplace") if data else one.text)
-    print(found := cased(number_, one))
+    print(found := work(number_))
     return int(bool(found.fault))
 
 
@@ -248,10 +248,10 @@ def command(
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", type=int)
     asked = parser.parse_args()
+    seeded = partial(work, seed=asked.seed)
     if asked.only is not None:
-        return _only(asked.only, one(asked.seed, asked.only))
-    numbers = range(asked.first, asked.first + asked.count)
-    return _all(partial(work, seed=asked.seed), numbers, asked.jobs)
+        return _only(asked.only, one(asked.seed, asked.only), seeded)
+    return _all(seeded, range(asked.first, asked.first + asked.count), asked.jobs)
 
 
 if __name__ == "__main__":

@@ -28,25 +28,28 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from support.one_letter import scene
 
 TEMPLATE = "t.csv"
-LINES: tuple[tuple[str, ...], ...] = (
-    ("table", SCENE),
-    ("draw", SCENE, "-o", OUT, "-f", "svg,dxf", "--composition"),
-    ("table", SCENE, "-f", "csv", "--hand", "student", "--trials", "3"),
+EVERY: tuple[tuple[str, ...], ...] = (
     ("table", SCENE, "-f", "json", "--exact"),
+    ("draw", SCENE, "-o", OUT, "-f", "svg,dxf", "--composition"),
     ("steps", SCENE, "--why"),
-    ("steps", SCENE, "-p", "scales"),
-    ("steps", SCENE, "--sheets", "-o", OUT),
     ("note", SCENE, "-f", "md", "-o", OUT),
-    ("page", SCENE, "-o", OUT),
-    ("page", SCENE, "--practice", "-o", OUT),
     ("check", SCENE, "--template", "-o", f"{OUT}/{TEMPLATE}"),
-    ("check", SCENE, "--template", "--short", "-o", f"{OUT}/{TEMPLATE}"),
-    ("check", SCENE, CSV, "-f", "json", "--trials", "20"),
-    ("accuracy", SCENE, "-f", "json", "--trials", "10", "--no-time"),
-    ("task", SCENE, "-o", OUT, "-j", "0", "--keys", "sheets,table,page", "--readings"),
-    ("batch", SCENE, CSV, "-o", OUT, "--make", "draw,table,scene", "--jobs", "1"),
 )
-"""Every command that takes a scene; a composition that `draw` writes is used by those behind it."""
+"""What is run of every mechanism; a composition that `draw` writes is used by those behind it."""
+IN_TURN: tuple[tuple[str, ...], ...] = (
+    ("page", SCENE, "-o", OUT),
+    ("check", SCENE, CSV, "-f", "json", "--trials", "20"),
+    ("steps", SCENE, "--sheets", "-o", OUT),
+    ("table", SCENE, "-f", "csv", "--hand", "student", "--trials", "3"),
+    ("accuracy", SCENE, "-f", "json", "--trials", "10", "--no-time"),
+    ("page", SCENE, "--practice", "-o", OUT),
+    ("check", SCENE, "--template", "--short", "-o", f"{OUT}/{TEMPLATE}"),
+    ("task", SCENE, "-o", OUT, "-j", "0", "--keys", "sheets,table,page", "--readings"),
+    ("table", SCENE),
+    ("batch", SCENE, CSV, "-o", OUT, "--make", "draw,table,scene", "--jobs", "1"),
+    ("steps", SCENE, "-p", "scales", "-l", "ru"),
+)
+"""What is run of one mechanism each, in turn."""
 VARIANTS = "variant,drive.speed\n1,7 rad/s\n2,600 rpm\n"
 UNDEFINED = re.compile(r"(?<![\w.-])-?(nan|inf|None)(?![\w-])")
 """What no file and no line holds."""
@@ -61,10 +64,10 @@ class Told(NamedTuple):
     fault: str
 
 
-def told(text: str, folder: Path) -> Iterator[Told]:
-    """Run every command on a scene, in a folder in which it leaves what those behind it use."""
+def told(text: str, folder: Path, number: int) -> Iterator[Told]:
+    """Run commands on a scene, in a folder in which each leaves what those behind it use."""
     out, readings = folder / "out", b""
-    for line in LINES:
+    for line in (*EVERY, IN_TURN[number % len(IN_TURN)]):
         shutil.rmtree(out, ignore_errors=True)
         given = VARIANTS.encode() if line[0] == "batch" else readings
         status, seconds, fault = run(Task("", "", text, given, line=line), folder)
@@ -104,13 +107,22 @@ def filled(template: str, file: Path) -> bytes:
     return "\n".join(lines).encode()
 
 
+def task(seed: int, number: int) -> Task:
+    """Return the scene of a case."""
+    return Task("", "", scene(number, seed), None)
+
+
 def case(number: int, seed: int = 0) -> Case:
     """Run every command on one mechanism; the first fault of them, the largest status, all seconds."""
     folder = Path(tempfile.mkdtemp())
     try:
-        found = list(told(scene(number, seed), folder))
+        found = list(told(scene(number, seed), folder, number))
     finally:
         shutil.rmtree(folder)
     faults = [f"{' '.join(one.line)}: {one.fault}" for one in found if one.fault]
     most = max(one.status for one in found)
     return Case(number, "", "", most, sum(one.seconds for one in found), "\n".join(faults))
+
+
+if __name__ == "__main__":
+    sys.exit(command("Draw mechanisms at random by every command.", task, case, 300))

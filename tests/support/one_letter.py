@@ -51,7 +51,7 @@ def scene(number: int, seed: int = 0) -> str:
     pick = random.Random(f"{seed}:{number}")
     kinds, dyads = GROUPS[number % len(GROUPS)]
     drawn = assemble(lambda most: pick.randint(0, most), dyads, kinds)
-    mechanism, count = bare(pick, drawn.mechanism), pick.choice((1, 2, 3, 6, 8))
+    mechanism, count = bare(pick, drawn.mechanism), pick.choice((1, 1, 2, 2, 4, 6))
     text = text_of(mechanism, drawn.phi, count, "\n".join(_tail(pick, drawn, mechanism, count)))
     for link in mechanism.links:
         if link.inertia is not None:

@@ -17,7 +17,7 @@ from graphic_tmm.language.said import said
 GRAIN = 10.0
 """What is meant for the lever is told in multiples of this, mm."""
 _POINT = said(
-    "All points of what is detached lie in one: no length tells how large it is to be, so it keeps the scale of "
+    "All points of what is detached lie in one: no length tells how large to draw it, so it keeps the scale of "
     "the plan of positions."
 )
 

@@ -27,7 +27,7 @@ LEVER = 150.0
 DETACHED = 0.6
 """Room for the links of a detached group: a share of that for a plan of positions. About them go the arrows."""
 ROUNDED = 1e-9
-"""Points no farther apart than this share of how far out they lie are one point: a nanometre on the largest sheet."""
+"""Points no farther apart than this share of how far out they lie are one: a nanometre on the largest sheet."""
 POLYGON = 200.0
 """Room for a polygon of forces, mm."""
 

@@ -29,7 +29,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 from itertools import pairwise
-from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -37,7 +36,7 @@ from graphic_tmm.classroom.marks.rule import FIVE, WHOLE, Rule
 from graphic_tmm.errors import Fault, SceneError, first_of
 from graphic_tmm.files import Kind
 from graphic_tmm.language.said import said
-from graphic_tmm.scene.document import document
+from graphic_tmm.scene.document import document, number
 from graphic_tmm.scene.lines import line_of, locate
 from graphic_tmm.scene.tables import unknown_key
 
@@ -111,7 +110,7 @@ class _Reading:
         value = table.get(path[-1])
         if value is None:
             return None
-        if isinstance(value, bool) or not isinstance(value, (int, float)) or not isfinite(value):
+        if number(value) is None:
             self.fault(path, said("a number is wanted, such as 4 or 0.5"))
             return None
         exact = Fraction(repr(value))
