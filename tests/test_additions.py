@@ -66,7 +66,7 @@ def _points(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mar
     return (draft.draw(lay_off, which.lower(), over, draft.draw(op, "y", u, *given), free=True),)
 
 
-LAW = DrawnLaw("4-5-6-7", 5, _points)
+LAW = DrawnLaw("4-5-6-7", 5, _points, (2.1875, 84.0 * 5.0**0.5 / 25.0))
 '''
 LAW = """
 import sys

@@ -35,7 +35,8 @@ def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
             "position": Text(drawn.names[k]),
         }
         yield filled(_(words.APART), put)
-    most = greatest(drawn, found["ddS"], language)
+    sides = [greatest(drawn, found[name], language) for name in ("ddS_K", "ddS_K_after")]
+    most = max(filter(None, sides), key=lambda one: abs(one[0].value), default=None)
     if most is not None:
         yield filled(_(words.SHARPEST), {"value": most[0], "position": Text(most[1])})
 

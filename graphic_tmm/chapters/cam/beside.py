@@ -9,9 +9,12 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.cam import formulas as f
+from graphic_tmm.chapters.cam.laws import laws
 from graphic_tmm.chapters.cam.names import CAM
+from graphic_tmm.chapters.cam.phases import Phase
 from graphic_tmm.chapters.cam.plan import Cam
-from graphic_tmm.chapters.cam.task import CamTask, FlatFollower, RockerFollower
+from graphic_tmm.chapters.cam.read_off import risen
+from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CamTask, FlatFollower, RockerFollower
 from graphic_tmm.project import Bench
 
 VIEW = "cam-calculation"
@@ -24,7 +27,8 @@ class Beside(NamedTuple):
     ``along``: what a mm of the diagrams' base stands for, °/mm. ``dwells``: of those that there are, rad, by
     the number of the phase. ``left``: what is left up to each limit (Angle, or Number, m), by the name of a
     result. ``velocity`` and ``acceleration`` of the follower at all positions (m/s, m/s²; of a lever 1/s,
-    1/s²); None of a cam without a speed.
+    1/s²); None of a cam without a speed. ``peaks``: the largest dS/dφ and d²S/dφ² in size of each phase, by the
+    name of a result.
     """
 
     along: Mark
@@ -32,6 +36,7 @@ class Beside(NamedTuple):
     left: dict[str, Mark]
     velocity: Mark | None
     acceleration: Mark | None
+    peaks: dict[str, Mark]
 
 
 BESIDE: Made[Beside] = Made(aside(CAM.chapter))
@@ -43,7 +48,33 @@ def record_beside(bench: Bench) -> Beside:
     draft.open(VIEW)
     along = draft.draw(f.degrees_per_mm, "μ_φ", cam.diagrams.base.length, unit="°/mm")
     dwells = _dwells(draft, cam.order)
-    return Beside(along, dwells, _left(draft, cam, cam.order), *_motion(draft, cam, cam.order))
+    left, motion = _left(draft, cam, cam.order), _motion(draft, cam, cam.order)
+    return Beside(along, dwells, left, *motion, _peaks(draft, cam))
+
+
+def _peaks(draft: Draft, cam: Cam) -> dict[str, Mark]:
+    """Calculate the largest dS/dφ and d²S/dφ² of both phases by their laws: no position need stand there."""
+    found, diagrams = {}, cam.diagrams
+    unit = "rad" if isinstance(cam.order.follower, RockerFollower) else "m"
+    for phase, extent in zip(diagrams.turn.phases, diagrams.phases, strict=True):
+        ops = (f.peak_velocity, f.peak_acceleration)
+        for op, name, letter, factor in zip(
+            ops, ("dS", "ddS"), ("S′", "S″"), _factors(phase), strict=True
+        ):
+            own = draft.take(Number, f"k_{letter}", factor)
+            largest = f"{letter}_{{max}}"
+            found[f"{name}_max_{phase.name}"] = draft.draw(
+                op, largest, own, diagrams.stroke, extent, unit=unit, free=True
+            )
+    return found
+
+
+def _factors(phase: Phase) -> tuple[float, float]:
+    """Return the largest dS/dφ and d²S/dφ² of a law, of h/Φ and h/Φ²."""
+    if phase.law.name != BY_DIAGRAM:
+        return laws()[phase.law.name].peaks
+    lift, speed = risen(phase.law.points)
+    return speed / lift, max(abs(value) for _, value in phase.law.points) / lift
 
 
 def _dwells(draft: Draft, order: CamTask) -> dict[int, Mark]:

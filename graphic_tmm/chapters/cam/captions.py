@@ -61,6 +61,10 @@ CAPTIONS: dict[str, str] = {
     "left_roller_r0": said("[r] by r_{0} − r"),
     "left_roller_profile": said("[r] by curvature − r"),
     "left_curvature": "ρ_{min} − [ρ]",
+    "dS_max_rise": said("largest S′, rise"),
+    "ddS_max_rise": said("largest S″, rise"),
+    "dS_max_return": said("largest S′, return"),
+    "ddS_max_return": said("largest S″, return"),
 }
 
 SYMBOLS = (

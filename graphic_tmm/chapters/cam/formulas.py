@@ -38,6 +38,20 @@ def follower_acceleration(omega: Number, length: Length, mu: Number) -> Number:
 
 
 @formula(
+    why=said(
+        "The largest velocity of a law is a number of its own times that of an even motion, h/Φ."
+    )
+)
+def peak_velocity(factor: Number, stroke: Number, phase: Number) -> Number:
+    """{factor}·{stroke}/{phase}"""
+
+
+@formula(why=said("The largest acceleration of a law is a number of its own times h/Φ²."))
+def peak_acceleration(factor: Number, stroke: Number, phase: Number) -> Number:
+    """{factor}·{stroke}/{phase}²"""
+
+
+@formula(
     why=said("The base stands for the whole turn of 360°: so many degrees are a millimetre of it.")
 )
 def degrees_per_mm(base: Length) -> Number:

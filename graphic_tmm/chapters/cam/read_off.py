@@ -75,6 +75,18 @@ def balanced(points: Points) -> tuple[Points, float]:
     return tuple((u, value * factor if value < 0.0 else value) for u, value in points), factor
 
 
+def risen(points: Points) -> tuple[float, float]:
+    """Return what the follower rises by points of its acceleration, and its largest speed, in their unit."""
+    speed = lift = most = 0.0
+    for (u, a), (w, b) in pairwise(points):
+        if a * b < 0.0:
+            most = max(most, abs(speed + a * a * (w - u) / (2.0 * (a - b))))
+        lift += (w - u) * speed + (w - u) ** 2 * (2 * a + b) / 6.0
+        speed += (w - u) * (a + b) / 2.0
+        most = max(most, abs(speed))
+    return lift, most
+
+
 def moved(points: Points, parts: int, base: float) -> tuple[Points, list[float]] | None:
     """Return the points with each jump at the next of ``parts`` even divisions, and the shares of the jumps.
 

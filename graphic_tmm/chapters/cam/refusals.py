@@ -11,11 +11,11 @@ from graphic_tmm.bounds import POSITIVE, TaskError
 from graphic_tmm.chapters.cam.read_off import (
     EVEN,
     WHOLE,
-    Points,
     areas,
     balanced,
     legible,
     plain,
+    risen,
 )
 from graphic_tmm.chapters.cam.task import (
     BY_DIAGRAM,
@@ -150,17 +150,8 @@ def _fault_of(law: Law, base: float) -> str:
             "the areas of the acceleration diagram above and below the axis differ, so the follower would not "
             "stop: make them equal"
         )
-    if not _lift(balanced(plain(points))[0]) > 0.0:
+    if not risen(balanced(plain(points))[0])[0] > 0.0:
         return said(
             "by this diagram the follower goes the wrong way: begin with a positive acceleration"
         )
     return ""
-
-
-def _lift(points: Points) -> float:
-    """Return what the follower rises by points of its acceleration, in their unit."""
-    speed = lift = 0.0
-    for (u, a), (w, b) in pairwise(points):
-        lift += (w - u) * speed + (w - u) ** 2 * (2 * a + b) / 6.0
-        speed += (w - u) * (a + b) / 2.0
-    return lift

@@ -65,8 +65,9 @@ def _column(segment: str, unit: str, value: Reals, count: int, mm: Reals | None 
 
 
 def results(drawn: Drawn) -> Results:
-    """Return the results of a cam, and what is left up to its limits."""
-    return results_of(drawn, {**cam_marks(CAM.on(drawn)), **BESIDE.on(drawn).left})
+    """Return the results of a cam, what is left up to its limits, and the peaks of its laws."""
+    beside = BESIDE.on(drawn)
+    return results_of(drawn, {**cam_marks(CAM.on(drawn)), **beside.left, **beside.peaks})
 
 
 def cam_marks(made: Cam) -> Mapping[str, Mark]:

@@ -60,4 +60,4 @@ def _points(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mar
     return _DRAWN[which](draft, ground, height)
 
 
-LAW = DrawnLaw("constant acceleration", 3, _points, (0.5,))
+LAW = DrawnLaw("constant acceleration", 3, _points, (2.0, 4.0), (0.5,))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.cam import law_formulas as law
@@ -20,4 +22,4 @@ def _points(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mar
     return at_levels(draft, ground, which, levels)
 
 
-LAW = DrawnLaw("cosine", 2, _points)
+LAW = DrawnLaw("cosine", 2, _points, (math.pi / 2.0, math.pi**2 / 2.0))

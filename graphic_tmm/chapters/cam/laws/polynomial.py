@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Mark
@@ -21,4 +23,4 @@ def _points(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mar
     return (draft.draw(lay_off, which.lower(), over, long, free=True),)
 
 
-LAW = DrawnLaw("3-4-5", 4, _points)
+LAW = DrawnLaw("3-4-5", 4, _points, (1.875, 10.0 / math.sqrt(3.0)))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import join, meet, parallel
 from graphic_tmm.board.record import Mark
@@ -25,4 +27,4 @@ def _points(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mar
     return at_levels(draft, ground, which, levels)
 
 
-LAW = DrawnLaw("sine", 1, _points)
+LAW = DrawnLaw("sine", 1, _points, (2.0, 2.0 * math.pi))

@@ -1,0 +1,75 @@
+"""The largest dS/dφ and d²S/dφ² are those of the law, whether a position stands there or not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import graphic_tmm
+
+U = np.linspace(0.0, 1.0, 400_001)
+"""At a smooth peak the nearest of these is off by less than 2e-11 of it."""
+RISE, FALL, STROKE = np.radians(110.0), np.radians(95.0), 0.03
+
+
+def cosine(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    return np.pi / 2 * np.sin(np.pi * u), np.pi**2 / 2 * np.cos(np.pi * u)
+
+
+def sine(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    return 1 - np.cos(2 * np.pi * u), 2 * np.pi * np.sin(2 * np.pi * u)
+
+
+def polynomial(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    s = np.polynomial.Polynomial([0, 0, 0, 10, -15, 6])
+    return s.deriv(1)(u), s.deriv(2)(u)
+
+
+def even(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    return np.where(u < 0.5, 4 * u, 4 - 4 * u), np.where(u < 0.5, 4.0, -4.0)
+
+
+def by_points(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Of POINTS, by sums of strips: the stroke is made 1."""
+    a = np.interp(u, *np.array(POINTS).T)
+    step = u[1] - u[0]
+    speed = np.concatenate([[0.0], np.cumsum((a[1:] + a[:-1]) / 2 * step)])
+    lift = float(np.sum((speed[1:] + speed[:-1]) / 2 * step))
+    return speed / lift, a / lift
+
+
+POINTS = [(0.0, 0.5), (0.3, 2.0), (0.7, -2.0), (1.0, -0.5)]
+LAWS = {
+    '"cosine"': cosine,
+    '"sine"': sine,
+    '"3-4-5"': polynomial,
+    '"constant acceleration"': even,
+    '"diagram"': by_points,
+}
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("follower", ["flat", "rocker"])
+def test_peaks_are_those_of_the_law(tmp_path: Path, law: str, follower: str) -> None:
+    rocks = follower == "rocker"
+    sizes = 'lever = "100 mm"\nr0 = "60 mm"\ncentres = "150 mm"\n' if rocks else ""
+    points = (
+        f"law_points = {[list(p) for p in POINTS]}\nreturn_points = {[list(p) for p in POINTS]}\n"
+    )
+    stroke = "20 deg" if rocks else f"{STROKE} m"
+    path = tmp_path / "scene.toml"
+    path.write_text(
+        f'title = "T"\nlanguage = "en"\n[cam]\nstroke = "{stroke}"\nrise = 110\n'
+        f'upper_dwell = 20\nfall = 95\nlaw = {law}\nfollower = "{follower}"\n{sizes}'
+        f"{points if 'diagram' in law else ''}"
+    )
+    found = graphic_tmm.draw(path).results
+    own: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]] = LAWS[law]
+    speed, second = (float(np.abs(one).max()) for one in own(U))
+    high = np.radians(20.0) if rocks else STROKE
+    for name, extent in (("rise", RISE), ("return", FALL)):
+        assert found[f"dS_max_{name}"].value == pytest.approx(high * speed / extent, rel=1e-9)
+        assert found[f"ddS_max_{name}"].value == pytest.approx(high * second / extent**2, rel=1e-9)
