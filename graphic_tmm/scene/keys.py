@@ -9,6 +9,7 @@ from graphic_tmm.scene import quantities, tables
 from graphic_tmm.scene.declare import Key, Kind, Section, Sort, keys_of
 from graphic_tmm.scene.drawing import Head
 from graphic_tmm.scene.sections import LENGTHS, declared
+from graphic_tmm.scene.units import UNITS
 from graphic_tmm.scene.written import default_text, toml
 
 HEAD = f"""# The keys of a scene
@@ -26,7 +27,19 @@ def reference() -> str:
     for section in declared().values():
         first = (section.record.__doc__ or "").partition("\n")[0]
         made += _page(_headed(section), first, section.record)
-    return "\n".join(made)
+    return "\n".join((*made, *_units()))
+
+
+def _units() -> Iterator[str]:
+    """Yield the units of every quantity, in each spelling that is read."""
+    yield "## Units\n"
+    yield "A weight may stand for a mass: a kgf is a kg, a lbf a lb, newtons are divided by g.\n"
+    yield "| of | units |"
+    yield "|---|---|"
+    for dimension in dict.fromkeys(unit.dimension for unit in UNITS.values()):
+        known = (name for name, unit in UNITS.items() if unit.dimension == dimension)
+        yield f"| {quantities.article(dimension)} | {', '.join(known)} |"
+    yield ""
 
 
 def _headed(section: Section) -> str:

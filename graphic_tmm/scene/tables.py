@@ -173,7 +173,7 @@ def _table_wanted(path: Path, record: type | None) -> str:
         return said(
             "a section is wanted: [{name}] on a line of its own, its keys below it", name=path[0]
         )
-    return said("a table is wanted, {{ key = value }}")
+    return said("a table is wanted, { key = value }")
 
 
 def _example(record: type) -> str:

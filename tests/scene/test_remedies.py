@@ -9,13 +9,16 @@ from contextlib import suppress
 from itertools import product
 from pathlib import Path
 
+import pytest
 from support.declared_keys import ALL
 from support.refusals import SCENE
+from support.scenes import slider_crank
 from support.wrong_scenes import CASES
 
-from graphic_tmm.errors import SceneError
+from graphic_tmm.errors import SceneError, TmmError
 from graphic_tmm.scene.declare import Found, Key
 from graphic_tmm.scene.read import judged
+from graphic_tmm.studio import make
 
 FILE = Path("scene.toml")
 WRITTEN = re.compile(
@@ -170,3 +173,86 @@ def test_every_remedy_that_is_printed_helps() -> None:
         if _helps(old, wrong, remedy, message) is None
     ]
     assert not bad, "\n".join(map(str, bad))
+
+
+NARROW = """title = "Narrow"
+language = "en"
+[frame]
+A = [-3.74, -2.41]
+G = [7.32, -3.51]
+[[link]]
+number = 1
+points = { A = [0, 0], B = [3.47324, 0] }
+[[link]]
+number = 2
+points = { B = [0, 0], C = [4.326708, 0], D = [2.120781, 3.355993] }
+side = "left of BG"
+[[link]]
+number = 3
+points = { G = [0, 0], C = [6.962126, 0], F = [3.206147, -6.119855] }
+[[link]]
+number = 4
+points = { D = [0, 0], E = [5.476532, 0] }
+side = "left of DF"
+[[link]]
+number = 5
+points = { F = [0, 0], E = [3.633896, 0] }
+[drive]
+link = 1
+speed = 1
+"""
+LOAD = '[[load]]\nlink = {link}\npoint = "{point}"\ndirection = "against velocity"\n{size}\n'
+BY_TRAVEL = 'of = "{point}"\nout = [[0, "0 N"], [1, "90 N"]]\nback = [[0, "0 N"], [1, "0 N"]]'
+BY_ANGLE = 'by_angle = [[0, "0 N"], [90, "90 N"], [360, "0 N"]]'
+VEE = slider_crank(
+    'speed = 10\nzero = { point = "B", at = "right" }\n'
+    + LOAD.format(link=3, point="B", size=BY_TRAVEL.format(point="B"))
+    + LOAD.format(link=5, point="D", size=BY_TRAVEL.format(point="D"))
+    + "[forces]\npositions = [1]\n",
+    of_slider="""[[link]]
+number = 4
+points = { A = [0, 0], D = [0.35, 0] }
+[[link]]
+number = 5
+points = { D = [0, 0] }
+slides = { on = "frame", along = "y", side = "+" }
+""",
+).replace("angle = 0 }", "angle = 0 }\ny = { through = [0, 0], angle = 90 }")
+STILL = slider_crank(
+    'speed = 0\n[[load]]\nlink = 3\npoint = "B"\nforce = "90 N"\ndirection = 0\n[forces]\n'
+)
+ROD = slider_crank(
+    "speed = 10\n[effects]\ngravity = true\n[forces]\npositions = [1]\n",
+    of_rod='mass = "2 kg"\nrod = "0.35 m"\n',
+    of_slider='mass = "3 kg"\ncentre = "B"\n',
+)
+SLIDER_DRIVES = slider_crank("speed = 1\n").replace(
+    "link = 1\nspeed = 1", 'link = 3\nspeed = "0.2 m/s"'
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "words", "old", "new"),
+    [
+        (NARROW, r"extra = \[[^\]]*\]", "speed = 1\n", "speed = 1\n{0}\n"),
+        (STILL, r'"0.001 rad/s"', "speed = 0", "speed = {0}"),
+        (
+            ROD,
+            r"(S2), of an even rod halfway from A to B",
+            "B = [0.35, 0]",
+            "B = [0.35, 0], {0} = [0.175, 0]",
+        ),
+        (SLIDER_DRIVES, '"380 rpm"', 'link = 3\nspeed = "0.2 m/s"', "link = 1\nspeed = {0}"),
+        (VEE, "by_angle", BY_TRAVEL.format(point="D"), BY_ANGLE),
+    ],
+    ids=["range", "standstill", "rod", "slider", "travels"],
+)
+def test_a_remedy_of_a_mechanism_draws_it(text: str, words: str, old: str, new: str) -> None:
+    with pytest.raises(TmmError) as refused:
+        make(judged(text.encode(), FILE))
+    found = re.search(words, str(refused.value))
+    assert found, str(refused.value)
+    mended = text.replace(old, new.format(found[found.re.groups]) if "{0}" in new else new, 1)
+    if "rod =" in text:
+        mended = mended.replace("rod =", 'centre = "S2"\nrod =')
+    make(judged(mended.encode(), FILE))

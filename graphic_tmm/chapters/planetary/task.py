@@ -98,7 +98,9 @@ def _teeth(value: object, names: Names) -> tuple[int | None, ...]:
         raise ValueError(
             stands(
                 value,
-                said('a list of tooth numbers is wanted, [25, "?", "?"]: a "?" for one to be found'),
+                said(
+                    'a list of tooth numbers is wanted, [25, "?", "?"]: a "?" for one to be found'
+                ),
             )
         )
     return tuple(None if z == "?" else z for z in value)
