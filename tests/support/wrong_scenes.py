@@ -68,7 +68,7 @@ VALUES = [
     ('"left of AC"', '"over AC"', ["link 3, side", 'write "left of AC"']),
     ("link = 1\n", "link = 4\n", ["drive.link", "no link 4; links are 0, 1, 2, 3"]),
     ("link = 1\n", "link = 0\n", ["drive.link", "is the frame", "name the crank"]),
-    ('"120 rpm"', "0", ["drive.speed", "stands still", 'as small as "0.001 rad/s"']),
+    ('"120 rpm"', "0", ["drive.speed", "stands still", '"0.001 rad/s"']),
     ('"120 rpm"', '"-120 rpm"', ["drive.speed", 'write it positive and turns = "clockwise"']),
     ('"counterclockwise"', '"left"', ["drive.turns", 'one of "counterclockwise"']),
     ("positions = 12", "positions = 0", ["drive.positions", "whole number 1 to"]),
