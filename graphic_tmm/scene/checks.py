@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import chain
 from typing import Any
 
@@ -40,7 +40,7 @@ def check(parts: Parts) -> Iterator[Found]:
             yield from _sense(at, slide, parts)
     plans, scales = parts.said["plans"], parts.said["scales"]
     if parts.drive is not None:
-        yield from _row(parts.drive)
+        yield from _row(parts.drive, [*parts.names.moving])
         if plans is not None and plans.main is not None:
             yield from _position(parts.drive, ("plans", "main"), plans.main)
     if scales is not None:
@@ -176,11 +176,14 @@ def _sense(path: Path, slide: Slide, parts: Parts) -> Iterator[Found]:
         yield Found((*path, "side"), error.args[0])
 
 
-def _row(drive: Drive) -> Iterator[Found]:
+def _row(drive: Drive, moving: Sequence[str]) -> Iterator[Found]:
     """Positions named for acceleration plans, and extras, that the row does not have."""
     extreme = isinstance(drive.zero, Extreme)
     if OTHER_EXTREME in drive.extra and not extreme:
-        says = said('the other extreme of what? write zero = { point = "D", at = "left" }')
+        says = said(
+            'the other extreme of what? write zero = {{ point = "{point}", at = "left" }}',
+            point=moving[-1] if moving else "D",
+        )
         yield Found(("drive", "extra"), says)
     if drive.accelerations == ("all",):
         return

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Collection, Iterator
 from dataclasses import MISSING
 from typing import Any
@@ -16,6 +17,7 @@ from graphic_tmm.scene.declare import Key, Kind, Section, Sort, keys_of
 from graphic_tmm.scene.drawing import Head
 from graphic_tmm.scene.new import about, in_words
 from graphic_tmm.scene.sections import LENGTHS, declared
+from graphic_tmm.scene.units import UNITS
 from graphic_tmm.scene.written import default_text, toml
 
 HEAD = said(
@@ -45,7 +47,27 @@ def reference(language: str = SOURCE, only: Collection[str] = ()) -> str:
     for name, section in declared().items():
         if name in only or not only:
             made += _page(_headed(section), about(section.record), section.record, speech)
+    if not only:
+        made += _unit_table(speech)
     return "\n".join(made)
+
+
+def _is_cyrillic(text: str) -> bool:
+    return any("CYRILLIC" in unicodedata.name(sign, "") for sign in text)
+
+
+def _unit_table(speech: Speech) -> Iterator[str]:
+    """Yield the units of every quantity, in each spelling that the language has letters for."""
+    yield f"## {speech(said('Units'))}\n"
+    yield speech(
+        said("A weight may stand for a mass: a kgf is a kg, a lbf a lb, newtons are divided by g.")
+    )
+    yield f"\n| {speech(said('of'))} | {speech(said('units'))} |\n|---|---|"
+    for dimension in dict.fromkeys(unit.dimension for unit in UNITS.values()):
+        names = [name for name, unit in UNITS.items() if unit.dimension == dimension]
+        known = [one for one in names if speech.language != SOURCE or not _is_cyrillic(one)]
+        yield f"| {speech(quantities.article(dimension))} | {', '.join(known)} |"
+    yield ""
 
 
 def _headed(section: Section) -> str:

@@ -96,7 +96,7 @@ def parse(value: object, dimension: Dimension) -> float:
     return kept(in_si(value, dimension), dimension)
 
 
-def in_si(value: object, dimension: Dimension) -> float:
+def in_si(value: object, dimension: Dimension, example: str = "") -> float:
     """Read a quantity of the wanted dimension.
 
     Parameters
@@ -105,6 +105,8 @@ def in_si(value: object, dimension: Dimension) -> float:
         A number (SI; degrees for an angle) or a text with its unit.
     dimension : Dimension
         What is wanted, such as ``"length"``.
+    example : str
+        What a message gives as an example, if not the usual one.
 
     Returns
     -------
@@ -117,9 +119,9 @@ def in_si(value: object, dimension: Dimension) -> float:
         With a sentence that says what is wrong and what to write.
     """
     if isinstance(value, str):
-        return _parse_text(value, dimension)
+        return _parse_text(value, dimension, example)
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise ValueError(stands(value, wanted(dimension)))
+        raise ValueError(stands(value, wanted(dimension, example)))
     return bounded(value, digits_of(value), dimension)
 
 
@@ -162,10 +164,11 @@ def spoken(text: str) -> str:
     return re.sub("[−–—‒‑]", "-", text).strip()
 
 
-def _parse_text(text: str, dimension: Dimension) -> float:
+def _parse_text(text: str, dimension: Dimension, example: str) -> float:
     match = _QUANTITY.fullmatch(spoken(text)) if len(text) <= 200 else None
     if match is None:
-        _refuse(said('"{text}" is not a number with a unit', text=short(text)), dimension)
+        says = said('"{text}" is not a number with a unit', text=short(text))
+        raise ValueError(joined("; ", (says, wanted(dimension, example))))
     number, rest = match.groups()
     unit = UNITS.get(plain(rest))
     refuse_ambiguous(number, "" if unit else rest, text)
@@ -176,7 +179,7 @@ def _parse_text(text: str, dimension: Dimension) -> float:
     if dimension == "mass" and unit.dimension == "force":
         return _mass_of(number, unit, text)
     if unit.dimension != dimension:
-        raise ValueError(_wrong_dimension(text, number, unit, dimension))
+        raise ValueError(_wrong_dimension(text, number, unit, dimension, example))
     return measured(number, unit, text)
 
 
@@ -247,14 +250,16 @@ def _no_unit(number: str, dimension: Dimension) -> Said:
     )
 
 
-def _wrong_dimension(text: str, number: str, unit: Unit, dimension: Dimension) -> Said:
+def _wrong_dimension(
+    text: str, number: str, unit: Unit, dimension: Dimension, example: str
+) -> Said:
     it = said('"{text}" is {noun}', text=short(text), noun=_WORDS[unit.dimension][0])
     if dimension == "force" and unit.dimension == "mass":
         pounds = unit == UNITS["lb"]
         size = number if pounds else f"{measured(number, unit, text):.10g}"
         weight = said('its weight is "{size} {unit}"', size=size, unit="lbf" if pounds else "kgf")
         return joined("; ", (it, weight, wanted(dimension)))
-    return joined("; ", (it, wanted(dimension)))
+    return joined("; ", (it, wanted(dimension, example)))
 
 
 def _unknown_unit(text: str, rest: str, dimension: Dimension) -> Said:

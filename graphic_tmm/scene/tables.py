@@ -22,7 +22,7 @@ from graphic_tmm.scene.declare import (
     build,
     keys_of,
 )
-from graphic_tmm.scene.written import default_text, value_of
+from graphic_tmm.scene.written import default_text, toml, value_of
 
 MOST = 100
 """So many faults of one table are put into words."""
@@ -121,7 +121,7 @@ def understood(
     What is wrong is put at the end of ``found``.
     """
     if not isinstance(raw, dict):
-        _no_table(raw, at, found)
+        _no_table(raw, at, found, record)
         return None
     known: Mapping[str, Key] = keys_of(record)
     others: Sort | None = getattr(record, "OTHERS", None)
@@ -159,21 +159,27 @@ def _known(
     return values, fine
 
 
-def _no_table(value: object, at: Path, found: list[Found]) -> Any:
-    found.append(Found(at, misfits.stands(value, _table_wanted(at))))
+def _no_table(value: object, at: Path, found: list[Found], record: type | None = None) -> Any:
+    found.append(Found(at, misfits.stands(value, _table_wanted(at, record))))
     return FAULTY
 
 
-def _table_wanted(path: Path) -> str:
-    if example := _EXAMPLES.get(str(path[-1])):
-        return said(
-            "a table is wanted, for example {key} = {example}", key=path[-1], example=example
-        )
+def _table_wanted(path: Path, record: type | None) -> str:
+    key = next((part for part in reversed(path) if isinstance(part, str)), "")
+    example = _EXAMPLES.get(key) or (_example(record) if len(path) > 1 and record else "")
+    if example:
+        return said("a table is wanted, for example {key} = {example}", key=key, example=example)
     if len(path) == 1:
         return said(
             "a section is wanted: [{name}] on a line of its own, its keys below it", name=path[0]
         )
-    return said('a table is wanted, for example { through = [0, 0], angle = "0 deg" }')
+    return said("a table is wanted, { key = value }")
+
+
+def _example(record: type) -> str:
+    """Return a table with the keys that have to be there; "" if none has."""
+    wanted = {k: one.example for k, one in keys_of(record).items() if one.default is MISSING}
+    return toml(wanted) if wanted else ""
 
 
 def unknown_key(name: str, known: list[str]) -> str:

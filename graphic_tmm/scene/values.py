@@ -264,7 +264,7 @@ def _drawn(value: object, names: Names) -> float:
 def _ruler(value: object, names: Names) -> float | str:
     if value == "exact":
         return "exact"
-    metres = quantities.in_si(value, "length")
+    metres = quantities.in_si(value, "length", "0.1 mm")
     if not _DIVISION.holds(metres * 1000):
         raise ValueError(
             said('{text} is no ruler; write "0.1 mm", "0.5 mm" or "exact"', text=_told(value))

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator
 from dataclasses import MISSING
 from pathlib import Path
 from typing import Any
 
 from support.command import invoke
+from support.declared_keys import ALL
 from support.scenes import slider_crank, written
 
 from graphic_tmm.scene import keys
-from graphic_tmm.scene.declare import Found, Key, keys_of
-from graphic_tmm.scene.drawing import Head
+from graphic_tmm.scene.declare import Found, Key
 from graphic_tmm.scene.new import shown
-from graphic_tmm.scene.sections import declared
 from graphic_tmm.scene.tables import key_schema
 
 SCENE = slider_crank(
@@ -24,27 +22,10 @@ SCENE = slider_crank(
 )
 
 
-def _keys(record: type, at: str) -> Iterator[tuple[str, Key]]:
-    """Yield the keys of a section, and those of the tables in it."""
-    others = getattr(record, "OTHERS", None)
-    inner = list(keys.inner_tables(others)) if others is not None else []
-    for name, one in keys_of(record).items():
-        yield f"{at}.{name}", one
-        inner += keys.inner_tables(one.kind)
-    for table in inner:
-        yield from _keys(table, f"{at}.{table.__name__}")
-
-
-ALL = [
-    *_keys(Head, ""),
-    *(one for section in declared().values() for one in _keys(section.record, section.name)),
-]
-
-
 def _taken(one: Key, at: str, value: Any) -> Any:
     found: list[Found] = []
     taken = one.kind.understood(value, (at,), {}, found)
-    assert not found, (at, value, found)
+    assert not any(told.fault for told in found), (at, value, found)
     return taken
 
 

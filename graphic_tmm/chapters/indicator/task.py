@@ -46,7 +46,7 @@ def _traced(value: object, names: Names) -> tuple[tuple[float, float], ...]:
 
 _PRESSURES = Kind(_pressures, v.ROW, unit="pressure")
 _PRESSURE = Kind(lambda value, names: quantities.parse(value, "pressure"), v.SCALE, unit="pressure")
-_TRACED = Kind(_traced, v.PAIRS, each="pressure")
+_TRACED = Kind(_traced, v.PAIRS)
 _WAY = v.choice("out", "back", туда="out", обратно="back")
 
 

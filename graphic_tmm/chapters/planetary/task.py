@@ -98,16 +98,22 @@ def _teeth(value: object, names: Names) -> tuple[int | None, ...]:
         raise ValueError(
             stands(
                 value,
-                said('a list of tooth numbers is wanted, [25, "?", "?"], "?" for one to be found'),
+                said(
+                    'a list of tooth numbers is wanted, [25, "?", "?"]: a "?" for one to be found'
+                ),
             )
         )
     return tuple(None if z == "?" else z for z in value)
 
 
 def _pair(value: object, names: Names) -> tuple[int, ...]:
-    found = _teeth(value, names)
+    try:
+        found = _teeth(value, names)
+    except ValueError:
+        found = (None,)
     if None in found:
-        raise ValueError(said("tooth numbers of a pair that stands already are wanted, [15, 25]"))
+        says = said("tooth numbers of a pair that stands already are wanted, [15, 25]")
+        raise ValueError(stands(value, says))
     return tuple(z for z in found if z is not None)
 
 
