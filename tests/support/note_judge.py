@@ -66,11 +66,16 @@ def faults(made: DrawnScene, document: Document) -> Iterator[str]:
 def formulas(document: Document) -> Iterator[str]:
     """Yield the formulas of a note in TeX, each as one line, however it is broken."""
     for block in walk(document.blocks):
-        if isinstance(block, Display):
-            yield from _joined(block, document.language)
-        else:
-            found = (run for run in runs_of(block) if isinstance(run, Formula))
-            yield from (tex(run, document.language, spelt) for run in found)
+        yield from formulas_of(block, document.language)
+
+
+def formulas_of(block: Block, language: str) -> Iterator[str]:
+    """Yield the formulas of a block."""
+    if isinstance(block, Display):
+        yield from _joined(block, language)
+    else:
+        found = (run for run in runs_of(block) if isinstance(run, Formula))
+        yield from (tex(run, language, spelt) for run in found)
 
 
 def sum_of(formula: str) -> tuple[list[Worked], bool]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -107,11 +108,17 @@ def _earlier(step: Step, tools: Tools) -> Iterator[Variant]:
         yield {"ago": 1}, ()
 
 
+def stem(name: str) -> str:
+    """Return what a segment begins with; of one that ends in n or k of a component (an2, πn3), that letter."""
+    part = re.search(r"([nk])\d+$", name)
+    return part[1] if part else name
+
+
 def laid(names: tuple[str, ...], **what: Any) -> Any:
     """Return variants of laying off segments whose names begin so."""
 
     def variants(step: Step, tools: Tools) -> Iterator[Variant]:
-        if step.name.startswith(names):
+        if stem(step.name).startswith(names):
             yield dict(what), ()
 
     return variants
@@ -120,7 +127,7 @@ def laid(names: tuple[str, ...], **what: Any) -> Any:
 def _turned(names: tuple[str, ...]) -> Any:
     def variants(step: Step, tools: Tools) -> Iterator[Variant]:
         how, of = step.takes["way"]
-        if step.name.startswith(names):
+        if stem(step.name).startswith(names):
             yield {"way": ("along" if how == "square" else "square", of)}, ()
 
     return variants

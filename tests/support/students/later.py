@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from support.students.early import HALF, TWICE, taking
+from support.students.early import HALF, TWICE, stem, taking
 from support.students.kinds import (
     EVERYWHERE,
     KIND,
@@ -61,7 +61,7 @@ def _by_another_link(names: tuple[str, ...]) -> Any:
 
     def variants(step: Step, tools: Tools) -> Iterator[Variant]:
         how, of = step.takes["way"]
-        if step.name.startswith(names) and of not in ("x", "y"):
+        if stem(step.name).startswith(names) and of not in ("x", "y"):
             for link in others([name for name in tools.machine.links if len(name) == 2], of):
                 yield {"way": (how, link)}, (word(link),)
 
@@ -167,7 +167,7 @@ def strengths(*factors: float, words: str = FACTOR, names: tuple[str, ...] = (""
     """Return variants that multiply what is due."""
 
     def variants(step: Step, tools: Tools) -> Iterator[Variant]:
-        if step.name.startswith(names):
+        if stem(step.name).startswith(names):
             for by in factors:
                 yield {"factor": step.takes["factor"] * by}, (words,)
 
