@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import re
+import tomllib
 from pathlib import Path
 
 import pytest
 from docx import Document as read_docx
 from support.command import invoke
-from support.gallery import SHEETS
-from support.guides import LANGUAGES, blocks, commands, filled, guide
+from support.gallery import ROOT, SHEETS
+from support.guides import LANGUAGES, blocks, commands, filled, guide, typed, unlike_in_shells
+from support.real_server import serving
 
 from graphic_tmm.checking.readings.csv_cells import heads
 from graphic_tmm.scene.read import read
+
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 
 
 def edited(file: Path, told: list[str]) -> None:
@@ -35,19 +39,23 @@ def test_every_command_of_the_guide_does_what_it_says(
     monkeypatch.setenv("LC_ALL", language)
     text = guide("start", language)
     for words in commands(text):
-        target = words[words.index(">") + 1] if ">" in words else ""
         if words[:2] == ["check", "variant"] and words[2] == "readings.csv":
             filled(Path("readings.csv"), Path("table.csv"))
-        done = invoke(*words[: words.index(">")] if target else words)
+        if words[0] == "serve":
+            with serving(Path(words[1])) as server:
+                assert server.ask("/")[0] == 200
+            continue
+        done = invoke(*words)
         assert done.exit_code == 0, (words, done.output)
         assert done.stderr == "", words
-        if target:
-            Path(target).write_text(done.stdout, encoding="utf-8")
         if words[:2] == ["new", "variant"]:
             edited(Path("variant/scene.toml"), blocks(text))
             assert read(Path("variant")).language == language
     assert list(Path("out").glob("variant*.svg"))
     assert "2026" in "".join(one.text for one in read_docx("out/variant-note.docx").paragraphs)
+    assert Path("variant/composition.toml").exists()
+    assert f'lang="{language}"' in Path("out/variant.html").read_text(encoding="utf-8")
+    assert f'lang="{language}"' in Path("report.html").read_text(encoding="utf-8")
     assert len(Path("steps.txt").read_text(encoding="utf-8").splitlines()) > 10
 
 
@@ -55,7 +63,13 @@ def test_the_guides_tell_the_same() -> None:
     """The same commands, but for decimal commas; the same links and headings; the same mechanism."""
     first, second = (commands(guide("start", language)) for language in LANGUAGES)
     assert [words[0] for words in first] == [words[0] for words in second]
-    links = [re.findall(r"\]\((\.\./[^)]*)\)", guide("start", language)) for language in LANGUAGES]
+    links = [
+        [
+            link.replace(".ru.", ".")
+            for link in re.findall(r"\]\((\.\./[^)]*)\)", guide("start", one))
+        ]
+        for one in LANGUAGES
+    ]
     assert links[0] == links[1]
     assert guide("start", "en").count("\n## ") == guide("start", "ru").count("\n## ") == 5
 
@@ -68,3 +82,33 @@ def test_links_of_a_guide_lead_somewhere(language: str) -> None:
 
 def test_a_template_has_its_mm_in_the_fourth_column() -> None:
     assert all(tuple(heads(language))[3] in ("mm", "мм") for language in LANGUAGES)
+
+
+@pytest.mark.parametrize("name", ["start", "class"])
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_line_to_type_is_understood_alike_by_cmd_powershell_and_sh(
+    name: str, language: str
+) -> None:
+    """No single quotes, no redirection, nothing to activate; an extra that is named is one."""
+    lines = typed(guide(name, language))
+    assert len(lines) > 5
+    assert [line for line in lines if unlike_in_shells(line)] == []
+    extras = {
+        one for line in lines for one in re.findall(r"\w+", "".join(re.findall(r"\[(.*)\]", line)))
+    }
+    assert extras
+    assert extras <= set(PROJECT["optional-dependencies"])
+    both = [line.split("pip", 1)[1] for line in lines if "pip install" in line]
+    assert len(both) == 2  # for Windows, and elsewhere
+    assert len(set(both)) == 1
+
+
+def test_what_shells_take_otherwise_is_found() -> None:
+    for line in (
+        "pip install '.[pdf]'",
+        "table x > y.csv",
+        ". .venv/bin/activate",
+        r"Scripts\activate",
+    ):
+        assert unlike_in_shells(line)
+    assert not unlike_in_shells(r'.venv\Scripts\pip install ".[pdf]"')

@@ -77,7 +77,7 @@ def machine() -> Machine:
         import llvmlite.binding as binding
     except ImportError as error:
         raise ConstructionError(
-            "a compiled log needs llvmlite: install it (pip install 'graphic-tmm[fast]'), or run without fast"
+            'a compiled log needs llvmlite: install it (pip install "graphic-tmm[fast]"), or run without fast'
         ) from error
     if binding.llvm_version_info[0] < TYPED:
         binding.initialize()

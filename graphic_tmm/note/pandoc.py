@@ -396,4 +396,4 @@ def program() -> str:
 
         return str(pypandoc.get_pandoc_path())
     except (ImportError, OSError) as error:
-        raise SheetError(said("a note needs pandoc: pip install 'graphic-tmm[note]'")) from error
+        raise SheetError(said('a note needs pandoc: pip install "graphic-tmm[note]"')) from error

@@ -135,7 +135,7 @@ def typesetter(form: str) -> Any:
     except ImportError as error:
         raise SheetError(
             said(
-                "a note as {form} needs the package typst: pip install 'graphic-tmm[note]'",
+                'a note as {form} needs the package typst: pip install "graphic-tmm[note]"',
                 form=form,
             )
         ) from error

@@ -29,7 +29,7 @@ def served(
 
     folder = folder_of(scene)
     if any(find_spec(name) is None for name in NEEDED):
-        raise SheetError(said("serving needs more packages: pip install 'graphic-tmm[serve]'"))
+        raise SheetError(said('serving needs more packages: pip install "graphic-tmm[serve]"'))
     from graphic_tmm.serve.server import serve
 
     serve(folder, host=host, port=port, language=language, tell=tell)

@@ -228,7 +228,7 @@ def test_without_llvmlite_the_remedy_is_told(monkeypatch: pytest.MonkeyPatch) ->
     try:
         monkeypatch.setitem(sys.modules, "llvmlite", None)
         monkeypatch.setitem(sys.modules, "llvmlite.binding", None)
-        with pytest.raises(ConstructionError, match=r"pip install 'graphic-tmm\[fast\]'"):
+        with pytest.raises(ConstructionError, match=r'pip install "graphic-tmm\[fast\]"'):
             prepare(Fourbar().log).compiled()
     finally:
         machine.cache_clear()

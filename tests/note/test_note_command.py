@@ -31,7 +31,7 @@ def test_a_package_that_is_missing_is_told_with_its_remedy(
     monkeypatch.setitem(sys.modules, package, None)
     status, told = run(SCENE, "-f", form, "-o", str(tmp_path / "out"))
     assert status == 2
-    assert "pip install 'graphic-tmm[note]'" in told
+    assert 'pip install "graphic-tmm[note]"' in told
     assert not (tmp_path / "out").exists()
 
 

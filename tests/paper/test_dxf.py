@@ -187,5 +187,5 @@ def test_a_place_that_is_none_and_an_unknown_pen_are_refused() -> None:
 
 def test_without_ezdxf_the_remedy_is_told(sheet, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "ezdxf", None)
-    with pytest.raises(SheetError, match=r"pip install 'graphic-tmm\[dxf\]'"):
+    with pytest.raises(SheetError, match=r'pip install "graphic-tmm\[dxf\]"'):
         dxf(sheet)

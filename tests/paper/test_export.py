@@ -153,5 +153,5 @@ def test_bookmarks_of_a_scene_are_its_views_and_nothing_of_them_is_found() -> No
 
 def test_without_typst_the_remedy_is_told(drawn, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "typst", None)
-    with pytest.raises(SheetError, match=r"pip install 'graphic-tmm\[pdf\]'"):
+    with pytest.raises(SheetError, match=r'pip install "graphic-tmm\[pdf\]"'):
         export.pdf(drawn)

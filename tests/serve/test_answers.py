@@ -125,7 +125,7 @@ def test_what_is_not_installed_is_not_offered(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(extra, "find_spec", lambda name: None)
     done = invoke("serve", "lever")
     assert done.exit_code == 2
-    assert "pip install 'graphic-tmm[serve]'" in done.stderr
+    assert 'pip install "graphic-tmm[serve]"' in done.stderr
 
 
 def test_what_cannot_be_served_is_told(tmp_path: Path) -> None:

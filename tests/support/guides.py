@@ -20,6 +20,18 @@ def commands(text: str) -> list[list[str]]:
     return [shlex.split(line) for line in re.findall(r"(?m)^    \$ graphic-tmm (.*)$", text)]
 
 
+def typed(text: str) -> list[str]:
+    """Return the lines that a guide tells to type, those in its sentences too."""
+    indented = re.findall(r"(?m)^    (?:\$ )?(\S.*)$", text)
+    spoken = re.findall(r"`([^`\n]+)`", text)
+    return indented + [one for one in spoken if 'pip install "' in one]
+
+
+def unlike_in_shells(line: str) -> bool:
+    """Whether cmd, PowerShell and sh would not take a line alike."""
+    return bool(re.search(r"['>]|activate|&&", line))
+
+
 def blocks(text: str, kind: str = "toml") -> list[str]:
     return re.findall(rf"```{kind}\n(.*?)```", text, re.DOTALL)
 

@@ -1,8 +1,8 @@
 """What of one language is left over in a text of the other.
 
 Of Russian in an English text: every word of Cyrillic letters. Of English in a Russian one: every word of the
-package's English texts that no Russian text of it keeps and that is no key or choice of a scene, name of a plan or
-command; so letters of marks, units, SVG, SCENE are none. What the scene itself says is its author's.
+package's English texts that no Russian text of it keeps and that is no key or choice of a scene, name of a
+plan or command; so letters of marks, units, SVG, SCENE are none. What the scene itself says is its author's.
 """
 
 from __future__ import annotations

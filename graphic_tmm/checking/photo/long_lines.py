@@ -96,7 +96,7 @@ def opencv() -> Any:
     except ImportError as error:
         raise SheetError(
             said(
-                "to find a frame by itself the package OpenCV is needed: pip install 'graphic-tmm[photo]', or "
+                'to find a frame by itself the package OpenCV is needed: pip install "graphic-tmm[photo]", or '
                 "give the frame's corners with --corners"
             )
         ) from error

@@ -84,7 +84,7 @@ def pillow() -> tuple[Any, Any]:
         from PIL import Image, ImageOps
     except ImportError as error:
         raise SheetError(
-            said("a photograph needs the package Pillow: pip install 'graphic-tmm[photo]'")
+            said('a photograph needs the package Pillow: pip install "graphic-tmm[photo]"')
         ) from error
     return Image, ImageOps
 

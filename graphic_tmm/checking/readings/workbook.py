@@ -95,7 +95,7 @@ def sheets_of(file: Path, data: bytes, columns: int = COLUMNS) -> list[Sheet]:
     try:
         from openpyxl import load_workbook
     except ImportError:
-        says = said("an xlsx file needs the package openpyxl: pip install 'graphic-tmm[xlsx]'")
+        says = said('an xlsx file needs the package openpyxl: pip install "graphic-tmm[xlsx]"')
         _refuse(file, says)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")

@@ -57,7 +57,7 @@ def workbook_of(
         from openpyxl.utils import get_column_letter
     except ImportError as error:
         raise SheetError(
-            said("an xlsx file needs the package openpyxl: pip install 'graphic-tmm[xlsx]'")
+            said('an xlsx file needs the package openpyxl: pip install "graphic-tmm[xlsx]"')
         ) from error
     book = Workbook()
     sheet = book.active

@@ -150,7 +150,7 @@ def _cluster(address: str) -> Iterator[Pool]:
         from dask import config
         from distributed import Client
     except ImportError as error:
-        says = said("a scheduler needs the extra cluster: pip install 'graphic-tmm[cluster]'")
+        says = said('a scheduler needs the extra cluster: pip install "graphic-tmm[cluster]"')
         raise SheetError(says) from error
     try:
         opens: Any = Client  # its types are not told

@@ -50,7 +50,7 @@ def terminal_width() -> int:
 def show(text: str | list[Any], width: int, output: str | None = None) -> None:
     """Print text, or what rich makes of tables, so wide if this is no terminal; or write it into a file.
 
-    ``output``: the file's name, which is then told on the error stream.
+    ``output``: the file's name, which is printed then.
 
     Raises
     ------
@@ -67,7 +67,7 @@ def show(text: str | list[Any], width: int, output: str | None = None) -> None:
     file = Path(output)
     written = {file.name: rendered(text, width, printed=False)}
     for path in write(file.parent, written, remedy=said("name another file with -o")):
-        say(str(path))
+        click.echo(str(path))
 
 
 def rendered(text: str | list[Any], width: int, *, printed: bool = True) -> str:

@@ -60,7 +60,7 @@ def dxf(sheet: Sheet, *, stroked: bool = False) -> str:
         from ezdxf.filemanagement import new
     except ImportError as error:
         raise SheetError(
-            said("dxf needs the package ezdxf: pip install 'graphic-tmm[dxf]'")
+            said('dxf needs the package ezdxf: pip install "graphic-tmm[dxf]"')
         ) from error
     kept = options.write_fixed_meta_data_for_testing
     options.write_fixed_meta_data_for_testing = True  # nothing from the clock

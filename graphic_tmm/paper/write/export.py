@@ -101,7 +101,7 @@ def _compiled(
         import typst
     except ImportError as error:
         raise SheetError(
-            said("{form} needs the package typst: pip install 'graphic-tmm[pdf]'", form=form)
+            said('{form} needs the package typst: pip install "graphic-tmm[pdf]"', form=form)
         ) from error
     with TemporaryDirectory() as folder:
         home = Path(folder)
