@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -42,7 +43,8 @@ def diagram_columns(drawn: Drawn) -> Iterator[Column]:
         plan = row_of(due, drawn.row(mark.view), count)
         name = f"{symbol}_plan"
         yield Column(PLAN, name, name, chart.unit, empty(count), plan)
-        yield _difference(f"{symbol}_difference", rows[1], plan)
+        apart = _difference(f"{symbol}_difference", rows[1], plan)
+        yield replace(apart, places=drawn.percent_decimals)
 
 
 def _difference(letter: str, found: Reals, due: Reals) -> Column:

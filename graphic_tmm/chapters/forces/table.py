@@ -46,16 +46,18 @@ class _Row(NamedTuple):
 def force_columns(drawn: Drawn, everywhere: bool = False) -> tuple[Column, ...]:
     """Return the columns of forces at the positions whose forces are asked for, or ``everywhere``."""
     made, count, reading = FORCES.on(drawn), len(drawn.names), drawn.reading
-    places = drawn.all if everywhere else made.places
+    there = drawn.all if everywhere else made.places
     rows = [*_loads(made), *_reactions(made), *_balance(made)]
     found = []
     for row in rows:
-        value = _at(reading.figure(row.value, row.scale), places)
+        value = _at(reading.figure(row.value, row.scale), there)
         mm = empty(count)
         if row.mm is not None:
-            mm = row_of(_at(reading.figure(row.mm), places), places, count)
-        told = row_of(np.abs(value) if row.size else value, places, count)
-        found.append(Column(PLAN, row.segment, row.letter, row.unit, mm, told))
+            mm = row_of(_at(reading.figure(row.mm), there), there, count)
+        told = row_of(np.abs(value) if row.size else value, there, count)
+        places = drawn.percent_decimals if row.unit == "%" else None
+        column = Column(PLAN, row.segment, row.letter, row.unit, mm, told, places=places)
+        found.append(column)
     # passes that do not settle leave no force known; without friction each force stands by itself
     if made.open is None:
         return tuple(found)
