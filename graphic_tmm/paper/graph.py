@@ -188,7 +188,7 @@ def _positions(graph: Graph, names: Names) -> tuple[list[Named], list[Named]]:
 
 
 def _closing(first: str, named: Sequence[Named], graph: Graph) -> str:
-    """Return what the end of the base is called: of an even row 0 (8), the first position and its number there."""
+    """Return what the end of the base is called: 0 (8) of an even row, else as the first position."""
     if len(named) < 2 or not first.isdigit():
         return first
     step = named[1].at - named[0].at
