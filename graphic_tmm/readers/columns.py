@@ -27,7 +27,7 @@ class Column:
     ``quantity``: the letter of what it stands for, if that is not the one of the segment.
     ``ends``: the letters on the plan between which the segment lies, if it is not called by them.
     ``at``: the numbers of its positions and their angles (degrees, None where there is none), if they are not
-    those of the mechanism. ``places``: decimals of the values as they are told, of differences; None: all.
+    those of the mechanism.
     """
 
     plan: str
@@ -39,7 +39,6 @@ class Column:
     at: Positions = ()
     quantity: str = ""
     ends: str = ""
-    places: int | None = None
 
     def without(self, places: Sequence[int]) -> Column:
         """Return the column with nothing at the places (indices) of positions that cannot be drawn."""
@@ -68,12 +67,9 @@ class Column:
 
     @property
     def told(self) -> tuple[Row, Row]:
-        """The figures of the first drawing, mm and value, this no finer than it can be read."""
-        values = (
-            self.value[0] if self.places is None else np.round(self.value[0], self.places) + 0.0
-        )
+        """The figures of the first drawing, mm and value."""
         mm, value = (
-            [None if isnan(x) else x for x in row.tolist()] for row in (self.mm[0], values)
+            [None if isnan(x) else x for x in row[0].tolist()] for row in (self.mm, self.value)
         )
         return mm, value
 

@@ -54,10 +54,10 @@ def force_columns(drawn: Drawn, everywhere: bool = False) -> tuple[Column, ...]:
         mm = empty(count)
         if row.mm is not None:
             mm = row_of(_at(reading.figure(row.mm), there), there, count)
+        if row.unit == "%":
+            value = np.round(value, drawn.percent_decimals) + 0.0
         told = row_of(np.abs(value) if row.size else value, there, count)
-        places = drawn.percent_decimals if row.unit == "%" else None
-        column = Column(PLAN, row.segment, row.letter, row.unit, mm, told, places=places)
-        found.append(column)
+        found.append(Column(PLAN, row.segment, row.letter, row.unit, mm, told))
     # passes that do not settle leave no force known; without friction each force stands by itself
     if made.open is None:
         return tuple(found)
