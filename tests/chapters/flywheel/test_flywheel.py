@@ -225,7 +225,7 @@ def test_a_rim_that_is_a_drum_is_told_with_what_to_choose(outer: float, drum: bo
     order = scene().tasks["flywheel"]
     assert order is not None
     assert order.rim is not None
-    made = drawn(rim=replace(order.rim, outer=outer))
+    made = drawn(rim=replace(order.rim, outer=outer, inner=None))
     rim = fly(made).rim
     assert rim is not None
     width = float(made.reading[rim.width][0, 0])
