@@ -7,6 +7,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy as np
+
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute, needed
 from graphic_tmm.board.findings import Finding, examine
@@ -15,6 +17,7 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.board.values import Angle, Length, Reals
 from graphic_tmm.chapter import MECHANISM
+from graphic_tmm.language.numbers import percent_decimals
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
@@ -121,6 +124,11 @@ class Drawn:
             if self.scene.main in self.names:
                 wanted = [self.names.index(self.scene.main), *wanted]
         return next((k for k in wanted if k not in self.undrawn), wanted[0])
+
+    @property
+    def percent_decimals(self) -> int:
+        """Decimals of a difference in %, as much of it as the ruler tells."""
+        return percent_decimals(self.hand.ruler)
 
     def row(self, view: str) -> tuple[int, ...]:
         """Return the positions (indices) at which a view is drawn."""
@@ -261,11 +269,13 @@ def view_scales(project: Project, reading: Reading) -> dict[str, Scale]:
 
 def results_of(drawn: Drawn, marks: Mapping[str, Mark]) -> dict[str, tuple[Reals, str]]:
     """Return marks that are one number in every drawing: by name the figures, (trial,), and their unit."""
-    reading = drawn.reading
-    return {
-        name: (reading.figure(mark)[:, 0].copy(), MEASURED.get(mark.kind, mark.unit))
-        for name, mark in marks.items()
-    }
+    reading, decimals = drawn.reading, drawn.percent_decimals
+    found = {}
+    for name, mark in marks.items():
+        figures = reading.figure(mark)[:, 0].copy()
+        unit = MEASURED.get(mark.kind, mark.unit)
+        found[name] = (np.round(figures, decimals) + 0.0 if unit == "%" else figures, unit)
+    return found
 
 
 def single(results: Results) -> dict[str, tuple[float, str]]:

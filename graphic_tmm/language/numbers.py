@@ -43,3 +43,27 @@ def fixed(value: float | None, places: int, language: str) -> str:
     text = f"{value:.{places}f}"
     text = text.lstrip("-") if float(text) == 0 else text.replace("-", "−")
     return text.replace(".", decimal_sign(language))
+
+
+def decimals_of(division: float) -> int:
+    """Return how many decimals a figure has that is told to a division.
+
+    >>> decimals_of(0.1), decimals_of(0.5), decimals_of(0.025), decimals_of(20.0)
+    (1, 1, 2, 0)
+    """
+    return max(0, math.ceil(-math.log10(division) - 1e-9)) if division > 0 else 0
+
+
+def percent_decimals(division: float | None) -> int:
+    """Return how many decimals a difference in % has: as much of it as a ruler tells.
+
+    Plans are some 100 mm long: a division of 0.1 mm is 0.1 % of them. Without a ruler it is `EXACTLY`.
+
+    >>> percent_decimals(0.1), percent_decimals(0.01), percent_decimals(None)
+    (1, 2, 2)
+    """
+    return EXACTLY if division is None else min(EXACTLY, decimals_of(division))
+
+
+EXACTLY = 2
+"""Decimals of a difference in % where nothing is rounded: lengths are drawn to 0.01 mm at the best."""

@@ -14,7 +14,7 @@ from graphic_tmm.board.functions import FUNCTIONS
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Length
 from graphic_tmm.language.names import spoken
-from graphic_tmm.language.numbers import number
+from graphic_tmm.language.numbers import EXACTLY, number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.note.document import (
     Formula,
@@ -54,7 +54,7 @@ class Told(NamedTuple):
         value = self.value(mark)
         of = "°" if mark.kind is Angle else "mm" if mark.kind is Length else mark.unit
         source = Source("mark", self.board, str(mark.slot), self.place, self.view)
-        told = number(value, self.language)
+        told = number(round(value, EXACTLY) if of == "%" else value, self.language)
         return Number(told, of if unit or of == "°" else "", source, value)
 
     def symbol(self, mark: Mark) -> Symbol:

@@ -181,10 +181,19 @@ def _positions(graph: Graph, names: Names) -> tuple[list[Named], list[Named]]:
     named = [
         Named(graph.point(feet, k), text, (feet.slot,), k) for k, text in enumerate(names.positions)
     ]
-    last = Named(graph.point(end, 0), names.positions[0], (end.slot,))
     row = min(graph.row, len(named))
+    last = Named(graph.point(end, 0), _closing(names.positions[0], named[:row], graph), (end.slot,))
     whole = row and abs(named[row - 1].at - last.at) < TICK
     return named[:row], named[row:] if whole else [last, *named[row:]]
+
+
+def _closing(first: str, named: Sequence[Named], graph: Graph) -> str:
+    """Return what the end of the base is called: 0 (8) of an even row, else as the first position."""
+    if len(named) < 2 or not first.isdigit():
+        return first
+    step = named[1].at - named[0].at
+    even = abs(named[-1].at + step - graph.point(graph.axes.end, 0)) < TICK
+    return f"{first} ({int(first) + len(named)})" if even else first
 
 
 def _letters(graph: Graph, names: Names, heights: Heights) -> Iterator[Wanted]:

@@ -18,7 +18,7 @@ from graphic_tmm.captions import captions, view_name
 from graphic_tmm.drawn import MEASURED
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import spoken
-from graphic_tmm.language.numbers import number
+from graphic_tmm.language.numbers import EXACTLY, number
 from graphic_tmm.language.units import unit, unit_name
 
 
@@ -207,7 +207,8 @@ def _proportion(step: Step, reading: Reading, place: int, language: str) -> str:
 
 
 def _with_unit(mark: Mark, reading: Reading, place: int, language: str) -> str:
-    figure = number(_value(reading, mark, place), language)
+    value = _value(reading, mark, place)
+    figure = number(round(value, EXACTLY) if mark.unit == "%" else value, language)
     if mark.kind is Angle:
         return f"{figure}°"
     return f"{figure} {_unit_of(mark, language)}".rstrip()

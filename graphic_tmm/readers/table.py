@@ -12,6 +12,7 @@ from graphic_tmm.board.values import Reals
 from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn, DrawnScene, Results, hand_of, single
 from graphic_tmm.finer import Finer, finer
+from graphic_tmm.language.numbers import decimals_of
 from graphic_tmm.language.units import unit_name
 from graphic_tmm.packaged import scene_name
 from graphic_tmm.readers.columns import (
@@ -20,7 +21,7 @@ from graphic_tmm.readers.columns import (
 )
 from graphic_tmm.readers.spread import ATTEMPTS, Spread
 from graphic_tmm.readers.text import left_out, result_tables, text_tables
-from graphic_tmm.readers.writing import as_csv, as_json, decimals_of
+from graphic_tmm.readers.writing import as_csv, as_json
 from graphic_tmm.studio import blocks
 
 WIDTH = 220

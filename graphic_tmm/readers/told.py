@@ -135,8 +135,10 @@ def _measured(columns: Sequence[Column]) -> Iterator[Figures]:
 
 def _common(columns: Sequence[Column]) -> int:
     """Return the decimals of what is drawn to one μ."""
-    by_mm = math.floor(-math.log10(COARSEST * _mu(columns[0]))) + 1
-    return max(by_mm, decimals([x for column in columns for x in column.told[1]]))
+    mu = _mu(columns[0])
+    by_mm = math.floor(-math.log10(COARSEST * mu)) + 1
+    finest = max(by_mm, math.ceil(-math.log10(10.0**-FINE * mu)))
+    return min(max(by_mm, decimals([x for one in columns for x in one.told[1]])), max(0, finest))
 
 
 def _at(value: float | None, places: int) -> float | None:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import csv
 import io
 import json
-import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
 from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import decimals_of
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.columns import (
     Column,
@@ -88,15 +88,6 @@ def as_csv(
                 cells = (column.plan, name, degrees, column.segment, put(mm), put(value))
                 writer.writerow([*cells, column.unit])
     return out.getvalue()
-
-
-def decimals_of(division: float) -> int:
-    """Return how many decimals a figure has that is told to a division.
-
-    >>> decimals_of(0.1), decimals_of(0.5), decimals_of(0.025), decimals_of(20.0)
-    (1, 1, 2, 0)
-    """
-    return max(0, math.ceil(-math.log10(division) - 1e-9)) if division > 0 else 0
 
 
 def _figures(column: Column, division: float | None) -> Iterator[tuple[str, str]]:

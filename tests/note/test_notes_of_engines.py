@@ -169,7 +169,7 @@ def test_the_flywheel_is_told_in_the_order_of_the_document() -> None:
         "как и требуется",
     )  # fmt: skip
     formulas = begun("engine")
-    in_order(" ".join(formulas), "D_{max}", "D_i", "D_{ср}", "m_{м}", "b", "b′", "J′", "δ′")
+    in_order(" ".join(formulas), "D_{max}", "D_{ср}", "m_{м}", "b", "b′", "J′", "δ′")
 
 
 def test_the_table_of_readings_is_the_published_one() -> None:
@@ -191,12 +191,12 @@ def test_the_table_of_readings_is_the_published_one() -> None:
 
 
 def test_the_rim_as_made_keeps_its_delta() -> None:
-    """By plain arithmetic: 119 mm wide, 0.45 and 0.3825 m across, steel."""
+    """By plain arithmetic: 115 mm wide, 0.45 and 0.38 m across, steel."""
     found = {
         one.source.name: one for one in numbers(noted("engine")) if one.source.kind == "result"
     }
-    middle = (0.45 + 0.3825) / 2
-    inertia = math.pi * 7800 * (0.45**2 - 0.3825**2) * middle**2 * 0.119 / 16
+    middle = (0.45 + 0.38) / 2
+    inertia = math.pi * 7800 * (0.45**2 - 0.38**2) * middle**2 * 0.115 / 16
     assert found["J_made"].value == pytest.approx(inertia, rel=1e-9)
     due = 0.23 * found["J_fly"].value / inertia
     assert found["delta_made"].value == pytest.approx(due, rel=1e-6)

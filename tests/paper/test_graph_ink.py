@@ -96,7 +96,9 @@ def test_no_letter_stands_on_another_and_all_positions_are_numbered(
         assert not any(one.intersects(other) for other in boxes[k + 1 :])
     texts = [label.text for label in view.labels]
     for name in work.project.names:
-        assert texts.count(name) == (2 if name == work.project.names[0] else 1)
+        assert texts.count(name) == 1
+    first, count = work.project.names[0], work.project.count
+    assert texts.count(f"{first} ({int(first) + count})") == 1  # where the turn ends
     assert symbol in texts
     assert "t" in texts
 

@@ -29,7 +29,7 @@ def test_the_engine_asks_for_its_flywheel(tmp_path: Path) -> None:
     order = scene(tmp_path).tasks["flywheel"]
     assert order is not None
     assert (order.delta, order.A.pole, order.mu_M, order.constant) == (0.23, 40.0, 8.0, "resisting")
-    assert order.rim == Rim(0.45, 0.85, 110.0, 7800.0, 0.056, 3, 0.016)
+    assert order.rim == Rim(0.45, 0.85, 110.0, 7800.0, 0.056, 3, 0.016, 0.38)
     assert order.indicator.cover.pressures[:3] == (300e3, 300e3, 240e3)
     assert (order.indicator.mu, order.indicator.height) == (1500.0, 200.0)
     assert order.indicator.shaft is None
@@ -139,7 +139,7 @@ def test_parts_that_do_not_fit_are_told(tmp_path: Path, text: str, key: str, say
 
 
 def test_without_a_rim_there_is_no_sketch(tmp_path: Path) -> None:
-    order = scene(tmp_path, ('D_e   = "0.45 m"', "")).tasks["flywheel"]
+    order = scene(tmp_path, ('D_e   = "0.45 m"', ""), ('D_i   = "0.38 m"', "")).tasks["flywheel"]
     assert order is not None
     assert order.rim is None
 

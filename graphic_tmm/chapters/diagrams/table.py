@@ -42,12 +42,15 @@ def diagram_columns(drawn: Drawn) -> Iterator[Column]:
         plan = row_of(due, drawn.row(mark.view), count)
         name = f"{symbol}_plan"
         yield Column(PLAN, name, name, chart.unit, empty(count), plan)
-        yield _difference(f"{symbol}_difference", rows[1], plan)
+        yield _difference(f"{symbol}_difference", rows[1], plan, drawn.percent_decimals)
 
 
-def _difference(letter: str, found: Reals, due: Reals) -> Column:
-    """Return by how much figures differ from what is due, in % of the largest due of their drawing."""
+def _difference(letter: str, found: Reals, due: Reals, places: int) -> Column:
+    """Return by how much figures differ from what is due, in % of the largest due of their drawing.
+
+    ``places``: decimals, as many as can be read.
+    """
     largest = np.fmax.reduce(np.abs(due), axis=1, keepdims=True, initial=0.0)
     apart = np.where(np.isclose(found, due, rtol=EVEN, atol=0.0), 0.0, found - due)
-    row = 100.0 * apart / np.where(largest > 0.0, largest, np.nan)
+    row = np.round(100.0 * apart / np.where(largest > 0.0, largest, np.nan), places) + 0.0
     return Column(PLAN, letter, letter, "%", empty(row.shape[1]), row)

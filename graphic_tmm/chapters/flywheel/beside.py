@@ -48,8 +48,8 @@ def mean_power(moment: Number, omega: Number) -> Number:
     holds="{first} ≠ 0",
     fails="there is nothing to compare with",
     why=said(
-        "Both methods seek the same moment of inertia; the first takes the links' energy at the mean speed, "
-        "the other does not. So much of the first do they differ."
+        "Both methods look for the moment of inertia that keeps the same δ; the first takes the links' "
+        "energy at the mean speed, the other does not. So much of the first do they differ."
     ),
 )
 def apart(first: Number, second: Number) -> Number:

@@ -21,7 +21,7 @@ from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
-from graphic_tmm.language.numbers import number
+from graphic_tmm.language.numbers import decimals_of, number
 from graphic_tmm.language.said import said
 from graphic_tmm.note.bricks import (
     asked,
@@ -50,7 +50,6 @@ from graphic_tmm.note.document import (
 from graphic_tmm.note.figures import WALL, in_hand, is_figure, picture
 from graphic_tmm.note.plans import at_position, listed, section, shown_and_listed
 from graphic_tmm.paper.seen import Seen
-from graphic_tmm.readers.writing import decimals_of
 
 MOMENTS = said("Equilibrium of moments:")
 CLOSED = said("Equilibrium of forces; the polygon closes where the lines of the unknown ones meet:")

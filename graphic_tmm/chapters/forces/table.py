@@ -46,15 +46,17 @@ class _Row(NamedTuple):
 def force_columns(drawn: Drawn, everywhere: bool = False) -> tuple[Column, ...]:
     """Return the columns of forces at the positions whose forces are asked for, or ``everywhere``."""
     made, count, reading = FORCES.on(drawn), len(drawn.names), drawn.reading
-    places = drawn.all if everywhere else made.places
+    there = drawn.all if everywhere else made.places
     rows = [*_loads(made), *_reactions(made), *_balance(made)]
     found = []
     for row in rows:
-        value = _at(reading.figure(row.value, row.scale), places)
+        value = _at(reading.figure(row.value, row.scale), there)
         mm = empty(count)
         if row.mm is not None:
-            mm = row_of(_at(reading.figure(row.mm), places), places, count)
-        told = row_of(np.abs(value) if row.size else value, places, count)
+            mm = row_of(_at(reading.figure(row.mm), there), there, count)
+        if row.unit == "%":
+            value = np.round(value, drawn.percent_decimals) + 0.0
+        told = row_of(np.abs(value) if row.size else value, there, count)
         found.append(Column(PLAN, row.segment, row.letter, row.unit, mm, told))
     # passes that do not settle leave no force known; without friction each force stands by itself
     if made.open is None:

@@ -38,7 +38,7 @@ from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
-from graphic_tmm.language.numbers import fixed, number
+from graphic_tmm.language.numbers import decimals_of, fixed, number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing
@@ -53,7 +53,6 @@ from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.result_table import (
     result_table,
 )
-from graphic_tmm.readers.writing import decimals_of
 
 EXACTLY = 2
 """To how many decimals a length is told that no ruler has rounded."""
@@ -296,8 +295,8 @@ def _verdict(drawn: Drawn, made: Forces, place: int) -> list[str]:
     apart = float(row[place if row.size > 1 else 0])
     if not math.isfinite(at(made.difference)):
         return [", ".join(both), _("Δ: there is nothing to compare")]
-    sign = "≤" if apart <= limit else ">"
-    told = fixed(apart, percent_decimals(found.values()), language)
+    places = percent_decimals(found.values())
+    told, sign = fixed(apart, places, language), "≤" if round(apart, places) <= limit else ">"
     judged = f"Δ = {told} % {sign} {number(limit, language, 2)} %"
     return [", ".join(both), judged]
 

@@ -92,9 +92,9 @@ def test_the_arc_that_is_drawn_is_the_one_that_is_calculated() -> None:
         assert drawn == pytest.approx(found["arc_of_engagement"][0], rel=1e-5)  # a spline's flank
 
 
-def test_drawn_sizes_are_the_real_ones_in_the_scale_of_the_book(tmp_path: Path) -> None:
+def test_drawn_sizes_are_the_real_ones_in_the_scale_of_the_book() -> None:
     """Document 003: μ = 168.68/400 = 0.4217, r = 142 and 237, r_w = 150 and 250, a_w = 400 mm."""
-    drawn = part(read(edited(tmp_path, ('"8 mm"', '"8 mm"\na_w = "400 mm"'), name="gear-pair")))
+    drawn = part(read(SHEETS / "gear-pair"))
     found, due = single(_results(drawn)), own(GEARS.on(drawn).order)
     mu = drawn.scales["gear"].value
     assert mu == pytest.approx(float(due["axes"]) / 400.0, rel=SAME)
