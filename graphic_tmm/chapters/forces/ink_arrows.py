@@ -207,7 +207,7 @@ def action(seen: Seen, step: Step, k: int) -> tuple[complex, complex, complex]:
 
 
 def drawn_arm(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-    """The arm of a force, square to its line of action; it tells a page its mm, and is not there without them."""
+    """The arm of a force, square to its line of action; a page is told its mm, without which none is drawn."""
     about, _, foot = action(seen, step, k)
     mm = abs(seen.number(step.it, k))
     if finite(about, foot, mm) and abs(foot - about) >= LEAST:
