@@ -28,26 +28,21 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from support.one_letter import scene
 
 TEMPLATE = "t.csv"
-EVERY: tuple[tuple[str, ...], ...] = (
-    ("table", SCENE, "-f", "json", "--exact"),
-    ("draw", SCENE, "-o", OUT, "-f", "svg,dxf", "--composition"),
-    ("steps", SCENE, "--why"),
-    ("note", SCENE, "-f", "md", "-o", OUT),
-    ("check", SCENE, "--template", "-o", f"{OUT}/{TEMPLATE}"),
-)
-"""What is run of every mechanism; a composition that `draw` writes is used by those behind it."""
-IN_TURN: tuple[tuple[str, ...], ...] = (
-    ("page", SCENE, "-o", OUT),
-    ("check", SCENE, CSV, "-f", "json", "--trials", "20"),
-    ("steps", SCENE, "--sheets", "-o", OUT),
-    ("table", SCENE, "-f", "csv", "--hand", "student", "--trials", "3"),
-    ("accuracy", SCENE, "-f", "json", "--trials", "10", "--no-time"),
-    ("page", SCENE, "--practice", "-o", OUT),
-    ("check", SCENE, "--template", "--short", "-o", f"{OUT}/{TEMPLATE}"),
-    ("task", SCENE, "-o", OUT, "-j", "0", "--keys", "sheets,table,page", "--readings"),
-    ("table", SCENE),
-    ("batch", SCENE, CSV, "-o", OUT, "--make", "draw,table,scene", "--jobs", "1"),
-    ("steps", SCENE, "-p", "scales", "-l", "ru"),
+DRAW = ("draw", SCENE, "-o", OUT, "-f", "svg,dxf", "--composition")
+"""What is run of every mechanism first; the composition that it writes is used by what follows."""
+BLANK = ("check", SCENE, "--template", "-o", f"{OUT}/{TEMPLATE}")
+IN_TURN: tuple[tuple[tuple[str, ...], ...], ...] = (
+    (("page", SCENE, "-o", OUT),),
+    (("table", SCENE, "-f", "json", "--exact"), BLANK, ("check", SCENE, CSV, "--trials", "20")),
+    (("steps", SCENE, "--why"), ("steps", SCENE, "--sheets", "-o", OUT)),
+    (("note", SCENE, "-f", "md", "-o", OUT),),
+    (("table", SCENE, "-f", "csv", "--hand", "student", "--trials", "3"), ("table", SCENE)),
+    (("accuracy", SCENE, "-f", "json", "--trials", "10", "--no-time"),),
+    (("page", SCENE, "--practice", "-o", OUT),),
+    ((*BLANK, "--short"), ("steps", SCENE, "-p", "scales", "-l", "ru")),
+    (("task", SCENE, "-o", OUT, "-j", "0", "--keys", "sheets,table,page", "--readings"),),
+    (("batch", SCENE, CSV, "-o", OUT, "--make", "draw,table,scene", "--jobs", "1"),),
+    (("note", SCENE, "-f", "html", "-l", "ru", "-o", OUT), ("steps", SCENE)),
 )
 """What is run of one mechanism each, in turn."""
 VARIANTS = "variant,drive.speed\n1,7 rad/s\n2,600 rpm\n"
@@ -67,12 +62,12 @@ class Told(NamedTuple):
 def told(text: str, folder: Path, number: int) -> Iterator[Told]:
     """Run commands on a scene, in a folder in which each leaves what those behind it use."""
     out, readings = folder / "out", b""
-    for line in (*EVERY, IN_TURN[number % len(IN_TURN)]):
+    for line in (DRAW, *IN_TURN[number % len(IN_TURN)]):
         shutil.rmtree(out, ignore_errors=True)
         given = VARIANTS.encode() if line[0] == "batch" else readings
         status, seconds, fault = run(Task("", "", text, given, line=line), folder)
         yield Told(line, status, seconds, fault or (_undefined(out) if status == 0 else ""))
-        if line[0] == "table" and status == 2:
+        if line is DRAW and status == 2:
             return  # the scene itself is refused
         if (drawn := out / "composition.toml").exists():
             shutil.copy(drawn, folder)

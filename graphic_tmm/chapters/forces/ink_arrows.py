@@ -72,12 +72,13 @@ class Told(NamedTuple):
         return f"{name} = {self.value:.4g} {self.unit}" if math.isfinite(self.value) else name
 
 
-def turning(arm: float, size: float) -> str:
+def turning(arm: float, size: float) -> Data:
     """Return the arm of a force as a page reads it, mm: positive where the arrow turns counter-clockwise.
 
-    ``size``: of the force, signed; an arrow is drawn the way that the force acts.
+    ``size``: of the force, signed; an arrow is drawn the way that the force acts. Nothing of an arm of which no
+    digit is sure.
     """
-    return f"{arm * (-1 if size < 0 else 1):.2f}"
+    return (("arm", f"{arm * (-1 if size < 0 else 1):.2f}"),) if math.isfinite(arm) else ()
 
 
 def length_of(size: float, largest: float) -> float:
@@ -206,10 +207,11 @@ def action(seen: Seen, step: Step, k: int) -> tuple[complex, complex, complex]:
 
 
 def drawn_arm(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-    """The arm of a force, square to its line of action; it tells a page its mm."""
+    """The arm of a force, square to its line of action; a page is told its mm, without which none is drawn."""
     about, _, foot = action(seen, step, k)
-    if finite(about, foot) and abs(foot - about) >= LEAST:
-        name, mm = segment_name(step.it.name), abs(seen.number(step.it, k))
+    mm = abs(seen.number(step.it, k))
+    if finite(about, foot, mm) and abs(foot - about) >= LEAST:
+        name = segment_name(step.it.name)
         data = (("segment", name), ("mm", f"{mm:.2f}"))
         yield line("thin", about, foot)._replace(data=data, title=f"{name} = {mm:.1f} mm")
 
@@ -230,7 +232,7 @@ def arm_shows(seen: Seen, step: Step, k: int) -> bool:
     if step.it.kind is Line:
         return any(arm_shows(seen, use, k) for use in seen.uses.get(step.it, ()) if _is_arm(use))
     about, _, foot = action(seen, step, k)
-    return abs(foot - about) >= ARM
+    return finite(seen.number(step.it, k)) and abs(foot - about) >= ARM
 
 
 def _is_arm(step: Step) -> bool:

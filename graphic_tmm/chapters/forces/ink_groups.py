@@ -219,7 +219,7 @@ class _Loads:
         point = self.at(force.point)
         line_of = self.shown.figure.lines.get(force.line, force.line)
         of = (point.slot, force.line.slot, line_of.slot, force.value.slot)
-        more = (("link", str(force.link)), ("arm", turning(self._arm(force), size)))
+        more = (("link", str(force.link)), *turning(self._arm(force), size))
         told = Told(force.letter, abs(size), "N", tuple(dict.fromkeys(of)), more)
         way = along * (-1 if size < 0 else 1)
         length = length_of(size, self.largest)
@@ -252,7 +252,7 @@ class _Loads:
         if reaction.value is not None and reaction.arm is not None:
             signed = self.seen.number(reaction.value, k)
             size, about = abs(signed), -self.seen.number(reaction.arm, k)
-            more = (("link", str(reaction.link)), ("arm", turning(about, signed)))
+            more = (("link", str(reaction.link)), *turning(about, signed))
             of.append(reaction.value.slot)
         told = Told(reaction.letter, size, "N", tuple(of), more)
         way = (head - tail) / abs(head - tail)

@@ -140,8 +140,8 @@ class _Loads:
     ) -> None:
         """An arrow at its image."""
         size = self.seen.number(value, self.index)
-        more = ("arm", turning(self.seen.number(arm, self.index), size))
-        told = Told(letter, abs(size), "N", of, (more,))
+        arms = turning(self.seen.number(arm, self.index), size)
+        told = Told(letter, abs(size), "N", of, arms)
         way = -along if size < 0 else along
         called = bar(symbol(letter, self.language))
         at, length = self.seen.point(point, self.index), length_of(size, self.largest)

@@ -20,6 +20,7 @@ from graphic_tmm.chapters.kinematics.names import KINEMATICS, POSITIONS
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 from graphic_tmm.chapters.kinematics.scales import reaches_at
 from graphic_tmm.chapters.kinematics.transmission import transmission
+from graphic_tmm.errors import StructureError
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
@@ -49,6 +50,8 @@ FOOT, SHARE = -0.35, 0.6
 passes its motion on so much better."""
 ALONE = 37.0
 """So many degrees behind the only position of a row it stands."""
+ANYWHERE = 5.0
+"""Where it assembles between no positions, the turn is tried in such steps, degrees."""
 
 
 class Pose(NamedTuple):
@@ -117,7 +120,7 @@ def _posed(scene: Scene) -> Pose:
     whole = record(bare, wanted={POSITIONS})
     made = KINEMATICS.on(whole)
     there = np.array([angle for angle in whole.angles if angle is not None])
-    between = _between(there, made)
+    between = _assembled(scene, made, there)
     passed = np.nan_to_num(transmission(made.tried, between), nan=-1.0)
     passed = passed * _apart(made, between)
     passed = np.where(np.sin(np.radians(between)) < FOOT, SHARE * passed, passed)
@@ -129,6 +132,32 @@ def _posed(scene: Scene) -> Pose:
     return Pose(scene, record(shown, wanted={POSITIONS}))
 
 
+def _assembled(scene: Scene, made: KinematicPlans, there: Reals) -> Reals:
+    """Return angles of the crank to choose from, at which it assembles, and a moment later too.
+
+    Half way between positions, if there are such; else anywhere in the turn off them; else those of positions.
+    """
+    turn = np.arange(there[0], there[0] + 360.0, ANYWHERE)
+    for row in (_between(there, made), turn[_away(turn, there) >= ASIDE], there):
+        marks = _points(made)
+        stands = np.ones(row.size, dtype=bool)
+        for at in (row, row + NEAR * made.sense):
+            reading = made.tried.at(at[None, :], marks)
+            for mark in marks:
+                stands &= np.isfinite(np.broadcast_to(reading[mark][0], row.shape))
+        if stands.any():
+            found: Reals = row[stands]
+            return found
+    says = said("{source}: none of the positions can be drawn{over}", source=scene.source, over="")
+    raise StructureError(says)
+
+
+def _away(row: Reals, there: Reals) -> Reals:
+    """Return how far angles are from the nearest position, degrees."""
+    away = np.abs((row[:, None] - there[None, :] + 180.0) % 360.0 - 180.0)
+    return np.asarray(away.min(axis=1))
+
+
 def _between(there: np.ndarray, made: KinematicPlans) -> np.ndarray:
     """Return angles of the crank half way between positions; of a single one, some way behind it."""
     if made.in_turn < 2:
@@ -136,15 +165,13 @@ def _between(there: np.ndarray, made: KinematicPlans) -> np.ndarray:
     step = 360.0 / made.in_turn
     row = there[: made.in_turn : max(1, made.in_turn // TRIED)]
     found = np.asarray(row + made.sense * step / 2.0, dtype=np.float64)
-    away = np.abs((found[:, None] - there[None, :] + 180.0) % 360.0 - 180.0).min(axis=1)
-    clear = found[away >= min(ASIDE, step / 4.0)]
+    clear = found[_away(found, there) >= min(ASIDE, step / 4.0)]
     return clear if clear.size else found
 
 
 def _apart(made: KinematicPlans, angles: Reals) -> Reals:
     """Return how well points are told apart at angles of the crank: 1 where all stand well off one another."""
-    bodies = made.tried.positions.bodies.values()
-    marks = list(dict.fromkeys(mark for one in bodies for mark in one.marks.values()))
+    marks = _points(made)
     reading = made.tried.at(angles[None, :], marks)
     row = np.empty((len(marks), angles.size), dtype=np.complex128)
     for k, mark in enumerate(marks):
@@ -154,6 +181,12 @@ def _apart(made: KinematicPlans, angles: Reals) -> Reals:
     never = np.ptp(away, axis=2) < span * TOGETHER  # of one link, or one point: always as far apart
     nearest = np.where(never[:, :, None], np.inf, away).min(axis=(0, 1))
     return np.asarray(np.clip(np.nan_to_num(nearest, nan=0.0) / (CLEAR * span), 0.1, 1.0))
+
+
+def _points(made: KinematicPlans) -> list[Mark]:
+    """Return the points of all links where positions are tried."""
+    bodies = made.tried.positions.bodies.values()
+    return list(dict.fromkeys(mark for one in bodies for mark in one.marks.values()))
 
 
 def _marks(made: KinematicPlans) -> list[Mark]:

@@ -142,6 +142,7 @@ NONSENSE = (
     '[mark]\nsteps = { "\\u0007" = 3 }\nbelow = 2\n',
     "[mark]\nsteps = 3\nbelow = 2\n",
     "[points]\nplan = 1001\n",
+    f"[points]\nplan = {'9' * 400}\n",
 )
 
 

@@ -8,10 +8,12 @@ from xml.etree import ElementTree
 import pytest
 from support import sheet_reader
 from support.gallery import SHEETS
+from support.scenes import slider_crank
 
 from graphic_tmm.classroom.batch.work import done
 from graphic_tmm.classroom.tasks.work import works
 from graphic_tmm.classroom.variants.variant import base
+from graphic_tmm.errors import StructureError
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -108,3 +110,20 @@ def test_every_train_has_its_scheme(kind: str, driving: str, tmp_path: object) -
     text = re.sub(r"ratio      = .*", f"ratio = {-12 if kind.endswith('external') else 12}", text)
     words = sheet_reader.views(task(text, tmp_path))["scheme"].words
     assert {"1", "2", "3", "4", "5", "6", "H"} <= set(words)
+
+
+@pytest.mark.parametrize(("zero", "positions"), [(10, 1), (170, 2), (3, 40)])
+def test_what_assembles_over_a_part_of_the_turn_is_shown_where_it_does(
+    zero: int, positions: int, tmp_path: object
+) -> None:
+    """A rod of a third of the crank reaches the guide within 19.47° of dead centres: half-way angles do not."""
+    drive = f'speed = "3 1/s"\npositions = {positions}\nzero = {zero}\n'
+    text = task(slider_crank(drive, crank=0.3, rod=0.1), tmp_path)
+    assert "nan" not in text
+    assert circles_and_lines(text)
+
+
+def test_what_assembles_almost_nowhere_is_refused(tmp_path: object) -> None:
+    drive = 'speed = "3 1/s"\npositions = 1\nzero = 92.5\n'
+    with pytest.raises(StructureError, match="none of the positions can be drawn"):
+        task(slider_crank(drive, crank=3.0, rod=0.1), tmp_path)

@@ -1,0 +1,28 @@
+"""Mechanisms whose groups meet in one letter, by every command; more: ``tests/hard/fuzz_mechanisms.py``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from fuzz_mechanisms import case
+from support.one_letter import GROUPS, scene
+
+
+@pytest.mark.parametrize(("first", "usual"), [(3, 1), pytest.param(4, 11, marks=pytest.mark.slow)])
+def test_they_are_drawn_or_refused(first: int, usual: int, many: Callable[[int, int], int]) -> None:
+    found = [case(number) for number in range(first, first + many(300 if usual > 1 else 1, usual))]
+    assert not [one for one in found if one.fault]
+    # 1: of readings one in five is wrong
+    assert {one.status for one in found} <= {0, 1, 2}
+
+
+def test_most_of_them_have_links_of_one_point() -> None:
+    texts = [scene(number) for number in range(5 * len(GROUPS))]
+    lone = [text for text in texts if any(_lone(line) for line in text.splitlines())]
+    assert len(lone) > len(texts) / 2
+    assert scene(7) == scene(7)
+
+
+def _lone(line: str) -> bool:
+    return line.startswith("points = ") and line.count("[") == 1
