@@ -40,3 +40,15 @@ def test_a_command_loads_no_other(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delitem(sys.modules, "graphic_tmm.commands.accuracy", raising=False)
     assert CliRunner().invoke(main, ["schema", "--help"]).exit_code == 0
     assert "graphic_tmm.commands.accuracy" not in sys.modules
+
+
+def test_the_changes_are_printed_the_newest_first_in_both_languages() -> None:
+    ended = CliRunner().invoke(main, ["--changes"])
+    text = (Path(commands.__file__).parents[1] / "CHANGES.md").read_text(encoding="utf-8")
+    assert (ended.exit_code, ended.stdout) == (0, text)
+    versions = [line for line in text.splitlines() if line.startswith("## ")]
+    assert versions == sorted(
+        versions, key=lambda one: [int(n) for n in one[3:].split(".")], reverse=True
+    )
+    assert "--changes" in CliRunner().invoke(main, ["--help"]).stdout
+    assert "Показать, что изменилось" in CliRunner().invoke(main, ["--help", "-l", "ru"]).stdout

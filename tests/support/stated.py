@@ -26,7 +26,7 @@ _STRUCTURE = frozenset(
 _BOXED = re.compile(r"\[([^\[\]·+−=/-]+)\]")
 """The length of a quantity on paper, in brackets: a letter of its own."""
 _PLAIN = str.maketrans({"·": r" \cdot ", "²": "^{2}", "³": "^{3}", "[": "(", "]": ")"})
-_UNIT = re.compile(r"\s*(?:\\text\{[^{}\d]*\}|(?<=\d)\s+[^\d\s(·+−=-][^+−=()]*)\s*$")
+_UNIT = re.compile(r"\s*(?:\\text\{[^{}\d]*\}|(?<=\d)\s+[^\d\s(·+−=%-][^+−=()]*)\s*$")
 
 
 class Stated(NamedTuple):
@@ -243,7 +243,7 @@ class Equations:
             self.left_out.append(formula)
             return
         self.evaluated += 1
-        self.signed += any(sign in formula for sign in "-−")
+        self.signed += re.search("−|-(?![a-z])", formula) is not None
         room = SPARE * (found.off + due.half) + 1e-12 * abs(due.value)
         if not abs(found.value - due.value) <= room:
             self.wrong.append(f"{found.value:.6g} ± {room:.2g}, not {due.value:.6g}: {formula}")
@@ -292,9 +292,13 @@ class Equations:
 
 
 def _number(side: str) -> Stated | None:
-    """Return a side that is one figure; None if it is anything else."""
+    """Return a side that is one figure, else None; a percentage is rounded at the last digit that it has."""
     plain = re.sub(
         r"[\s(){}]|\\left|\\right|\\text", "", side.replace("{,}", ".").replace(",", ".")
-    ).replace("−", "-")
-    found = re.fullmatch(r"-?(\d+(?:\.\d+)?)[%°]?", plain)
-    return Stated(float(plain.rstrip("%°")), half_of(found[1])) if found else None
+    )
+    found = re.fullmatch(r"([-−]?)(\d+(?:\.(\d+))?)(\\?[%°])?", plain)
+    if found is None:
+        return None
+    minus, figure, decimals, unit = found.groups()
+    half = half_of(figure) if unit in (None, "°") else 0.5 * 10.0 ** -len(decimals or "")
+    return Stated(-float(figure) if minus else float(figure), half)
