@@ -28,7 +28,7 @@ def line_on_arc(first: Line, second: Line, at: Number) -> Line:
 @operation(why=said("The follower is on one arc at a time: what is drawn for an arc holds there."))
 def while_on(of: Point, at: Number) -> Point:
     """In the positions in which the follower is on the arc take {of}; this is {it}."""
-    return Point(np.where(at > 0, of, np.nan))
+    return Point(of * np.where(at > 0, 1.0, np.nan))
 
 
 @operation(
