@@ -6,7 +6,7 @@ import { boxesMeet } from "./sheet-bounds.js";
 /** Letters grow no more than so many times: they would cover what they name. */
 const MOST = 2.2;
 /** What is tried of a letter's growth, until it meets no other letter and no edge. */
-const SHARES = [1, 0.75, 0.5, 0.25];
+const GROWTHS = [1, 0.75, 0.5, 0.25];
 /** The height of letters is so many times the width of their strokes (ГОСТ 2.304, type B). */
 const HEIGHT = 10;
 
@@ -33,10 +33,10 @@ export function enlarge(svg, least) {
   labels.forEach((label, k) => {
     const most = Math.min(least / (sizes[k] ?? least), MOST) - 1;
     if (!(most > 0)) return;
-    for (const share of SHARES) {
+    for (const share of GROWTHS) {
       const times = 1 + share * most;
       const larger = grownBox(boxes[k] ?? sheet, times);
-      if (!within(sheet, larger) || boxes.some((box, n) => n !== k && boxesMeet(box, larger))) continue;
+      if (!holds(sheet, larger) || boxes.some((box, n) => n !== k && boxesMeet(box, larger))) continue;
       boxes[k] = larger;
       label.style.setProperty("--times", String(times));
       break;
@@ -67,7 +67,7 @@ function grownBox([left, top, right, bottom], times) {
  * @param {Box} outer
  * @param {Box} inner
  */
-function within(outer, inner) {
+function holds(outer, inner) {
   return inner[0] >= outer[0] && inner[1] >= outer[1] && inner[2] <= outer[2] && inner[3] <= outer[3];
 }
 
