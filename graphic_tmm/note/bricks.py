@@ -65,7 +65,7 @@ TABLED = said("It is worked step by step in {}.")
 
 
 def worked(drawn: Drawn) -> int:
-    """Return the position (index) that is worked in full: of those in which most is drawn and told the main one."""
+    """Return the position (index) that is worked in full: the main one of those with the most plans."""
     rows = [*drawn.project.rows.values(), *drawn.project.told.values()]
     there = [k for k in drawn.all if k not in drawn.undrawn] or [0]
     counts = {k: sum(k in row for row in rows) for k in there}

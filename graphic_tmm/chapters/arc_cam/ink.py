@@ -246,9 +246,10 @@ def _shaft(ink: _Ink) -> Iterator[Ink]:
     if not math.isfinite(reach):
         return
     yield from added([line("centre", -reach * way, reach * way) for way in (1 + 0j, 1j)], "axis")
-    yield from body([circle("joint", 0j, 2.0)], "pivot", [ink.made.contour.origin])
-    sense = ink.made.sense
-    yield from added(round_arrow(0j, TURN, 90.0 - sense * 200.0, sense * 110.0), "sense")
+    centre, sense = [ink.made.contour.origin], ink.made.sense
+    yield from body([circle("joint", 0j, 2.0)], "pivot", centre)
+    bow = round_arrow(0j, TURN, 90.0 - sense * 200.0, sense * 110.0)
+    yield from body(bow, "sense", centre)
 
 
 def _letters(ink: _Ink, names: ArcNames) -> Iterator[Wanted]:

@@ -121,7 +121,7 @@ def _letters(ink: CamInk, names: ProfileNames, points: Complexes) -> Iterator[Wa
         aside[0] = free
     yield Wanted("O", 0j, ink.heights.point, 2.5, free - 1j, (made.centre.slot,))
     low = TURN * cmath.rect(1.0, math.radians(-90 + cam.sense * 15))
-    yield Wanted(names.omega, low, ink.heights.number, 1.0, -1j)
+    yield Wanted(names.omega, low, ink.heights.number, 1.0, -1j, (made.centre.slot,))
     mark = (made.theoretical or made.working).points
     yield from numbered(ink, names.positions, mark, spots, aside, radius=1.6 if lever else 0.6)
     if made.roller is not None and np.isfinite(points[0]):

@@ -105,5 +105,7 @@ def shaft(ink: CamInk) -> Iterator[Ink]:
         return
     cross = [line("centre", -reach * way, reach * way) for way in (1 + 0j, 1j)]
     yield from added(cross, "axis")
-    yield from body([circle("joint", 0j, 2.0)], "pivot", [cam.profile.centre])
-    yield from added(round_arrow(0j, TURN, 90.0 - cam.sense * 200.0, cam.sense * 110.0), "sense")
+    centre = [cam.profile.centre]
+    yield from body([circle("joint", 0j, 2.0)], "pivot", centre)
+    bow = round_arrow(0j, TURN, 90.0 - cam.sense * 200.0, cam.sense * 110.0)
+    yield from body(bow, "sense", centre)

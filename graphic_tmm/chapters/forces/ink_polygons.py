@@ -99,7 +99,7 @@ class _Sides:
             yield from self.arrow(letter, tail, head, k, "main")
 
     def names(self, tail: Mark, head: Mark) -> tuple[int, ...]:
-        """The marks with which a vector, and so its letter, is there: its ends, what draws it if it was measured."""
+        """The marks with which a vector and its letter are there: its ends, the length whose step draws it."""
         marks = (tail, head, self.lengths.get((tail, head)))
         return tuple(mark.slot for mark in marks if mark is not None)
 

@@ -1,5 +1,6 @@
 import { Cursors } from "./cursor.js";
 import { element, iconButton, typeset } from "./dom.js";
+import { growApart } from "./enlarge.js";
 import { Moving } from "./moving.js";
 import { placeOf } from "./strokes.js";
 import { fixedText, fourFigures, Values } from "./crank-values.js";
@@ -151,6 +152,9 @@ function weigh(svg) {
   const [, , across = 1, up = 1] = (svg.getAttribute("viewBox") ?? "").split(" ").map(Number);
   const scale = Math.min(width / across, height / up);
   if (!(scale > 0)) return;
-  svg.style.setProperty("--larger", Math.min(LARGEST, Math.max(1, LEGIBLE / (CAPITAL * scale))).toFixed(2));
+  const larger = Math.min(LARGEST, Math.max(1, LEGIBLE / (CAPITAL * scale)));
+  svg.style.setProperty("--larger", larger.toFixed(2)); // what moves passes over others anyway
+  const still = /** @type {SVGElement[]} */ ([...svg.querySelectorAll(".stays .glyph")]);
+  growApart(svg, still, still.map(() => larger), "--larger");
   svg.style.setProperty("--heavier", Math.max(1, SEEN / scale).toFixed(2));
 }

@@ -5,8 +5,10 @@ import { boxesMeet } from "./sheet-bounds.js";
 
 /** Letters grow no more than so many times: they would cover what they name. */
 const MOST = 2.2;
-/** What is tried of a letter's growth, until it meets no other letter and no edge. */
-const SHARES = [1, 0.75, 0.5, 0.25];
+/** All letters grow by these shares in turn, each as long as it meets no other and no edge. */
+const GROWTHS = [0.25, 0.5, 0.75, 1];
+/** Clear between letters that have grown, px. */
+const ASUNDER = 2;
 /** The height of letters is so many times the width of their strokes (ГОСТ 2.304, type B). */
 const HEIGHT = 10;
 
@@ -23,25 +25,42 @@ export function enlarge(svg, least) {
   if (!(scale > 0)) return;
   svg.style.setProperty("--mm", `${1 / scale}px`);
   const labels = /** @type {SVGElement[]} */ ([...svg.querySelectorAll(".label")]);
-  for (const label of labels) label.style.removeProperty("--times");
   const sizes = labels.map((label) => HEIGHT * Number(label.closest(".lettering")?.getAttribute("stroke-width")) * scale);
-  if (sizes.every((size) => size >= least)) return;
   svg.classList.add("measured");
-  const boxes = labels.map((label) => boxOf(label.getBoundingClientRect()));
+  growApart(svg, labels, sizes.map((size) => Math.min(least / size, MOST)), "--times");
   svg.classList.remove("measured");
-  const sheet = boxOf(room);
-  labels.forEach((label, k) => {
-    const most = Math.min(least / (sizes[k] ?? least), MOST) - 1;
-    if (!(most > 0)) return;
-    for (const share of SHARES) {
-      const times = 1 + share * most;
-      const larger = grownBox(boxes[k] ?? sheet, times);
-      if (!within(sheet, larger) || boxes.some((box, n) => n !== k && boxesMeet(box, larger))) continue;
+}
+
+/**
+ * Let letters grow, each as far as it meets no other one and no edge of its drawing.
+ * @param {SVGElement} svg
+ * @param {SVGElement[]} letters
+ * @param {number[]} times how much larger each is to be
+ * @param {string} property of its style, which tells it
+ */
+export function growApart(svg, letters, times, property) {
+  for (const letter of letters) letter.style.setProperty(property, "1");
+  if (times.every((most) => most <= 1)) return;
+  const sheet = boxOf(svg.getBoundingClientRect());
+  const whole = letters.map((letter) => boxOf(letter.getBoundingClientRect()));
+  const boxes = [...whole];
+  for (const share of GROWTHS) {
+    letters.forEach((letter, k) => {
+      const more = Math.max((times[k] ?? 1) - 1, 0);
+      const larger = grownBox(whole[k] ?? sheet, 1 + share * more);
+      if (more === 0 || !holds(sheet, larger) || boxes.some((other, n) => n !== k && boxesMeet(other, wider(larger)))) return;
       boxes[k] = larger;
-      label.style.setProperty("--times", String(times));
-      break;
-    }
-  });
+      letter.style.setProperty(property, (1 + share * more).toFixed(2));
+    });
+  }
+}
+
+/**
+ * @param {Box} box
+ * @returns {Box}
+ */
+function wider([left, top, right, bottom]) {
+  return [left - ASUNDER, top - ASUNDER, right + ASUNDER, bottom + ASUNDER];
 }
 
 /**
@@ -67,7 +86,7 @@ function grownBox([left, top, right, bottom], times) {
  * @param {Box} outer
  * @param {Box} inner
  */
-function within(outer, inner) {
+function holds(outer, inner) {
   return inner[0] >= outer[0] && inner[1] >= outer[1] && inner[2] <= outer[2] && inner[3] <= outer[3];
 }
 

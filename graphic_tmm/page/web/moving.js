@@ -35,7 +35,7 @@ export class Moving {
     for (const layer of pens.values()) if (layer.childElementCount > 0) this.body.append(layer);
     this.svg.append(this.body);
     for (const [n, x, y] of figure.stands ?? []) {
-      this.svg.append(drawnElement("g", { transform: `translate(${x} ${-y})` }, written(dense.glyphs[n])));
+      this.svg.append(drawnElement("g", { class: "stays", transform: `translate(${x} ${-y})` }, written(dense.glyphs[n])));
     }
     const letters = drawnElement("g", { class: "letters" });
     for (const [n, x, y, there] of figure.letters) {
