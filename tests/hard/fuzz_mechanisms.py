@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-from fuzz import Case, run
+from fuzz import Case, command, run
 from fuzz_options import CSV, OUT, SCENE
 from fuzz_tasks import Task
 
