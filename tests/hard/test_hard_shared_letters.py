@@ -26,3 +26,11 @@ def test_most_of_them_have_links_of_one_point() -> None:
 
 def _lone(line: str) -> bool:
     return line.startswith("points = ") and line.count("[") == 1
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", [8, 151, 155, 167])
+def test_what_was_found_is_drawn(number: int) -> None:
+    """Tasks of what assembles near one position only; an arm without a sure digit; bars longer than their group."""
+    found = case(number)
+    assert (found.status, found.fault) == (0, "")

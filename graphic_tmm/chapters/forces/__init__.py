@@ -113,7 +113,7 @@ def _fixed(scene: Scene) -> str:
 
 SIZES = (
     Size("forces", least=0.1, small=0.5, cap=0.42, fixed=_fixed),
-    Size("groups", least=0.25, small=0.6, cap=0.42),
+    Size("groups", least=0.05, small=0.6, cap=0.42),
     Size("lever", least=0.05, small=0.6, cap=0.45),
 )
 """Of polygons, of detached groups, of the lever: shares of the usual room."""

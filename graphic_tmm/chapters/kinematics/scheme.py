@@ -177,10 +177,10 @@ def _apart(made: KinematicPlans, angles: Reals) -> Reals:
     for k, mark in enumerate(marks):
         row[k] = reading[mark][0]
     away = np.abs(row[:, None] - row[None, :])
-    span = float(np.nanmax(away))
+    span = float(away.max())
     never = np.ptp(away, axis=2) < span * TOGETHER  # of one link, or one point: always as far apart
     nearest = np.where(never[:, :, None], np.inf, away).min(axis=(0, 1))
-    return np.asarray(np.clip(np.nan_to_num(nearest, nan=0.0) / (CLEAR * span), 0.1, 1.0))
+    return np.asarray(np.clip(np.minimum(nearest, span) / (CLEAR * span), 0.1, 1.0))
 
 
 def _points(made: KinematicPlans) -> list[Mark]:
