@@ -20,7 +20,7 @@ def _changes(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
     """Print what has changed, page by page where somebody sits at a terminal."""
     if wanted:
         text = Path(__file__).with_name("CHANGES.md").read_text(encoding="utf-8")
-        click.echo_via_pager(text)
+        click.echo_via_pager(text.rstrip("\n"))
         ctx.exit()
 
 
