@@ -115,6 +115,7 @@ SYMBOLS: dict[str, str] = {
     "extreme_of_two": FREE,
     "stand": FREE,
     "in_turn": FREE,
+    "while_on": FREE,
     "on_arc": FREE,
     "line_on_arc": FREE,
     "nearest_standard": _LOOK,
