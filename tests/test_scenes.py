@@ -81,7 +81,8 @@ def test_the_scenes_use_what_a_task_may_ask_for() -> None:
 def test_a_scene_is_drawn_at_every_position(name: str) -> None:
     made = work_of(name)
     assert made.undrawn == ()
-    assert warnings(made) == ()
+    # what its number of positions costs is said, and is no fault of the scene
+    assert [line for line in warnings(made) if not line.startswith("With ")] == []
     assert not [finding for finding in made.findings() if finding.kind == "undrawn"]
 
 

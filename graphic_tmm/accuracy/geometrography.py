@@ -62,6 +62,7 @@ SYMBOLS: dict[str, str] = {
     # lines
     "join": _JOIN,
     "rocker_line": _JOIN,
+    "cylinder_axis": _JOIN,
     "ray": _RAY,
     "incline": _RAY,
     "slew": _RAY,

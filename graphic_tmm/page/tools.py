@@ -114,7 +114,7 @@ class Desk(NamedTuple):
         name, uses = step.op.name, dict(zip(step.op.arguments, step.uses, strict=True))
         if not finite(at, along) or along == 0:
             return None
-        if name in ("join", "rocker_line"):
+        if name in ("join", "rocker_line", "cylinder_axis"):
             ends = step.op.arguments[:2]
             start, end = (self.seen.point(uses[key], place) for key in ends)
             return _EDGE, {"start": words[ends[0]], "end": words[ends[1]]}, "edge", [start, end]

@@ -47,9 +47,9 @@ def test_stops_of_all_scenes_are_the_pictures_and_the_lines(name: str) -> None:
 
 def assert_all_is_told(name: str) -> None:
     for view in plays(name):
-        assert [s.picture for s in view.stops if s.picture] == list(
-            pictures(view.log, view.drawing)
-        )
+        assert [s.picture for s in view.stops if s.picture] == list(view.shown)
+        first = next((one.position for one in view.shown if one.position is not None), None)
+        assert list(view.shown) == list(pictures(view.log, view.drawing, first))
         told = [one.slot for stop in view.stops if not _again(stop) for one in stop.told]
         assert len(told) == len(set(told)), "no step is told twice"
         assert all(stop.told for stop in view.stops[1:] if not _again(stop)), "none is silent"

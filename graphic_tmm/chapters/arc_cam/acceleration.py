@@ -68,7 +68,8 @@ def second_derivatives(draft: Draft, made: ArcCam) -> tuple[Mark, Mark]:
         on = (shares > start - SAME) & (shares < end + SAME)
         if end - start > SAME and on.any():
             at = draft.take(Number, "σ", np.where(on, 1.0, np.nan)[None, :])
-            found.append((_closed(draft, made, way, made.contour.arcs[name], at), start, end))
+            closed = _closed(draft, made, way, made.contour.arcs[name], at, f"_{k + 1}")
+            found.append((closed, start, end))
     before, behind = (
         _read(
             draft, made, way, [(one, _between(shares + by, *ends)) for one, *ends in found], letter
@@ -93,14 +94,19 @@ def _way(draft: Draft, made: ArcCam) -> _Way:
     return _Way(line, line, draw(measure, "O_1B", follower.pivots, follower.points))
 
 
-def _closed(draft: Draft, made: ArcCam, way: _Way, arc: Arc, at: Mark) -> _Closed:
-    """Close the polygon of accelerations for the positions on an arc; ``at``: 1 there, missing elsewhere."""
+def _closed(draft: Draft, made: ArcCam, way: _Way, arc: Arc, at: Mark, number: str) -> _Closed:
+    """Close the polygon of accelerations for the positions on an arc.
+
+    ``at``: 1 there, missing elsewhere; ``number``: behind the letters of its ends, which are put together later.
+    """
     draw, origin = draft.draw, made.contour.origin
     if made.order.follower == FLAT:
         assert arc.centre is not None
         corner = draw(while_on, f"{arc.centre.name}′", arc.centre, at, free=True)
         across = draw(square, "(NQ)", corner, way.line, sense=1, why=why.CLOSES)
-        return _Closed(origin, draw(meet, "Q", across, way.line, free=True, why=why.CLOSES))
+        return _Closed(
+            origin, draw(meet, f"Q{number}", across, way.line, free=True, why=why.CLOSES)
+        )
     point = draw(while_on, "B′", made.follower.points, at, free=True)
     if arc.centre is None:
         assert arc.way is not None
@@ -118,9 +124,9 @@ def _closed(draft: Draft, made: ArcCam, way: _Way, arc: Arc, at: Mark) -> _Close
     if way.arm is not None:
         own = draw(measure_along, "OV", origin, turned, way.line, why=why.TRIANGLE)
         lever = draw(f.normal_part, "n_1", own, way.arm)
-        start = draw(lay_off, "M", way.line, lever, free=True, why=why.WAY_OF_LEVER)
-        line = draw(square, "(MQ)", start, way.line, sense=1, why=why.WAY_OF_LEVER)
-    return _Closed(start, draw(meet, "Q", across, line, free=True, why=why.CLOSES))
+        start = draw(lay_off, f"M{number}", way.line, lever, free=True, why=why.WAY_OF_LEVER)
+        line = draw(square, f"(M{number}Q{number})", start, way.line, sense=1, why=why.WAY_OF_LEVER)
+    return _Closed(start, draw(meet, f"Q{number}", across, line, free=True, why=why.CLOSES))
 
 
 def _read(
@@ -128,11 +134,12 @@ def _read(
 ) -> Mark:
     """Put the polygons of the arcs together, and read what they tell; on the base circle both ends are O."""
     draw, start, end = draft.draw, made.contour.origin, made.contour.origin
-    for one, there in arcs:
+    for k, (one, there) in enumerate(arcs, start=1):
         at = draft.take(Number, "σ", there)
-        end = draw(on_arc, "Q", one.end, end, at, free=True)
+        until = "" if k == len(arcs) else f"_{{1–{k}}}"
+        end = draw(on_arc, f"Q{until}", one.end, end, at, free=True)
         if way.arm is not None:
-            start = draw(on_arc, "M", one.start, start, at, free=True)
+            start = draw(on_arc, f"M{until}", one.start, start, at, free=True)
     if way.arm is None:
         part = draw(measure_along, "OQ", start, end, way.line)
         return draw(f.second_derivative, letter, part, made.contour.mu, unit="m")

@@ -14,13 +14,13 @@ _TOGETHER = said("The follower is on one arc at a time; here they are put togeth
 
 @operation(why=_TOGETHER)
 def on_arc(first: Point, second: Point, at: Number) -> Point:
-    """Where the follower is on the first arc take {first}, else {second}; this is {it}."""
+    """Where the follower is on the arc of {first} take that, else {second}; this is {it}."""
     return Point(np.where(at > 0, first, second))
 
 
 @operation(why=_TOGETHER)
 def line_on_arc(first: Line, second: Line, at: Number) -> Line:
-    """Where the follower is on the first arc take the line {first}, else {second}; this is {it}."""
+    """Where the follower is on the arc of the line {first} take that, else {second}; this is {it}."""
     chosen = at > 0
     return Line(np.where(chosen, first.at, second.at), np.where(chosen, first.along, second.along))
 

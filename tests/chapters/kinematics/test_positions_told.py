@@ -97,7 +97,7 @@ def test_every_link_bears_its_number_in_a_circle_that_nothing_crosses(name: str)
 @pytest.mark.parametrize("name", NAMES)
 def test_the_line_from_a_number_ends_on_its_link(name: str) -> None:
     work, view = drawn(name), plan(name)
-    main, frame = views.main_position(work), KINEMATICS.on(work).mechanism.frame.number
+    main, frame = work.main, KINEMATICS.on(work).mechanism.frame.number
     lines = [s for s in view.strokes if s.part == "number" and not s.closed]
     for ring in (one for one in rings(view) if one.pen == "thin"):
         label = next(one for one in view.labels if abs(middle(one) - centre(ring)) < 0.3)
@@ -161,7 +161,7 @@ def told_by(text: str) -> list[str]:
 @pytest.mark.parametrize("name", NAMES)
 def test_every_slider_bears_the_numbers_of_its_positions_where_it_stands(name: str) -> None:
     work, view = drawn(name), plan(name)
-    main = views.main_position(work)
+    main = work.main
     for one in (f for f in work.construction.figures if f.kind == "slider"):
         mark = one.marks[0]
         told = [one for one in view.labels if one.of == (mark.slot,) and one.text[0].isdigit()]
@@ -230,7 +230,7 @@ def made(tmp_path: Path, **said: object) -> Drawn:
 @pytest.mark.parametrize("rod", [0.15, 0.35, 1.0])
 def test_the_main_position_is_no_dead_centre(at: str, rod: float, tmp_path: Path) -> None:
     work = made(tmp_path, at=at, rod=rod)
-    k = views.main_position(work)
+    k = work.main
     phi = math.radians(work.project.angles[k] or 0.0)
 
     def travel(angle: float) -> float:
@@ -244,4 +244,4 @@ def test_the_main_position_is_no_dead_centre(at: str, rod: float, tmp_path: Path
 
 def test_a_scene_may_name_the_main_position_itself(tmp_path: Path) -> None:
     work = made(tmp_path, more='[plans]\nmain = "4"')
-    assert work.names[views.main_position(work)] == "4"
+    assert work.names[work.main] == "4"
