@@ -72,6 +72,10 @@ def refusal(scene: Scene, error: ViewError) -> SheetError:
         key, helps = f"{known[plan].fixed(scene)}: ", [_remedy(scene, known[plan])]
     elif written := [name for name in size_keys() if name in scene.told]:
         helps = [said("to change, or leave out, {listed}", listed=", ".join(written))]
+    elif scene.hand != "exact":
+        helps = [
+            said("the exact hand, --hand exact: a slip grows where lines meet at a small angle")
+        ]
     if any(order.format != "A1" for order in scene.sheets) and _held_by_a1(scene, error):
         helps.append(said('a further sheet with format = "A1" for it'))
     says = said("{source}: {key}{error}", source=scene.source, key=key, error=error.args[0])

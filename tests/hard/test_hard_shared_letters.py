@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 from fuzz_mechanisms import case
+from support.command import invoke
 from support.one_letter import GROUPS, scene
+from support.scenes import written
 
 
 @pytest.mark.parametrize(("first", "usual"), [(3, 1), pytest.param(4, 11, marks=pytest.mark.slow)])
@@ -31,6 +34,18 @@ def _lone(line: str) -> bool:
 @pytest.mark.slow
 @pytest.mark.parametrize("number", [8, 151, 155, 167])
 def test_what_was_found_is_drawn(number: int) -> None:
-    """Tasks of what assembles near one position only; an arm without a sure digit; bars longer than their group."""
+    """Tasks of what assembles near one position only; an arm without a sure digit; bars longer than a group."""
     found = case(number)
     assert (found.status, found.fault) == (0, "")
+
+
+@pytest.mark.slow
+def test_what_only_a_hand_that_slips_draws_too_large_is_drawn_by_the_exact_one(
+    tmp_path: Path,
+) -> None:
+    """Guides that cross at 2°: where a student's lines meet the forces are 300 times the true ones."""
+    file, out = written(tmp_path, scene(154)), tmp_path / "out"
+    refused = invoke("draw", file, "-o", out)
+    assert (refused.exit_code, out.exists()) == (2, False)
+    assert "what helps: the exact hand" in refused.stderr
+    assert invoke("draw", file, "-o", out, "--hand", "exact").exit_code == 0
