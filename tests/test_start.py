@@ -43,7 +43,7 @@ def test_every_command_of_the_guide_does_what_it_says(
             filled(Path("readings.csv"), Path("table.csv"))
         if words[0] == "serve":
             with serving(Path(words[1])) as server:
-                assert server.ask("/")[0] == 200
+                assert server.ask("/")[0] in (200, 307)  # one scene is shown at once
             continue
         done = invoke(*words)
         assert done.exit_code == 0, (words, done.output)

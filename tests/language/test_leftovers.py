@@ -34,7 +34,6 @@ ALL = [(name, language) for name in SCENES for language in LANGUAGES]
 TEX = re.compile(r"\$[^$]*\$")
 CHOICES = re.compile(r"\[[^\]]*\]")
 """What options may be, and are: words that are typed."""
-TAGS = re.compile(r"<[^>]*>")
 
 
 def written(name: str, language: str, folder: Path) -> tuple[Path, str]:
@@ -55,32 +54,37 @@ def ran(language: str, *words: object) -> str:
 
 def drawn(file: Path, language: str, folder: Path) -> Iterator[tuple[str, str]]:
     """Yield what is written and printed of a scene, by name."""
-    yield "draw", ran(language, "draw", file, "-o", folder / "drawn")
-    yield "page", ran(language, "page", file, "-o", folder / "page", "--practice")
+    yield "draw", ran(language, "draw", file, "-f", "svg,html", "-o", folder / "drawn")
     yield "note", ran(language, "note", file, "-f", "md", "-o", folder / "note")
     yield "task", ran(language, "task", file, "-o", folder / "task", "--readings", "--keys", "none")
+    readers = {".svg": of_svg, ".html": of_page, ".md": lambda told: TEX.sub("", told), ".csv": str}
     for path in sorted(folder.rglob("*.*")):
-        text = path.read_text(encoding="utf-8")
-        readers = {".svg": of_svg, ".html": of_page, ".md": lambda told: TEX.sub("", told)}
-        if path.suffix in (*readers, ".csv") and path != file:
-            yield str(path.relative_to(folder)), readers.get(path.suffix, str)(text)
+        if path.suffix in readers:
+            said = readers[path.suffix](path.read_text(encoding="utf-8"))
+            yield str(path.relative_to(folder)), said
 
 
 def told(file: Path, language: str, folder: Path) -> Iterator[tuple[str, str]]:
-    """Yield what is printed of a scene, by name; readings of 7 mm each are judged."""
+    """Yield what is printed of a scene, by name; readings of 7 mm each are judged.
+
+    What accuracy costs is told of a cam alone: a mechanism is drawn dozens of times for it.
+    """
     for words in (("table",), ("table", "-f", "csv"), ("steps", "--why")):
         yield " ".join(words), ran(language, words[0], file, *words[1:])
-    yield "accuracy", ran(language, "accuracy", file, "--trials", "10", "--no-time")
-    template = ran(language, "check", file, "--template")
-    yield "template", template
-    yield "short", ran(language, "check", file, "--template", "--short")
-    rows = [re.split("[,;]", row)[:3] for row in template.splitlines()[1:40] if row.strip()]
+    if "[cam]" in file.read_text(encoding="utf-8"):
+        yield "accuracy", ran(language, "accuracy", file, "--trials", "10", "--no-time")
+    yield "template", ran(language, "check", file, "--template")
+    short = ran(language, "check", file, "--template", "--short")
+    yield "short", short
+    cells = [
+        re.split("[,;]", row) for row in short.splitlines() if row.endswith((",,,,,", ";;;;;"))
+    ]
+    rows = [",".join([*row[:3], "7"]) for row in cells]
     readings = folder / "readings.csv"
-    lines = ["plan,position,segment,mm", *(",".join([*row, "7"]) for row in rows)]
-    readings.write_text("\n".join(lines), encoding="utf-8")
-    for form in ("text", "md", "html"):
+    readings.write_text("\n".join(["plan,position,segment,mm", *rows]), encoding="utf-8")
+    for form in ("text", "html"):
         report = ran(language, "check", file, readings, "-f", form, "--trials", "20")
-        yield f"check {form}", TAGS.sub(" ", of_page(report)) if form != "text" else report
+        yield f"check {form}", of_page(report) if form == "html" else report
 
 
 def found(name: str, language: str, folder: Path, outputs: object) -> dict[str, list[str]]:
@@ -88,7 +92,7 @@ def found(name: str, language: str, folder: Path, outputs: object) -> dict[str, 
     every = outputs(file, language, folder)  # type: ignore[operator]
     names = re.compile("|".join(re.escape(str(one)) for one in (file, folder, folder.name)))
     counted = {what: leftovers(names.sub("", text), language, own) for what, text in every}
-    assert len(counted) > 5
+    assert len(counted) > 3
     return {what: words for what, words in counted.items() if words}
 
 
