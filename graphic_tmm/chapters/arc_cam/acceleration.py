@@ -97,7 +97,7 @@ def _way(draft: Draft, made: ArcCam) -> _Way:
 def _closed(draft: Draft, made: ArcCam, way: _Way, arc: Arc, at: Mark, number: str) -> _Closed:
     """Close the polygon of accelerations for the positions on an arc.
 
-    ``at``: 1 there, missing elsewhere; ``number``: behind the letters of its ends, which are put together later.
+    ``at``: 1 there, missing elsewhere; ``number``: behind the letters of its ends, put together later.
     """
     draw, origin = draft.draw, made.contour.origin
     if made.order.follower == FLAT:
