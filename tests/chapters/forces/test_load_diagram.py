@@ -88,7 +88,7 @@ def test_it_stands_with_the_plan_of_positions_where_no_sheet_names_it() -> None:
 
 def test_loads_and_friction_are_among_what_is_given() -> None:
     rows = {one.symbol: one.value for one in given(scene("crank-press"))}
-    assert rows == {"F_{3max}": 24000.0, "f": 0.08, "f_{v}": 0.12, "r": pytest.approx(40.0)}
+    assert rows == {"F_{3max}": 24000.0, "f": 0.08, "f_{v}": 0.12, "r": pytest.approx(0.04)}
     assert [(one.symbol, one.value) for one in given(scene("windrower"))] == [("F_5", 190.0)]
     two = with_loads(Load(5, "D", 190.0), Load(5, "D", 10.0)).scene
     assert [one.symbol for one in given(two)] == ["F_5", "F_{5(2)}"]
