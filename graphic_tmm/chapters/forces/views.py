@@ -295,23 +295,10 @@ def _verdict(drawn: Drawn, made: Forces, place: int) -> list[str]:
     apart = float(row[place if row.size > 1 else 0])
     if not math.isfinite(at(made.difference)):
         return [", ".join(both), _("Δ: there is nothing to compare")]
-    places = percent_decimals(found.values())
+    places = drawn.percent_decimals
     told, sign = fixed(apart, places, language), "≤" if round(apart, places) <= limit else ">"
     judged = f"Δ = {told} % {sign} {number(limit, language, 2)} %"
     return [", ".join(both), judged]
-
-
-def percent_decimals(sizes: Iterable[float]) -> int:
-    """Return how many decimals the percentage of a difference has, of two sizes as `number` writes them.
-
-    >>> percent_decimals([25467.0, 25471.0]), percent_decimals([1465.6, 1464.6])
-    (2, 1)
-    """
-    largest = max(map(abs, sizes), default=0.0)
-    if not largest > 0.0:
-        return 0
-    last = min(0, math.floor(math.log10(largest)) - 3)
-    return max(0, math.floor(-math.log10(100.0 * 10.0**last / largest)))
 
 
 def force_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -345,7 +332,7 @@ def _as_printed(drawn: Drawn, column: Column) -> Column:
         value = np.where(sizes[0] * sizes[1] > 0.0, np.abs(value), value)
     elif column.segment.endswith(DIFFERENCE):
         for k in np.flatnonzero(np.isfinite(value[0])):
-            value[0, k] = round(float(apart[k]), percent_decimals(float(row[k]) for row in sizes))
+            value[0, k] = round(float(apart[k]), drawn.percent_decimals)
     return replace(column, value=value)
 
 

@@ -14,7 +14,7 @@ from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.tables import dimension_table, sliding_table, working
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.numbers import fixed, number
+from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.said import said
 from graphic_tmm.language.tables import Tongues
 from graphic_tmm.language.units import unit
@@ -66,9 +66,10 @@ def _ratios(drawn: Drawn) -> list[str]:
         found[name][0]
         for name in ("contact_ratio", "contact_ratio_drawn", "contact_ratio_difference")
     )
+    off = fixed(apart, drawn.percent_decimals, language)
     return [
         f"ε_{{α}} = {fixed(formula, 3, language)}",
-        f"{working(drawn)}/p_{{b}} = {fixed(measured, 3, language)} ({number(apart, language, 2)} %)",
+        f"{working(drawn)}/p_{{b}} = {fixed(measured, 3, language)} ({off} %)",
     ]
 
 

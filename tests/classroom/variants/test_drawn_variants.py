@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
@@ -31,8 +32,8 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.lettering.letters import missing
 from graphic_tmm.studio import composed_sheets
 
-CALCULATED = ("n", "k", "ω", "ε")
-"""With what the segments of plans begin that are laid off, not measured."""
+CALCULATED = re.compile(r".*[nk]\d*|[ωε].*|(?:omega|epsilon).*")
+"""The segments of plans that are laid off, not measured: they end at an n or a k; and rates."""
 
 
 @cache
@@ -118,7 +119,7 @@ def tables_hold(of: Base, name: str, found: Sequence[Variant], folder: Path) -> 
             told = by_hand["plan"] in ("velocities", "accelerations")
             if not told or by_hand["segment"] in good.short:
                 continue
-            if by_hand["segment"].startswith(CALCULATED):
+            if CALCULATED.fullmatch(by_hand["segment"]):
                 continue
             for mm, sure in zip(by_hand["mm"], due["mm"], strict=True):
                 assert mm is None or mm >= good.vector or abs(sure) < 1e-3, by_hand["segment"]
