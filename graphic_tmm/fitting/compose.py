@@ -17,7 +17,7 @@ from graphic_tmm.fitting.given import restored_sheets
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
-from graphic_tmm.language.units import millimetres
+from graphic_tmm.language.units import millimetres, unit_name
 from graphic_tmm.paper.compose import sheets
 from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import Drawing, Sheet, Within
@@ -107,7 +107,11 @@ def composed(
         Placed(s.order, wanted[s.order].format, {names[k]: at for k, at in sorted(places.items())})
         for s, places in laid
     ]
-    scales = {view: scale for one in boards for view, scale in one.scales.items()}
+    scales = {
+        view: scale._replace(unit=unit_name(scale.unit, scene.language))
+        for one in boards
+        for view, scale in one.scales.items()
+    }
     return Composed(tuple(made), Composition(sizes, tuple(data)), remarks, scales)
 
 

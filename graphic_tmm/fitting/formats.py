@@ -17,7 +17,6 @@ from graphic_tmm.fitting.scales import usual
 from graphic_tmm.fitting.tried import Board, Mechanism, Part
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.language.units import unit_name
 from graphic_tmm.late import late
 from graphic_tmm.paper.formats import AUTO, FORMATS, USUAL, growing, turned
 from graphic_tmm.project import own_boards
@@ -25,7 +24,7 @@ from graphic_tmm.scene.records import Scene, SheetOrder
 
 if TYPE_CHECKING:
     from graphic_tmm.paper.compose.sheets import Order, Shared
-    from graphic_tmm.paper.drawing import Drawing, Ink
+    from graphic_tmm.paper.drawing import Drawing
 
 with late(__name__):
     from graphic_tmm.paper.compose.search import fits
@@ -62,22 +61,7 @@ def views_of(place: str, scene: Scene, boards: Sequence[Drawn], lettered: bool) 
     if not chapter.board:
         return shown.plain(scene)
     there = [one for one in boards if one.board == chapter.board]
-    return [in_own_units(view, scene) for one in there for view in shown.draw(one, lettered)]
-
-
-def in_own_units(view: Drawing, scene: Scene) -> Drawing:
-    """Return a view whose strokes tell a page what they stand for in the units that the scene keeps."""
-
-    def own(stroke: Ink) -> Ink:
-        of = dict(stroke.data).get("unit", "")
-        if (called := unit_name(of, scene.language)) == of:
-            return stroke
-        data = tuple((key, called if key == "unit" else value) for key, value in stroke.data)
-        end = f" {of}"
-        title = stroke.title.removesuffix(end) + f" {called}" * stroke.title.endswith(end)
-        return stroke._replace(data=data, title=title)
-
-    return view._replace(strokes=tuple(map(own, view.strokes)))
+    return [view for one in there for view in shown.draw(one, lettered)]
 
 
 def left_out(scene: Scene, chapter: Chapter, place: str) -> list[Drawing]:

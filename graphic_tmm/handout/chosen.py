@@ -10,7 +10,6 @@ from typing import NamedTuple
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.chapter import MECHANISM, Place
 from graphic_tmm.drawn import Drawn, DrawnScene
-from graphic_tmm.fitting.formats import in_own_units
 from graphic_tmm.handout.ink import in_hand
 from graphic_tmm.handout.sized import Draw
 from graphic_tmm.handout.story import places_of
@@ -92,8 +91,7 @@ class _Views:
         """Return the views by name, with letters for pictures so many times as large."""
         key = factor, lettered
         if key not in self.made:
-            drawn = self.place.draw(in_hand(self.drawn, factor), lettered)
-            views = [in_own_units(view, self.drawn.scene) for view in drawn]
+            views = self.place.draw(in_hand(self.drawn, factor), lettered)
             parts = (part for view in views for part in apart(view))
             self.made[key] = {part.name: part for part in parts}
         return self.made[key]

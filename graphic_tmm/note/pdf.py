@@ -9,7 +9,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.catalogue import code_of, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note import pandoc
 from graphic_tmm.note.document import Beside, Document, Picture, Table
@@ -61,7 +61,7 @@ def pdf(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, 
     body = pandoc.written(document, target).decode("utf-8")
     head = (
         f"#set document(title: {quoted(document.title)}, date: none)\n"
-        f"#set text(lang: {quoted(document.language)})\n"
+        f"#set text(lang: {quoted(code_of(document.language))})\n"
         f"#let apart = {APART.get(document.language, NEARER)}\n"
     )
     with TemporaryDirectory() as folder:

@@ -138,14 +138,16 @@ def test_no_unit_of_si_is_printed(language: str, tmp_path: Path) -> None:
         done = invoke(command[0], *map(str, command[1:]), "-l", language)
         assert done.exit_code == 0, done.output
         assert not METRIC.search(done.output), (command, METRIC.search(done.output))
-    done = invoke("draw", str(file), "-o", str(tmp_path / "out"), "-l", language)
-    assert done.exit_code == 0, done.output
-    for sheet in (tmp_path / "out").glob("*.svg"):
+    out = tmp_path / "out"
+    for command in (("draw", "-f", "svg,png"), ("note", "-f", "html")):
+        done = invoke(command[0], str(file), "-o", str(out), "-l", language, *command[1:])
+        assert done.exit_code == 0, done.output
+    for made in (*out.glob("*.svg"), *out.glob("*.html")):
         told = re.findall(
-            r"<(?:text|title|tspan)[^>]*>([^<]*)<|data-unit=\"([^\"]*)", sheet.read_text("utf-8")
+            r"<(?:text|title|td|tspan)[^>]*>([^<]*)<|data-unit=\"([^\"]*)", made.read_text("utf-8")
         )
         words = " | ".join(one or other for one, other in told)
-        assert "ft" in words or "фут" in words
+        assert ("ft" if language == "en" else "фут") in words
         assert not METRIC.search(words), METRIC.search(words)
 
 

@@ -212,7 +212,7 @@ def _numbers(language: str, number: int, count: int) -> dict[str, str]:
             said("sheet {number} of {count}: number the sheets from 1", number=number, count=count)
         )
     if standard(language) == "ISO":
-        return {"sheet": f"{number}/{count}", "language": language}
+        return {"sheet": f"{number}/{count}", "language": code_of(language)}
     return {"sheet": str(number) if count > 1 else "", "sheets": str(count)}
 
 

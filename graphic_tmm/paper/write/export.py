@@ -11,6 +11,7 @@ from tempfile import TemporaryDirectory
 from typing import Any, Literal
 
 from graphic_tmm.errors import SheetError
+from graphic_tmm.language.catalogue import code_of
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.frame import frame
@@ -107,7 +108,7 @@ def _compiled(
         home = Path(folder)
         lines = [f"#set document(title: {_quoted(sheets[0].title)}, date: none)"]
         if sheets[0].language:
-            lines.append(f"#set text(lang: {_quoted(sheets[0].language)})")
+            lines.append(f"#set text(lang: {_quoted(code_of(sheets[0].language))})")
         for k, sheet in enumerate(sheets):
             (home / f"{k}.svg").write_text(svg(sheet, searchable=True), encoding="utf-8")
             size = f"width: {sheet.width}mm, height: {sheet.height}mm"

@@ -19,8 +19,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from urllib.parse import quote
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.language.catalogue import SOURCE, Speech, speaking
+from graphic_tmm.language.catalogue import SOURCE, speaking
 from graphic_tmm.language.numbers import number as spoken
+from graphic_tmm.language.units import unit_name
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Sheet, Stroke
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.pens import KINDS, LETTERING, Pen, fitted, pens, refuse_unknown, tracing
@@ -71,7 +72,7 @@ def svg(sheet: Sheet, *, under: Under | None = None, searchable: bool = False) -
         page["lang"] = page["xml:lang"] = sheet.language
     titles = "; ".join(clean(drawing.title or drawing.name) for drawing in sheet.drawings)
     page.set_desc(title=clean(sheet.title), desc=titles)
-    writer = _Writer(page, sheet.height, speaking(sheet.language or SOURCE))
+    writer = _Writer(page, sheet.height, sheet.language or SOURCE)
     if under is None:
         page.add(page.rect(size=(width, height), fill="white", class_="paper"))
     else:
@@ -91,10 +92,11 @@ def svg(sheet: Sheet, *, under: Under | None = None, searchable: bool = False) -
 class _Writer:
     """What turns records of ink into elements of one page."""
 
-    def __init__(self, page: svgwrite.Drawing, height: float, speech: Speech) -> None:
+    def __init__(self, page: svgwrite.Drawing, height: float, language: str) -> None:
         self.page = page
         self.height = height
-        self.speech = speech
+        self.language = language
+        self.speech = speaking(language)
         self.trace: Pen | None = None
         """The one pen of all lettering; None: black, as wide as its size asks for."""
 
@@ -164,8 +166,12 @@ class _Writer:
     def single(self, pen: Pen, stroke: Ink) -> Made:
         """Return the path of one stroke with its title and its data attributes."""
         told = {"d": path_data(stroke, self.height), **_style(pen, stroke), **_from_steps(stroke)}
-        told |= {_attribute(name): clean(value) for name, value in stroke.data}
-        return Made("path", told, clean(stroke.title))
+        of = dict(stroke.data).get("unit", "")
+        own = unit_name(of, self.language)
+        data = ((name, own if name == "unit" else value) for name, value in stroke.data)
+        told |= {_attribute(name): clean(value) for name, value in data}
+        title = f"{stroke.title.removesuffix(of)}{own}" if of and of != own else stroke.title
+        return Made("path", told, clean(title))
 
     def lettering(self, width: float, labels: Sequence[Label]) -> Any:
         """Return the labels written with a pen of one width (mm)."""
