@@ -83,9 +83,12 @@ OPTIONS = [
     (("steps", "cam", "-p", "speed"), ["-p", "velocities"]),
     (
         ("steps", "cam", "-p", "velocities"),
-        ["--plan", "the scene has no plan velocities; it has scales, cam"],
+        ["--plan", "the scene has no plan velocities (Velocity plan); it has scales", "cam (Cam)"],
     ),
-    (("steps", "crank-rocker", "-p", "cam"), ["the scene has no plan cam; it has", "positions"]),
+    (
+        ("steps", "crank-rocker", "-p", "cam"),
+        ["the scene has no plan cam (Cam); it has", "positions"],
+    ),
     (("steps", "crank-rocker", "-n", "99"), ["--position", "there is no 99; there are"]),
     (("steps", "cam", "-l", "de"), ["-l", "ru"]),
     (
