@@ -236,8 +236,8 @@ class Chapter:
     call the scale factor of a view.
 
     **What goes wrong.** ``undrawn``: the positions that cannot be drawn; ``ranges``: the end of a sentence that
-    tells those that can. ``nothing``: by slot, where a figure has no meaning; ``coarse``: by slot, what leaves
-    fewer digits of it. ``compared``: a finding, its positions -> what is told of it; ``findings``: findings of
+    tells those that can, and what helps. ``nothing``: by slot, where a figure has no meaning; ``coarse``: by
+    slot, what leaves fewer digits of it. ``compared``: a finding, its positions -> what is told of it; ``findings``: findings of
     its own; ``warnings``: what else people are told.
 
     **What readers tell.** ``columns``, ``results``, ``facts``: what tables tell. ``plans``: what protocols call
@@ -292,7 +292,7 @@ class Chapter:
     )
     scale_key: Callable[[str], str] = lambda view: ""
     undrawn: Callable[[Project, Reading], tuple[int, ...]] = lambda project, reading: ()
-    ranges: Callable[[Project], str] = lambda project: ""
+    ranges: Callable[[Project], tuple[str, str]] = lambda project: ("", "")
     nothing: Callable[[Project, Doubts], Mapping[int, np.ndarray]] = lambda project, doubts: {}
     coarse: Callable[[Project, Mapping[Mark, object], Hand], Mapping[int, Doubts]] = (
         lambda project, given, hand: {}

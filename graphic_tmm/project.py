@@ -14,7 +14,7 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.chapter import MECHANISM, Chapter, aside, boards, chapters, in_order, places
 from graphic_tmm.errors import Fault, SceneError, StructureError
-from graphic_tmm.language.said import said
+from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.scene.records import Scene
 
 if TYPE_CHECKING:
@@ -60,6 +60,13 @@ class Project:
         assert view is not None
         assert view.scale is not None
         return view.scale
+
+    def ranges(self, *, remedies: bool) -> Said:
+        """Return the end of a sentence: where it can be drawn; ``remedies``: and what helps."""
+        parts = list[str]()
+        for says, remedy in (one.ranges(self) for one in self.chapters):
+            parts += [says, *(["; ", remedy] if remedies and remedy else [])]
+        return joined("", parts)
 
     def marks(self, plan: str) -> list[Mark]:
         """Return the marks of the steps drawn in a view, in order."""

@@ -17,7 +17,7 @@ from graphic_tmm.board.scales import Scale, standard
 from graphic_tmm.chapter import Size, chapters
 from graphic_tmm.drawn import Drawn, Numbers, hand_of, read
 from graphic_tmm.errors import StructureError
-from graphic_tmm.language.said import joined, said
+from graphic_tmm.language.said import said
 from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
@@ -150,7 +150,7 @@ def executed(
     scales |= {view: scale for view, scale in graphs.items() if view not in named} | named
     missing = {k for one in project.chapters for k in one.undrawn(project, found.whole)}
     if missing and len(missing) == len(project.names):
-        over = joined("", (one.ranges(project) for one in project.chapters))
+        over = project.ranges(remedies=True)
         raise StructureError(
             said(
                 "{source}: none of the positions can be drawn{over}", source=scene.source, over=over

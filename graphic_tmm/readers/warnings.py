@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.catalogue import SOURCE, speaking
 from graphic_tmm.language.names import plain
-from graphic_tmm.language.said import joined
 from graphic_tmm.readers.divided import told_off
 from graphic_tmm.readers.findings import finding, left_out
 from graphic_tmm.scene.remarks import unplaced
@@ -27,16 +26,19 @@ def all_warnings(made: DrawnScene, language: str, *, sheets: bool = False) -> tu
     return (*map(speaking(language), told), *found)
 
 
-def warnings(drawn: Drawn, language: str = SOURCE) -> tuple[str, ...]:
-    """Return, for people, what could not be drawn, why, and over which range of the crank it could."""
-    return tuple(dict.fromkeys(_told(drawn, language)))
+def warnings(drawn: Drawn, language: str = SOURCE, *, remedies: bool = True) -> tuple[str, ...]:
+    """Return, for people, what could not be drawn, why, and over which range of the crank it could.
+
+    ``remedies``: with what the scene's author may write instead, which no reader of a note can use.
+    """
+    return tuple(dict.fromkeys(_told(drawn, language, remedies)))
 
 
-def _told(drawn: Drawn, language: str) -> Iterator[str]:
+def _told(drawn: Drawn, language: str, remedies: bool) -> Iterator[str]:
     project, names = drawn.project, drawn.names
     if drawn.undrawn:
         missing = ", ".join(names[i] for i in drawn.undrawn)
-        over = joined("", (chapter.ranges(project) for chapter in project.chapters))
+        over = project.ranges(remedies=remedies)
         _ = speaking(language)
         yield _("positions {missing} cannot be drawn{over}", missing=missing, over=over)
     findings = drawn.findings()

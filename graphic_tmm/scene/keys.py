@@ -52,20 +52,25 @@ def reference(language: str = SOURCE, only: Collection[str] = ()) -> str:
     return "\n".join(made)
 
 
-def _is_cyrillic(text: str) -> bool:
-    return any("CYRILLIC" in unicodedata.name(sign, "") for sign in text)
+def _is_written(text: str, latin: bool) -> bool:
+    """Whether a text has no letter of the other script."""
+    other = "CYRILLIC" if latin else "LATIN"
+    return not any(unicodedata.name(sign, "").startswith(other) for sign in text)
 
 
 def _unit_table(speech: Speech) -> Iterator[str]:
     """Yield the units of every quantity, in each spelling that the language has letters for."""
     yield f"## {speech(said('Units'))}\n"
     yield speech(
-        said("A weight may stand for a mass: a kgf is a kg, a lbf a lb, newtons are divided by g.")
+        said(
+            "A weight may stand for a mass: a kgf is a kg, a lbf a lb, newtons are divided by g. Each unit is "
+            "read as other languages write it, too."
+        )
     )
     yield f"\n| {speech(said('of'))} | {speech(said('units'))} |\n|---|---|"
     for dimension in dict.fromkeys(unit.dimension for unit in UNITS.values()):
         names = [name for name, unit in UNITS.items() if unit.dimension == dimension]
-        known = [one for one in names if speech.language != SOURCE or not _is_cyrillic(one)]
+        known = [one for one in names if _is_written(one, speech.language == SOURCE)]
         yield f"| {speech(quantities.article(dimension))} | {', '.join(known)} |"
     yield ""
 

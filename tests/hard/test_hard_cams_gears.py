@@ -158,7 +158,19 @@ def test_wheels_of_six_teeth(x: tuple[float, float], m: float) -> None:
     due, alpha_w = _tip((6, 6), x, m)
     bound = 64 * EPS * 12 * m / float(mp.tan(alpha_w)) ** 2
     assert abs(of.results()["s_a1"][0] - due) <= bound
-    assert (("contact ratio", 0) in of.failed()) == (x[0] > 0.5)
+    # contact begins and ends on the tips, but within both feet N of the normals to the line of action
+    whole = 12 * mp.mpf(m) / 2 * mp.cos(mp.radians(20)) * mp.tan(alpha_w)
+    feet = [
+        min(
+            whole,
+            mp.sqrt(
+                mp.mpf(of.results()[f"r_a{k}"][0]) ** 2 - mp.mpf(of.results()[f"r_b{k}"][0]) ** 2
+            ),
+        )
+        for k in (1, 2)
+    ]
+    ratio = (sum(feet) - whole) / (mp.pi * mp.mpf(m) * mp.cos(mp.radians(20)))
+    assert (("contact ratio", 0) in of.failed()) == (ratio < 1)
 
 
 @pytest.mark.parametrize("off", [1e-3, 1e-9, 1e-15])

@@ -100,16 +100,16 @@ def _undrawn(project: Project, reading: Reading) -> tuple[int, ...]:
     return tuple(int(i) for i in np.flatnonzero(bad[0]))
 
 
-def _ranges(project: Project) -> str:
-    """Return, as the end of a sentence, where the mechanism assembles, and how to draw it there."""
+def _ranges(project: Project) -> tuple[str, str]:
+    """Return, as the end of a sentence, where the mechanism assembles; and how to draw it there."""
     assembly = KINEMATICS.on(project).assembly
     if not assembly.said:
-        return ""
+        return "", ""
     inside = (
         f'"{(a + (b - a) * share) % 360:.4g} deg"' for a, b in assembly.ranges for share in SHARES
     )
     remedy = said("write positions that lie there: extra = [{listed}]", listed=", ".join(inside))
-    return joined("", (": ", assembly.said, "; ", remedy))
+    return joined("", (": ", assembly.said)), remedy
 
 
 SHARES = (0.25, 0.5, 0.75)

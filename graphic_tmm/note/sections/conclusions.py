@@ -42,7 +42,7 @@ def conclusions(made: DrawnScene, language: str) -> Iterator[Block]:
         for chapter in drawn.project.chapters:
             found += chapter.concludes(drawn, language)
     for drawn in made.boards:
-        found += [text(_sentence(told)) for told in warnings(drawn, language)]
+        found += [text(_sentence(told)) for told in warnings(drawn, language, remedies=False)]
     own = made.scene.author.conclusions
     if found or own:
         yield Heading(1, text(speaking(language)(CONCLUSIONS)), numbered=False)
