@@ -237,8 +237,8 @@ class Chapter:
 
     **What goes wrong.** ``undrawn``: the positions that cannot be drawn; ``ranges``: the end of a sentence that
     tells those that can, and what helps. ``nothing``: by slot, where a figure has no meaning; ``coarse``: by
-    slot, what leaves fewer digits of it. ``compared``: a finding, its positions -> what is told of it; ``findings``: findings of
-    its own; ``warnings``: what else people are told.
+    slot, what leaves fewer digits of it. ``compared``: a finding, its positions -> what is told of it;
+    ``findings``: findings of its own; ``warnings``: what else people are told.
 
     **What readers tell.** ``columns``, ``results``, ``facts``: what tables tell. ``plans``: what protocols call
     its plans, ``plans_rank``: where these stand among the plans of all chapters if not in the order of the book
