@@ -338,8 +338,8 @@ def test_loads_of_one_link_are_told_apart_and_directions_by_their_value(tmp_path
 
 def test_a_diagram_is_called_by_its_point(tmp_path: Path) -> None:
     lines = scene("slider-diagrams", "en").lines
-    assert "Velocity diagram of B, position 1" in lines
-    assert "Диаграмма скоростей точки B, положение 1" in scene("slider-diagrams", "ru").lines
+    assert "Velocity diagram of B, position 2" in lines
+    assert "Диаграмма скоростей точки B, положение 2" in scene("slider-diagrams", "ru").lines
     assert not [line for line in lines if "point," in line]
 
 

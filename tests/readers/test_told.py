@@ -94,8 +94,8 @@ def test_the_tables_are_read() -> None:
     found = [row for view in tables(drawn) for row in measured(rows_of(view))]
     assert len(found) > 10
     mm, value = found[0]
-    assert follows(mm, value, Decimal("0.015"))
-    assert not follows(mm, value, Decimal("0.0151"))
+    assert follows(mm, value, Decimal("0.0025"))
+    assert not follows(mm, value, Decimal("0.00252"))
 
 
 def test_mm_times_mu_is_the_quantity_on_random_mechanisms(tmp_path: Path) -> None:

@@ -11,6 +11,7 @@ from support.command import invoke
 from support.declared_keys import ALL
 from support.scenes import slider_crank, written
 
+from graphic_tmm.language.catalogue import languages, speaking
 from graphic_tmm.scene import keys
 from graphic_tmm.scene.declare import Found, Key
 from graphic_tmm.scene.new import shown
@@ -41,9 +42,9 @@ def test_a_default_is_accepted_as_it_is_printed() -> None:
     ]
     assert len(said) > 80
     for at, one in said:
-        printed = keys._default(one)
+        printed = keys._default(one, speaking("en"))
         assert printed[0] == printed[-1] == "`", (at, printed)
-        for text in (printed.strip("`"), shown(one)):
+        for text in (printed.strip("`"), *(shown(one, speaking(other)) for other in languages())):
             assert _taken(one, at, tomllib.loads(f"it = {text}")["it"]) == one.default, at
 
 
@@ -55,9 +56,10 @@ def test_a_default_of_the_schema_is_accepted() -> None:
 
 
 def test_an_example_is_accepted_as_it_is_printed() -> None:
-    for at, one in ALL:
-        if (printed := keys._example(one)) != keys.NONE:
-            _taken(one, at, tomllib.loads(f"it = {printed.strip('`')}")["it"])
+    for language in languages():
+        for at, one in ALL:
+            if (printed := keys._written(one.example, speaking(language))) != keys.NONE:
+                _taken(one, at, tomllib.loads(f"it = {printed.strip('`')}")["it"])
 
 
 def test_all_positions_may_stand_in_a_list(tmp_path: Path) -> None:
