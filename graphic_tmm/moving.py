@@ -49,6 +49,16 @@ Plan = Literal["positions", "velocities", "accelerations", "forces"]
 """What motion is asked for, by the place of a sheet that shows it."""
 Quantity = Literal["places", "velocities", "accelerations", "omega", "epsilon", "forces", "balance"]
 """What is told of a mechanism at any angle."""
+PLAN_OF: Mapping[Quantity, Plan] = {
+    "places": "positions",
+    "velocities": "velocities",
+    "accelerations": "accelerations",
+    "omega": "velocities",
+    "epsilon": "accelerations",
+    "forces": "forces",
+    "balance": "forces",
+}
+"""By which plan a quantity is found."""
 VECTORS: frozenset[Quantity] = frozenset({"places", "velocities", "accelerations", "forces"})
 """Those that are x + iy."""
 Key = tuple[str, int] | int | str

@@ -12,22 +12,12 @@ from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.errors import ConstructionError
 from graphic_tmm.language.said import said
 from graphic_tmm.late import needed
-from graphic_tmm.moving import Plan, Quantity
+from graphic_tmm.moving import Plan
 
 Points = Mapping[tuple[str, int], Complexes]
 """Of a letter on a link, x + iy in the frame's axes, (angle,)."""
 OF_LINKS = 4
 """Behind the angles and what is told of points."""
-PLAN_OF: Mapping[Quantity, Plan] = {
-    "places": "positions",
-    "velocities": "velocities",
-    "accelerations": "accelerations",
-    "omega": "velocities",
-    "epsilon": "accelerations",
-    "forces": "forces",
-    "balance": "forces",
-}
-"""By which plan a quantity is found."""
 COMPONENTS = {"places": "", "velocities": "v", "accelerations": "a"}
 """How the components of what is told of a point are called in a data frame: D.x, D.vx, D.ax."""
 SHOWN = 6
@@ -189,7 +179,7 @@ class Motion:
                     found |= _components(f"{name}.{of}", values[letter, link])
         found |= {f"omega{link}": row for link, row in self._of("omega").items()}
         found |= {f"epsilon{link}": row for link, row in self._of("epsilon").items()}
-        for name, row in self._of("forces").items():
+        for name, row in (self.forces or {}).items():
             found |= _components(f"{name}.", row)
         return needed("pandas", "pandas").DataFrame({**found, **self._of("balance")})
 

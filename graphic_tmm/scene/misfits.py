@@ -22,6 +22,12 @@ def truth(word: str) -> str:
     return _TRUTH.get(word.strip().casefold(), "")
 
 
+def truth_wanted(value: object) -> Said:
+    """Return what to write in the place of a value that is neither true nor false."""
+    word = truth(value) if isinstance(value, str) else ""
+    return said("write {word}, without quotes", word=word) if word else said("write true or false")
+
+
 def kind_of(value: object) -> Said:
     """Return what kind of value stands in the file, in words."""
     if isinstance(value, bool):

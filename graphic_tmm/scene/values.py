@@ -334,11 +334,7 @@ _MM: Schema = {
 def _switch(value: object, names: Names) -> bool:
     if isinstance(value, bool):
         return value
-    word = misfits.truth(value) if isinstance(value, str) else ""
-    remedy = (
-        said("write {word}, without quotes", word=word) if word else said("write true or false")
-    )
-    raise ValueError(stands(value, remedy))
+    raise ValueError(stands(value, misfits.truth_wanted(value)))
 
 
 _LENGTH: Schema = {
@@ -347,11 +343,8 @@ _LENGTH: Schema = {
 }
 SCALE: Schema = {"anyOf": [{"type": "number", "exclusiveMinimum": 0}, {"type": "string"}]}
 ROW: Schema = {"type": "array", "items": {"anyOf": [{"type": "number"}, {"type": "string"}]}}
-PAIRS: Schema = {
-    "type": "array",
-    "items": {"type": "array", "minItems": 2, "maxItems": 2},
-    "minItems": 2,
-}
+_PAIR: Schema = {"type": "array", "minItems": 2, "maxItems": 2}
+PAIRS: Schema = {"type": "array", "items": _PAIR, "minItems": 2}
 _WORDS: Schema = {"type": "array", "items": {"type": "string"}}
 
 SWITCH = Kind(_switch, {"type": "boolean"})
