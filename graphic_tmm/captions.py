@@ -31,8 +31,8 @@ COMMON: dict[str, str] = {
     "why": said("Why"),
     "synthesis": said("Synthesis"),
     "scales": said("Scale factors"),
-    "finer row": said("at a finer row"),
-    "off": said("off by division, %"),
+    "finer row": said("finer"),
+    "off": said("off, %"),
 }
 """The words that belong to no chapter."""
 

@@ -102,7 +102,11 @@ def _divided(name: str, fine: Finer | None) -> dict[str, float]:
     """Return what machines are told of the number of positions: what is due, how far off the result is."""
     if fine is None:
         return {}
-    told = {"due": fine.due[name][0], "off_percent": 100.0 * fine.off[name]}
+    # the finer row is summed in another order now and then: what rounding leaves is no difference
+    told = {
+        "due": float(f"{fine.due[name][0]:.9g}"),
+        "off_percent": round(100.0 * fine.off[name], 4),
+    }
     far = name in fine.far and fine.enough is not None
     return {**told, "positions": fine.enough} if far else told  # type: ignore[dict-item]
 

@@ -61,19 +61,17 @@ def result_tables(
     language: str,
     title: str,
 ) -> list[Framed]:
-    """Return the table of results for a terminal; none if there are none.
-
-    ``fine``: what finer rows tell of those that curves give, in columns of their own.
-    """
-    if not results:
-        return []
-    words = captions(language)
-    more = [words["finer row"], words["off"]] if fine else []
-    rows = [[words["results"], words["value"], words["unit"], *more]]
+    """Return the table of results for a terminal, and that of what finer rows tell of them (``fine``)."""
+    words, head = captions(language), f"{title}. {captions(language)['results']}"
+    rows = [[words["results"], words["value"], words["unit"]]]
     for name, (value, of) in results.items():
-        row = [result_name(name, language), number(value, language, 6), unit(of, language)]
-        rows.append([*row, *(_divided(name, fine.get(name), language) if fine else ())])
-    return [Framed(f"{title}. {words['results']}", rows, left=True)]
+        rows.append([result_name(name, language), number(value, language, 6), unit(of, language)])
+    finer_rows = [[words["results"], words["finer row"], words["off"]]]
+    finer_rows += [_divided(name, fine[name], language) for name in results if name in fine]
+    return [
+        *([Framed(head, rows, left=True)] if results else []),
+        *([Framed(f"{head} ({words['continued']})", finer_rows, left=True)] if fine else []),
+    ]
 
 
 def left_out(told: Mapping[str, str], language: str, title: str) -> list[Framed]:
@@ -83,11 +81,10 @@ def left_out(told: Mapping[str, str], language: str, title: str) -> list[Framed]
     return [Framed(f"{title}.", rows, left=True)] if told else []
 
 
-def _divided(name: str, fine: Finer | None, language: str) -> list[str]:
-    """Return what a finer row gives for a result, and how far it is off, %."""
-    if fine is None:
-        return ["—", "—"]
-    return [number(fine.due[name][0], language, 6), fixed(100.0 * fine.off[name], 1, language)]
+def _divided(name: str, fine: Finer, language: str) -> list[str]:
+    """Return the name of a result, what a finer row gives for it, and how far it is off, %."""
+    due, off = number(fine.due[name][0], language, 6), fixed(100.0 * fine.off[name], 1, language)
+    return [result_name(name, language), due, off]
 
 
 def column_name(column: Column, language: str) -> str:

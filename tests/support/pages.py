@@ -68,7 +68,13 @@ def _views(name: str, spoken: str) -> Iterator[View]:
             for board in made.boards:
                 there = {view.name for view in board.construction.views}
                 if any(view in there for view in drawing.shows):
-                    shown = pictures(board.construction, drawing)
+                    inked = {
+                        s.position for s in (*drawing.strokes, *drawing.rubbed, *drawing.labels)
+                    }
+                    row = board.row(drawing.shows[-1])
+                    there = sorted(k for k in inked if k is not None)
+                    main = next((k for k in there if row[k] == board.main), None)
+                    shown = pictures(board.construction, drawing, main)
                     if len(shown) > 1:
                         yield View(board, sheet, number, shown)
                     break
