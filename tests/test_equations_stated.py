@@ -126,7 +126,7 @@ def held(some: Iterable[Equations], least: int) -> tuple[int, int]:
     counts = sum(one.evaluated for one in found), sum(one.signed for one in found)
     left_out = sum(len(one.left_out) for one in found)
     print(f"evaluated {counts[0]}, with a minus {counts[1]}, not to be read {left_out}")
-    assert counts[0] >= max(least, 9 * left_out)
+    assert counts[0] >= max(least, 8 * left_out)
     return counts
 
 
@@ -154,7 +154,6 @@ RARE = [
     "six",
     "slider",
     "slider clockwise",
-    "0",
     "3",
 ]
 BOTH = [*EVERYDAY, *(pytest.param(name, marks=pytest.mark.slow) for name in RARE)]

@@ -141,7 +141,7 @@ class Ledger:
     ) -> Mark:
         """Record the way from the largest to be drawn, over the length meant for it, to a standard value."""
         wanted = self.draft.take(
-            Length, f"[{largest.name}]", _round(self._value(largest), due, rule)
+            Length, f"[{largest.name.strip('()')}]", _round(self._value(largest), due, rule)
         )
         exact = self.draft.draw(scale_of, f"{letter}′", largest, wanted, unit=unit)
         return self.draft.draw(op, letter, exact, unit=unit)
@@ -237,7 +237,7 @@ def _graphs(drawn: Drawn, charts: Iterable[Chart], ledger: Ledger) -> None:
             ledger.told(mu, value)
             continue
         if chart.room is None and _crosses(drawn, chart):
-            letter += f"−{chart.symbol}_{{min}}"
+            letter = f"({letter}−{chart.symbol}_{{min}})"
         ledger.fitting(mu, ledger.quantity(letter, most, chart.unit), value)
 
 

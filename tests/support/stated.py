@@ -12,7 +12,7 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from support.tex_sums import _TURNED, Unread, Worked, _Reader, half_of, sides_of
+from support.tex_sums import _TURNED, DIGITS, Unread, Worked, _Reader, half_of, sides_of
 
 SPARE = 1.02
 _STRUCTURE = frozenset(
@@ -23,10 +23,16 @@ _STRUCTURE = frozenset(
     )
 )
 """Commands of TeX that are no letters."""
+_NOT_READ = (Unread, IndexError, ValueError, TypeError, ZeroDivisionError, OverflowError)
+_WHOLE = 7
+"""A whole figure of more digits is told with a power of ten."""
+_CALLED = re.compile(r"(?<![\\\w{])(sgn|sin|cos|tan)(?=\()")
+_RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+_TEN = re.compile(r"(\d+(?:\.(\d+))?)\s*\\cdot\s*10\^\{\s*([-−]?\d+)\s*\}")
 _BOXED = re.compile(r"\[([^\[\]·+−=/-]+)\]")
 """The length of a quantity on paper, in brackets: a letter of its own."""
-_PLAIN = str.maketrans({"·": r" \cdot ", "²": "^{2}", "³": "^{3}", "[": "(", "]": ")"})
-_UNIT = re.compile(r"\s*(?:\\text\{[^{}\d]*\}|(?<=\d)\s+[^\d\s(·+−=%-][^+−=()]*)\s*$")
+_PLAIN = str.maketrans({"·": r" \cdot ", "[": "(", "]": ")"})
+_UNIT = re.compile(r"\s*(?:\\text\{[^{}\d]*\}|(?<=\d)\s+[^\d\s\\(·+−=%-][^+−=()]*)\s*$")
 
 
 class Stated(NamedTuple):
@@ -207,12 +213,11 @@ class Equations:
 
     def one(self, formula: str) -> None:
         """Evaluate an equation, or keep it until what it gives is told; enter what it states."""
-        formula = re.sub(r"(?<=\d),(?=\d)", ".", formula)
-        *sides, last = sides_of(_BOXED.sub(r"\\boxed_{\1}", formula))
+        *sides, last = sides_of(_plain(formula))
         if not sides or r"\bar" in formula:
             return  # a sum of vectors has no value
-        first, *rest = [side.translate(_PLAIN) for side in sides]
-        last = _UNIT.sub("", last).strip().rstrip("\\ ").translate(_PLAIN)
+        first, *rest = sides
+        last = _UNIT.sub("", last).strip().rstrip("\\ ")
         if last == "0" and len(rest) == 1:
             self._open = (first, rest[0])
             return
@@ -239,7 +244,7 @@ class Equations:
                 return
             known = {**self.known, **self._paired(told, put, extra, due.value == 0.0), **extra}
             found = put_in(letters, known)
-        except (Unread, IndexError, ValueError, ZeroDivisionError):
+        except _NOT_READ:
             self.left_out.append(formula)
             return
         self.evaluated += 1
@@ -285,10 +290,23 @@ class Equations:
     def _state(self, first: str, value: Stated) -> None:
         try:
             names = letters_of(first)
-        except (Unread, IndexError, ValueError):
+        except _NOT_READ:
             return
         if len(names) == 1:
             self.known[f"|{names[0]}|" if "|" in first else names[0]] = value
+
+
+def _plain(formula: str) -> str:
+    """Return a formula in TeX's signs, with points in figures, and figures with a power of ten as one."""
+    formula = re.sub(r"(?<=\d)(?:\{,\}|,)(?=\d)", ".", formula)
+    formula = re.sub(r"[⁻⁰¹²³⁴-⁹]+", lambda found: f"^{{{found[0].translate(_RAISED)}}}", formula)
+    formula = _BOXED.sub(r"\\boxed_{\1}", formula).translate(_PLAIN)
+    return _TEN.sub(_in_full, _CALLED.sub(r"\\mathrm{\1} ", formula))
+
+
+def _in_full(found: re.Match[str]) -> str:
+    power = int(found[3].replace("−", "-"))
+    return f"{float(found[1]) * 10.0**power:.{max(0, len(found[2] or '') - power)}f}"
 
 
 def _number(side: str) -> Stated | None:
@@ -301,4 +319,6 @@ def _number(side: str) -> Stated | None:
         return None
     minus, figure, decimals, unit = found.groups()
     half = half_of(figure) if unit in (None, "°") else 0.5 * 10.0 ** -len(decimals or "")
+    if len(figure) > _WHOLE and decimals is None:
+        half = 0.5 * 10.0 ** (len(figure) - DIGITS)  # it was told with a power of ten
     return Stated(-float(figure) if minus else float(figure), half)
