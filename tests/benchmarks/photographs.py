@@ -21,6 +21,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
 from support.photographed.student import SHEETS
 from support.photographed.taking import Taken, taken
 

@@ -7,9 +7,12 @@ from __future__ import annotations
 
 import ast
 import inspect
+import os
+import sys
 from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
+from subprocess import run
 from types import ModuleType
 
 import pytest
@@ -52,6 +55,30 @@ def test_a_benchmark_can_start(name: str) -> None:
     module = import_module(f"benchmarks.{name}")
     text = (Path(__file__).parent / f"{name}.py").read_text("utf-8")
     assert list(refused(text, module)) == []
+
+
+STARTED = """
+import os, runpy, sys
+import graphic_tmm.studio, numpy
+home, *scripts = sys.argv[1:]
+for script in scripts:
+    if (child := os.fork()) == 0:
+        sys.path.insert(0, home)
+        sys.argv = [f"{home}/{script}.py"]
+        runpy.run_path(sys.argv[0], run_name="started")
+        os._exit(0)
+    if os.waitpid(child, 0)[1]:
+        print(script)
+"""
+"""Starts scripts as `python tests/benchmarks/NAME.py` does, up to their work; prints those that cannot."""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="each is started in a fork of what it imports")
+def test_each_starts_as_a_script_of_its_own() -> None:
+    """What it imports is found from its own folder alone, not because tests stand beside it on the path."""
+    home = Path(__file__).parent
+    shown = run([sys.executable, "-I", "-c", STARTED, str(home), *SCRIPTS], capture_output=True)
+    assert (shown.stdout.decode(), shown.returncode) == ("", 0), shown.stderr.decode()[-2000:]
 
 
 @pytest.mark.parametrize(
