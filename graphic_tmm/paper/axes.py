@@ -110,8 +110,8 @@ def base_figures(
     ink = _Inked(strokes, (low, high + size))
     found: list[Label] = []
     taken: list[tuple[float, float]] = []
-    *others, last = sorted(ticks)
-    for at, text in (last, *others):
+    there = sorted(ticks)
+    for at, text in (*there[-1:], *there[:-1]):
         wide = letter(text, size=size).width
         left = np.repeat([at - wide / 2, at - BESIDE - wide, at + BESIDE], 2)
         level = np.tile([low, high], 3)

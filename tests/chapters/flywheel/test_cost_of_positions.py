@@ -146,7 +146,7 @@ def test_it_is_told_on_sheet_table_note_and_to_machines(tmp_path: Path, language
     assert machine["off_percent"] == pytest.approx(100 * found.off["J_fly"], abs=1e-4)
     assert machine["positions"] == found.enough
     rows = table(made, "text")[-1].rows  # type: ignore[union-attr]
-    assert due[:4] in next(row for row in rows if row[0].startswith("J_"))[3]
+    assert due[:4] in next(row for row in rows if row[0].startswith("J_"))[1]
 
 
 def test_pressures_in_positions_have_nothing_between_them(tmp_path: Path) -> None:
