@@ -78,7 +78,7 @@ def draw_rim(
     largest = draft.draw(largest_rim, "D_{max}", limit, omega, unit="m")
     outer = draft.take(Number, "D_e", order.outer, "m")
     ratio = draft.take(Number, "k", order.ratio)
-    inner = draft.draw(share, "D_i" if order.inner is None else "D_i′", outer, ratio, unit="m")
+    inner = draft.draw(share, "D_i" if order.inner is None else "D_{i0}", outer, ratio, unit="m")
     if order.inner is not None:
         told = draft.take(Number, "", order.inner, "m")
         inner = draft.draw(accepted, "D_i", told, unit="m", why=_ROUND)
