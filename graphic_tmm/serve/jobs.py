@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import fields
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple, ParamSpec, TypeVar
@@ -154,7 +154,9 @@ def _svg(found: Composed) -> Drafted:
 @told
 def meant(task: Task) -> str:
     """Return a name for what a scene says: comments, layout and the lines it stands on are nothing to it."""
-    return hashlib.sha256(repr(replace(scene_of(task), told={})).encode()).hexdigest()
+    scene = scene_of(task)
+    names = (one.name for one in fields(scene) if one.compare and one.name != "told")
+    return hashlib.sha256(repr([getattr(scene, name) for name in names]).encode()).hexdigest()
 
 
 @told
