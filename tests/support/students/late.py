@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from support.another_hand import Rows
-from support.students.early import HALF, TWICE, laid, taking
+from support.students.early import HALF, TWICE, laid, stem, taking
 from support.students.early_tables import moved, number_in, picked, row_of, segments
 from support.students.kinds import (
     EVERYWHERE,
@@ -61,7 +61,7 @@ def _laid_before(step: Step, tools: Tools) -> Iterator[Variant]:
 def _laid_from(step: Step, tools: Tools) -> Iterator[Variant]:
     due = letters_of(tools, step.plan, step.position)
     for letter in (POLES[step.plan], "a"):
-        if letter != step.takes["start"] and step.name[0] in "nk" and "a" in due:
+        if letter != step.takes["start"] and stem(step.name)[0] in "nk" and "a" in due:
             yield {"start": letter}, (word(letter),)
 
 
