@@ -25,6 +25,7 @@ from graphic_tmm.board.shaking import NOTHING, Shaken, shaken
 from graphic_tmm.board.sizes import DIGIT, FIGURES, Sizes
 from graphic_tmm.board.values import Curve, Length, Point, Reals, Side, at
 from graphic_tmm.board.values import given as as_value
+from graphic_tmm.board.values import places as width
 
 DOUBTFUL = 1e-6
 """What rounding moves by more than this share of its natural size is doubtful: no zero is told of it."""
@@ -75,7 +76,7 @@ class Doubts:
         self._given = {mark: as_value(given[mark], mark.kind) for mark in sorted(begun, key=_slot)}
         self._coarse = coarse or {}
         self._known, self._to_scale, self._ruler = lost, to_scale, ruler
-        self._positions = max((v.shape[1] for v in self._given.values()), default=1)
+        self._positions = max(map(width, self._given.values()), default=1)
 
     @property
     def drawn(self) -> Mapping[int, Any]:

@@ -10,7 +10,7 @@ import numpy as np
 from graphic_tmm.board.blocks import part_of, spread
 from graphic_tmm.board.geometry import EPS
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.board.values import Angle, Arc, Curve, Length, Line, Point, Reals, Side
+from graphic_tmm.board.values import Angle, Arc, Curve, Length, Line, Point, Reals, Side, places
 
 SHAKE = 64 * EPS
 """More than a step's own rounding, so that a few shakes stand for the worst of it."""
@@ -58,7 +58,7 @@ def _block(steps: Sequence[Step], given: Mapping[Mark, Any], ruler: float | None
     shakes = iter(_shakes(len(steps) + len(given)))
     values = {mark.slot: value for mark, value in given.items()}
     still, bounds = dict(values), dict[int, Reals]()
-    count = max((value.shape[1] for value in values.values()), default=1)
+    count = max(map(places, values.values()), default=1)
     for mark in given:
         if mark.kind in (Point, Length, Angle) and ruler is None:
             values[mark.slot] = _moved(values[mark.slot], next(shakes))

@@ -11,11 +11,12 @@ from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.formulas import product, rate
+from graphic_tmm.board.operations.graphs import erect
 from graphic_tmm.board.operations.instruments import join, lay_off, measure, meet, ray
 from graphic_tmm.board.operations.statics import difference_of
 from graphic_tmm.board.record import Board, Mark
 from graphic_tmm.board.shaking import SHAKE
-from graphic_tmm.board.values import Angle, Length, Number, Point
+from graphic_tmm.board.values import Angle, Curve, Length, Number, Point
 
 
 class Bench:
@@ -155,3 +156,14 @@ def test_a_rate_of_nothing_is_nothing_and_one_of_noise_is_not_known() -> None:
     found = bench.figure(wild)
     assert np.isnan(found[0])
     assert found[1] == 1.0
+
+
+def test_a_figure_read_off_a_curve_that_is_given_is_doubted_as_others_are() -> None:
+    """An open parabola x, x²/10 with its tangents: a cubic piece is the parabola itself."""
+    bench, x = Bench(), np.arange(5.0)
+    curve = bench.board.take(Curve, "y")
+    bench.given[curve] = Curve((x + 0.1j * x**2)[None, :], (1 + 0.2j * x)[None, :], False)
+    foot = bench.take(Point, "x", [0.5, 1.5, 2.5])
+    end = bench.board.draw(erect, "e", curve, foot)
+    found = bench.figure(bench.board.draw(measure, "xe", foot, end))
+    np.testing.assert_allclose(found, 0.1 * np.array([0.5, 1.5, 2.5]) ** 2, rtol=1e-9)

@@ -32,9 +32,10 @@ def _lone(line: str) -> bool:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", [8, 151, 155, 167])
+@pytest.mark.parametrize("number", [8, 19, 151, 155, 167, 173])
 def test_what_was_found_is_drawn(number: int) -> None:
-    """Tasks of what assembles near one position only; an arm without a sure digit; bars longer than a group."""
+    """Tasks of what assembles near one position only, or turns about a pin on its own guide; a diagram of what
+    is undrawn between positions; an arm without a sure digit; bars longer than a group."""
     found = case(number)
     assert (found.status, found.fault) == (0, "")
 

@@ -11,7 +11,7 @@ import numpy as np
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import LENGTHS, standard_length
-from graphic_tmm.board.values import Reals
+from graphic_tmm.board.values import Reals, undefined
 from graphic_tmm.chapter import Posed, Scheme, chapters
 from graphic_tmm.chapters.kinematics.given import frame_sizes
 from graphic_tmm.chapters.kinematics.ink_numbers import guide_names, link_numbers
@@ -139,12 +139,12 @@ def _assembled(scene: Scene, made: KinematicPlans, there: Reals) -> Reals:
     """
     turn = np.arange(there[0], there[0] + 360.0, ANYWHERE)
     for row in (_between(there, made), turn[_away(turn, there) >= ASIDE], there):
-        marks = _points(made)
+        marks = [s.it for s in made.tried.construction.steps if s.it.view == POSITIONS]
         stands = np.ones(row.size, dtype=bool)
         for at in (row, row + NEAR * made.sense):
             reading = made.tried.at(at[None, :], marks)
             for mark in marks:
-                stands &= np.isfinite(np.broadcast_to(reading[mark][0], row.shape))
+                stands &= ~np.broadcast_to(undefined(reading[mark])[0], row.shape)
         if stands.any():
             found: Reals = row[stands]
             return found
