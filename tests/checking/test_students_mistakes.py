@@ -39,8 +39,8 @@ def test_mistakes_are_seen() -> None:
 LEAST = {"place": 0.90, "family": 0.80, "member": 0.70, "names right": 0.95}
 """Shares of the drawings, and of names at 80 % or more: as wanted; these have 0.96, 0.93, 0.83 and 1.
 
-So few drawings tell a share to a twentieth or so: with two other hands (61_000, twice as many) it is 0.95, 0.79,
-0.75 and 0.98, of all three together 0.95, 0.84, 0.78 and 0.99.
+So few drawings tell a share to a twentieth or so: with two other hands (61_000, twice as many) it is 0.95,
+0.79, 0.75 and 0.98, of all three together 0.95, 0.84, 0.78 and 0.99.
 """
 
 

@@ -28,6 +28,7 @@ def test_accuracy_prints_json_and_draws_the_figure(tmp_path: Path) -> None:
     told = json.loads(found.stdout)
     assert told["scene"] == "cam"
     assert {path.name for path in (tmp_path / "out").iterdir()} == {
+        "cam-accuracy.json",
         "cam-accuracy.svg",
         "cam-accuracy.png",
     }

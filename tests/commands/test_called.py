@@ -203,11 +203,12 @@ def test_the_constant_moment_of_a_flywheel_is_told_when_it_is_left_out(tmp_path:
     sheet = '[[sheet]]\nplace = ["positions", "flywheel"]\n'
     path = calling(tmp_path, "forces", "load", bare, sheet=sheet)
     for command in (("draw", path, "-o", tmp_path / "out"), ("table", path), ("steps", path)):
-        (line,) = warned(invoke(*command))
+        line, cost = warned(invoke(*command))
         assert line.startswith("flywheel.constant: it is left out, so the resisting moment")
+        assert cost.startswith("With 8 positions: J_F is too small by 4.5 %")
         assert 'constant = "driving"' in line
     path = calling(tmp_path, "forces", "load", "flywheel", sheet=sheet)
-    assert warned(invoke("table", path)) == []
+    assert warned(invoke("table", path)) == [cost]
 
 
 def test_the_packaged_scenes_leave_nothing_unsaid() -> None:

@@ -2,7 +2,8 @@
 
 Of Russian in an English text: every word of Cyrillic letters. Of English in a Russian one: every word of the
 package's English texts that no Russian text of it keeps and that is no key or choice of a scene, name of a
-plan or command; so letters of marks, units, SVG, SCENE are none. What the scene itself says is its author's.
+plan or command, sign of a function (tan); so letters of marks, units, SVG, SCENE are none. What the scene
+itself says is its author's.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from typing import Any
 from xml.etree import ElementTree
 
 from graphic_tmm.__main__ import main
+from graphic_tmm.board.functions import FUNCTIONS
 from graphic_tmm.language import catalogue
 from graphic_tmm.language.po import read
 from graphic_tmm.readers.protocol import plans
@@ -45,9 +47,8 @@ def english() -> frozenset[str]:
     texts = read(catalogue.FOLDER / "ru.po").texts
     words = _words(text for _, text in texts) - {"tab"}  # as a column is called, too: t_ab
     kept = _words(form for told in texts.values() for form in told)
-    return (
-        words - kept - _words(_names(schema())) - _words(plans()) - _words(main.list_commands(None))
-    )  # type: ignore[arg-type]
+    typed = {*_names(schema()), *plans(), *main.list_commands(None)}  # type: ignore[arg-type]
+    return words - kept - _words(typed | set(FUNCTIONS))
 
 
 def _words(texts: Iterable[str]) -> frozenset[str]:

@@ -52,7 +52,7 @@ def by_travel(
     sliding_leg(positions, travel.of, mechanism.frame.number, "load", "of")
     point = positions.point(travel.of)
     start = draft.draw(at_zero, f"{travel.of}_0", point, free=True)
-    way = draft.draw(measure, f"s_{travel.of}", start, point, why=why.TRAVEL)
+    way = draft.draw(measure, f"|s_{travel.of}|", start, point, why=why.TRAVEL)
     last = draft.draw(farthest, f"{travel.of}_S", start, point, row=numbers.size, free=True)
     stroke = draft.draw(measure, f"s_{{{travel.of}max}}", start, last, why=why.STROKE)
     parts = _parts(draft, travel, (point, start, last), way, stroke, numbers)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import statistics
 
 import pytest
 
@@ -92,22 +93,38 @@ def test_every_sentence_is_read_from_the_last_row(lecture, scene: str) -> None:
 
 
 def test_letters_and_new_lines_are_seen_from_afar(lecture) -> None:
+    """Of letters only those are smaller that would meet another one, or the edge."""
     page = lecture("#lecture:positions/all/20").page
     while page.locator("#lecture .stage path.now").count() == 0:
         page.keyboard.press("PageDown")
     small = page.evaluate(
-        """() => {
+        """(least) => {
       const svg = document.querySelector("#lecture .stage"), wide = svg.getScreenCTM().a;
       const now = [...svg.querySelectorAll("path.now:not(.label path)")];
       const times = (group) => Number(group.style.getPropertyValue("--times"));
-      const letters = [...svg.querySelectorAll(".lettering")].map(
-        (one) => 10 * Number(one.getAttribute("stroke-width")) * wide * times(one));
-      return { lines: now.map((one) => parseFloat(getComputedStyle(one).strokeWidth) * wide), letters };
-    }"""
+      const high = (one) => 10 * Number(one.closest(".lettering").getAttribute("stroke-width"));
+      const labels = [...svg.querySelectorAll(".label")], edge = svg.getBoundingClientRect();
+      const letters = labels.map((one) => high(one) * wide * times(one));
+      const boxes = labels.map((one) => one.getBoundingClientRect());
+      const free = labels.filter((_, k) => {
+        if (letters[k] >= least) return false;
+        const { left, right, top, bottom } = boxes[k], more = (least / letters[k] - 1) / 2;
+        const [x, y] = [more * (right - left) + 2, more * (bottom - top) + 2];
+        const meets = (box, n) => n !== k && box.left < right + x && left - x < box.right
+          && box.top < bottom + y && top - y < box.bottom;
+        const over = left - x < edge.left || right + x > edge.right
+          || top - y < edge.top || bottom + y > edge.bottom;
+        return !over && !boxes.some(meets);
+      });
+      const lines = now.map((one) => parseFloat(getComputedStyle(one).strokeWidth) * wide);
+      return { lines, letters, free: free.length };
+    }""",
+        1080 / 45,
     )
     assert small["lines"]
     assert min(small["lines"]) >= 4.9
-    assert min(small["letters"]) >= 1080 / 45
+    assert small["free"] == 0
+    assert statistics.median(small["letters"]) >= 1080 / 45
 
 
 def test_the_screen_turns_black_and_back(lecture) -> None:
