@@ -76,12 +76,13 @@ def dense(drawn: Drawn) -> Dense | None:
     angles = np.array(drawn.project.angles[0] or 0.0) + turned
     names = tuple(f"{angle % WHOLE:g}°" for angle in angles)
     everywhere = tuple(range(turned.size))
-    rows = dict.fromkeys(drawn.project.rows, everywhere)
+    rows = {plan: everywhere if some else () for plan, some in drawn.project.rows.items()}
     project = replace(
         drawn.project, names=names, angles=tuple(float(a) for a in angles % WHOLE), rows=rows
     )
     bad, why = _undrawn(project, following, reading, known)
-    numbers_there = Numbers(reading, dict.fromkeys(rows, reading), reading)
+    own = {plan: reading for plan, some in rows.items() if some}
+    numbers_there = Numbers(reading, own, reading)
     there = replace(sheet, project=project, numbers=numbers_there, hand=EXACT, undrawn=bad)
     there.cache.update(sheet.cache)
     return Dense(there, sheet, turned, angles, whole, at, why, following, known)

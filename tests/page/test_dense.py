@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from support import gallery
 from support.boards import drawn_of
+from support.command import invoke
 from support.linkages import four_bar
 from support.mechanisms import Sampled, sample
 from support.oracle import OracleError, solve_fast
+from support.scenes import calling
 
 from graphic_tmm.board.values import Curve, arrays
 from graphic_tmm.chapters.kinematics.names import KINEMATICS, PLANS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Mechanism, Row
 from graphic_tmm.page.dense import Dense, dense
+from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
+from graphic_tmm.studio import make
 
 
 def _dense(drawn: Drawn) -> Dense:
@@ -145,3 +151,15 @@ def test_loads_and_pressures_stand_on_what_is_drawn() -> None:
         between = told[30 * k : 30 * (k + 1)]
         assert np.all((between >= low * (1 - 1e-9)) & (between <= high * (1 + 1e-9)))
         assert low == high or np.ptp(between) > 0.5 * (high - low)
+
+
+def test_a_plan_of_no_position_is_drawn_at_no_degree(tmp_path: Path) -> None:
+    """Forces of inertia need accelerations; a page shows no plan of them that the sheets do not have."""
+    path = calling(tmp_path, "effects", "load", "forces")
+    drawn = make(read(path)).mechanism
+    assert drawn is not None
+    assert drawn.project.rows["accelerations"] == ()
+    there = _dense(drawn).drawn
+    assert there.of("accelerations") is None
+    assert there.of("velocities") is not None
+    assert invoke("page", path, "-o", tmp_path / "out").exit_code == 0

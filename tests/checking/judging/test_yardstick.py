@@ -5,11 +5,14 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from support.command import invoke
 from support.gallery import exact
+from support.scenes import calling
 from support.trials import readings
 
 from graphic_tmm.board.hand import HANDS
@@ -107,3 +110,12 @@ def test_the_hand_draws_once_for_all_drawings(monkeypatch: pytest.MonkeyPatch) -
         for rows in chosen("crank-rocker", seed):
             together.of(rows)
     assert len(calls) == 1
+
+
+def test_a_plan_that_no_position_asks_for_has_no_yardstick(tmp_path: Path) -> None:
+    """Forces of inertia use accelerations that stand on no sheet: lengths of other plans are judged."""
+    path = calling(tmp_path, "effects", "load", "forces")
+    rows = ["plan,position,segment,mm", *(f"velocities,1,{name},7" for name in ("ab", "pb", "ps2"))]
+    readings = tmp_path / "readings.csv"
+    readings.write_text("\n".join(rows), encoding="utf-8")
+    assert invoke("check", path, readings, "--trials", "20").exit_code == 1
