@@ -6,12 +6,12 @@ A scene is in one language and is asked for in the other; symbols, units, names 
 from __future__ import annotations
 
 import re
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from support.command import invoke
-from support.each import each
 from support.leftovers import english, leftovers, of_page, of_svg
 from support.scenes import MECHANISM, calling
 
@@ -30,7 +30,6 @@ SCENES = {
     "train and arcs": (BARE, ("planetary", ARCS)),
 }
 LANGUAGES = ("en", "ru")
-ALL = [(name, language) for name in SCENES for language in LANGUAGES]
 TEX = re.compile(r"\$[^$]*\$")
 CHOICES = re.compile(r"\[[^\]]*\]")
 """What options may be, and are: words that are typed."""
@@ -98,25 +97,21 @@ def without_plans(rows: str) -> str:
     return re.sub("(?m)^[^,;]*", "", rows)
 
 
-def found(name: str, language: str, folder: Path, outputs: object) -> dict[str, list[str]]:
-    file, own = written(name, language, folder)
-    every = outputs(file, language, folder)  # type: ignore[operator]
-    names = re.compile("|".join(re.escape(str(one)) for one in (file, folder, folder.name)))
+@pytest.mark.slow
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", SCENES)
+def test_what_is_drawn_and_told_is_in_one_language(
+    name: str, language: str, tmp_path: Path
+) -> None:
+    file, own = written(name, language, tmp_path)
+    # composed once, for all commands
+    ran(language, "draw", file, "--composition", "-o", tmp_path / "composed")
+    shutil.copy(tmp_path / "composed" / "composition.toml", tmp_path)
+    names = re.compile("|".join(re.escape(str(one)) for one in (file, tmp_path, tmp_path.name)))
+    every = [*drawn(file, language, tmp_path), *told(file, language, tmp_path)]
     counted = {what: leftovers(names.sub("", text), language, own) for what, text in every}
-    assert len(counted) > 3
-    return {what: words for what, words in counted.items() if words}
-
-
-@pytest.mark.slow
-@each("name, language", ALL)
-def test_what_is_drawn_is_in_one_language(name: str, language: str, tmp_path: Path) -> None:
-    assert found(name, language, tmp_path, drawn) == {}
-
-
-@pytest.mark.slow
-@each("name, language", ALL)
-def test_what_is_told_is_in_one_language(name: str, language: str, tmp_path: Path) -> None:
-    assert found(name, language, tmp_path, told) == {}
+    assert len(counted) > 12
+    assert {what: words for what, words in counted.items() if words} == {}
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
