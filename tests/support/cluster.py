@@ -1,4 +1,4 @@
-"""A Dask cluster of two workers on this machine, for tests; the test is skipped where there is no Dask."""
+"""A Dask cluster on this machine, for tests; the test is skipped where there is no Dask."""
 
 from __future__ import annotations
 
@@ -7,12 +7,13 @@ from contextlib import contextmanager
 
 import pytest
 
-WAIT = "5s"
-"""So long it looks for a worker that has died; of its own accord half a minute."""
+WAIT = "15s"
+"""So long it looks for a worker that has died; of its own accord half a minute. On a busy machine a new one may
+need 5 s to begin, and is given up if it is not waited for."""
 
 
 @contextmanager
-def cluster() -> Iterator[str]:
+def cluster(workers: int = 2) -> Iterator[str]:
     """Yield the address of its scheduler."""
     distributed = pytest.importorskip("distributed")
     from dask import config
@@ -20,7 +21,7 @@ def cluster() -> Iterator[str]:
     with (
         config.set({"distributed.comm.timeouts.connect": WAIT}),
         distributed.LocalCluster(
-            n_workers=2,
+            n_workers=workers,
             threads_per_worker=1,
             processes=True,
             dashboard_address=None,

@@ -10,7 +10,7 @@ import multiprocessing
 import os
 import signal
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection
@@ -33,10 +33,11 @@ LARGE, MOST = "distributed.admin.large-graph-warning-threshold", "1 GB"
 
 
 class Pool(NamedTuple):
-    """An executor, and how many pieces of work it does at once."""
+    """An executor, how many pieces of work it does at once, and whether anybody is there to do them."""
 
     executor: Executor
     at_once: int
+    has_workers: Callable[[], bool] = lambda: True
 
 
 class Here(Executor):
@@ -65,7 +66,7 @@ def opened(where: int | str, *, alone: bool = False) -> Iterator[Pool]:
     """
     if isinstance(where, str):
         with _cluster(where) as found:
-            yield Pool(found.executor, 1) if alone else found
+            yield found._replace(at_once=1) if alone else found
     elif where == 0:
         yield Pool(Here(), 1)
     else:
@@ -164,7 +165,8 @@ def _cluster(address: str) -> Iterator[Pool]:
     try:
         executor = client.get_executor(pure=False)
         with config.set({LARGE: MOST}):
-            yield Pool(executor, max(1, sum(client.ncores().values())))
+            cores = max(1, sum(client.ncores().values()))
+            yield Pool(executor, cores, lambda: bool(client.ncores()))
         executor.shutdown()
     except BaseException:
         executor.shutdown(wait=False)

@@ -11,11 +11,14 @@ from graphic_tmm.classroom.batch.answer import Answer, answer, parcel
 from graphic_tmm.classroom.batch.executors import Pool, died, opened
 from graphic_tmm.classroom.batch.stopping import PULSE, Check
 from graphic_tmm.classroom.batch.work import Work
-from graphic_tmm.errors import TmmError
+from graphic_tmm.errors import SheetError, TmmError
 from graphic_tmm.language.reader import reader
+from graphic_tmm.language.said import said
 
 WINDOW = 3
 """So many works are on their way for each that is done at once."""
+LONELY = 60.0
+"""After so many s without an answer a cluster is asked whether it has any workers left."""
 Found = tuple[Work, Answer | BaseException]
 
 
@@ -37,6 +40,11 @@ def answers(
     When a process dies, all works on their way are yielded with that error, and the rest go on in others.
     ``alone``: one at a time, so that it is known which of them it is. ``check``: raises where it is to end.
     ``limit``: a process that does a work longer than so many s ends (0: none); not this one.
+
+    Raises
+    ------
+    SheetError
+        If all workers of a cluster have gone: what is on its way would never come.
     """
     ends = limit if where != 0 else 0.0
     waiting = iter(works)
@@ -62,7 +70,7 @@ def _until_broken(
 ) -> Generator[Found, None, bool]:
     """Yield answers until all works are done, or a process died: whether one did."""
     flying: dict[Future[Answer], tuple[Work, float]] = {}
-    broken = False
+    broken, heard = False, monotonic()
     while True:
         while not broken and len(flying) < window and (work := next(waiting, None)) is not None:
             try:
@@ -79,6 +87,7 @@ def _until_broken(
             return broken
         ended, _ = wait(flying, timeout=PULSE, return_when=FIRST_COMPLETED)
         check()
+        heard = monotonic() if ended else _attended(pool, heard)
         for future in ended:
             work, begun = flying.pop(future)
             found = _found(future)
@@ -86,6 +95,19 @@ def _until_broken(
             if window == 1 and limit and monotonic() - begun >= limit and _died(found):
                 found = TooLongError()
             yield work, found
+
+
+def _attended(pool: Pool, heard: float) -> float:
+    """Return when an answer, or that there are workers, was heard last."""
+    if monotonic() - heard <= LONELY:
+        return heard
+    if not pool.has_workers():
+        raise SheetError(
+            said(
+                "the cluster has no workers: begin some, then say the same command; what is done stays"
+            )
+        )
+    return monotonic()
 
 
 def _died(found: Answer | BaseException) -> bool:

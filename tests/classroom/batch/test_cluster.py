@@ -90,6 +90,14 @@ def test_files_travel_as_they_are(scheduler: str, tmp_path: Path) -> None:
     assert files_of(tmp_path / "out") == {"2.bin": whole}
 
 
+def test_a_cluster_without_workers_is_not_waited_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("graphic_tmm.classroom.batch.rounds.LONELY", 1.0)
+    with cluster(workers=0) as address, pytest.raises(SheetError, match="has no workers"):
+        run(sums(3), tmp_path / "out", executor=address)
+
+
 def test_no_scheduler_is_one_message(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("graphic_tmm.classroom.batch.executors.PATIENCE", 1)
     for address in ("tcp://127.0.0.1:9", "nonsense", "zzz://x", "tcp://"):
