@@ -14,6 +14,7 @@ import argparse
 import base64
 import gzip
 import hashlib
+import io
 import json
 import re
 import shutil
@@ -94,17 +95,11 @@ def _parts(name: str, data: bytes) -> Iterator[tuple[str, bytes]]:
                 yield f"{name}/{of}", gzip.decompress(base64.b64decode(carried))
         yield f"{name}/text", HASHES.sub("", PROGRAM.sub("", page)).encode()
     elif name.endswith((".docx", ".zip")):
-        with zipfile.ZipFile(_kept(data)) as whole:
-            for part in sorted(whole.namelist()):
-                yield f"{name}/{part}", whole.read(part)
+        with zipfile.ZipFile(io.BytesIO(data)) as archive:
+            for part in sorted(archive.namelist()):
+                yield f"{name}/{part}", archive.read(part)
     else:
         yield name, data
-
-
-def _kept(data: bytes) -> Path:
-    path = Path(tempfile.mkdtemp()) / "whole.zip"
-    path.write_bytes(data)
-    return path
 
 
 def moved(folder: Path) -> Iterator[tuple[str, bytes]]:

@@ -19,9 +19,13 @@ SCENES, MODES = ("sc", "rpr", "fsc"), ("mm", "quantities")
 
 @cache
 def checked() -> tuple[Outcome, ...]:
-    """One drawing of each kind of mistake, on three mechanisms in turn; those that show it."""
+    """Two drawings of each kind of mistake, on three mechanisms in turn; those that show it."""
     with TemporaryDirectory() as folder:
-        drawings = planted(EARLY, len(EARLY), 62_000, SCENES, MODES)
+        drawings = [
+            drawing
+            for seed in (61_000, 62_000)
+            for drawing in planted(EARLY, len(EARLY), seed, SCENES, MODES)
+        ]
         shown = [one for one in drawings if one.truths[0].shown]
         return tuple(outcomes(shown, Path(folder), EARLY))
 
@@ -37,11 +41,7 @@ def test_mistakes_are_seen() -> None:
 
 
 LEAST = {"place": 0.90, "family": 0.80, "member": 0.70, "names right": 0.95}
-"""Shares of the drawings, and of names at 80 % or more: as wanted; these have 0.96, 0.93, 0.83 and 1.
-
-So few drawings tell a share to a twentieth or so: with two other hands (61_000, twice as many) it is 0.95,
-0.79, 0.75 and 0.98, of all three together 0.95, 0.84, 0.78 and 0.99.
-"""
+"""Shares of the drawings, and of names at 80 % or more: as wanted; these have 0.95, 0.86, 0.78 and 0.98."""
 
 
 @pytest.mark.slow

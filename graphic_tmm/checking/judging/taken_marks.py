@@ -22,13 +22,18 @@ from graphic_tmm.drawn import Drawn
 
 
 def steps_of(work: Drawn | None) -> dict[tuple[str, str], Step]:
-    """Return the steps of a mechanism that can be read: its lengths, points and rates, by plan and name."""
+    """Return the steps of a mechanism that can be read: its lengths, points and rates, by plan and name.
+
+    A plan that no position asks for is recorded where forces need it, and drawn nowhere.
+    """
     if work is None:
         return {}
     log = work.construction
     found: dict[tuple[str, str], Step] = {}
     plans = pointed()
-    steps = {step.it: step for step in alone(log)}
+    steps = {
+        step.it: step for step in alone(log) if step.it in (work.of(step.it.view) or work.reading)
+    }
     for mark, step in steps.items():
         if mark.view in plans and mark.kind is Length:
             found.setdefault((mark.view, segment_name(mark.letter)), step)

@@ -85,11 +85,7 @@ class Yardsticks:
             return
         if self._little:
             kinds = {mark.kind for mark in missing}
-            missing = [
-                step.it
-                for step in self.steps.values()
-                if step.it.kind in kinds and self._drawn_anywhere(step.it)
-            ]
+            missing = [step.it for step in self.steps.values() if step.it.kind in kinds]
             spots = points(self.made)
             if any(key in spots for key, _ in new):
                 new += [(key, True) for key in spots]
@@ -97,11 +93,6 @@ class Yardsticks:
                 new += [(key, in_mm) for key in cells(self.made) for in_mm in (True, False)]
         more = sample(self.made, self.reader.hand, _by_figure(new), dict.fromkeys(missing))
         self._drawn = joined(drawn, more)
-
-    def _drawn_anywhere(self, mark: Mark) -> bool:
-        """Whether a mark has numbers: a plan that no position asks for is recorded, and drawn nowhere."""
-        work = self.made.mechanism
-        return work is not None and mark in (work.of(mark.view) or work.reading)
 
     @cached_property
     def _little(self) -> bool:

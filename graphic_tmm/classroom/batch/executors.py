@@ -13,6 +13,7 @@ import sys
 from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager, suppress
+from functools import partial
 from multiprocessing.connection import Connection
 from threading import Thread
 from typing import Any, NamedTuple
@@ -145,6 +146,13 @@ def _watch(line: Connection) -> None:
 # ---------------------------------------------------------------- a cluster
 
 
+def _has_workers(client: Any) -> bool:
+    try:
+        return bool(client.ncores())
+    except OSError:  # the scheduler has gone, too
+        return False
+
+
 @contextmanager
 def _cluster(address: str) -> Iterator[Pool]:
     try:
@@ -166,7 +174,7 @@ def _cluster(address: str) -> Iterator[Pool]:
         executor = client.get_executor(pure=False)
         with config.set({LARGE: MOST}):
             cores = max(1, sum(client.ncores().values()))
-            yield Pool(executor, cores, lambda: bool(client.ncores()))
+            yield Pool(executor, cores, partial(_has_workers, client))
         executor.shutdown()
     except BaseException:
         executor.shutdown(wait=False)
