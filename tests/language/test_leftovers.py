@@ -93,9 +93,11 @@ def told(file: Path, language: str, folder: Path) -> Iterator[tuple[str, str]]:
 
 
 def without_plans(rows: str) -> str:
-    """A table in CSV without names of plans as they are typed in its first column: gear, sliding."""
+    """A table in CSV without names of plans as they are typed: in its first column, in brackets of a remark."""
     typed = captions("ru")
-    return re.sub("(?m)^[^,;\n]+", lambda cell: "" if cell[0] in typed else cell[0], rows)
+    return re.sub(
+        r"(?m)(?:^|(?<=\())[^,;()\n]+(?=[,;)])", lambda n: "" if n[0] in typed else n[0], rows
+    )
 
 
 @pytest.mark.slow
