@@ -34,18 +34,20 @@ FORMER = (
     Former("0.13.0", "accelerations", rf"([nt]){_POINT}", "a_{1}^{0}"),
     # noa, toa, of the same, with its pivot
     Former("0.4.0", "accelerations", rf"([nt]){_POINT}{_POINT}", "a_{2}^{0}"),
+    # sB, a way that has no sign: |s_B|, apart from the way that a diagram lays off
+    Former("0.13.0", "positions", rf"s{_POINT}", "|s_{0}|"),
 )
 """Every name given up, the newest first; what several rows fit is what the first says, if it is there."""
 _LEFT_OUT = str.maketrans("", "", "_{} ")
 
 
 def renamed(plan: str, typed: str, known: Mapping[str, Collection[str]]) -> str:
-    """Return the segment that a plan had under this name in an earlier version, "" if none.
+    """Return the segment that a plan had under this name in an earlier version, "" if none or still.
 
     ``known``: the segments that are there now, with what they stand for (and whatever else they are called).
     """
     bare = typed.translate(_LEFT_OUT)
-    for row in FORMER:
+    for row in () if bare in known else FORMER:
         found = re.fullmatch(row.then, bare) if row.plan == plan else None
         if found is not None:
             now = row.now.format(*found.groups()).casefold()

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from support import gallery
+from support import asked, gallery
 from support.gallery import CASES
 from support.scenes import written
 
@@ -115,6 +115,15 @@ def test_a_pivot_in_the_name_does_not_hide_the_crank(crank: DrawnScene) -> None:
     assert {old: segment_meant(old, "accelerations", known).names for old in OLD} == {
         old: (now,) for old, now in OLD.items()
     }
+
+
+def test_a_way_without_a_sign_is_read_without_its_bars(tmp_path: Path) -> None:
+    """Where a diagram lays off a way with its sign, the bare letter is that one."""
+    both = make(read(written(tmp_path, asked.mechanism("slider", 6, [("A1", ("positions",))]))))
+    for drawn, due in ((gallery.made("engine"), "|sB|"), (both, "sB")):
+        known = segments_of(scene_columns(drawn))["positions"]
+        for typed in ("sB", "s_B"):
+            assert segment_meant(typed, "positions", known).names == (due,)
 
 
 def test_a_file_of_old_names_is_judged_as_one_of_new_names(tmp_path: Path) -> None:

@@ -98,7 +98,7 @@ def draw_cylinder(draft: Draft, machine: Machine, order: IndicatorTask, section:
     point = machine.positions.point(order.point)
     draft.open(POSITIONS)
     start = draft.draw(at_zero, f"{order.point}_0", point, free=True)
-    travel = draft.draw(measure, f"s_{order.point}", start, point)
+    travel = draft.draw(measure, f"|s_{order.point}|", start, point)
     extras = machine.numbers.size - machine.count
     row = Row(machine.count, extras, machine.turns)
     indicator = draw_indicator(draft, travel, row, order)
