@@ -10,7 +10,7 @@ from support.gallery import CASES, SHEETS
 
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.readings.read import read_readings
-from graphic_tmm.checking.records import DOUBTFUL, FINE, MISTAKE, WRONG, Report
+from graphic_tmm.checking.records import DOUBTFUL, FINE, MISTAKE, SLIP, WRONG, Report
 from graphic_tmm.scene.read import read
 
 SCENES = ("sc", "fb", "rpr", "six")
@@ -117,3 +117,13 @@ def test_what_follows_from_a_wrong_reading_names_it() -> None:
     assert {one.taken.segment for one in rows if one.verdict == WRONG} == {"an2"}
     followed = {one.taken.segment: one.follows.segment for one in rows if one.follows is not None}
     assert followed["πb"] == "an2"
+
+
+@pytest.mark.parametrize("y", [828.4, 8284216.0])
+def test_a_point_from_which_nothing_more_can_be_drawn_was_written_amiss(y: float) -> None:
+    """What was read behind it and cannot be drawn from it says nothing for another mistake."""
+    rows = [*read_readings(CASES / "check" / "wild_point_crank-rocker.csv")]
+    (k,) = (k for k, one in enumerate(rows) if one.key == ("positions", "A", "3*"))
+    rows[k] = rows[k]._replace(y=y)
+    (first,) = check(read(SHEETS / "crank-rocker"), rows, trials=50).mistakes
+    assert (first.kind, first.segment) == (SLIP, "A")

@@ -92,8 +92,17 @@ def told_of(named: Told, off: Container[Mark]) -> Told:
 
 
 def perhaps(readings: Readings, found: Sequence[Hypothesis], rest: Rest) -> Told | None:
-    """Return the likeliest mistake where it is not sure that it is one of those that we know."""
-    allowed = [one for one in found if acceptable(readings, one) and not one.instrument]
+    """Return the likeliest mistake where it is not sure that it is one of those that we know.
+
+    What leaves all that is far off as far off explains nothing of it.
+    """
+    allowed = [
+        one
+        for one in found
+        if acceptable(readings, one)
+        and not one.instrument
+        and (one.beyond < rest.beyond or not rest.beyond)
+    ]
     if not allowed:
         return None
     allowed.sort(key=by_score)

@@ -52,8 +52,8 @@ class Entry(NamedTuple):
 
     @property
     def read(self) -> NDArray[np.bool_]:
-        """Where it was read, (position,)."""
-        return np.asarray(np.isfinite(self.scatter[0]))
+        """Where it was read and can be drawn from the points before it, (position,): else it tells nothing."""
+        return np.asarray(np.isfinite(self.scatter[0]) & np.isfinite(self.error).all(axis=0))
 
 
 class Weighed(NamedTuple):

@@ -182,7 +182,7 @@ def of_variations(
     for one, read in zip(readings.columns, table.T, strict=True):
         figure = np.asarray(np.ravel(due[one.at])[0] if one.at in due else one.due)
         unknown = np.where(copied, one.nearest, one.unknown)
-        _add(evidence, one.place, one.told(figure, read), unknown, one.told(figure))
+        _add(evidence, one.place, one.told(figure, read), unknown, one.told(figure), read)
     return evidence
 
 
@@ -205,10 +205,15 @@ def nothing(count: int, places: int) -> Evidence:
     return Evidence(*(np.zeros((count, places + 1)) for _ in Evidence._fields))
 
 
-def _add(evidence: Evidence, at: Any, told: Any, unknown: Any, before: Any) -> None:
-    """Add readings written down otherwise: how likely, far off and gone they are, and were before."""
+def _add(evidence: Evidence, at: Any, told: Any, unknown: Any, before: Any, written: Any) -> None:
+    """Add readings written down otherwise: how likely, far off and gone they are, and were before.
+
+    ``written``: what then stands there, NaN where nothing does. What stands there and cannot be drawn any
+    more is lost.
+    """
     likely, far, gone = told
-    evidence.gain[:, at] += np.where(gone > 0, unknown, likely) - before[0]
+    evidence.gain[:, at] += np.where(np.isnan(written), unknown, likely) - before[0]
+    evidence.lost[:, at] += ~np.isnan(written) & (gone > before[2])
     evidence.beyond[:, at] += far > BEYOND
     moved, squares = explained(far, before[1])
     evidence.moved[:, at] += moved
@@ -240,4 +245,5 @@ def _of_marks(
         told = Told(entry)
         rows = told.rows(np.broadcast_to(errors, (errors.shape[0], count, places)))
         unknown = np.where(copied[:, None], told.nearest, told.unknown)
-        _add(evidence, slice(places), rows, unknown, (told.likely, told.off))
+        before = told.likely, told.off, ~told.entry.read
+        _add(evidence, slice(places), rows, unknown, before, found[mark])
