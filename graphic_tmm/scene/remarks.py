@@ -75,10 +75,18 @@ def _unplaced(scene: Scene) -> Iterator[str]:
             section=section.name,
             listed=joined(said(" or "), (f'"{place}"' for place in of_section(section))),
         )
-    there_too = ((name, (*one.shows, *one.beside)) for name, (_, one) in places().items())
-    gained = {name for name, plans in there_too if GAINED in plans}
+    there_too = {name: one for name, (_, one) in places().items()}
+    gained = {name for name, one in there_too.items() if GAINED in (*one.shows, *one.beside)}
     if scene.row.accelerations and not scene.shown & {GAINED, *gained}:
         yield said(
             'drive.{plans}: no sheet shows them (table does); add "{plans}" to the place of a [[sheet]]',
             plans=GAINED,
+        )
+    # other places show more than these plans
+    only = {GAINED, *(name for name, one in there_too.items() if one.shows == (GAINED,))}
+    if not scene.row.accelerations and (empty := sorted(scene.shown & only)):
+        yield said(
+            "{places}: nothing is there to be shown, for no position has a plan of accelerations; add "
+            'accelerations = "all" to [drive], or the positions that are to have one',
+            places=", ".join(empty),
         )

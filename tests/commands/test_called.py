@@ -6,10 +6,11 @@ import re
 from pathlib import Path
 
 import pytest
+from support import asked
 from support.boards import parts
 from support.command import invoke, printed, rows, warned
 from support.gallery import FOLDERS
-from support.scenes import MECHANISM, SECTIONS, calling
+from support.scenes import MECHANISM, SECTIONS, calling, written
 
 from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.project import record
@@ -215,3 +216,33 @@ def test_the_packaged_scenes_leave_nothing_unsaid() -> None:
     for folder in FOLDERS:
         scene = read(folder)
         assert (folder.name, scene.remarks, unplaced(scene)) == (folder.name, (), ())
+
+
+@pytest.mark.parametrize("place", ["accelerations", "acceleration table"])
+def test_a_sheet_without_the_plans_that_it_names_says_so(place: str, tmp_path: Path) -> None:
+    text = asked.mechanism("slider", 6, [("A1", ("positions", "velocities"))])
+    text = text.replace('"velocities"]', f'"velocities", "{place}"]')
+    text = text[: text.index("[effects]")] + text[text.index("[[sheet]]") :]
+    for none in (True, False):
+        said = text.replace(
+            "accelerations = [0, 2, 4]\n", "" if none else 'accelerations = "all"\n'
+        )
+        done = invoke("draw", written(tmp_path, said), "-o", tmp_path / "out")
+        lines = [line for line in warned(done) if line.startswith(f"{place}: ")]
+        assert done.exit_code == 0
+        assert [bool(re.search('accelerations = "all"', line)) for line in lines] == [True] * none
+
+
+@pytest.mark.parametrize(
+    ("there", "hidden"), [("", "0, 2, 4"), ("accelerations = [2, 3]\n", "0, 4"), (None, "")]
+)
+def test_inertia_from_plans_that_are_not_drawn_says_so(
+    there: str | None, hidden: str, tmp_path: Path
+) -> None:
+    text = asked.mechanism("slider", 6, [("A1", ("positions", "forces"))])
+    if there is not None:
+        text = text.replace("accelerations = [0, 2, 4]\n", there)
+    done = invoke("table", written(tmp_path, text), "-f", "csv")
+    lines = [line for line in warned(done) if "plans of accelerations" in line or "планам" in line]
+    assert done.exit_code == 0
+    assert [f" {hidden} " in line for line in lines] == [True] * bool(hidden)
