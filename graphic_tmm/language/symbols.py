@@ -84,6 +84,32 @@ def symbol(name: str, language: str) -> str:
     return name
 
 
+_FUNCTIONS = {
+    "tan": said("tan", context="function"),
+    "arctan": said("arctan", context="function"),
+}
+"""Functions that languages call by other letters."""
+_CALLED = re.compile(rf"\b({'|'.join(_FUNCTIONS)})(?=[( ])")
+
+
+def function(name: str, language: str) -> str:
+    """Return what a function of a formula is called in a language.
+
+    >>> function("arctan", "ru"), function("arctan", "en"), function("sin", "ru")
+    ('arctg', 'arctan', 'sin')
+    """
+    return speaking(language)(_FUNCTIONS[name]) if name in _FUNCTIONS else name
+
+
+def with_functions(formula: str, language: str) -> str:
+    """Return the text of a formula with its functions as they are called in a language.
+
+    >>> with_functions("arctan({a}/{b})", "ru")
+    'arctg({a}/{b})'
+    """
+    return _CALLED.sub(lambda found: function(found[1], language), formula)
+
+
 _INDEXED = re.compile(r"([A-Za-z])_?(\w*)")
 
 

@@ -12,6 +12,7 @@ from itertools import groupby
 from graphic_tmm.board.formula_text import Node
 from graphic_tmm.board.functions import FUNCTIONS
 from graphic_tmm.language.numbers import decimal_sign
+from graphic_tmm.language.symbols import function
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.document import Formula, Leaf, Number, Symbol, Tree
 from graphic_tmm.paper.lettering import markup
@@ -239,8 +240,13 @@ class _Writer:
         base, power = node.parts
         raised = self.tree(power, put).strip()
         if base.head in _NAMED and power.head == "figure":
-            return rf"\{base.head}^{{{raised}}} {self._argument(base.parts[0], put)}"
+            return rf"{self._named(base.head)}^{{{raised}}} {self._argument(base.parts[0], put)}"
         return f"{self._base(base, put)}^{{{raised}}}"
+
+    def _named(self, name: str) -> str:
+        """Return a function as its language calls it; what TeX does not know by name is an operator too."""
+        called = function(name, self.language)
+        return rf"\{name}" if called == name else rf"\operatorname{{{called}}}"
 
     def _base(self, node: Node, put: Mapping[str, Leaf]) -> str:
         told = self.tree(node, put).strip()
@@ -302,7 +308,9 @@ class _Writer:
         if node.head in pairs:
             left, right = pairs[node.head]
             return rf"\left{left} {told[0]} \right{right}"
-        name = rf"\{node.head}" if node.head in _NAMED else rf"\mathrm{{{escaped(node.head)}}}"
+        name = (
+            self._named(node.head) if node.head in _NAMED else rf"\mathrm{{{escaped(node.head)}}}"
+        )
         if len(told) > 1:
             return rf"{name}\left({', '.join(told)}\right)"
         apart = "" if node.head in _NAMED else r"\,"

@@ -19,6 +19,7 @@ from graphic_tmm.drawn import MEASURED
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import spoken
 from graphic_tmm.language.numbers import EXACTLY, number
+from graphic_tmm.language.symbols import with_functions
 from graphic_tmm.language.units import unit, unit_name
 
 
@@ -133,7 +134,7 @@ def calculation(
         text += "°" if mark.kind is Angle else ""
         return f"({text})" if text.startswith("−") else text
 
-    formula = step.op.formula
+    formula = with_functions(step.op.formula, language)
     letters = letters_of(step, lambda mark: spoken(mark, language) or put(mark))
     numbers = _closed(formula, letters_of(step, put))
     if summed:

@@ -38,6 +38,9 @@ def told(text: str, **put: str | float) -> str:
         ("{a}/{b}/{c}", {"a": "a", "b": "b", "c": "c"}, r"\frac{a}{b \cdot c}"),
         ("|{a}|", {"a": "a"}, r"\left| a \right|"),
         ("√{a}", {"a": "a"}, r"\sqrt{a}"),
+        ("sin({a})", {"a": "α"}, r"\sin \alpha"),
+        ("tan({a})", {"a": "α"}, r"\operatorname{tg} \alpha"),
+        ("arctan({a}/{b})", {"a": "a", "b": "b"}, r"\operatorname{arctg} \left(\frac{a}{b}\right)"),
     ],
 )
 def test_a_tree_is_written_with_the_brackets_that_it_needs(

@@ -12,7 +12,7 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from support.tex_sums import _TURNED, DIGITS, Unread, Worked, _Reader, half_of, sides_of
+from support.tex_sums import _TURNED, DIGITS, Unread, Worked, _Reader, half_of, sides_of, with_tan
 
 SPARE = 1.02
 _STRUCTURE = frozenset(
@@ -298,7 +298,7 @@ class Equations:
 
 def _plain(formula: str) -> str:
     """Return a formula in TeX's signs, with points in figures, and figures with a power of ten as one."""
-    formula = re.sub(r"(?<=\d)(?:\{,\}|,)(?=\d)", ".", formula)
+    formula = re.sub(r"(?<=\d)(?:\{,\}|,)(?=\d)", ".", with_tan(formula))
     formula = re.sub(r"[⁻⁰¹²³⁴-⁹]+", lambda found: f"^{{{found[0].translate(_RAISED)}}}", formula)
     formula = _BOXED.sub(r"\\boxed_{\1}", formula).translate(_PLAIN)
     return _TEN.sub(_in_full, _CALLED.sub(r"\\mathrm{\1} ", formula))

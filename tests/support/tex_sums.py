@@ -46,6 +46,16 @@ _SPACES = {"", " ", ",", "quad", "qquad", ";"}
 _BRACKETS = {"(": ")", "|": "|", "lceil": "rceil", "lfloor": "rfloor"}
 
 
+_RUSSIAN = re.compile(r"(?<![\\\w{])(arc)?tg(?=[( ])|\\operatorname\{(arc)?tg\}")
+
+
+def with_tan(formula: str) -> str:
+    """Return a formula with tangents as English calls them."""
+    return _RUSSIAN.sub(
+        lambda found: "\\" * (found[0][0] == "\\") + f"{found[1] or found[2] or ''}tan", formula
+    )
+
+
 def sides_of(formula: str) -> list[str]:
     """Return the sides of an equation, whatever stands in brackets aside."""
     found, depth, start = list[str](), 0, 0
@@ -101,7 +111,7 @@ class _Reader:
     def __init__(self, side: str) -> None:
         self.tokens = [
             (kind, match[kind])
-            for match in _TOKEN.finditer(side)
+            for match in _TOKEN.finditer(with_tan(side))
             if (kind := str(match.lastgroup)) != "command" or match[kind] not in _SPACES
         ]
         self.at, self.halves = 0, list[float]()

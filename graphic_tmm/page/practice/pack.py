@@ -23,6 +23,7 @@ from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import spoken
 from graphic_tmm.language.said import said
+from graphic_tmm.language.symbols import with_functions
 from graphic_tmm.language.units import unit
 from graphic_tmm.page.practice.limits import (
     HAND,
@@ -166,7 +167,8 @@ class Packing:
             found["why"] = runs(why, step, language)
         if step.op.formula:
             letters = letters_of(step, lambda mark: spoken(mark, language))
-            found["formula"] = indexed(f"{letters['it']} = {step.op.formula.format(**letters)}")
+            formula = with_functions(step.op.formula, language).format(**letters)
+            found["formula"] = indexed(f"{letters['it']} = {formula}")
         if Side in step.op.takes or step.op.choices:
             found["sides"] = [speaking(language)(one) for one in step.op.sides]
         return found
