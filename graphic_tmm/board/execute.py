@@ -16,7 +16,7 @@ import numpy as np
 from graphic_tmm.board.blocks import Calls, Values, in_blocks, part_of, ready, spread, stored
 from graphic_tmm.board.hand import EXACT, Hand, Slipping, Streams, trials_in_block
 from graphic_tmm.board.record import ByIdentity, Construction, Mark, Step
-from graphic_tmm.board.road import Road, road
+from graphic_tmm.board.road import compiles
 from graphic_tmm.board.values import Curve, at, blank
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.board.values import places as positions_of
@@ -239,12 +239,11 @@ class Program(NamedTuple):
 
     def _in_parts(self, count: int, fast: bool | None, threads: int | None) -> InParts:
         """Return what runs pointwise steps."""
-        way = road(fast, sum(len(pointwise) for pointwise, _ in self.strata), count)
-        if way is Road.LOOPS:
-            from graphic_tmm.board.compiled import in_loops
+        if not compiles(fast, sum(len(pointwise) for pointwise, _ in self.strata), count):
+            return in_blocks
+        from graphic_tmm.board.compiled import in_loops
 
-            return partial(in_loops, threads=threads)
-        return in_blocks if way is Road.STEPS else _in_lines
+        return partial(in_loops, threads=threads)
 
     def _run(
         self,
@@ -275,16 +274,6 @@ class Program(NamedTuple):
             for i in call.takes
         }
         return frozenset({call.fills for call in stratum} & (used | self.wanted))
-
-
-def _in_lines(
-    calls: Calls, values: Values, count: int, block: int, hand: Hand, kept: frozenset[int]
-) -> None:
-    """Run pointwise calls as one line of passes, where they can be written as one; else as `in_blocks`."""
-    from graphic_tmm.board.straight import in_line
-
-    if not in_line(calls, values, count, block, hand, kept):
-        in_blocks(calls, values, count, block, hand, kept)
 
 
 def prepare(construction: Construction, wanted: Iterable[Mark] | None = None) -> Program:
@@ -339,7 +328,7 @@ def execute(
     block
         Positions a block.
     fast
-        Whether the steps are compiled, see `Program.compiled`; None where that pays, see `road`.
+        Whether the steps are compiled, see `Program.compiled`; None where that pays, see `compiles`.
     threads
         How many threads compiled steps take at the most; None for all cores where that pays. The numbers are
         the same for any.

@@ -20,7 +20,7 @@ from graphic_tmm.board.record import ByIdentity
 from graphic_tmm.board.signs import Sign
 from graphic_tmm.board.sources import RULER, Source, assembled, sources, taken_apart
 from graphic_tmm.board.tape import INPUT, Tape
-from graphic_tmm.board.traced import REFUSED, plainly_traced
+from graphic_tmm.board.traced import REFUSED, traced
 from graphic_tmm.board.unknown import NotTraced, Value
 from graphic_tmm.board.values import Curve, complexes
 
@@ -204,8 +204,8 @@ def _sorted(calls: Calls, found: dict[int, Any], ruler: Value | None) -> tuple[C
 def _noted(call: Call, found: dict[int, Any], ruler: Value | None) -> Any:
     if not all(i in found for i in call.takes):
         raise NotTraced("a curve")
-    value = plainly_traced(call.op)(*[found[i] for i in call.takes])
+    value = traced(call.op)(*[found[i] for i in call.takes])
     if ruler is not None and call.reads:
-        value = plainly_traced(rounded)(value, ruler)
+        value = traced(rounded)(value, ruler)
     taken_apart(value, complexes(call.kind))
     return value

@@ -110,11 +110,6 @@ ONE = Width("double", "i1", "f64", 1)
 WIDE = Width(f"<{WIDTH} x double>", f"<{WIDTH} x i1>", f"v{WIDTH}f64", WIDTH)
 
 
-def of_pass(takes: Sequence[int | float], does: str) -> tuple[int | float, ...]:
-    """Return what a pass takes in machine code: how often a mask is true matters to nobody there."""
-    return tuple(takes[1:] if does == "choose" else takes)
-
-
 def kind_of(does: str, width: Width) -> str:
     """Return the type of what a pass leaves."""
     return width.truth if does in MASKS else width.kind

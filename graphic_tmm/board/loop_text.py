@@ -18,7 +18,6 @@ from graphic_tmm.board.loop_passes import (
     declared_by,
     kind_of,
     lines_of,
-    of_pass,
 )
 from graphic_tmm.board.tape import INPUT, Node, Tape
 
@@ -113,7 +112,7 @@ class _Writer:
         for k in range(len(self.nodes) - 1, -1, -1):
             if k in found:
                 node = self.nodes[k]
-                found.update(t for t in of_pass(node.takes, node.does) if isinstance(t, int))
+                found.update(t for t in node.takes if isinstance(t, int))
         return sorted(found)
 
     def _fresh(self) -> str:
@@ -162,7 +161,7 @@ class _Writer:
         return f"%n{k}_wide"
 
     def _step(self, k: int, node: Node) -> None:
-        names = [self._name(t, node.moving) for t in of_pass(node.takes, node.does)]
+        names = [self._name(t, node.moving) for t in node.takes]
         if node.does in LIBRARY:
             self._called(f"%n{k}", LIBRARY[node.does][0], names, node.moving)
             return

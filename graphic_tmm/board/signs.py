@@ -40,7 +40,7 @@ def of_pass(does: str, takes: Sequence[Sign], *, alike: bool) -> Sign:
         return min(takes[0], Sign.UNSIGNED)
     if does in ("multiply", "divide"):
         return Sign.POSITIVE if min(takes) == Sign.POSITIVE else Sign.FREE
-    if does in ("sqrt", "root"):
+    if does == "sqrt":
         # of what is below 0 it is NaN, of −0 it is −0
         return Sign.POSITIVE if takes[0] else Sign.FREE
     if does == "copysign":

@@ -2,7 +2,7 @@
 
 A number that is not known yet is a `Ref`: a node of the tape and a sign. Signs, factors of one and parts of
 complex numbers that are nothing (None) are settled here, so that they cost no pass. A pass is named as the
-function of numpy that does it, or as one of `passes`.
+function of numpy that does it; `length` is √(x² + y²), `choose` what `where` does.
 """
 
 from __future__ import annotations
@@ -47,8 +47,6 @@ INPUT = "input"
 _CARRYING = {
     **dict.fromkeys(("add", "subtract", "multiply"), (0, 1)),
     **dict.fromkeys(("negative", "absolute", "rint"), (0,)),
-    # what is turned is a direction, undefined in both its parts or in none
-    **dict.fromkeys(("turn_x", "turn_y"), (2, 3)),
 }
 """Passes that are undefined just where these numbers are that they take."""
 _KEEPING = {"sqrt": (0,), "length": (0, 1), "divide": (0,)}
@@ -97,7 +95,7 @@ class Tape:
 
     def _sign(self, does: str, takes: tuple[int | float, ...]) -> Sign:
         if does == "choose":
-            takes = takes[2:]
+            takes = takes[1:]
         signs = [self.nodes[t].sign if isinstance(t, int) else of_known(t) for t in takes]
         return of_pass(does, signs, alike=len(takes) == 2 and takes[0] == takes[1])
 
@@ -108,7 +106,7 @@ class Tape:
             return 0, 0
         nodes = [self.nodes[t] if isinstance(t, int) else None for t in takes]
         if does == "choose":
-            both = nodes[2:]
+            both = nodes[1:]
             may = own if any(isinstance(t, float) and t != t for t in takes) else 0
             must = both[0].must & both[1].must if both[0] and both[1] else 0
             return may | _together(node.may for node in both if node), must
@@ -250,9 +248,7 @@ class Tape:
         both = isinstance(a, Ref) and isinstance(b, Ref) and a.minus and b.minus
         if both:
             a, b = self.opposite(a), self.opposite(b)
-        return Ref(
-            self.note("choose", self.note("count", mask), mask, self.plain(a), self.plain(b)), both
-        )
+        return Ref(self.note("choose", mask, self.plain(a), self.plain(b)), both)
 
 
 def _together(bits: Iterable[int]) -> int:

@@ -25,26 +25,6 @@ REFUSED = (
 """How an operation fails that cannot be noted: what it calls may refuse an unknown number in its own way."""
 
 
-class _Quadrant(Value):
-    """i to the power of whole numbers: what it is multiplied with is turned by right angles."""
-
-    __slots__ = ("quarters",)
-
-    def __init__(self, quarters: Value) -> None:
-        self.tape, self.quarters = quarters.tape, quarters.part()
-        turned = self * Value(self.tape, 1.0)
-        super().__init__(self.tape, turned.re, turned.im)
-
-    def __mul__(self, other: object) -> Value:
-        b, tape = self._of(other), self.tape
-        alike = tape.call("alike", self.quarters)
-        return Value(
-            tape, *(tape.call(n, alike, self.quarters, b.re, b.im) for n in ("turn_x", "turn_y"))
-        )
-
-    __rmul__ = __mul__
-
-
 def _tape_of(*values: Any) -> Tape | None:
     return next((value.tape for value in values if isinstance(value, Value | Mask)), None)
 
@@ -92,11 +72,6 @@ def _itself(value: Any, *_: Any, **__: Any) -> Any:
     return value
 
 
-def _root(product: Any, gap: Any, scale: Any) -> Any:
-    tape = product.tape
-    return Value(tape, tape.call("root", product.part(), gap.part(), valued(tape, scale).part()))
-
-
 def _vector(x: Any, y: Any) -> Any:
     tape = _tape_of(x, y)
     if tape is None:
@@ -104,7 +79,7 @@ def _vector(x: Any, y: Any) -> Any:
     return Value(tape, valued(tape, x).part(), valued(tape, y).part())
 
 
-def _compared_quadrant(quarters: Any) -> Any:
+def _quadrant(quarters: Any) -> Any:
     rest = quarters - 4.0 * _NUMPY.floor(quarters * 0.25)
     x = _where(rest == 0.0, 1.0, _where(rest == 2.0, -1.0, 0.0))
     return _vector(x, _where(rest == 1.0, 1.0, _where(rest == 3.0, -1.0, 0.0)))
@@ -150,43 +125,36 @@ _FUNCTIONS = frozenset(
 _NUMPY = _Numpy()
 
 
-class Tracer:
-    """Says what functions stand for where their numbers are noted; ``instead``: what some of them are."""
-
-    def __init__(self, instead: dict[Callable[..., Any], Callable[..., Any]]) -> None:
-        self._known = dict(instead)
-
-    def __call__(self, function: Any) -> Any:
-        """Return what a function, or another name of its module, stands for: the same code on a tape."""
-        if isinstance(function, NewType):
-            return _itself
-        if isinstance(function, partial):
-            return partial(self(function.func), **function.keywords)
-        if not isinstance(function, types.FunctionType) or function.__closure__:
-            return function
-        if function not in self._known:
-            space: dict[str, Any] = {}
-            made = types.FunctionType(
-                function.__code__, space, function.__name__, function.__defaults__
-            )
-            made.__kwdefaults__ = function.__kwdefaults__
-            # before its names are looked at: one of them may lead back to it
-            self._known[function] = made
-            for name in globals_of(function):
-                value = function.__globals__[name]
-                known = isinstance(value, NewType | types.FunctionType)
-                space[name] = _NUMPY if value is np else (self(value) if known else value)
-        return self._known[function]
-
-
-_INSTEAD: dict[Callable[..., Any], Callable[..., Any]] = {
+_KNOWN: dict[Callable[..., Any], Callable[..., Any]] = {
     geometry.vector: _vector,
     geometry.reverse: operator.neg,
+    # nothing looks at all positions first: that would cost more than it saves
     geometry.sine: geometry.series_of_sine,
     geometry.some: _true,
     geometry.pick: _where,
+    geometry.quadrant: _quadrant,
 }
-traced = Tracer({**_INSTEAD, geometry.quadrant: _Quadrant, geometry.root: _root})
-"""For passes of numpy: some look first whether they can be spared."""
-plainly_traced = Tracer({**_INSTEAD, geometry.quadrant: _compared_quadrant})
-"""For machine code, where a look at all positions would cost more than it saves."""
+"""What functions stand for on a tape; those that were met join them."""
+
+
+def traced(function: Any) -> Any:
+    """Return what a function, or another name of its module, stands for: the same code on a tape."""
+    if isinstance(function, NewType):
+        return _itself
+    if isinstance(function, partial):
+        return partial(traced(function.func), **function.keywords)
+    if not isinstance(function, types.FunctionType) or function.__closure__:
+        return function
+    if function not in _KNOWN:
+        space: dict[str, Any] = {}
+        made = types.FunctionType(
+            function.__code__, space, function.__name__, function.__defaults__
+        )
+        made.__kwdefaults__ = function.__kwdefaults__
+        # before its names are looked at: one of them may lead back to it
+        _KNOWN[function] = made
+        for name in globals_of(function):
+            value = function.__globals__[name]
+            known = isinstance(value, NewType | types.FunctionType)
+            space[name] = _NUMPY if value is np else (traced(value) if known else value)
+    return _KNOWN[function]

@@ -25,11 +25,10 @@ from graphic_tmm.board.execute import Program, Reading, prepare
 from graphic_tmm.board.hand import EXACT, Hand
 from graphic_tmm.board.machine import machine
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.road import MANY
 from graphic_tmm.board.threads import shared
 from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
 
-COUNT = 1_000_000
+COUNT, SOME = 1_000_000, 65_535
 RULER = Hand(ruler=0.1)
 SCALES = (0.002, 0.02, 0.2)
 TOLERANCE = 1e-9
@@ -171,8 +170,7 @@ def rows(form: bare.Bare) -> list[Row]:
     due, plain = one.numpy(8192), one.log(one.program)
     agree(one.by_numba(loop), due)
     agree(numbers(one, plain), due)
-    # so few that the log is executed step by step
-    some = np.linspace(0.0, 360.0, MANY - 1)
+    some = np.linspace(0.0, 360.0, SOME)
     off = worst(one.at(some, fast), one.at(some, one.program), one.marks)
     assert off < 1e-12, off
     del due, plain

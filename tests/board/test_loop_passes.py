@@ -11,13 +11,13 @@ import pytest
 from numpy.typing import NDArray
 from support.machine_code import worked
 
-from graphic_tmm.board import geometry, traced
+from graphic_tmm.board import geometry
 from graphic_tmm.board.geometry import cis
 from graphic_tmm.board.grammar import OPERATIONS, Operation
 from graphic_tmm.board.loop_passes import LIBRARY, PASSES
 from graphic_tmm.board.sources import assembled, taken_apart
 from graphic_tmm.board.tape import MASKS, Tape
-from graphic_tmm.board.traced import REFUSED, plainly_traced
+from graphic_tmm.board.traced import _FUNCTIONS, REFUSED, traced
 from graphic_tmm.board.unknown import NotTraced, Value
 from graphic_tmm.board.values import (
     Angle,
@@ -84,7 +84,7 @@ def _inputs(tape: Tape, rows: Any) -> list[Value]:
 
 def _made(function: Callable[..., Any], *rows: Any) -> Any:
     tape = Tape()
-    found = plainly_traced(function)(*_inputs(tape, rows))
+    found = traced(function)(*_inputs(tape, rows))
     (numbers,) = worked(tape, [found], [np.ascontiguousarray(row[None]) for row in rows])
     return numbers[0]
 
@@ -106,7 +106,7 @@ def test_functions_of_the_library(function: Callable[..., Any]) -> None:
 def test_vectors(function: Callable[..., Any]) -> None:
     tape = Tape()
     p, q, r, s = _inputs(tape, ORDINARY)
-    found = plainly_traced(function)(Value(tape, p.re, q.re), Value(tape, r.re, s.re))
+    found = traced(function)(Value(tape, p.re, q.re), Value(tape, r.re, s.re))
     (numbers,) = worked(tape, [found], [np.ascontiguousarray(row[None]) for row in ORDINARY])
     a, b, c, d = ORDINARY
     due = function(a + 1j * b, c + 1j * d)
@@ -127,13 +127,13 @@ def test_vectors_have_no_order(function: Callable[..., Any]) -> None:
     tape = Tape()
     p, q = _inputs(tape, "ab")
     with pytest.raises(NotTraced):
-        plainly_traced(function)(Value(tape, p.re, q.re))
+        traced(function)(Value(tape, p.re, q.re))
 
 
 def test_a_direction_of_nothing_is_undefined() -> None:
     tape = Tape()
     p, q = _inputs(tape, "ab")
-    found = plainly_traced(geometry.unit)(Value(tape, p.re, q.re))
+    found = traced(geometry.unit)(Value(tape, p.re, q.re))
     (numbers,) = worked(tape, [found], [np.zeros((1, 9)), np.zeros((1, 9))])
     assert not np.isfinite(numbers).any()
 
@@ -141,7 +141,7 @@ def test_a_direction_of_nothing_is_undefined() -> None:
 def test_each_pass_that_a_tracer_knows_is_one_of_machine_code() -> None:
     known = {*PASSES, *LIBRARY}
     assert known >= MASKS
-    assert known >= traced._FUNCTIONS
+    assert known >= _FUNCTIONS
     assert not PASSES.keys() & LIBRARY.keys()
 
 
@@ -204,7 +204,7 @@ def test_operations_in_machine_code_make_what_they_make_by_numpy() -> None:
         for choice in choices(op):
             given = [values(kind, chance) for kind in op.takes]
             try:
-                made = plainly_traced(op.run)(
+                made = traced(op.run)(
                     *[
                         noted(tape, one, kind, rows)
                         for one, kind in zip(given, op.takes, strict=True)

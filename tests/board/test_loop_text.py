@@ -14,7 +14,7 @@ from graphic_tmm.board.geometry import vector
 from graphic_tmm.board.loop_passes import WIDTH
 from graphic_tmm.board.loop_text import loop_of
 from graphic_tmm.board.tape import Tape
-from graphic_tmm.board.traced import plainly_traced
+from graphic_tmm.board.traced import traced
 from graphic_tmm.board.unknown import Value
 
 COUNT = 53
@@ -36,7 +36,7 @@ def _formulas(x: Any, a: Any, b: Any) -> list[Any]:
 def _numbers() -> tuple[Tape, list[Any]]:
     tape = Tape()
     inputs = [Value(tape, tape.input(row.size > 1)) for row in ROWS]
-    return tape, plainly_traced(_formulas)(*inputs)
+    return tape, traced(_formulas)(*inputs)
 
 
 def test_rows_and_single_numbers() -> None:
@@ -62,7 +62,7 @@ def _text(tape: Tape, found: Value) -> str:
 def test_what_nobody_wants_is_not_worked() -> None:
     tape = Tape()
     x, other = (Value(tape, tape.input(moving=True)) for _ in range(2))
-    plainly_traced(_formulas)(x, other, other)
+    traced(_formulas)(x, other, other)
     loop = loop_of(tape, [(tape.plain((x + 1.0).part()),)])
     assert "sin" not in loop.text
     assert loop.rows == (0,)

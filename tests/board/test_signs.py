@@ -28,7 +28,6 @@ TWO = {
 }
 ONE = {
     "sqrt": np.sqrt,
-    "root": np.sqrt,
     "absolute": np.abs,
     "floor": np.floor,
     "ceil": np.ceil,

@@ -12,7 +12,7 @@ from graphic_tmm.board.grammar import OPERATIONS
 from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.operations.instruments import meet, square
 from graphic_tmm.board.tape import INPUT, Tape
-from graphic_tmm.board.traced import REFUSED, Tracer, plainly_traced, traced
+from graphic_tmm.board.traced import REFUSED, traced
 from graphic_tmm.board.values import Curve, Length, Line, Point
 from graphic_tmm.chapter import whole_book
 
@@ -24,8 +24,7 @@ LEFT = {
 """Pointwise operations without a curve that look at their numbers, or call what is no pass."""
 
 
-@pytest.mark.parametrize("tracer", [traced, plainly_traced])
-def test_nearly_all_operations_can_be_noted(tracer: Tracer) -> None:
+def test_nearly_all_operations_can_be_noted() -> None:
     whole_book()
     left = set()
     for name, op in OPERATIONS.items():
@@ -34,7 +33,7 @@ def test_nearly_all_operations_can_be_noted(tracer: Tracer) -> None:
         tape = Tape()
         try:
             choice = dict.fromkeys(op.choices, 1)
-            tracer(op.run)(*(unknown(tape, kind) for kind in op.takes), **choice)
+            traced(op.run)(*(unknown(tape, kind) for kind in op.takes), **choice)
         except REFUSED:
             left.add(name)
     assert left == LEFT
@@ -88,28 +87,12 @@ def _folded(x: Any) -> Any:
 RANGE = 1
 
 
-@pytest.mark.parametrize("tracer", [traced, plainly_traced])
 @pytest.mark.parametrize(
     "function", [_looks, _counts, _slices, _unheard_of, _named_within, _ordered, _folded, np.where]
 )
-def test_what_looks_at_numbers_is_refused(function: Any, tracer: Tracer) -> None:
+def test_what_looks_at_numbers_is_refused(function: Any) -> None:
     with pytest.raises(REFUSED):
-        tracer(function)(unknown(Tape(), Length))
-
-
-def test_machine_code_is_asked_no_look_at_whole_rows() -> None:
-    whole_book()
-    for tracer, due in ((traced, True), (plainly_traced, False)):
-        does = set()
-        for op in OPERATIONS.values():
-            tape = Tape()
-            try:
-                tracer(op.run)(*(unknown(tape, kind) for kind in op.takes))
-            except REFUSED:
-                continue
-            does |= {node.does for node in tape.nodes}
-        assert ({"alike", "turn_x", "turn_y", "root"} <= does) is due
-        assert does.isdisjoint({"alike", "turn_x", "turn_y", "root"}) is not due
+        traced(function)(unknown(Tape(), Length))
 
 
 def test_what_encloses_values_runs_as_it_is() -> None:
