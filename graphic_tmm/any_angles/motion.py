@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from graphic_tmm.any_angles.found import Motion, NotAsked
 from graphic_tmm.any_angles.recorded import recorded
-from graphic_tmm.board.road import translator
+from graphic_tmm.board.execute import translator
 from graphic_tmm.board.values import Reals
 from graphic_tmm.errors import ConstructionError
 from graphic_tmm.language.said import joined, said

@@ -2,13 +2,16 @@
 
 Pointwise steps run in blocks of positions, so that a million of them stay in cache and in memory; a step
 that works across positions (a French curve) runs on whole arrays, between two strata of pointwise steps.
+Whether steps are compiled depends on what is asked for and on nothing that went before: the same scene gives
+the same bytes. The few positions of sheets never are.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache, partial
+from functools import cache, lru_cache, partial
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -16,7 +19,6 @@ import numpy as np
 from graphic_tmm.board.blocks import Calls, Values, in_blocks, part_of, ready, spread, stored
 from graphic_tmm.board.hand import EXACT, Hand, Slipping, Streams, trials_in_block
 from graphic_tmm.board.record import ByIdentity, Construction, Mark, Step
-from graphic_tmm.board.road import compiles
 from graphic_tmm.board.values import Curve, at, blank
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.board.values import places as positions_of
@@ -29,6 +31,8 @@ InParts = Callable[..., None]
 """What runs pointwise steps: `in_blocks`, or another that is called as it is."""
 BLOCK = 16384
 """Positions in one block: what numpy's calls cost is little against it, and the arrays in use stay in cache."""
+PAYS = 20_000_000
+"""Steps times positions that take numpy as long as it takes to load the translator and to compile."""
 
 
 @dataclass(frozen=True)
@@ -151,7 +155,7 @@ class Program(NamedTuple):
         ConstructionError
             If llvmlite is not installed.
         """
-        from graphic_tmm.board.machine import machine
+        from graphic_tmm.board.compile.machine import machine
 
         machine()
         return self._replace(fast=True)
@@ -241,7 +245,7 @@ class Program(NamedTuple):
         """Return what runs pointwise steps."""
         if not compiles(fast, sum(len(pointwise) for pointwise, _ in self.strata), count):
             return in_blocks
-        from graphic_tmm.board.compiled import in_loops
+        from graphic_tmm.board.compile.run import in_loops
 
         return partial(in_loops, threads=threads)
 
@@ -361,3 +365,17 @@ def execute(
     if not alone:
         return found
     return Reading({i: part_of(value, slice(0, 1)) for i, value in found.values.items()}, 1)
+
+
+def compiles(fast: bool | None, steps: int, count: int) -> bool:
+    """Return whether so many steps are compiled to run at so many positions.
+
+    ``fast``: what is asked for; None: where it pays and the translator is there.
+    """
+    return steps * count >= PAYS and translator() if fast is None else fast
+
+
+@cache
+def translator() -> bool:
+    """Whether that is installed which logs are compiled with."""
+    return find_spec("llvmlite") is not None

@@ -1,7 +1,7 @@
 """Arithmetic of the plane that stays accurate in hard cases, on complex arrays.
 
 What `vector`, `reverse`, `quadrant`, `sine`, `some` and `pick` do is done to one number as well, in other
-words: `traced` has these, and runs everything else here as it stands on symbols of single numbers.
+words: `compile.trace` has these, and runs everything else here as it stands on symbols of single numbers.
 """
 
 from __future__ import annotations

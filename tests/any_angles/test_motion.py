@@ -15,8 +15,9 @@ from support.gallery import SHEETS
 import graphic_tmm
 from graphic_tmm.any_angles import motion, ready, recorded
 from graphic_tmm.any_angles.found import Motion
-from graphic_tmm.board import bound, compiled, execute
-from graphic_tmm.board.threads import LEAST
+from graphic_tmm.board import execute
+from graphic_tmm.board.compile import run
+from graphic_tmm.board.compile.run import LEAST
 from graphic_tmm.errors import ConstructionError, SceneError
 from graphic_tmm.scene.read import read
 
@@ -243,8 +244,8 @@ class Ways:
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.ran = list[str]()
         for way, of, name in (
-            ("bound", bound.Bound, "run"),
-            ("loops", compiled, "in_loops"),
+            ("bound", run.Bound, "run"),
+            ("loops", run, "in_loops"),
             ("steps", execute, "in_blocks"),
         ):
             monkeypatch.setattr(of, name, self.counted(way, getattr(of, name)))

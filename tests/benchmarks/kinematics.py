@@ -21,11 +21,11 @@ from clock import Row, in_turns, show  # first: it finds the tests' other module
 import bare  # isort: skip
 from support.drawn import Board, board  # isort: skip
 
+from graphic_tmm.board.compile.machine import machine
+from graphic_tmm.board.compile.run import shared
 from graphic_tmm.board.execute import Program, Reading, prepare
 from graphic_tmm.board.hand import EXACT, Hand
-from graphic_tmm.board.machine import machine
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.threads import shared
 from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
 
 COUNT, SOME = 1_000_000, 65_535

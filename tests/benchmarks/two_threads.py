@@ -27,7 +27,8 @@ from clock import Row, show  # first: it finds the tests' other modules
 import bare  # isort: skip
 import kinematics  # isort: skip
 
-from graphic_tmm.board import compiled, room
+from graphic_tmm.board import room
+from graphic_tmm.board.compile import run as compiled
 
 COUNT, PART = 1_000_000, 2_000
 ROUNDS, PATIENCE = 12, 120.0

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from graphic_tmm.board import road as module
-from graphic_tmm.board.road import PAYS, compiles
+from graphic_tmm.board import execute as module
+from graphic_tmm.board.execute import PAYS, compiles
 
 
 @pytest.mark.parametrize("count", [2, PAYS])

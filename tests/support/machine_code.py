@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from graphic_tmm.board.loop_text import loop_of
-from graphic_tmm.board.machine import made
-from graphic_tmm.board.tape import Tape
-from graphic_tmm.board.unknown import Value
+from graphic_tmm.board.compile.llvm import loop_of
+from graphic_tmm.board.compile.machine import made
+from graphic_tmm.board.compile.tape import Tape
+from graphic_tmm.board.compile.trace import Value
 
 
 def worked(

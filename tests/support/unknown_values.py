@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from graphic_tmm.board.tape import INPUT, Part, Ref, Tape
-from graphic_tmm.board.unknown import Value
+from graphic_tmm.board.compile.tape import INPUT, Part, Ref, Tape
+from graphic_tmm.board.compile.trace import Value
 from graphic_tmm.board.values import Arc, Line, Point
 
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from support.unknown_values import unknown
 
-from graphic_tmm.board.sources import Source, assembled, sources, taken_apart
-from graphic_tmm.board.tape import Tape
-from graphic_tmm.board.unknown import NotTraced
+from graphic_tmm.board.compile.loop import Source, assembled, sources, taken_apart
+from graphic_tmm.board.compile.tape import Tape
+from graphic_tmm.board.compile.trace import NotTraced
 from graphic_tmm.board.values import Arc, Length, Line, Point, complexes
 
 ARC = Arc(np.array([[1.0 + 2.0j, 3.0 + 4.0j]]), np.array([[5.0]]))

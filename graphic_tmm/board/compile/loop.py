@@ -1,6 +1,7 @@
 """The loop of steps, made once: what of them can be noted, what enters it, what it leaves.
 
-Steps are known by what they do, so that a mechanism of other lengths finds the loop of the first.
+Steps are known by what they do, so that a mechanism of other lengths finds the loop of the first. Where the
+real numbers of values stand is a `Source`.
 """
 
 from __future__ import annotations
@@ -11,18 +12,67 @@ from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from graphic_tmm.board.blocks import Call, Calls
+from graphic_tmm.board.compile.llvm import End, Loop, loop_of
+from graphic_tmm.board.compile.machine import Run, made
+from graphic_tmm.board.compile.tape import INPUT, Part, Sign, Tape
+from graphic_tmm.board.compile.trace import REFUSED, NotTraced, Value, traced
 from graphic_tmm.board.hand import Hand, rounded
-from graphic_tmm.board.loop_text import End, Loop, loop_of
-from graphic_tmm.board.machine import Run, made
 from graphic_tmm.board.record import ByIdentity
-from graphic_tmm.board.signs import Sign
-from graphic_tmm.board.sources import RULER, Source, assembled, sources, taken_apart
-from graphic_tmm.board.tape import INPUT, Tape
-from graphic_tmm.board.traced import REFUSED, traced
-from graphic_tmm.board.unknown import NotTraced, Value
 from graphic_tmm.board.values import Curve, complexes
+
+
+class Source(NamedTuple):
+    """Where real numbers come from: the slot of a value, which of its arrays, "real" or "imag" of it."""
+
+    slot: int
+    array: int
+    part: str
+
+    def of(self, values: Mapping[int, Any]) -> NDArray[np.float64]:
+        """Return the numbers, (trial, position)."""
+        value = values[self.slot]
+        array = value[self.array] if isinstance(value, tuple) else value
+        found: NDArray[np.float64] = getattr(array, self.part) if array.dtype.kind == "c" else array
+        return found
+
+
+RULER = Source(-1, 0, "real")
+"""Stands for the division of a ruler, which is no value."""
+
+
+def sources(slot: int, complexes: Sequence[bool]) -> list[list[Source]]:
+    """Return where the numbers of a value come from, by array; ``complexes``: which of these are complex."""
+    return [
+        [Source(slot, k, part) for part in (("real", "imag") if two else ("real",))]
+        for k, two in enumerate(complexes)
+    ]
+
+
+def assembled(kind: type, tape: Tape, parts: Sequence[Sequence[Part]]) -> Any:
+    """Return a value on a tape of the parts of its arrays; ``kind``: its type."""
+    found = [Value(tape, *each) for each in parts]
+    return kind(*found) if issubclass(kind, tuple) else found[0]
+
+
+def taken_apart(value: Any, complexes: Sequence[bool]) -> list[tuple[Part, ...]]:
+    """Return the parts of the arrays of a value on a tape.
+
+    Raises
+    ------
+    NotTraced
+        If it is none, or complex where it should be real.
+    """
+    found = value if isinstance(value, tuple) else (value,)
+    if len(found) != len(complexes) or not all(isinstance(one, Value) for one in found):
+        raise NotTraced("no number")
+    if any(one.im is not None and not two for one, two in zip(found, complexes, strict=True)):
+        raise NotTraced("a complex number")
+    return [
+        (one.re, one.im) if two else (one.re,) for one, two in zip(found, complexes, strict=True)
+    ]
 
 
 class Form(NamedTuple):
@@ -41,7 +91,7 @@ class Result(NamedTuple):
     leaves: tuple[int, ...]
 
 
-class Part(NamedTuple):
+class LoopOfSteps(NamedTuple):
     """A loop, what enters it and what it leaves; the calls that numpy has to do after it, and those after.
 
     ``depends``: of each leaf of the loop, as bits, the inputs that it comes from.
@@ -105,7 +155,7 @@ def form(value: Any) -> Form | None:
 
 def part_of_loop(
     calls: Calls, values: Mapping[int, Any], hand: Hand, kept: frozenset[int]
-) -> Part | None:
+) -> LoopOfSteps | None:
     """Return the loop of calls, as long as any can be noted; None where nothing that enters them varies."""
     same = ByIdentity(calls)
     forms = tuple([form(values.get(i)) for i in outer(same)])
@@ -115,7 +165,9 @@ def part_of_loop(
 
 
 @lru_cache(maxsize=64)
-def _part(same: Alike, forms: tuple[Form | None, ...], reads: bool, kept: frozenset[int]) -> Part:
+def _part(
+    same: Alike, forms: tuple[Form | None, ...], reads: bool, kept: frozenset[int]
+) -> LoopOfSteps:
     """Make the loop of all calls that can be noted and do not wait for one that cannot."""
     tape, feeds = Tape(), list[Source]()
     found: dict[int, Any] = {}
@@ -150,7 +202,7 @@ def _part(same: Alike, forms: tuple[Form | None, ...], reads: bool, kept: frozen
     loop = loop_of(tape, leaves)
     after = {i for call in rest for i in call.takes}
     left = frozenset({call.fills for call in others} & (kept | after))
-    return Part(
+    return LoopOfSteps(
         loop,
         made(loop.text),
         tuple(feeds),

@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import sys
+import threading
 from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from support.drawn import board
 from support.mechanisms import sample
 
-from graphic_tmm.board import loop_parts
+from graphic_tmm.board.compile import loop
+from graphic_tmm.board.compile import run as module
+from graphic_tmm.board.compile.llvm import WIDTH
+from graphic_tmm.board.compile.machine import machine
+from graphic_tmm.board.compile.run import LEAST, Bound, bound, cores, shared
 from graphic_tmm.board.execute import Reading, execute, prepare
-from graphic_tmm.board.hand import HANDS, Hand
-from graphic_tmm.board.loop_passes import WIDTH
-from graphic_tmm.board.machine import machine
+from graphic_tmm.board.hand import EXACT, HANDS, Hand
 from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.operations.formulas import rate
 from graphic_tmm.board.operations.instruments import cross, join, lay_off, measure, ray, strike
@@ -141,7 +146,7 @@ def test_trials_run_in_the_loop_too() -> None:
 def test_one_position_is_not_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
     bar = Fourbar()
     bar.given |= {bar.marks["φ"]: 40.0, bar.marks["AB"]: 80.0}
-    monkeypatch.setattr(loop_parts, "made", None)
+    monkeypatch.setattr(loop, "made", None)
     plain, fast = bar.both()
     for step in bar.log.steps:
         for one, other in zip(arrays(plain[step.it]), arrays(fast[step.it]), strict=True):
@@ -151,7 +156,7 @@ def test_one_position_is_not_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("hand", [HANDS["student"]._replace(trials=2), Hand(ruler=0.1, digits=4)])
 def test_a_hand_that_slips_draws_the_very_same(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
     bar = Fourbar()
-    monkeypatch.setattr(loop_parts, "made", None)
+    monkeypatch.setattr(loop, "made", None)
     plain, fast = bar.both(hand=hand)
     for step in bar.log.steps:
         for one, other in zip(arrays(plain[step.it]), arrays(fast[step.it]), strict=True):
@@ -196,7 +201,7 @@ def test_positions_have_the_same_bytes_whoever_stands_beside_them() -> None:
 def test_a_loop_is_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
     bar = Fourbar()
     first = prepare(bar.log).run(bar.given, fast=True)
-    monkeypatch.setattr(loop_parts, "made", None)
+    monkeypatch.setattr(loop, "made", None)
     again = prepare(bar.log).run({**bar.given, bar.marks["OA"]: 31.0}, fast=True)
     assert not np.array_equal(first[bar.marks["A"]], again[bar.marks["A"]])
 
@@ -205,8 +210,8 @@ def test_a_log_of_the_same_steps_has_the_same_loop(monkeypatch: pytest.MonkeyPat
     """And one that does something else has not."""
     first, other = Fourbar(), Fourbar()
     due = prepare(first.log).run(first.given, fast=True)
-    noted = Counted(loop_parts.loop_of)
-    monkeypatch.setattr(loop_parts, "loop_of", noted)
+    noted = Counted(loop.loop_of)
+    monkeypatch.setattr(loop, "loop_of", noted)
     found = prepare(other.log).run(other.given, fast=True)
     assert noted.count == 0
     for letter in ("A", "B", "ω"):
@@ -232,3 +237,127 @@ def test_without_llvmlite_the_remedy_is_told(monkeypatch: pytest.MonkeyPatch) ->
             prepare(Fourbar().log).compiled()
     finally:
         machine.cache_clear()
+
+
+pytest.importorskip("llvmlite")
+COUNT = 53
+PLACES = (np.linspace(0.0, 9.0, COUNT) ** 2 + 1j * np.linspace(5.0, -3.0, COUNT))[None, :]
+
+
+class Plan:
+    """A point that moves, one that stands, what is read between them, and what stands still."""
+
+    def __init__(self, *, curve: bool = False) -> None:
+        draft = Board()
+        draft.open("plan")
+        self.p, self.q, self.r = (draft.take(Point, letter) for letter in "PQR")
+        self.mu = draft.take(Number, "μ", "m/mm")
+        self.length = draft.take(Length, "l")
+        self.given: dict[Mark, Any] = {
+            self.p: PLACES,
+            self.q: np.array([[3.0 - 2.0j]]),
+            self.r: np.array([[4.0 + 1.0j]]),
+            self.mu: np.array([[0.02]]),
+            self.length: np.array([[7.0]]),
+        }
+        self.line = draft.draw(join, "(PQ)", self.p, self.q)
+        self.far = draft.draw(lay_off, "S", self.line, self.length)
+        self.read = draft.draw(measure, "PS", self.q, self.far)
+        self.omega = draft.draw(rate, "ω", self.read, self.mu, self.length, self.mu)
+        self.still = draft.draw(measure, "QR", self.q, self.r)
+        if curve:
+            draft.draw(french_curve, "(P)", self.far, row=COUNT - 1)
+        self.log = draft.construction()
+        self.asked = [mark.slot for mark in (self.omega, self.far, self.still, self.read)]
+
+    def values(self, given: dict[Mark, Any]) -> dict[int, Any]:
+        return {mark.slot: value for mark, value in given.items()}
+
+    def bound(
+        self, hand: Hand = EXACT, asked: list[int] | None = None, **more: Any
+    ) -> Bound | None:
+        values = self.values(self.given) | more.get("values", {})
+        (calls, _), *_ = prepare(self.log).strata
+        return bound(calls, values, hand, self.asked if asked is None else asked)
+
+
+@pytest.mark.parametrize("hand", [EXACT, Hand(ruler=0.5)])
+@pytest.mark.parametrize("count", [2, WIDTH - 1, WIDTH, WIDTH + 1, COUNT])
+def test_it_leaves_what_the_log_leaves(count: int, hand: Hand) -> None:
+    """A point, which enters as two rows; numbers; one that is the same at all positions, asked for too."""
+    plan = Plan()
+    loop = plan.bound(hand)
+    assert loop is not None
+    place = PLACES[:, -count:]
+    found = loop.run(count, [feed.of({plan.p.slot: place})[0] for feed in loop.feeds])
+    assert len(loop.feeds) == 2
+    due = prepare(plan.log).run({**plan.given, plan.p: place}, hand=hand, fast=True)
+    for slot, one in zip(plan.asked, found, strict=True):
+        np.testing.assert_array_equal(one, np.broadcast_to(due.values[slot][0], (count,)))
+        assert one.dtype == due.values[slot].dtype
+        assert one.shape == (count,)
+    assert found[2].strides == (0,)
+    assert not found[2].flags.writeable
+
+
+def test_one_position_is_worked_as_one_of_many() -> None:
+    plan = Plan()
+    loop = plan.bound()
+    assert loop is not None
+    whole = loop.run(COUNT, [PLACES.real[0], PLACES.imag[0]])
+    one = loop.run(1, [PLACES.real[0, 30:31], PLACES.imag[0, 30:31]])
+    for all_, alone in zip(whole, one, strict=True):
+        assert alone.tobytes() == all_[30:31].tobytes()
+
+
+def test_what_is_no_one_loop_is_not_bound() -> None:
+    """A curve behind it is none of its calls; trials, a line asked for, a row of one number are no one loop."""
+    plan = Plan()
+    assert Plan(curve=True).bound() is not None
+    assert plan.bound(asked=[plan.line.slot]) is None
+    assert plan.bound(asked=[plan.p.slot]) is None
+    assert plan.bound(values={plan.length.slot: np.array([[7.0], [8.0]])}) is None
+    assert plan.bound(values={plan.p.slot: PLACES[:, :1]}) is None
+
+
+@given(count=st.integers(8, 5000), least=st.integers(1, 8), threads=st.integers(1, 9))
+def test_every_position_is_worked_once(count: int, least: int, threads: int) -> None:
+    parts: list[tuple[int, int]] = []
+    shared(lambda start, stop: parts.append((start, stop)), count, least, threads)
+    assert sorted(at for part in parts for at in range(*part)) == list(range(count))
+    assert len(parts) == min(threads, count // least)
+    assert min(stop - start for start, stop in parts) >= least
+
+
+def test_parts_are_worked_at_the_same_time() -> None:
+    meeting = threading.Barrier(3, timeout=30)
+    shared(lambda start, stop: meeting.wait() and None, 30, 1, 3)
+
+
+def test_a_fault_of_a_part_is_told() -> None:
+    def work(start: int, stop: int) -> None:
+        if start:
+            raise ValueError("the second part")
+
+    with pytest.raises(ValueError, match="the second part"):
+        shared(work, 30, 1, 2)
+
+
+def test_few_positions_are_not_shared_by_themselves(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "cores", lambda: 4)
+    parts: list[tuple[int, int]] = []
+    shared(lambda start, stop: parts.append((start, stop)), 2 * LEAST - 1, 8, None)
+    assert len(parts) == 1
+    shared(lambda start, stop: parts.append((start, stop)), 3 * LEAST, 8, None)
+    assert len(parts) == 4
+
+
+@pytest.mark.parametrize("name", ["NUMBA_NUM_THREADS", "OMP_NUM_THREADS"])
+def test_the_environment_limits_the_threads(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    for one in ("NUMBA_NUM_THREADS", "OMP_NUM_THREADS"):
+        monkeypatch.delenv(one, raising=False)
+    free = cores()
+    assert free >= 1
+    for told, due in (("1", 1), ("100000", free), ("0", free), ("4,2", free), ("", free)):
+        monkeypatch.setenv(name, told)
+        assert cores() == due

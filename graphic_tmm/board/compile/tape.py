@@ -2,19 +2,62 @@
 
 A number that is not known yet is a `Ref`: a node of the tape and a sign. Signs, factors of one and parts of
 complex numbers that are nothing (None) are settled here, so that they cost no pass. A pass is named as the
-function of numpy that does it; `length` is √(x² + y²), `choose` what `where` does.
+function of numpy that does it; `length` is √(x² + y²), `choose` what `where` does. Of each number is kept what
+is known of its sign, whatever it comes to: a sum with nothing changes the sign of a zero at most, and so does a
+sum with −0 not even that.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import math
+from collections.abc import Iterable, Sequence
+from enum import IntEnum
 from functools import reduce
 from operator import or_
 from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.signs import Sign, of_known, of_pass
+
+class Sign(IntEnum):
+    """What is known: nothing; that no zero of it is −0; that, and that nothing of it is below 0."""
+
+    FREE = 0
+    UNSIGNED = 1
+    POSITIVE = 2
+
+
+_KEEPS_SIGN = frozenset({"floor", "ceil", "rint", "choose"})
+"""Passes that leave nothing below 0, and no −0, where what they take is so."""
+
+
+def of_known(number: float) -> Sign:
+    """Return the sign of a number that is known."""
+    if number == 0.0:
+        return Sign.FREE if math.copysign(1.0, number) < 0.0 else Sign.POSITIVE
+    return Sign.POSITIVE if number > 0.0 else Sign.UNSIGNED
+
+
+def of_pass(does: str, takes: Sequence[Sign], *, alike: bool) -> Sign:
+    """Return the sign of what a pass leaves; ``alike``: it takes one number twice."""
+    if does in ("absolute", "length") or (does == "multiply" and alike):
+        return Sign.POSITIVE
+    if does == "add":
+        # two zeros make −0 only where both are
+        return Sign.POSITIVE if min(takes) == Sign.POSITIVE else min(max(takes), Sign.UNSIGNED)
+    if does == "subtract":
+        return min(takes[0], Sign.UNSIGNED)
+    if does in ("multiply", "divide"):
+        return Sign.POSITIVE if min(takes) == Sign.POSITIVE else Sign.FREE
+    if does == "sqrt":
+        # of what is below 0 it is NaN, of −0 it is −0
+        return Sign.POSITIVE if takes[0] else Sign.FREE
+    if does == "copysign":
+        return Sign.POSITIVE if takes[1] == Sign.POSITIVE else Sign.FREE
+    if does in _KEEPS_SIGN:
+        least = min(takes)
+        return least if does == "choose" or least == Sign.POSITIVE else Sign.FREE
+    return Sign.FREE
 
 
 class Ref(NamedTuple):
@@ -112,7 +155,7 @@ class Tape:
             return may | _together(node.may for node in both if node), must
         kept = [nodes[k] for k in (*_CARRYING.get(does, ()), *_KEEPING.get(does, ()))]
         must = _together(node.must for node in kept if node)
-        if does in _CARRYING:
+        if does in _CARRYING and not any(isinstance(t, float) and t != t for t in takes):
             return _together(node.may for node in kept if node), must
         return own, own | must
 
