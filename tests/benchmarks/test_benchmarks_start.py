@@ -96,3 +96,10 @@ def test_what_cannot_be_called_so_is_found(text: str, count: int) -> None:
     within = ModuleType("made")
     within.bounds = lambda drawing: drawing  # type: ignore[attr-defined]
     assert len(list(refused(text, within))) == count
+
+
+def test_every_fault_to_be_planted_can_be() -> None:
+    """Its words stand once in a file that is there, and tests are near."""
+    faults = import_module("planted_faults").planted()
+    assert len(faults) == 60
+    assert all(fault.right != fault.wrong and fault.tests for fault in faults)
