@@ -85,18 +85,24 @@ def pytest_terminal_summary(terminalreporter, config):
 
 
 @pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items):
-    """In the everyday run tests of one scene or part are those of some scenes."""
+def pytest_collection_modifyitems(config, items):
+    """Tests of one scene or part: in the everyday run those of some scenes; of a dear property ever of few."""
     from support import gallery, parts
 
     known, everyday = {*gallery.ALL, *parts.PARTS}, {*gallery.EVERYDAY, *parts.EVERYDAY}
+    left_out = set()
     for item in items:
         values = item.callspec.params.values() if hasattr(item, "callspec") else ()
-        for one in (getattr(value, "name", value) for value in values):
-            if isinstance(one, str) and one in known:
-                if one not in everyday:
-                    item.add_marker(pytest.mark.slow)
-                break
+        names = [name for value in values if isinstance(name := getattr(value, "name", value), str)]
+        name = next((one for one in names if one in known), None)
+        if name is not None and name not in everyday:
+            item.add_marker(pytest.mark.slow)
+        few = item.get_closest_marker("few")
+        if few is not None and name is not None and name not in (few.args or gallery.FEW):
+            left_out.add(item)
+    if left_out and not config.getoption("--measured"):
+        config.hook.pytest_deselected(items=list(left_out))
+        items[:] = [item for item in items if item not in left_out]
 
 
 @pytest.hookimpl(optionalhook=True)

@@ -66,7 +66,7 @@ with late(__name__):
     from graphic_tmm.chapters.forces.any_angle import free, told
     from graphic_tmm.chapters.forces.captions import called
     from graphic_tmm.chapters.forces.choice import choose
-    from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled, unseen
+    from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
     from graphic_tmm.chapters.forces.given import given, stated
     from graphic_tmm.chapters.forces.note import concludes, note
     from graphic_tmm.chapters.forces.plan import record
@@ -97,7 +97,6 @@ def _sizes(scene: Scene, view: str) -> tuple[str, ...]:
 def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
     if FORCES.on(drawn).order.inertia:
         yield from assumed(drawn)
-        yield from unseen(drawn)
 
 
 def _views(project: Project) -> Mapping[str, list[str]]:

@@ -12,9 +12,7 @@ from graphic_tmm.board.findings import Finding, step_number
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.names import FORCES
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
 
 
@@ -52,18 +50,6 @@ def compared(drawn: Drawn, one: Finding, places: set[int]) -> Finding:
     if one.kind == "lost" and places <= nothing:
         return one._replace(marks=tuple(mark for mark in one.marks if mark != difference))
     return one
-
-
-def unseen(drawn: Drawn) -> Iterator[str]:
-    """Yield, for people, at which positions inertia is found from plans of accelerations that nothing shows."""
-    made, plans = FORCES.on(drawn), KINEMATICS.on(drawn)
-    hidden = [drawn.names[k] for k in made.places if k not in plans.accelerated]
-    if hidden:
-        yield said(
-            "forces: inertia is found from plans of accelerations, of which those of positions {positions} are "
-            "not drawn; add these to accelerations in [drive] to see them",
-            positions=", ".join(hidden),
-        )
 
 
 def idle(drawn: Drawn) -> Iterator[Finding]:

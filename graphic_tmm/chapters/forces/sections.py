@@ -152,6 +152,22 @@ def _defaults(asked: Said, parts: Parts) -> Iterator[str]:
             gravity=GRAVITY,
             kgf=KGF,
         )
+    if effects is not None and effects.inertia and (hidden := _hidden(asked, parts)):
+        yield said(
+            "forces: inertia is found from plans of accelerations, of which those of positions {positions} are "
+            "not drawn; add these to accelerations in [drive] to see them",
+            positions=", ".join(hidden),
+        )
+
+
+def _hidden(asked: Said, parts: Parts) -> list[str]:
+    """Return the positions with forces whose plans of accelerations nobody asked for."""
+    drive = parts.drive
+    if drive is None or drive.accelerations == ("all",):
+        return []
+    every = [str(drive.first + k) for k in range(drive.positions)]
+    wanted = every if asked.positions == ("all",) else asked.positions
+    return [name for name in wanted if name not in drive.accelerations]
 
 
 SECTIONS = (

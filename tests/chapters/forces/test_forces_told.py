@@ -41,6 +41,7 @@ link = 1
 speed = 10
 positions = 4
 first = 1
+accelerations = "all"
 [effects]
 inertia = true
 [forces]
