@@ -86,7 +86,7 @@ def pytest_terminal_summary(terminalreporter, config):
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config, items):
-    """Tests of one scene or part: in the everyday run those of some scenes; of a dear property ever of few."""
+    """Tests of one scene or part run of some scenes; of all with ``--measured`` or where they are marked so."""
     from support import gallery, parts
 
     known, everyday = {*gallery.ALL, *parts.PARTS}, {*gallery.EVERYDAY, *parts.EVERYDAY}
@@ -97,9 +97,8 @@ def pytest_collection_modifyitems(config, items):
         name = next((one for one in names if one in known), None)
         if name is not None and name not in everyday:
             item.add_marker(pytest.mark.slow)
-        few = item.get_closest_marker("few")
-        if few is not None and name is not None and name not in (few.args or gallery.FEW):
-            left_out.add(item)
+            if item.get_closest_marker("every") is None:
+                left_out.add(item)
     if left_out and not config.getoption("--measured"):
         config.hook.pytest_deselected(items=list(left_out))
         items[:] = [item for item in items if item not in left_out]

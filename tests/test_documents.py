@@ -18,6 +18,8 @@ from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import FINE
 from graphic_tmm.scene.read import read
 
+pytestmark = pytest.mark.every
+
 STATIONS = ("1", "2", "3", "4", "5")
 
 

@@ -36,6 +36,8 @@ from graphic_tmm.scene.read import judged
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
 
+pytestmark = pytest.mark.every
+
 LANGUAGES = ("en", "ru")
 PLACES = ("positions", "velocities", "accelerations", "forces", "lever", "force table")
 PLANS = ("positions", "velocities", "accelerations", "forces")

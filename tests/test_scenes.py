@@ -21,6 +21,8 @@ from graphic_tmm.mechanism.structure import Group, dissect
 from graphic_tmm.readers.divided import told_off
 from graphic_tmm.readers.warnings import warnings
 
+pytestmark = pytest.mark.every
+
 RATIO = 1e-9
 
 

@@ -13,6 +13,8 @@ from graphic_tmm.checking.records import FINE, Report
 from graphic_tmm.checking.report.markdown import markdown_report
 from graphic_tmm.scene.read import read
 
+pytestmark = pytest.mark.every
+
 NAMES = ("engine", "windrower-published", "gear-pair", "planetary", "slider-diagrams", "locomobile")
 
 

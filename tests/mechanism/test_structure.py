@@ -19,6 +19,8 @@ from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, S
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.scene.read import read
 
+pytestmark = pytest.mark.every
+
 X = Guide("x", 0j, 0.0)
 Y = Guide("y", 0j, 90.0)
 Z = Guide("z", 0j, 45.0)

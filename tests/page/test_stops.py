@@ -7,7 +7,7 @@ from functools import cache
 
 import pytest
 from support.each import each
-from support.gallery import ALL, paper
+from support.gallery import ALL, EVERYDAY, LARGEST, paper
 
 from graphic_tmm.page.stops import Played
 from graphic_tmm.page.views import plays_of
@@ -40,7 +40,7 @@ def test_stops_are_the_pictures_and_the_lines(name: str) -> None:
 
 
 @pytest.mark.slow
-@each("name", ALL)
+@each("name", [*EVERYDAY, LARGEST])
 def test_stops_of_all_scenes_are_the_pictures_and_the_lines(name: str) -> None:
     assert_all_is_told(name)
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from support.each import each
-from support.gallery import ALL, paper
+from support.gallery import EVERYDAY, LARGEST, paper
 
 from graphic_tmm.accuracy.geometrography import ELEMENTARY, SYMBOLS
 from graphic_tmm.page.tools import NAMES
@@ -38,7 +38,7 @@ def test_every_step_of_drawing_has_its_instrument(name: str) -> None:
 
 
 @pytest.mark.slow
-@each("name", ALL)
+@each("name", [*EVERYDAY, LARGEST])
 def test_every_step_of_all_scenes_has_its_instrument(name: str) -> None:
     assert_named(name)
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from support.each import each
-from support.gallery import ALL, paper
+from support.gallery import EVERYDAY, LARGEST, paper
 from support.readable import UNREADABLE, texts
 
 from graphic_tmm.page.page import page_data
@@ -83,7 +83,7 @@ def test_nothing_is_told_that_nobody_can_read(name: str) -> None:
 
 
 @pytest.mark.slow
-@each("name", ALL)
+@each("name", [*EVERYDAY, LARGEST])
 def test_nothing_is_told_in_any_scene_that_nobody_can_read(name: str) -> None:
     assert_readable(name)
 

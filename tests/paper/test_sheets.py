@@ -14,6 +14,8 @@ from graphic_tmm.files import write
 from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.studio import files_of
 
+pytestmark = pytest.mark.every
+
 
 @pytest.mark.slow
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)

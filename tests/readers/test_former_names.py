@@ -26,6 +26,8 @@ from graphic_tmm.readers.table import scene_columns, scene_results
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
 
+pytestmark = pytest.mark.every
+
 NOW = {
     "accelerating-crank": {"nab": "an2", "tab": "n2b", "na": "πn1", "ta": "n1a", "noa": "πn1", "toa": "n1a"},
     "lever": {"nab": "an2", "tab": "n2b", "ncb": "πn3", "tcb": "n3b", "nde": "dn4", "tde": "n4e"},

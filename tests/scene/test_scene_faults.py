@@ -15,6 +15,8 @@ from graphic_tmm.scene import build, checks, references, sections
 from graphic_tmm.scene.faults import fault
 from graphic_tmm.scene.read import read
 
+pytestmark = pytest.mark.every
+
 GOOD = """title = "T"
 language = "ru"
 [lengths]

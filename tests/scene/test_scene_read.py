@@ -17,6 +17,8 @@ from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scales, SheetOrder
 from graphic_tmm.scene.schema import schema
 
+pytestmark = pytest.mark.every
+
 SHIPPED = Path(graphic_tmm.scene.__file__).with_name("scene.schema.json")
 
 HEAD = """

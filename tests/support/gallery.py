@@ -40,8 +40,8 @@ EVERYDAY = (
 )
 """Scenes enough that every chapter has one: of these a test of one scene is an everyday one."""
 
-FEW = ("crank-rocker", "gear-pair", "windrower")
-"""A mechanism, a part, all that is asked of a machine: of these a dear property is proven each run."""
+LARGEST = "windrower"
+"""A scene of all that a machine is asked for."""
 COMPOUND = ("project",)
 """Scenes of a mechanism and parts that are scenes of the package by themselves too."""
 

@@ -27,6 +27,8 @@ from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.readers.equations import equations
 from graphic_tmm.scene.read import read
 
+pytestmark = pytest.mark.every
+
 SLIDER = """
 title = "Slider"
 language = "en"

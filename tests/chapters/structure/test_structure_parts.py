@@ -19,6 +19,8 @@ from graphic_tmm.project import record
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
 
+pytestmark = pytest.mark.every
+
 ORDER = (SheetOrder("A1", (PARTS,)),)
 SOME = ("windrower", "lever", "oscillating-cylinder", "scotch-yoke")
 

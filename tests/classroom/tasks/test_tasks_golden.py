@@ -9,6 +9,8 @@ from graphic_tmm.classroom.batch.work import done
 from graphic_tmm.classroom.tasks.work import works
 from graphic_tmm.classroom.variants.variant import base
 
+pytestmark = pytest.mark.every
+
 FOLDER = CASES / "tasks"
 
 
