@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import random
 import re
-from functools import cache
+from functools import cache, partial
 
 import pytest
 from support.gallery import CASES, SHEETS
@@ -119,11 +120,25 @@ def test_what_follows_from_a_wrong_reading_names_it() -> None:
     assert followed["πb"] == "an2"
 
 
+@pytest.mark.parametrize("seed", [None, 1, 2])
 @pytest.mark.parametrize("y", [828.4, 8284216.0])
-def test_a_point_from_which_nothing_more_can_be_drawn_was_written_amiss(y: float) -> None:
-    """What was read behind it and cannot be drawn from it says nothing for another mistake."""
+def test_a_point_from_which_nothing_more_can_be_drawn_was_written_amiss(
+    y: float, seed: int | None
+) -> None:
+    """What was read behind it and cannot be drawn from it says nothing for another mistake.
+
+    Exactly, and as a hand has it that is off by 0.2 mm and reads tenths.
+    """
     rows = [*read_readings(CASES / "check" / "wild_point_crank-rocker.csv")]
     (k,) = (k for k, one in enumerate(rows) if one.key == ("positions", "A", "3*"))
+    if seed is not None:
+        off = partial(random.Random(seed).gauss, 0.0, 0.2)
+        rows = [
+            one._replace(x=round(one.x + off(), 1), y=round(one.y + off(), 1))
+            if one.x is not None and one.y is not None
+            else one
+            for one in rows
+        ]
     rows[k] = rows[k]._replace(y=y)
     (first,) = check(read(SHEETS / "crank-rocker"), rows, trials=50).mistakes
     assert (first.kind, first.segment) == (SLIP, "A")

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache
 from typing import Any
 
 import pytest
 from support.each import each
-from support.gallery import EVERYDAY, LARGEST, paper
+from support.gallery import ALL, EVERYDAY, LARGEST, paper
 
 from graphic_tmm.accuracy.geometrography import ELEMENTARY, SYMBOLS
 from graphic_tmm.page.tools import NAMES
@@ -38,9 +38,13 @@ def test_every_step_of_drawing_has_its_instrument(name: str) -> None:
 
 
 @pytest.mark.slow
-@each("name", [*EVERYDAY, LARGEST])
-def test_every_step_of_all_scenes_has_its_instrument(name: str) -> None:
-    assert_named(name)
+@each("name", ALL)
+def test_every_step_of_all_scenes_has_its_instrument(
+    name: str, many: Callable[[int, int], int]
+) -> None:
+    """A scene of every chapter and the largest; with ``--measured`` it is each of them."""
+    if many(1, 0) or name in (*EVERYDAY, LARGEST):
+        assert_named(name)
 
 
 def assert_named(name: str) -> None:

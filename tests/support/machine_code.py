@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.board.compile.llvm import loop_of
-from graphic_tmm.board.compile.machine import made
+from graphic_tmm.board.compile.machine import function_of
 from graphic_tmm.board.compile.tape import Tape
 from graphic_tmm.board.compile.trace import Value
 
@@ -38,7 +38,7 @@ def worked(
     still = np.array([rows[k].item() for k in loop.still])
     table = [row.ctypes.data for row in (*(rows[k] for k in loop.rows), *out)]
     ends = [0, *cuts, count]
-    run = made(loop.text)
+    run = function_of(loop.text)
     for start, stop in pairwise(ends):
         frame = np.array([start, stop, still.ctypes.data, *table], np.int64)
         run.call(frame.ctypes.data, 0)

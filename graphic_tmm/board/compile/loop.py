@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board.blocks import Call, Calls
 from graphic_tmm.board.compile.llvm import End, Loop, loop_of
-from graphic_tmm.board.compile.machine import Run, made
+from graphic_tmm.board.compile.machine import Run, function_of
 from graphic_tmm.board.compile.tape import INPUT, Part, Sign, Tape
 from graphic_tmm.board.compile.trace import REFUSED, NotTraced, Value, traced
 from graphic_tmm.board.hand import Hand, rounded
@@ -204,7 +204,7 @@ def _part(
     left = frozenset({call.fills for call in others} & (kept | after))
     return LoopOfSteps(
         loop,
-        made(loop.text),
+        function_of(loop.text),
         tuple(feeds),
         _depends(tape, leaves),
         tuple(results),

@@ -218,7 +218,7 @@ def machine() -> Machine:
 
 
 @lru_cache(maxsize=128)
-def made(text: str) -> Run:
+def function_of(text: str) -> Run:
     """Return the loop of a text, as `llvm` writes it."""
     name = machine().key(text)
     return Run(kept(name, lambda: translated(text), folder(os.environ)))

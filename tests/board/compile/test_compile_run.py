@@ -146,7 +146,7 @@ def test_trials_run_in_the_loop_too() -> None:
 def test_one_position_is_not_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
     bar = Fourbar()
     bar.given |= {bar.marks["φ"]: 40.0, bar.marks["AB"]: 80.0}
-    monkeypatch.setattr(loop, "made", None)
+    monkeypatch.setattr(loop, "function_of", None)
     plain, fast = bar.both()
     for step in bar.log.steps:
         for one, other in zip(arrays(plain[step.it]), arrays(fast[step.it]), strict=True):
@@ -156,7 +156,7 @@ def test_one_position_is_not_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("hand", [HANDS["student"]._replace(trials=2), Hand(ruler=0.1, digits=4)])
 def test_a_hand_that_slips_draws_the_very_same(hand: Hand, monkeypatch: pytest.MonkeyPatch) -> None:
     bar = Fourbar()
-    monkeypatch.setattr(loop, "made", None)
+    monkeypatch.setattr(loop, "function_of", None)
     plain, fast = bar.both(hand=hand)
     for step in bar.log.steps:
         for one, other in zip(arrays(plain[step.it]), arrays(fast[step.it]), strict=True):
@@ -201,7 +201,7 @@ def test_positions_have_the_same_bytes_whoever_stands_beside_them() -> None:
 def test_a_loop_is_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
     bar = Fourbar()
     first = prepare(bar.log).run(bar.given, fast=True)
-    monkeypatch.setattr(loop, "made", None)
+    monkeypatch.setattr(loop, "function_of", None)
     again = prepare(bar.log).run({**bar.given, bar.marks["OA"]: 31.0}, fast=True)
     assert not np.array_equal(first[bar.marks["A"]], again[bar.marks["A"]])
 

@@ -20,9 +20,9 @@ from graphic_tmm.board.compile.machine import (
     VARIABLE,
     Run,
     folder,
+    function_of,
     kept,
     machine,
-    made,
     translated,
 )
 from graphic_tmm.board.compile.tape import Tape
@@ -44,8 +44,8 @@ def _doubled(run: Run) -> None:
 
 
 def test_a_text_is_made_once() -> None:
-    assert made(_text(2.0)) is made(_text(2.0))
-    _doubled(made(_text(2.0)))
+    assert function_of(_text(2.0)) is function_of(_text(2.0))
+    _doubled(function_of(_text(2.0)))
 
 
 def test_the_same_text_gives_the_same_code() -> None:
