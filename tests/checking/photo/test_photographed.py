@@ -26,9 +26,8 @@ def darkest(seen: np.ndarray, at: complex, near: int) -> float:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("quarters", [0, 1])
-def test_pencil_is_seen_where_points_are_said_to_stand(quarters: int) -> None:
-    shown = taken(4, SMALL._replace(quarters=quarters, tilt=(25.0, 40.0), lens=0.015, sag=1.5))
+def test_pencil_is_seen_where_points_are_said_to_stand() -> None:
+    shown = taken(4, SMALL._replace(quarters=1, tilt=(25.0, 40.0), lens=0.015, sag=1.5))
     seen = grey(shown)
     drawn = [one.seen for one in shown.points.values() if one.drawn]
     assert len(drawn) > 30
