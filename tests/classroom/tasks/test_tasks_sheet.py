@@ -2,36 +2,30 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Callable, Sequence
 from itertools import combinations
 
 import pytest
 import shapely
-from support.each import each
-from support.gallery import ALL, SHEETS
+from support.gallery import ALL
+from support.set_tasks import languages_of, papers
 
-from graphic_tmm.classroom.tasks.task import task_sheets
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.shapes import box, shape
-from graphic_tmm.scene.document import document
-from graphic_tmm.scene.read import SCENE, read
-
-
-def papers(name: str, language: str) -> list[Sheet]:
-    file = SHEETS / name / "scene.toml"
-    return task_sheets(
-        replace(read(file), language=language), *document(file, SCENE), readings=True
-    )
 
 
 @pytest.mark.slow
-@each("name", ALL)
-@each("language", ["ru", "en"])
-def test_nothing_stands_on_anything_else(language: str, name: str) -> None:
+@pytest.mark.parametrize("name", ALL)
+def test_nothing_stands_on_anything_else(name: str, many: Callable[[int, int], int]) -> None:
+    for language in languages_of(name, many):
+        stands_free(papers(name, language), language)
+
+
+def stands_free(found: Sequence[Sheet], language: str) -> None:
     inner, occupied = drawing_area("A4", language, first=False)
     taken = [shapely.box(one.left, one.bottom, one.right, one.top) for one in occupied]
-    for sheet in papers(name, language):
+    for sheet in found:
         labels = [box(label) for drawing in sheet.drawings for label in drawing.labels]
         pairs = shapely.STRtree(labels).query(labels, predicate="intersects")
         assert not [1 for a, b in pairs.T if a < b and labels[a].intersection(labels[b]).area > 0.1]

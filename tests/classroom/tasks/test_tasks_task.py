@@ -6,14 +6,14 @@ import json
 import math
 import re
 from bisect import bisect
-from functools import cache
+from collections.abc import Callable
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 from support import sheet_reader
-from support.each import each
 from support.gallery import ALL, SHEETS, made
+from support.set_tasks import languages_of, sheets
 
 from graphic_tmm.classroom.batch.work import done
 from graphic_tmm.classroom.tasks.work import works
@@ -30,14 +30,6 @@ SOUGHT = [
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
 
 
-@cache
-def sheets(name: str, language: str = "", readings: bool = False) -> tuple[str, ...]:
-    """The SVG of a scene's task."""
-    (work,) = works(base(SHEETS / name), (), keys=(), language=language, readings=readings)
-    files = done(work).files
-    return tuple(str(files[one]) for one in sorted(files) if one.endswith(".svg"))
-
-
 def words(svg: str) -> list[str]:
     """What is lettered on a sheet, but for its frame."""
     return [
@@ -48,6 +40,10 @@ def words(svg: str) -> list[str]:
     ]
 
 
+def number(text: str) -> float:
+    return float(text.replace(",", "."))
+
+
 def digits(figure: str) -> int:
     return len(figure.replace(",", "").replace(".", "").strip("0"))
 
@@ -55,7 +51,7 @@ def digits(figure: str) -> int:
 def figures(text: str) -> set[float]:
     """The numbers of a text that have three digits or more: shorter ones are alike by chance."""
     found = (one for one in _NUMBER.findall(text) if digits(one) >= 3)
-    return {float(one.replace(",", ".")) for one in found}
+    return set(map(number, found))
 
 
 def rounded(value: float) -> set[float]:
@@ -93,7 +89,7 @@ def stated(name: str) -> set[float]:
     """The numbers that the author of a scene wrote, in any of the units of a sheet."""
     text = (SHEETS / name / "scene.toml").read_text(encoding="utf-8")
     lines = [line.split("#")[0] for line in text.splitlines()]
-    found = [float(one.replace(",", ".")) for line in lines for one in _NUMBER.findall(line)]
+    found = [number(one) for line in lines for one in _NUMBER.findall(line)]
     return {
         float(f"{value * factor:.6g}")
         for value in found
@@ -102,7 +98,7 @@ def stated(name: str) -> set[float]:
 
 
 @pytest.mark.slow
-@each("name", ALL)
+@pytest.mark.parametrize("name", ALL)
 def test_no_figure_of_the_solution_stands_on_a_task(name: str) -> None:
     told = {one for svg in sheets(name) for word in words(svg) for one in figures(word)}
     assert (told & solved(name)) <= stated(name)
@@ -119,7 +115,7 @@ def test_what_would_be_a_figure_of_the_solution_is_seen() -> None:
 
 
 @pytest.mark.slow
-@each("name", ALL)
+@pytest.mark.parametrize("name", ALL)
 def test_no_ink_of_a_plan_stands_on_a_task(name: str) -> None:
     known = re.compile(r"frame|scheme|table-given.*|task-.*")
     parts = {"link", "guide", "pivot", "turning", "number", "stone", "slider", "pair", "load"}
@@ -206,18 +202,19 @@ def given(svg: str) -> dict[str, str]:
 
 
 @pytest.mark.slow
-@each("name", [name for name in MECHANISMS if name not in SOUGHT])
+@pytest.mark.parametrize("name", [name for name in MECHANISMS if name not in SOUGHT])
 def test_the_scheme_has_the_lengths_that_are_given(name: str) -> None:
-    svg = sheets(name, "en")[0]
+    svg = sheets(name)[0]
     spots, letters = circles(svg), points(svg)
     told = sheet_reader.views(svg)["scheme"].words
-    (mu,) = (float(m) for word in told for m in re.findall(r"μ_l = ([\d.]+) m/mm", word)[:1])
+    (scale,) = (m for word in told for m in re.findall(r"μ_l = ([\d.,]+) (?:m/mm|м/мм)", word)[:1])
+    mu = number(scale)
     checked = 0
     for symbol, value in given(svg).items():
         match = re.fullmatch(r"l_([A-Z]\d?)([A-Z]\d?)", symbol)
         if match is None:
             continue
-        due = float(value) / 1000.0 / mu
+        due = number(value) / 1000.0 / mu
         near = [
             sorted(spots, key=lambda z, at=letters[one]: abs(z - at))[:3] for one in match.groups()
         ]
@@ -227,8 +224,14 @@ def test_the_scheme_has_the_lengths_that_are_given(name: str) -> None:
     assert checked
 
 
-@each("name", SOUGHT)
-def test_lengths_that_are_sought_are_neither_told_nor_drawn(name: str) -> None:
+def test_lengths_that_are_sought_are_neither_told_nor_drawn(
+    many: Callable[[int, int], int],
+) -> None:
+    for name in SOUGHT[-many(len(SOUGHT), 1) :]:
+        nothing_sought_is_told(name)
+
+
+def nothing_sought_is_told(name: str) -> None:
     """By the formulas of a textbook: θ = 180°(K − 1)/(K + 1), OA = OB·sin(θ/2), BC = S/(2·sin(θ/2))."""
     half = math.radians(180.0 * 0.45 / 2.45) / 2.0
     crank, arm = 480.0 * math.sin(half), 95.0 / (2.0 * math.sin(half))
@@ -249,21 +252,22 @@ def test_lengths_that_are_sought_are_neither_told_nor_drawn(name: str) -> None:
 
 
 @pytest.mark.slow
-@each("name", ALL)
-@each("language", ["ru", "en"])
-def test_a_task_is_a_true_a4_sheet_and_says_what_is_wanted(language: str, name: str) -> None:
-    read = name in ("shaper", "cam", "lettering")  # each is drawn for them: it takes a second
-    found = sheets(name, language, readings=read)
-    for svg in found:
-        root = ElementTree.fromstring(svg)
-        assert (root.get("width"), root.get("height")) == ("210mm", "297mm")
-    told = " ".join(word for svg in found for word in words(svg))
+@pytest.mark.parametrize("name", ALL)
+def test_a_task_is_a_true_a4_sheet_and_says_what_is_wanted(
+    name: str, many: Callable[[int, int], int]
+) -> None:
     asked = {"ru": ("Выполнить", "Сдать", "снятых"), "en": ("To be drawn", "handed in", "read off")}
-    measured = read and name != "lettering"  # there is nothing to measure on letters
-    assert all(one in told for one in asked[language][: 3 if measured else 2])
+    measured = name not in ("lettering", "moment-cycle")  # there is nothing to measure
+    for language in languages_of(name, many):
+        found = sheets(name, language)
+        for svg in found:
+            root = ElementTree.fromstring(svg)
+            assert (root.get("width"), root.get("height")) == ("210mm", "297mm")
+        told = " ".join(word for svg in found for word in words(svg))
+        assert all(one in told for one in asked[language][: 3 if measured else 2])
 
 
-@each("name", ALL)
+@pytest.mark.parametrize("name", ALL)
 def test_sentences_are_numbered_one_after_another(name: str) -> None:
     told = [word for svg in sheets(name) for word in words(svg)]
     numbers = [int(m[1]) for word in told if (m := re.match(r"(\d+)\. [А-ЯA-Z]", word))]
@@ -287,7 +291,7 @@ def test_a_long_title_and_many_data_go_on_in_the_usual_letters(tmp_path: Path) -
         for name, view in sheet_reader.views(svg).items():
             assert view.words or name == "frame"
         sizes = re.findall(r'надписи ([\d,]+)"', svg[svg.index('class="drawing t') :])
-        assert min(float(one.replace(",", ".")) for one in sizes) >= 2.5
+        assert min(map(number, sizes)) >= 2.5
 
 
 def inside(svg: str) -> list[bool]:

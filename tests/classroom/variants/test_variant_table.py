@@ -109,20 +109,21 @@ TYPED = st.one_of(
         min_size=1,
         max_size=5,
         unique_by=lambda one: one[0].casefold(),
-    )
+    ),
+    st.sampled_from(["en", "ru"]),
 )
-def test_what_is_written_is_read_back(found: list[tuple[str, tuple[str, str, str]]]) -> None:
+def test_what_is_written_is_read_back(
+    found: list[tuple[str, tuple[str, str, str]]], language: str
+) -> None:
     keys = (("OA", "mm"), ("drive.speed", "об/мин"), ("link 5, mass", ""))
     due = tuple(
         Variant(name, tuple(Value(k, v, u) for (k, u), v in zip(keys, values, strict=True)))
         for name, values in found
     )
     with tempfile.TemporaryDirectory() as folder:
-        for language in ("en", "ru"):
-            for name in ("v.csv", "v.xlsx"):
-                file = written(Path(folder), write_variants(due, name, language=language), name)
-                back = tuple(one._replace(line=0) for one in read_variants(file))
-                assert back == due, (language, name)
+        for name in ("v.csv", "v.xlsx"):
+            file = written(Path(folder), write_variants(due, name, language=language), name)
+            assert tuple(one._replace(line=0) for one in read_variants(file)) == due, name
 
 
 def test_a_formula_is_text_in_a_workbook(tmp_path: Path) -> None:
