@@ -44,14 +44,14 @@ positions = 6
 format = "A4"
 place = ["structure"]
 [[sheet]]
-format = "A1"
+format = "A2"
 place = ["positions", "velocities"]
 """
-CAMERA = Camera((11, -7, 3), 1150, 1620, 1500, 1150)
-CORNERS = np.array([20 + 10j, 831 + 10j, 831 + 584j, 20 + 584j])
-"""Of the frame of an A1, mm: 20 to the left, 10 elsewhere (ISO 5457)."""
+CAMERA = Camera((11, -7, 3), 813, 1296, 1200, 920, middle=(297, 210), size=(594, 420))
+CORNERS = np.array([20 + 10j, 584 + 10j, 584 + 410j, 20 + 410j])
+"""Of the frame of an A2, mm: 20 to the left, 10 elsewhere (ISO 5457)."""
 INK = (208, 0, 111)
-MM = 4
+MM = 5
 """Dots of the rendered overlay to the mm, as many as the flattened picture has."""
 
 
@@ -108,7 +108,7 @@ def test_the_photograph_is_seen_and_the_ink_fits_it(
     text = out.read_text(encoding="utf-8")
     seen = rendered(text, tmp_path, MM).astype(np.int16)
     picture = np.asarray(image.open(flat).convert("RGB")).astype(np.int16)
-    assert seen.shape == picture.shape == (594 * MM, 841 * MM, 3)
+    assert seen.shape == picture.shape == (420 * MM, 594 * MM, 3)
     pure = abs(seen - INK).max(axis=2) < 60
     # a dot of ink is a dot of the picture, but for the edges; nothing else covers any of it
     same = abs(seen - picture).max(axis=2) < 12
