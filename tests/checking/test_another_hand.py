@@ -120,7 +120,7 @@ def test_its_honest_drawings_pass_however_they_were_read(
     tmp_path: Path, many: Callable[[int, int], int]
 ) -> None:
     """With ``--measured`` hundreds of them."""
-    seeds = range(1000, 1000 + many(30, 8))
+    seeds = range(1000, 1000 + many(30, 4))
     found = [honest(name, mode, seeds, tmp_path, 400) for name in MACHINES for mode in MODES]
     total: Counter[str] = sum(found, Counter())
     assert total["drawings"] == len(seeds) * len(MACHINES) * len(MODES)
@@ -162,7 +162,7 @@ def test_its_gross_errors_are_found(
     for name in MACHINES:
         planted = [
             gross(name, np.random.default_rng(seed), RULERS[seed % 3], mode, kind)
-            for seed in range(3000, 3000 + many(24, 8))
+            for seed in range(3000, 3000 + many(24, 5))
         ]
         texts = [csv_of(one.rows) for one in planted]
         found = verdicts(scene(name), read_back(texts, tmp_path), trials=400)
@@ -184,7 +184,7 @@ def test_a_ray_that_slipped_is_wrong_where_points_are_read_off_a_screen(
     wrong = count = 0
     for name in MACHINES:
         texts, places = [], []
-        for seed in range(4000, 4000 + many(24, 8)):
+        for seed in range(4000, 4000 + many(24, 5)):
             one = gross(name, np.random.default_rng(seed), 0.1, "points", "ray", pointing=0.1)
             texts.append(csv_of(one.rows))
             places.append(one.position)

@@ -9,9 +9,9 @@ from functools import cache, partial
 import pytest
 from support.gallery import CASES, SHEETS
 
-from graphic_tmm.checking.check import check
+from graphic_tmm.checking.check import Checker, check
 from graphic_tmm.checking.readings.read import read_readings
-from graphic_tmm.checking.records import DOUBTFUL, FINE, MISTAKE, SLIP, WRONG, Report
+from graphic_tmm.checking.records import DOUBTFUL, FINE, MISTAKE, SLIP, WRONG, Judged, Report, Taken
 from graphic_tmm.scene.read import read
 
 SCENES = ("sc", "fb", "rpr", "six")
@@ -43,18 +43,32 @@ BLAMED = {
 
 
 @cache
+def checker(name: str) -> Checker:
+    """What checks drawings of a scene: of those made outside, or of the package."""
+    if name in SCENES:
+        return Checker(read(CASES / "check" / f"{name}.toml"))
+    return Checker(read(SHEETS / name))
+
+
+def drawing(case: str) -> tuple[Checker, tuple[Taken, ...]]:
+    name = "six" if case.startswith("honest") else case.rsplit("_", 1)[-1]
+    return checker(name), read_readings(CASES / "check" / f"{case}.csv")
+
+
+@cache
 def report(case: str) -> Report:
-    last = case.rsplit("_", 1)[-1]
-    scene = CASES / "check" / f"{last}.toml"
-    if case.startswith("honest"):
-        scene = CASES / "check" / "six.toml"
-    elif last not in SCENES:
-        scene = SHEETS / last
-    return check(read(scene), read_readings(CASES / "check" / f"{case}.csv"))
+    by, rows = drawing(case)
+    return by.of(rows).report
+
+
+@cache
+def judged(case: str) -> tuple[Judged, ...]:
+    by, rows = drawing(case)
+    return by.verdicts(rows)
 
 
 def verdicts(case: str, verdict: str) -> set[tuple[str, str]]:
-    rows = report(case).readings
+    rows = judged(case)
     return {(one.taken.position, one.taken.segment) for one in rows if one.verdict == verdict}
 
 
@@ -62,13 +76,13 @@ def verdicts(case: str, verdict: str) -> set[tuple[str, str]]:
 @pytest.mark.parametrize("case", ["honest_six_mm", "honest_six_points"])
 def test_an_honest_drawing_is_fine(case: str) -> None:
     assert not verdicts(case, WRONG)
-    assert len(verdicts(case, DOUBTFUL)) <= 0.05 * len(report(case).readings)
+    assert len(verdicts(case, DOUBTFUL)) <= 0.05 * len(judged(case))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("case", ["pa_engine", "pa_sc"])
 def test_a_length_half_a_division_off_what_is_calculated_is_fine(case: str) -> None:
-    assert {one.verdict for one in report(case).readings} == {FINE}
+    assert {one.verdict for one in judged(case)} == {FINE}
 
 
 @pytest.mark.slow
@@ -114,7 +128,7 @@ def test_a_rate_found_from_another_segment_is_wrong() -> None:
 
 def test_what_follows_from_a_wrong_reading_names_it() -> None:
     """The normal component is wrong; what is drawn from it says so."""
-    rows = report("normal_pb_sc").readings
+    rows = judged("normal_pb_sc")
     assert {one.taken.segment for one in rows if one.verdict == WRONG} == {"an2"}
     followed = {one.taken.segment: one.follows.segment for one in rows if one.follows is not None}
     assert followed["πb"] == "an2"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -20,15 +21,19 @@ from graphic_tmm.studio import drawings, make
 
 
 @pytest.mark.slow
-def test_honest_drawings_are_fine() -> None:
-    """At most 5 % of readings doubtful, at most 1 % of drawings with a wrong one: 500 with fresh streams."""
+def test_honest_drawings_are_fine(many: Callable[[int, int], int]) -> None:
+    """At most 5 % of readings doubtful, at most 1 % of drawings with a wrong one; 500 with ``--measured``."""
+    scenes, hands = (
+        ("engine", "crank-rocker", "offset-slider", "slider-diagrams"),
+        ("student", "careful"),
+    )
     rows = [
-        honest(name, hand, 63)
-        for name in ("engine", "crank-rocker", "offset-slider", "slider-diagrams")
-        for hand in ("student", "careful")
+        honest(name, hand, many(63, 30))
+        for k, name in enumerate(scenes)
+        for hand in (hands if many(1, 0) else hands[k % 2 : k % 2 + 1])
     ]
     drawings_made = sum(one.drawings for one in rows)
-    assert drawings_made >= 500
+    assert drawings_made >= many(500, 120)
     for one in rows:
         assert one.doubtful <= 0.05 * one.readings
     assert sum(one.broken for one in rows) <= 0.01 * drawings_made

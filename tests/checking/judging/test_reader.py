@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from support import gallery
-from support.gallery import CASES, SHEETS
+from support.gallery import CASES
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking import known
 from graphic_tmm.checking.cells import Cell, cells
-from graphic_tmm.checking.check import check
+from graphic_tmm.checking.check import check, checks
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.reader import POINTS, reader
 from graphic_tmm.checking.judging.scatter import Limits, limited
@@ -100,15 +100,14 @@ def test_noughts_that_were_left_out_were_meant(
 
 
 @pytest.mark.slow
-def test_every_way_a_ruler_gives_a_calculated_length_is_fine(tmp_path: Path) -> None:
-    """pa is 54.347 mm: on a ruler of 0.1 mm it is 54.3 or 54.4, for the surest hand."""
-    scene = read(SHEETS / "windrower")
-    found = replace(scene, ruler=0.1, scales=replace(scene.scales, mu_v=0.1))
-    path = tmp_path / "r.csv"
-    for written, due in (("54.3", FINE), ("54.4", FINE), ("54.9", WRONG), ("5.43", WRONG)):
-        path.write_text(f"plan,position,segment,mm\nvelocities,1,pa,{written}\n", "utf-8")
-        report = check(found, read_readings(path), hand="cad", trials=20)
-        assert verdicts(report) == [due], written
+def test_every_way_a_ruler_gives_a_calculated_length_is_fine() -> None:
+    """pa is 54.348 mm: on a ruler of 0.1 mm it is 54.3 or 54.4, for the surest hand."""
+    found = replace(scene("sc"), ruler=0.1, scales=replace(scene("sc").scales, mu_v=0.0368))
+    due = {54.3: FINE, 54.4: FINE, 54.9: WRONG, 5.43: WRONG}
+    last = {mm: Last(mm=0.005 if mm < 10 else 0.05) for mm in due}
+    rows = [(f"{mm}", (Taken("velocities", "1", "pa", mm=mm, last=last[mm]),)) for mm in due]
+    told = checks(found, rows, hand="cad", trials=20)
+    assert [verdicts(report) for report in told] == [[one] for one in due.values()]
 
 
 def test_what_is_given_is_judged_for_slips(tmp_path: Path) -> None:
@@ -256,8 +255,6 @@ def test_a_reading_of_a_figure_that_is_not_sure_is_said_not_judged(
 
 @pytest.mark.slow
 def test_many_drawings_are_judged_by_one_yardstick_as_one_by_one(tmp_path: Path) -> None:
-    from graphic_tmm.checking.check import checks
-
     rows = [
         (f"{k}", (Taken("velocities", "1", "pb", mm=mm, line=2),))
         for k, mm in enumerate((68.0, 58.0))

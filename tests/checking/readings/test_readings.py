@@ -244,15 +244,15 @@ def test_a_comma_before_three_digits_is_a_decimal_sign_if_another_cell_shows_it(
 
 
 @pytest.mark.slow
-def test_order_and_number_of_100_000_rows_are_kept(tmp_path):
-    many = [f"velocities;{k};pb;{k % 997},25;{k};m/s;1,5;-2,5\n" for k in range(100_000)]
+def test_order_and_number_of_many_rows_are_kept(tmp_path):
+    many = [f"velocities;{k};pb;{k % 997},25;{k};m/s;1,5;-2,5\n" for k in range(20_000)]
     text = "план;положение;отрезок;мм;величина;единица;x;y\n" + "".join(many)
     file = tmp_path / "many.csv"
     file.write_text(text, "utf-8")
     back = without_digits(read_readings(str(file)))
-    assert [one.mm for one in back] == [k % 997 + 0.25 for k in range(100_000)]
-    last = ("velocities", "99999", "pb", 99999 % 997 + 0.25, 99999.0, "m/s", 1.5, -2.5)
-    assert back[-1] == Taken(*last, line=100_001)
+    assert [one.mm for one in back] == [k % 997 + 0.25 for k in range(20_000)]
+    last = ("velocities", "19999", "pb", 19999 % 997 + 0.25, 19999.0, "m/s", 1.5, -2.5)
+    assert back[-1] == Taken(*last, line=20_001)
 
 
 HEAD = "plan,position,segment,mm,value,unit,x,y\n"
