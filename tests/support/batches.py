@@ -34,6 +34,8 @@ def summed(given: Sum) -> Done:
 
 
 def dies(given: str) -> Done:
+    """Dies, after so many s if that is given."""
+    time.sleep(float(given or 0))
     os._exit(7)
 
 

@@ -14,12 +14,18 @@ need 5 s to begin, and is given up if it is not waited for."""
 
 @contextmanager
 def cluster(workers: int = 2) -> Iterator[str]:
-    """Yield the address of its scheduler."""
+    """Yield the address of its scheduler, which gives up a work that one worker has died of."""
     distributed = pytest.importorskip("distributed")
     from dask import config
 
     with (
-        config.set({"distributed.comm.timeouts.connect": WAIT}),
+        config.set(
+            {
+                "distributed.comm.timeouts.connect": WAIT,
+                "distributed.scheduler.allowed-failures": 0,
+                "distributed.worker.profile.enabled": False,
+            }
+        ),
         distributed.LocalCluster(
             n_workers=workers,
             threads_per_worker=1,

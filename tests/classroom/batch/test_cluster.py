@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -26,12 +25,9 @@ from graphic_tmm.errors import SheetError
 
 pytest.importorskip("distributed")
 pytestmark = pytest.mark.filterwarnings("default")  # its own
-
-
-@pytest.fixture(scope="module")
-def scheduler() -> Iterator[str]:
-    with cluster() as address:
-        yield address
+OLD = 2.5
+"""s: a worker that ends within its first second or so is taken, on a busy machine, for one that cannot begin,
+and no other is begun for it."""
 
 
 def test_all_is_made_once(scheduler: str, tmp_path: Path) -> None:
@@ -58,7 +54,7 @@ def test_errors_are_told_as_those_of_processes(scheduler: str, tmp_path: Path) -
 @pytest.mark.slow
 def test_what_kills_its_worker_fails_and_no_more(scheduler: str, tmp_path: Path) -> None:
     once = work(dies_once, "once", str(tmp_path / "once"))
-    works = [*sums(6), work(dies, "deadly", ""), once]
+    works = [*sums(6), work(dies, "deadly", f"{OLD}"), once]
     ran = run(works, tmp_path / "out", executor=scheduler)
     assert list(ran.failed) == ["deadly"]
     assert "died" in ran.failed["deadly"]
@@ -66,20 +62,14 @@ def test_what_kills_its_worker_fails_and_no_more(scheduler: str, tmp_path: Path)
 
 
 @pytest.mark.slow
-def test_what_never_ends_is_broken_off(tmp_path: Path) -> None:
-    """Its scheduler gives it to four workers before it gives it up; each ends, and is begun anew.
-
-    After 4 s: a worker that ends within its first second or so is taken, on a busy machine, for one that
-    cannot begin, and no other is begun for it.
-    Asleep: a loop of machine code keeps the answers that its worker still holds (`test_limits.py` has one).
-    """
+def test_what_never_ends_is_broken_off(scheduler: str, tmp_path: Path) -> None:
+    """Asleep: a loop of machine code keeps the answers that its worker holds (`test_limits.py`)."""
     works = [*sums(6), work(hangs, "endless", "")]
-    with cluster() as address:
-        ran = run(works, tmp_path / "out", executor=address, limit=4.0)
-        assert list(ran.failed) == ["endless"]
-        assert "took longer than 4 s" in ran.failed["endless"]
-        assert files_of(tmp_path / "out") == due(6)
-        assert run(sums(8), tmp_path / "out", executor=address).made == ("6", "7")
+    ran = run(works, tmp_path / "out", executor=scheduler, limit=OLD)
+    assert list(ran.failed) == ["endless"]
+    assert f"took longer than {OLD:g} s" in ran.failed["endless"]
+    assert files_of(tmp_path / "out") == due(6)
+    assert run(sums(8), tmp_path / "out", executor=scheduler).made == ("6", "7")
 
 
 def test_files_travel_as_they_are(scheduler: str, tmp_path: Path) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 from support.each import each
@@ -51,10 +53,10 @@ def read(rng: np.random.Generator, due: np.ndarray, slip: float = SLIP) -> np.nd
 
 @pytest.mark.slow
 @each("slip", [SLIP, 0.3, 0.02])
-def test_honest_classes_are_not_told(slip: float) -> None:
+def test_honest_classes_are_not_told(slip: float, many: Callable[[int, int], int]) -> None:
     """Of hands as they are taken for, of careful ones, and of drawings by a computer."""
     rng = np.random.default_rng(5)
-    for _ in range(20):
+    for _ in range(many(20, 5)):
         due = rng.uniform(10, 90, 40)
         assert alike([row(read(rng, due, slip), due) for _ in range(30)]) == ()
 

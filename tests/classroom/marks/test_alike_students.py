@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -23,20 +24,27 @@ HANDS = {
 }
 
 
+@pytest.fixture(scope="module")
+def checker(tmp_path_factory: pytest.TempPathFactory) -> Checker:
+    scene = tmp_path_factory.mktemp("variant") / "slider.toml"
+    scene.write_text(variant_text(1, 8), "utf-8")
+    return Checker(read(scene), trials=60)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("mode", ["mm", "quantities", "points"])
 @pytest.mark.parametrize("hand", HANDS)
-def test_honest_students_are_not_alike(hand: str, mode: str, tmp_path: Path) -> None:
-    scene, file = tmp_path / "slider.toml", tmp_path / "readings.csv"
-    scene.write_text(variant_text(1, 8), "utf-8")
-    checker = Checker(read(scene), trials=60)
+def test_honest_students_are_not_alike(
+    hand: str, mode: str, checker: Checker, tmp_path: Path, many: Callable[[int, int], int]
+) -> None:
+    file, count = tmp_path / "readings.csv", many(14, 7)
     rows: list[Row] = []
-    for seed in range(14):
+    for seed in range(count):
         file.write_text(
             hand_in(1, 400 + seed, positions=8, mode=mode, hand=HANDS[hand]).text, "utf-8"
         )
         rows.append(row_of(checker.made, checker.of(read_readings(file))))
     assert alike(rows) == ()
     if hand not in ("careful", "computer"):  # of a sure hand 30 equal readings are no wonder
-        assert [(one.one, one.other) for one in alike([*rows, rows[3]])] == [(3, 14)]
+        assert [(one.one, one.other) for one in alike([*rows, rows[3]])] == [(3, count)]
     assert known(text(rows[0])) == rows[0]

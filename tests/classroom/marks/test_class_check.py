@@ -8,6 +8,7 @@ import json
 import re
 import shutil
 from collections import Counter
+from collections.abc import Callable
 from decimal import Decimal
 from functools import cache
 from pathlib import Path
@@ -21,7 +22,7 @@ from support.command import invoke
 from support.handed_in import SCENE, hand_in, variant_text, write_class, wrong_link
 
 POSITIONS, COUNT = 8, 7
-TRIALS = ("--trials", 100)
+TRIALS = ("--trials", 40)
 
 
 class Handed(NamedTuple):
@@ -81,9 +82,10 @@ def alone(folder: Path, name: str) -> str:
 
 
 @pytest.mark.slow
-def test_each_is_judged_as_it_would_be_alone() -> None:
+def test_each_is_judged_as_it_would_be_alone(many: Callable[[int, int], int]) -> None:
+    """Usually a mistaken one, one whose values are its own, and one of a name besides its number."""
     folder = marked().folder
-    for name in READ:
+    for name in READ if many(1, 0) else ("03", "Sidorov 08", "Иванов-02"):
         assert (folder / "out" / "reports" / f"{name}.json").read_text("utf-8") == alone(
             folder, name
         )
