@@ -223,12 +223,12 @@ def test_a_thousand_edits_and_posts_leave_all_whole(
     here = Opened()
 
     async def serving() -> None:
-        async with opened(home) as (browser, desk):
+        async with opened(home, anew=True) as (browser, desk):
             first = await browser.settled("small")
             workers = (desk.front, desk.behind)
             before = [one._process.pid for one in workers]
             here.on = True
-            answered.update(await beset(browser, desk, file, many(MANY, 240)))
+            answered.update(await beset(browser, desk, file, many(MANY, 80)))
             here.on = False
             desk.look_all()
             last = await browser.settled(
@@ -243,7 +243,7 @@ def test_a_thousand_edits_and_posts_leave_all_whole(
 
     run(serving)
     assert set(answered) == {200, 400, 404, 409, 422}
-    assert min(answered.values()) >= 10
+    assert min(answered.values()) >= 5
     assert written == {str(file)}
     assert (tmp_path / "secret.toml").read_text(encoding="utf-8") == SECRET
     assert sorted(one.name for one in home.rglob("*")) == ["scene.toml", "small"]

@@ -5,15 +5,19 @@ from __future__ import annotations
 import asyncio
 import json
 import shutil
-from collections.abc import AsyncIterator, Awaitable, Callable
-from concurrent.futures import ThreadPoolExecutor
+from asyncio import AbstractEventLoop
+from collections.abc import AsyncIterator, Callable, Coroutine
 from contextlib import asynccontextmanager
+from functools import cache
 from pathlib import Path
+from threading import Thread
 from typing import Any, NamedTuple
 
+from graphic_tmm.serve import jobs
 from graphic_tmm.serve.desk import Desk
 from graphic_tmm.serve.folder import Folder, folder_of
 from graphic_tmm.serve.routes import application
+from graphic_tmm.serve.worker import Worker
 from support.gallery import SHEETS
 
 TOKEN = "a-token-that-nobody-guesses"
@@ -148,12 +152,35 @@ class Browser:
         raise AssertionError
 
 
+class Kept(Worker):
+    """A worker that draws for many desks, one after another: its process takes a second to begin."""
+
+    def close(self) -> None:
+        """Forget what this desk has asked for and is not begun."""
+        vars(self).pop("ask", None)  # what a test put in its place
+        for asked in self._queued.values():
+            asked.answer.cancel()
+
+
+@cache
+def _shared() -> tuple[AbstractEventLoop, tuple[Kept, ...]]:
+    """The loop that tests serve in, in a thread of its own, and those who draw for them."""
+    loop = asyncio.new_event_loop()
+    Thread(target=loop.run_forever, daemon=True).start()
+    return loop, tuple(Kept(jobs.warmed, patient=patient) for patient in (False, True, True))
+
+
 @asynccontextmanager
 async def opened(
-    folder: Path | Folder, *, drawing: bool = True
+    folder: Path | Folder, *, drawing: bool = True, anew: bool = False
 ) -> AsyncIterator[tuple[Browser, Desk]]:
-    """Serve a folder without a server; without ``drawing`` nothing is begun that draws before it must."""
+    """Serve a folder without a server; without ``drawing`` nothing is begun that draws before it must.
+
+    ``anew``: by processes of its own.
+    """
     desk = Desk(folder if isinstance(folder, Folder) else folder_of(str(folder)))
+    if not anew and asyncio.get_running_loop() is _shared()[0]:
+        desk.front, desk.behind, desk.aside = _shared()[1]
     app = application(desk, TOKEN)
     begun, end = asyncio.Event(), asyncio.Event()
 
@@ -183,10 +210,9 @@ async def opened(
             await life
 
 
-def run(serving: Callable[[], Awaitable[None]]) -> None:
+def run(serving: Callable[[], Coroutine[Any, Any, None]]) -> None:
     """Run what asks and answers, in a thread of its own: a browser may have a loop in this one."""
-    with ThreadPoolExecutor(1) as one:
-        one.submit(lambda: asyncio.run(serving())).result()  # type: ignore[arg-type]
+    asyncio.run_coroutine_threadsafe(serving(), _shared()[0]).result()
 
 
 def small(folder: Path, name: str = "small") -> Path:
