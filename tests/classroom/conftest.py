@@ -1,4 +1,4 @@
-"""One cluster a session: what one work does to its worker is no other's concern."""
+"""One cluster for all tests of a file: it takes seconds to begin, and some of the processor while it waits."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 from support.cluster import cluster
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def scheduler() -> Iterator[str]:
     """The address of a scheduler with two workers, which stand where the tests were begun."""
     with cluster() as address:

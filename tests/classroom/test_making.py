@@ -80,15 +80,6 @@ def test_without_a_composition_too(tmp_path: Path) -> None:
         assert (text.encode() if isinstance(text, str) else text) == due[name], name
 
 
-@pytest.mark.slow
-@pytest.mark.filterwarnings("default")  # of the cluster's
-def test_a_cluster_makes_the_same_bytes(scheduler: str, composition: str, tmp_path: Path) -> None:
-    found = works(composition, ("draw", "table"))[:1]
-    run(found, tmp_path / "one", executor=1)
-    assert not run(found, tmp_path / "cluster", executor=scheduler).failed
-    assert files_of(tmp_path / "cluster") == files_of(tmp_path / "one") != {}
-
-
 def test_works_travel_and_are_known_by_what_they_say(composition: str) -> None:
     found = works(composition)
     again = [pickle.loads(pickle.dumps(one)) for one in found]
