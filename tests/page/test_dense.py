@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -94,10 +95,19 @@ def _at(value: np.ndarray, k: int) -> complex:
     return complex(value[0, k if value.shape[1] > 1 else 0])
 
 
-@pytest.mark.parametrize(
-    "seed", [*range(3), *(pytest.param(k, marks=pytest.mark.slow) for k in range(3, 20))]
-)
+@pytest.mark.parametrize("seed", range(3))
 def test_between_positions_marks_are_what_vector_loops_say(seed: int) -> None:
+    """Mechanisms with groups of every kind, one to three of them."""
+    assert_follows(seed)
+
+
+@pytest.mark.slow
+def test_between_positions_more_are_what_vector_loops_say(many: Callable[[int, int], int]) -> None:
+    for seed in range(3, many(20, 5)):
+        assert_follows(seed)
+
+
+def assert_follows(seed: int) -> None:
     compared = 0
     for one in sample(4, seed=seed):
         if any(link.side is not None and link.side.flips_at for link in one.mechanism.links):

@@ -110,13 +110,9 @@ def test_a_page_asks_for_nothing_and_runs_nothing_from_text(name: str) -> None:
 def test_a_page_is_the_same_bytes_whatever_the_day_the_order_of_hashes_or_the_locale(
     tmp_path: Path,
 ) -> None:
-    written = []
-    for seed, zone, locale in (("1", "UTC", "C.UTF-8"), ("77", "Asia/Tokyo", "POSIX")):
-        out = tmp_path / seed
-        command = [sys.executable, "-m", "graphic_tmm", "page", str(SHEETS / "crank-rocker")]
-        env = {"PYTHONHASHSEED": seed, "TZ": zone, "LC_ALL": locale, "PYTHONPATH": str(ROOT)}
-        subprocess.run([*command, "-o", str(out)], check=True, cwd=ROOT, env=env)
-        (file,) = out.iterdir()
-        written.append(file.read_bytes())
-    assert written[0] == written[1]
-    assert written[0].decode("utf-8") == pages.text("crank-rocker", "en")
+    """In a process of its own, far away, as in this one."""
+    command = [sys.executable, "-m", "graphic_tmm", "page", str(SHEETS / "crank-rocker")]
+    env = {"PYTHONHASHSEED": "77", "TZ": "Asia/Tokyo", "LC_ALL": "POSIX", "PYTHONPATH": str(ROOT)}
+    subprocess.run([*command, "-o", str(tmp_path / "out")], check=True, cwd=ROOT, env=env)
+    (file,) = (tmp_path / "out").iterdir()
+    assert file.read_bytes() == pages.text("crank-rocker", "en").encode()

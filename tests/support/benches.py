@@ -32,6 +32,18 @@ class Packed(NamedTuple):
     program: str
 
 
+SOME = (
+    "crank-press",
+    "crank-rocker",
+    "oscillating-cylinder",
+    "scotch-yoke",
+    "slider-diagrams",
+    "tangent-mechanism",
+    "windrower",
+)
+"""Scenes that have a group of every kind, loads, diagrams."""
+
+
 @cache
 def packed(name: str) -> Packed | None:
     """Return a scene as packed for practice; None where nothing of it is practised."""
@@ -43,9 +55,10 @@ def packed(name: str) -> Packed | None:
     return Packed(name, made, packing, packing.data(()), packing.program())
 
 
-def practised() -> list[Packed]:
-    """Return all scenes of the package that have something to practise."""
-    found = (packed(path.name) for path in packaged())
+def practised(*, every: bool) -> list[Packed]:
+    """Return scenes of the package that have something to practise, or every one."""
+    names = [path.name for path in packaged()] if every else SOME
+    found = (packed(name) for name in names)
     return [one for one in found if one is not None]
 
 

@@ -23,8 +23,9 @@ LARGE = 3.0
 def answers(
     tmp_path_factory: pytest.TempPathFactory, request: pytest.FixtureRequest
 ) -> list[tuple[Packed, dict[str, Any]]]:
-    """Scenes of the package, and what the page's benches have of them: one every day, all of them in CI."""
-    scenes = [packed(request.param)] if request.param else practised()
+    """Scenes of the package, and what the page's benches have of them: one every day, some, all if measured."""
+    every = request.config.getoption("--measured")
+    scenes = [packed(request.param)] if request.param else practised(every=every)
     return list(
         zip(scenes, worked(scenes, {}, tmp_path_factory.mktemp("benches"), work=True), strict=True)
     )
@@ -45,7 +46,7 @@ def test_every_step_comes_to_what_python_has(answers: list[tuple[Packed, dict[st
                 size = max(1.0, *map(abs, due))
                 apart = [abs(a - b) for a, b in zip(due, found, strict=True)]
                 assert max(apart) < NEAR * size, (scene.name, step.it, task["at"], due, found)
-    assert compared > 1_500 * len(answers)
+    assert compared > 1_000 * len(answers)
 
 
 def test_every_task_is_worked_in_two_orders(answers: list[tuple[Packed, dict[str, Any]]]) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import random
 from collections import Counter
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +25,8 @@ from graphic_tmm.checking.known import known
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Last, Taken
 from graphic_tmm.page.practice.manners import MANNERS
 
-DRAWINGS = 200
+DRAWINGS = 12
+"""Of each scene."""
 NEAR = 1e-9
 TIED = 3e-5
 """Sizes are packed to so many digits, as a share: errors that are nearer, each by its size, are as large."""
@@ -100,10 +102,12 @@ def _yardstick(scene: Packed, manner: str, rows: Any) -> Yardstick:
 
 
 @pytest.fixture(scope="module")
-def judgements(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[Case, list[dict[str, Any]]]]:
-    chance = random.Random(17)
-    scenes = practised()
-    cases = [Case(scenes[k % len(scenes)], chance) for k in range(DRAWINGS)]
+def judgements(
+    tmp_path_factory: pytest.TempPathFactory, request: pytest.FixtureRequest
+) -> list[tuple[Case, list[dict[str, Any]]]]:
+    chance = random.Random(18)
+    scenes = practised(every=request.config.getoption("--measured"))
+    cases = [Case(scenes[k % len(scenes)], chance) for k in range(DRAWINGS * len(scenes))]
     told = {one.name: [case.told() for case in cases if case.scene is one] for one in scenes}
     answers = worked(scenes, told, tmp_path_factory.mktemp("judged"))
     found = {one.name: iter(answer["judged"]) for one, answer in zip(scenes, answers, strict=True)}
@@ -129,7 +133,7 @@ def test_own_errors_and_verdicts_are_those_of_a_check(
                 name = next(m for m in case.scene.packing.marks() if m.slot == mine["blamed"]).name
                 assert one.step.split(" ", 1)[1] == name, here
             verdicts[one.verdict] += 1
-    assert min(verdicts[one] for one in (FINE, DOUBTFUL, WRONG)) > 50
+    assert min(verdicts[one] for one in (FINE, DOUBTFUL, WRONG)) > len(judgements) / 4
 
 
 def _same_worst(comparison: Comparison, one: Judged, mine: dict[str, Any], here: Any) -> None:
@@ -169,10 +173,12 @@ TOGETHER = 3
 
 
 @pytest.mark.slow
-def test_plans_of_one_drawing_are_judged_together(tmp_path: Path) -> None:
-    chance = random.Random(23)
-    drawings = {one.name: [_plans(one, chance) for _ in range(TOGETHER)] for one in practised()}
-    scenes = [one for one in practised() if min(map(len, drawings[one.name])) > 1]
+def test_plans_of_one_drawing_are_judged_together(
+    tmp_path: Path, many: Callable[[int, int], int]
+) -> None:
+    chance, some = random.Random(23), practised(every=bool(many(1, 0)))
+    drawings = {one.name: [_plans(one, chance) for _ in range(TOGETHER)] for one in some}
+    scenes = [one for one in some if min(map(len, drawings[one.name])) > 1]
     told = {
         one.name: [[case.told() for case in cases] for cases in drawings[one.name]]
         for one in scenes
@@ -189,8 +195,8 @@ def test_plans_of_one_drawing_are_judged_together(tmp_path: Path) -> None:
                 _same_errors(comparison, row, mine, here)
                 assert mine["verdict"] == row.verdict, here
                 verdicts[row.verdict] += 1
-    assert len(scenes) > 12
-    assert min(verdicts[verdict] for verdict in (FINE, DOUBTFUL, WRONG)) > 20
+    assert len(scenes) > many(12, 5)
+    assert min(verdicts[verdict] for verdict in (FINE, DOUBTFUL, WRONG)) > len(scenes)
 
 
 def _plans(scene: Packed, chance: random.Random) -> list[Case]:

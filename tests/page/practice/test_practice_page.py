@@ -67,8 +67,8 @@ def test_the_policy_names_the_program_that_was_written_for_it(practised: str) ->
 
 def test_the_same_scene_has_the_same_page_and_another_seed_another(practised: str) -> None:
     assert text(NAME, practised=True) == practised
-    posed = [data(text(NAME, practised=True, seed=seed))["practice"] for seed in (1, 1, 2)]
-    assert posed[0] == posed[1] != posed[2]
+    posed = [data(text(NAME, practised=True, seed=seed))["practice"] for seed in (1, 2)]
+    assert posed[0] != posed[1]
     assert posed[0]["marks"] == data(practised)["practice"]["marks"]
 
 

@@ -22,8 +22,11 @@ CHECKED = {"crank-rocker": "en", "windrower": "ru", "engine": "en"}
 
 
 @pytest.fixture(scope="module")
-def worked(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[Packed, list[dict[str, Any]]]]:
-    scenes = practised()
+def worked(
+    tmp_path_factory: pytest.TempPathFactory, request: pytest.FixtureRequest
+) -> list[tuple[Packed, list[dict[str, Any]]]]:
+    """Scenes of which each group, load and diagram is worked; with ``--measured`` all of them."""
+    scenes = practised(every=request.config.getoption("--measured"))
     asked = [{"words": practice_words("en")} for _ in scenes]
     folder = tmp_path_factory.mktemp("students")
     answers = by_node(PROGRAM.read_text("utf-8"), scenes, asked, folder)
@@ -42,7 +45,7 @@ def test_every_task_is_done_at_once_by_its_own_due_answers_in_two_orders(worked:
                 assert one["ready"], here
                 assert one["score"]["once"] == one["score"]["count"] == len(task["steps"]), here
                 assert sorted(one["order"]) == sorted(task["steps"]), here
-    assert tasks > 400
+    assert tasks > 20 * len(worked)
 
 
 @pytest.mark.slow
@@ -59,9 +62,9 @@ def test_what_is_wrong_is_refused(worked: Any) -> None:
                     assert done or how not in ("asked", "drawn"), here
                 else:
                     assert how, here
-    assert min(told[kind] for kind in ("times ten", "5 mm off", "other meeting")) > 150
-    assert told["other side"] > 30
-    assert told["instrument"] > 10_000
+    assert min(told[kind] for kind in ("times ten", "5 mm off", "other meeting")) > 50
+    assert told["other side"] > 20
+    assert told["instrument"] > 5_000
 
 
 @pytest.mark.slow
@@ -71,7 +74,7 @@ def test_the_readings_that_are_saved_are_judged_alike_by_a_check(
 ) -> None:
     scene = packed(name)
     assert scene is not None
-    seeds = 4 if name == "crank-rocker" else many(4, 2)  # its plans are small
+    seeds = 4 if name == "crank-rocker" else many(4, 1)  # its plans are small
     chance = random.Random(name)
     drawn = [(chance.randrange(len(scene.data["tasks"])), k) for k in range(1, seeds + 1)]
     asked = [{"words": practice_words(CHECKED[name]), "drawn": drawn}]
@@ -85,4 +88,4 @@ def test_the_readings_that_are_saved_are_judged_alike_by_a_check(
         due = {(plan, segment, at): verdict for plan, at, segment, verdict in answer["verdicts"]}
         assert found == due
         verdicts.update(found.values())
-    assert len(verdicts) == 3, verdicts
+    assert len(verdicts) >= (3 if seeds > 1 else 2), verdicts
