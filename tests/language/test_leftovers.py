@@ -7,20 +7,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from functools import cache
 from pathlib import Path
 
 import pytest
 from support.command import invoke
+from support.found_once import found_once as found_once
 from support.leftovers import english, leftovers, of_page, of_svg
-from support.once import ANEW
 from support.scenes import MECHANISM, calling
 
 from graphic_tmm.__main__ import main
 from graphic_tmm.captions import captions
 from graphic_tmm.checking import check as checking
 from graphic_tmm.readers.protocol import plans
-from graphic_tmm.scene import read as reading
 from graphic_tmm.scene.records import Scene
 
 BARE = 'title = "T"\nlanguage = "en"\n'
@@ -108,30 +106,21 @@ def without_plans(rows: str) -> str:
 
 
 @pytest.fixture
-def found_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A scene is read and its readings are judged once: every command tells of the same record and report."""
-    judge, translated = checking.check, Scene.spoken_in
-    scenes: dict[tuple[int, str], Scene] = {}
-    reports: dict[int, object] = {}
-
-    def spoken_in(scene: Scene, language: str) -> Scene:
-        key = id(scene), language
-        return scenes[key] if key in scenes else scenes.setdefault(key, translated(scene, language))
+def judged_once(found_once: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    """All forms of a report tell of the same: a scene, which is read once, has its readings judged once."""
+    judge, reports = checking.check, {}
 
     def check(scene: Scene, *told: object, **how: object) -> object:
         if id(scene) not in reports:
             reports[id(scene)] = judge(scene, *told, **how)  # type: ignore[arg-type]
         return reports[id(scene)]
 
-    read = cache(lambda path: ANEW(path))
-    monkeypatch.setattr(reading, "read", lambda path, **_: read(path))
-    monkeypatch.setattr(Scene, "spoken_in", spoken_in)
     monkeypatch.setattr(checking, "check", check)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SCENES)
-@pytest.mark.usefixtures("found_once")
+@pytest.mark.usefixtures("judged_once")
 def test_what_is_drawn_and_told_is_in_one_language(
     name: str, tmp_path: Path, many: Callable[[int, int], int]
 ) -> None:

@@ -9,6 +9,9 @@ from support.gallery import SHEETS
 from support.notes import looked_up, stands_for, worth_of_a_last_digit
 
 from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.fitting.composition import Composition
+from graphic_tmm.fitting.formats import formatted
+from graphic_tmm.fitting.scales import usual
 from graphic_tmm.note.document import Document, Heading, Number, Picture, Table, Text, numbers, walk
 from graphic_tmm.note.note import note, wanted
 from graphic_tmm.scene.read import read
@@ -42,7 +45,9 @@ def told(path: Path, scene: str) -> tuple[DrawnScene, Document]:
     file = path / "scene.toml"
     file.write_text(scene, encoding="utf-8")
     asked = read(file)
-    made = make(asked, wanted=wanted(asked))
+    # figures are true in any size
+    given = Composition(usual(formatted(asked)), ()) if "[cam]" in scene else None
+    made = make(asked, wanted=wanted(asked), given=given)
     return made, note(made)
 
 

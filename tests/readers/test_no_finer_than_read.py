@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from support.boards import in_usual_size
 from support.command import printed
+from support.found_once import found_once as found_once
 from support.readable import texts
 from support.scenes import slider_crank, written
 
@@ -54,6 +55,7 @@ def decimals(figure: str) -> int:
     return len(figure.replace(",", ".").partition(".")[2]) if "·10" not in figure else 99
 
 
+@pytest.mark.usefixtures("found_once")
 @pytest.mark.parametrize(("ruler", "most"), [('"0.1 mm"', 1), ('"0.5 mm"', 1), ('"exact"', 2)])
 def test_no_difference_is_finer_than_the_ruler(tmp_path: Path, ruler: str, most: int) -> None:
     file = written(tmp_path, PUMP.replace("{ruler}", ruler))

@@ -22,7 +22,6 @@ from graphic_tmm.language.catalogue import languages
 from graphic_tmm.readers.protocol import part_protocol, plans, protocol
 from graphic_tmm.readers.table import table
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make
 
 READABLE = 0.9e-9
 """The least share of its plan that a figure may have; the rest of 1e-9 is for the digits that are told."""
@@ -97,7 +96,7 @@ def test_no_figure_of_a_random_mechanism_is_rounding_alone(which: int, tmp_path:
     """The seventh is nearly locked in one position: there its plan of forces is a million times another."""
     file = tmp_path / "scene.toml"
     file.write_text(list(scenes(7, seed=5))[which], encoding="utf-8")
-    assert_readable(make(read(file), exact=True), most=3)
+    assert_readable(in_usual_size(read(file), exact=True), most=3)
 
 
 def assert_tells_what_there_is(drawn: Drawn, position: str, language: str) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from decimal import ROUND_HALF_UP, Decimal
 from itertools import groupby, pairwise
 from pathlib import Path
@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from support import gallery
+from support.boards import in_usual_size
 from support.columns import along
 from support.gallery import NAMES
 from support.sheets_of_random import scenes
@@ -24,7 +25,6 @@ from graphic_tmm.readers.result_table import result_table
 from graphic_tmm.readers.table import columns_of
 from graphic_tmm.readers.told import told
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make
 
 Row = list[str]
 PRINTED = ("velocities", "accelerations", "forces")
@@ -98,12 +98,14 @@ def test_the_tables_are_read() -> None:
     assert not follows(mm, value, Decimal("0.00252"))
 
 
-def test_mm_times_mu_is_the_quantity_on_random_mechanisms(tmp_path: Path) -> None:
+def test_mm_times_mu_is_the_quantity_on_random_mechanisms(
+    tmp_path: Path, many: Callable[[int, int], int]
+) -> None:
     rows = 0
-    for text in scenes(4, 41):
+    for text in scenes(many(4, 3), 41):
         file = tmp_path / "scene.toml"
         file.write_text(text.partition("[[sheet]]")[0], encoding="utf-8")
-        (drawn,) = make(read(file)).boards
+        (drawn,) = in_usual_size(read(file)).boards
         plans = groupby(columns_of(drawn), key=lambda column: column.plan)
         views = [
             result_table(plan, list(some), drawn.names, "en")

@@ -11,7 +11,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.boards import in_usual_size
 from support.command import invoke
+from support.found_once import found_once as found_once
 from support.scenes import MECHANISM, SECTIONS, written
 
 from graphic_tmm.drawn import DrawnScene
@@ -19,7 +21,6 @@ from graphic_tmm.language.catalogue import languages
 from graphic_tmm.readers.table import scene_columns, scene_results
 from graphic_tmm.scene.read import understood
 from graphic_tmm.scene.units import UNITS, plain
-from graphic_tmm.studio import make
 
 SCENE = """title = "Inches and pounds"
 language = "en"
@@ -68,7 +69,7 @@ OTHERS = {"J": 1.0, "W": 1.0, "ft·lbf/s": 1.3558179483314004, "mm": 1.0}
 
 
 def _made(text: str, units: str) -> DrawnScene:
-    return make(understood({**tomllib.loads(text), "units": units}, "scene"))
+    return in_usual_size(understood({**tomllib.loads(text), "units": units}, "scene"))
 
 
 def _si(unit: str) -> float:
@@ -126,6 +127,7 @@ def test_the_force_on_the_crank_follows_from_the_loop_in_pounds() -> None:
     assert reaction.value[0, 2] == pytest.approx(abs(f12), rel=1e-9)
 
 
+@pytest.mark.usefixtures("found_once")
 @pytest.mark.parametrize("language", languages())
 def test_no_unit_of_si_is_printed(language: str, tmp_path: Path) -> None:
     file = written(tmp_path, SCENE)
@@ -160,6 +162,7 @@ def test_json_names_the_units(tmp_path: Path) -> None:
     }
 
 
+@pytest.mark.usefixtures("found_once")
 @pytest.mark.parametrize("wrong", [1.0, 1.5])
 def test_values_are_checked_in_the_units_in_which_they_are_printed(
     wrong: float, tmp_path: Path

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from itertools import product
 from pathlib import Path
 
 import pytest
+from support.boards import in_usual_size
 from support.declared_keys import ALL
 from support.refusals import SCENE
 from support.scenes import slider_crank
@@ -247,7 +248,10 @@ SLIDER_DRIVES = slider_crank("speed = 1\n").replace(
     ],
     ids=["range", "standstill", "rod", "slider", "travels"],
 )
-def test_a_remedy_of_a_mechanism_draws_it(text: str, words: str, old: str, new: str) -> None:
+def test_a_remedy_of_a_mechanism_draws_it(
+    text: str, words: str, old: str, new: str, many: Callable[[int, int], int]
+) -> None:
+    """In its usual size; measured, in the sizes of its sheets."""
     with pytest.raises(TmmError) as refused:
         make(judged(text.encode(), FILE))
     found = re.search(words, str(refused.value))
@@ -255,4 +259,5 @@ def test_a_remedy_of_a_mechanism_draws_it(text: str, words: str, old: str, new: 
     mended = text.replace(old, new.format(found[found.re.groups]) if "{0}" in new else new, 1)
     if "rod =" in text:
         mended = mended.replace("rod =", 'centre = "S2"\nrod =')
-    make(judged(mended.encode(), FILE))
+    draw = make if many(1, 0) else in_usual_size
+    draw(judged(mended.encode(), FILE))
