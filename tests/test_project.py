@@ -198,7 +198,7 @@ def test_the_end_of_the_range_is_no_extreme_position() -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=most(40), deadline=None)
+@settings(max_examples=most(15), deadline=None)
 @given(drawn=mechanisms(dyads=(1, 2)), way=st.sampled_from(["left", "right", "top", "bottom"]))
 def test_a_drawn_mechanism_raises_nothing_but_errors_told_to_a_person(
     drawn: Sampled, way: str

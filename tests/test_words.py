@@ -12,13 +12,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from support.boards import drawn_of
-from support.gallery import NAMES, SHEETS, drawn
+from support.gallery import NAMES, SHEETS, drawn, scene
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import Finding
 from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.units import unit
+from graphic_tmm.project import record
 from graphic_tmm.readers.findings import finding
 from graphic_tmm.readers.narration import protocol
 from graphic_tmm.readers.protocol import synthesis
@@ -290,10 +291,9 @@ def test_a_fixed_number_keeps_its_decimals(value: float, places: int) -> None:
     assert not (back == 0 and text.startswith("−"))
 
 
-@pytest.mark.slow
 def test_every_unit_of_a_log_has_a_russian_name() -> None:
     for name in NAMES:
-        log = drawn(name).project.construction
+        log = record(scene(name)).construction
         for mark in (*log.given, *(step.it for step in log.steps)):
             assert unit(mark.unit, "en") == mark.unit
             assert not re.search("[a-z]", unit(mark.unit, "ru")), mark

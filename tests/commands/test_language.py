@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner, Result
+from support.found_once import found_once as found_once
 
 from graphic_tmm.__main__ import main
 
@@ -103,6 +104,7 @@ def test_what_is_printed_is_in_the_language_asked_for(
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("found_once")
 def test_steps_tell_the_scale_factors_of_the_sheets_in_that_language(tmp_path: Path) -> None:
     """Words are wider in one language than in another, so each has scale factors of its own."""
     for language, mark in (

@@ -7,11 +7,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from support.boards import in_usual_size
 from support.command import invoke
 from support.refusals import refused
 from support.sheets_of_random import scenes
 
-from graphic_tmm.files import call
 from graphic_tmm.handout.handout import handout, handout_files
 from graphic_tmm.readers.protocol import plans
 from graphic_tmm.scene.read import read
@@ -113,11 +113,9 @@ def test_a_format_belongs_to_sheets() -> None:
 
 @pytest.mark.slow
 def test_random_mechanisms_are_handed_out(tmp_path: Path, many: Callable[[int, int], int]) -> None:
-    for k, text in enumerate(scenes(many(6, 3))):
+    for k, text in enumerate(scenes(many(6, 2))):
         file = tmp_path / f"random-{k}.toml"
         file.write_text(text, encoding="utf-8")
-        with call():
-            made = make(read(file))
-        found = handout(made, plans(), None)
+        found = handout(in_usual_size(read(file)), plans(), None)
         assert len(found) > 2
         assert {sheet.format for sheet in found} == {"A4"}

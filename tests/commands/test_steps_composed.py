@@ -17,7 +17,7 @@ from graphic_tmm.fitting.search import Search
 def test_no_size_is_searched_where_a_composition_stands_beside(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    shutil.copy(SHEETS / "lever" / "scene.toml", tmp_path)
+    shutil.copy(SHEETS / "crank-rocker" / "scene.toml", tmp_path)
     shutil.copytree(tmp_path, tmp_path / "alone")
     runner = CliRunner()
     done = runner.invoke(main, ["draw", str(tmp_path), "-o", str(tmp_path), "--composition"])

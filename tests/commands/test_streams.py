@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner, Result
-from support.command import invoke, printed
+from support.command import column, invoke, printed, tabled
 from support.scenes import source
 
 from graphic_tmm.__main__ import main
@@ -43,11 +43,12 @@ def test_sheets_of_standard_input_have_a_name(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_readings_come_from_standard_input() -> None:
-    readings = "plan,position,segment,mm\ngear,1,N1N2,181.2\n"
-    done = fed(readings, "check", "gear-pair", "-", "-f", "json")
+    readings = "plan,position,segment,mm\nvelocities,1,pb,{}\n"
+    right = column(tabled("slider-diagrams"), "velocities", "pb")["mm"][1]
+    done = fed(readings.format(right), "check", "slider-diagrams", "-", "-f", "json")
     assert done.exit_code == 0, done.output
     assert [one["verdict"] for one in json.loads(done.stdout)["readings"]] == ["fine"]
-    wrong = fed(readings.replace("181.2", "161.2"), "check", "gear-pair", "-")
+    wrong = fed(readings.format(right + 20), "check", "slider-diagrams", "-")
     assert wrong.exit_code == 1
 
 

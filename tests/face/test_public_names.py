@@ -163,41 +163,6 @@ def test_an_instrument_is_told_by_the_sentence_of_its_operation(name, op) -> Non
 # types
 
 
-def mypy(script: Path, folder: Path) -> str:
-    """Return what mypy --strict says of a script of a user."""
-    done = subprocess.run(
-        [
-            sys.executable,
-            "-m",
-            "mypy",
-            "--strict",
-            "--config-file=",
-            "--cache-dir",
-            folder,
-            script,
-        ],
-        cwd=folder,
-        env={"PYTHONPATH": str(ROOT), "MYPYPATH": str(ROOT), "PATH": ""},
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    return done.stdout
-
-
-@pytest.mark.slow
-def test_a_users_script_is_typed_by_mypy_strict(tmp_path: Path) -> None:
-    told = mypy(SCRIPT, tmp_path)
-    mine = [line for line in told.splitlines() if "user_script.py" in line]
-    assert [line for line in mine if ": error:" in line] == [], told
-    shown = re.findall(r'user_script\.py:\d+: note: Revealed type is "(.+)"', told)
-    assert len(shown) == SCRIPT.read_text(encoding="utf-8").count("\nreveal_type(") + 1
-    bare = [one for one in shown if one == "Any" or one.startswith("Any ")]
-    assert bare == []
-    for due in ("records.Scene", "drawn.Drawn", "tables.Table", "quantity.Quantity", "Path"):
-        assert any(due in one for one in shown), due
-
-
 WRONG = """
 import graphic_tmm as tmm
 tmm.draw("crank-rocker", hand="studnt")
@@ -210,10 +175,27 @@ tmm.motion("crank-rocker", 0.0, plans="speeds")
 
 
 @pytest.mark.slow
-def test_mypy_finds_hands_ways_and_plans_that_do_not_exist(tmp_path: Path) -> None:
-    script = tmp_path / "wrong.py"
-    script.write_text(WRONG, encoding="utf-8")
-    told = mypy(script, tmp_path)
+def test_users_scripts_are_typed_by_mypy_strict(tmp_path: Path) -> None:
+    """A right one has no error and nothing untyped; hands, ways and plans that do not exist are found."""
+    wrong = tmp_path / "wrong.py"
+    wrong.write_text(WRONG, encoding="utf-8")
+    options = ("--strict", "--config-file=", "--cache-dir", tmp_path)
+    told = subprocess.run(
+        [sys.executable, "-m", "mypy", *options, SCRIPT, wrong],
+        cwd=tmp_path,
+        env={"PYTHONPATH": str(ROOT), "MYPYPATH": str(ROOT), "PATH": ""},
+        capture_output=True,
+        text=True,
+        check=False,
+    ).stdout
+    mine = [line for line in told.splitlines() if "user_script.py" in line]
+    assert [line for line in mine if ": error:" in line] == [], told
+    shown = re.findall(r'user_script\.py:\d+: note: Revealed type is "(.+)"', told)
+    assert len(shown) == SCRIPT.read_text(encoding="utf-8").count("\nreveal_type(") + 1
+    bare = [one for one in shown if one == "Any" or one.startswith("Any ")]
+    assert bare == []
+    for due in ("records.Scene", "drawn.Drawn", "tables.Table", "quantity.Quantity", "Path"):
+        assert any(due in one for one in shown), due
     found = {int(line) for line in re.findall(r"wrong\.py:(\d+): error: ", told)}
     assert found == set(range(3, 9)), told
 

@@ -23,7 +23,7 @@ from graphic_tmm.paper.shapes import box, shape
 
 SCENES = [name for name in ALL if name != "lettering"]
 CHEAP = [name for name in ("slider-diagrams",) if name in EVERYDAY]
-FEW = ("crank-rocker", "arc-cam", LARGEST)
+FEW = ("arc-cam", LARGEST)
 OTHER = {"slider-diagrams": "en", "crank-rocker": "ru"}
 """Scenes told in the language that is not their own, too."""
 CELL = 1e-6
@@ -119,7 +119,7 @@ def test_the_sheets_speak_either_language(name: str) -> None:
 @pytest.mark.slow
 @each("name", sorted(set(SCENES) - set(CHEAP)))
 def test_the_sheets_of_every_scene(name: str, many: Callable[[int, int], int]) -> None:
-    """A mechanism, a part, the largest; with ``--measured`` it is each of them."""
+    """A part and the largest, besides those told in either language; measured, each of them."""
     if many(1, 0) or name in FEW:
         judge(name)
 
