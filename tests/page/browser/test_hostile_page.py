@@ -22,9 +22,9 @@ HOSTILE = {
 }
 
 
-@pytest.mark.parametrize("what", HOSTILE)
-def test_text_of_a_scene_is_text_on_its_page(what: str, opened, tmp_path: Path) -> None:
-    text = HOSTILE[what]
+@pytest.mark.parametrize("some", [("a script", "quotes", "braces"), tuple(HOSTILE)[1::2]])
+def test_text_of_a_scene_is_text_on_its_page(some: tuple[str, ...], opened, tmp_path: Path) -> None:
+    text = " ".join(HOSTILE[what] for what in some)
     scene = worded(tmp_path, "A3", "en", title=text, name=text, designation=text, drawn_by=text)
     file = tmp_path / "page.html"
     file.write_text(page(*sheets(read(scene))), encoding="utf-8")

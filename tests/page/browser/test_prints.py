@@ -53,6 +53,14 @@ def printed(tab: Any) -> list[Printed]:
     return found
 
 
+def count(tab: Any) -> int:
+    """How many pages a PDF of all has."""
+    import pdfplumber
+
+    with pdfplumber.open(io.BytesIO(tab.page.pdf(prefer_css_page_size=True))) as pdf:
+        return len(pdf.pages)
+
+
 def named(colour: Any) -> str:
     """What a colour of a PDF is: grey or red, green, blue."""
     parts = {round(float(part), 3) for part in (colour if isinstance(colour, tuple) else (colour,))}
@@ -91,8 +99,7 @@ def asked_to_print(tab: Any, button: str) -> None:
     assert tab.page.evaluate("window.asked") == 1
 
 
-@pytest.mark.parametrize("name", ["crank-press", "crank-rocker"])
-@pytest.mark.parametrize("scripts", [True, False])
+@pytest.mark.parametrize(("name", "scripts"), [("crank-press", True), ("crank-rocker", False)])
 def test_all_sheets_are_printed_each_on_its_own_paper(name: str, scripts: bool, opened, files):
     tab = opened(files(name), java_script_enabled=scripts)
     if scripts:
@@ -123,7 +130,7 @@ def test_one_sheet_is_printed_on_its_own_paper_and_then_all_again(page_of):
     (page,) = printed(tab)
     assert_paper(page, sheets[number].width, sheets[number].height)
     assert off(page.points, corners(sheets[number])).max() < PLACED
-    assert len(printed(tab)) == len(sheets)
+    assert count(tab) == len(sheets)
 
 
 @pytest.mark.parametrize("name", ["crank-press", "crank-rocker"])
@@ -154,7 +161,7 @@ def test_tiles_carry_the_whole_sheet_at_true_size(name: str, page_of):
         assert check_line(page.points) == pytest.approx(100.0, abs=0.05)
         assert_marks(page, sheet, begin)
     assert (met > 0).all()
-    assert len(printed(tab)) == len(pages.on_sheets(name, "en")[1])
+    assert count(tab) == len(pages.on_sheets(name, "en")[1])
 
 
 def check_line(points: Any) -> float:
