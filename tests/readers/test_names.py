@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from support.boards import in_usual_size
 from support.each import each
 from support.examples import most
-from support.gallery import SHEETS, made
+from support.gallery import SHEETS, made, paper
 from support.loaded import order_of, solve, weighed
 from support.mechanisms import assemble
 from support.parts import PARTS, part_of
@@ -37,7 +37,6 @@ from graphic_tmm.readers.protocol import steps_of
 from graphic_tmm.readers.table import scene_columns, table
 from graphic_tmm.readers.text import column_name
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import sheets
 
 PACKAGED = sorted(
     p.name for p in SHEETS.iterdir() if (p / "scene.toml").exists() and p.name != "lettering"
@@ -189,8 +188,8 @@ def indexed(text: str) -> set[str]:
 def test_what_a_sheet_calls_a_quantity_the_protocol_or_the_table_calls_it_too(name: str) -> None:
     scene_of = read(SHEETS / name)
     language = scene_of.language
-    made, paper = sheets(scene_of)
-    texts = {label.text for sheet in paper for view in sheet.drawings for label in view.labels}
+    made, there = paper(name)
+    texts = {label.text for sheet in there for view in sheet.drawings for label in view.labels}
     shown = {n.rstrip(",") for text in texts for n in indexed(lettered(text))}  # "J_{r}, kg·m²"
     known = indexed("\n".join(scene(name, language).lines))
     known |= set().union(*(indexed(plain(column_name(c, language))) for c in scene_columns(made)))
@@ -359,10 +358,14 @@ def test_the_protocol_says_which_moment_varies_as_the_sheet_does() -> None:
     assert scene_of.tasks.get("flywheel") is not None
     for constant, what in (("driving", "сил сопротивления"), ("resisting", "движущих сил")):
         changed = scene_of.asking(flywheel=replace(scene_of.tasks["flywheel"], constant=constant))
-        made, paper = sheets(changed)
+        made = in_usual_size(changed)
         assert made.mechanism is not None
         title = f"Приведённый момент {what}"
         assert f"{title}, положение 2" in list(told(made.mechanism, ("flywheel",), "2", "ru"))
-        texts = {label.text for sheet in paper for view in sheet.drawings for label in view.labels}
+        places = (p for one in made.mechanism.project.chapters for p in one.places)
+        views = (
+            v for p in places if p.name in changed.called for v in p.draw(made.mechanism, True)
+        )
+        texts = {label.text for view in views for label in view.labels}
         assert title in texts
         assert not any("Приведённый момент" in text and what not in text for text in texts)

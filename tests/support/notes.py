@@ -17,6 +17,9 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.finer import Finer, finer
 from graphic_tmm.fitting.choice import SCALES, choices
+from graphic_tmm.fitting.composition import Composition
+from graphic_tmm.fitting.formats import formatted
+from graphic_tmm.fitting.scales import usual
 from graphic_tmm.note.document import Document, Number, Source
 from graphic_tmm.note.formats import files
 from graphic_tmm.note.note import note, wanted
@@ -30,8 +33,10 @@ from support.gallery import scene
 
 @cache
 def made(name: str) -> DrawnScene:
-    """A scene of the package, drawn as for its note."""
-    return make(scene(name), wanted=wanted(scene(name)))
+    """A scene of the package, drawn for its note; in its usual size, unless its pages are counted."""
+    task = scene(name)
+    given = None if name == "project" else Composition(usual(formatted(task)), ())
+    return make(task, wanted=wanted(task), given=given)
 
 
 @cache
