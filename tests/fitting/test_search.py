@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -63,8 +64,10 @@ def test_what_nothing_is_drawn_in_does_not_grow(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("format", ["A1", "A4"])
-def test_random_mechanisms_take_the_sheets_that_were_counted(format: str) -> None:
-    for scene in random_scenes(6, 43, format):
+def test_random_mechanisms_take_the_sheets_that_were_counted(
+    format: str, many: Callable[[int, int], int]
+) -> None:
+    for scene in random_scenes(many(6, 2), 43, format):
         search = Search(scene, [Mechanism(scene)])
         counted = search.written.count(search.sizes())
         assert len(sheets(scene)[1]) <= counted

@@ -25,7 +25,7 @@ from graphic_tmm.studio import make
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from support.one_letter import scene
+from support.one_letter import GROUPS, scene
 
 TEMPLATE = "t.csv"
 DRAW = ("draw", SCENE, "-o", OUT, "-f", "svg,dxf", "--composition")
@@ -59,10 +59,15 @@ class Told(NamedTuple):
     fault: str
 
 
-def told(text: str, folder: Path, number: int) -> Iterator[Told]:
+def lines_of(number: int) -> tuple[tuple[str, ...], ...]:
+    """Return what is run of a mechanism: in time every command on every kind of groups."""
+    return (DRAW, *IN_TURN[(number + number // len(GROUPS)) % len(IN_TURN)])
+
+
+def told(text: str, folder: Path, lines: tuple[tuple[str, ...], ...]) -> Iterator[Told]:
     """Run commands on a scene, in a folder in which each leaves what those behind it use."""
     out, readings = folder / "out", b""
-    for line in (DRAW, *IN_TURN[number % len(IN_TURN)]):
+    for line in lines:
         shutil.rmtree(out, ignore_errors=True)
         given = VARIANTS.encode() if line[0] == "batch" else readings
         status, seconds, fault = run(Task("", "", text, given, line=line), folder)
@@ -111,7 +116,7 @@ def case(number: int, seed: int = 0) -> Case:
     """Run every command on one mechanism; the first fault of them, the largest status, all seconds."""
     folder = Path(tempfile.mkdtemp())
     try:
-        found = list(told(scene(number, seed), folder, number))
+        found = list(told(scene(number, seed), folder, lines_of(number)))
     finally:
         shutil.rmtree(folder)
     faults = [f"{' '.join(one.line)}: {one.fault}" for one in found if one.fault]

@@ -27,7 +27,7 @@ def apart(a: tuple, b: tuple) -> bool:
     return a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
 
 
-@settings(max_examples=most(80), deadline=None)
+@settings(max_examples=most(25), deadline=None)
 @given(st.lists(sizes, min_size=1, max_size=25), st.booleans())
 def test_views_never_overlap_or_leave_their_room(rows: list, first: bool) -> None:
     views = [view("positions", 200, 230)] * first + [view(*row) for row in rows]

@@ -62,7 +62,7 @@ def test_the_instant_centre_tells_the_derivative(kind: str, flank: str) -> None:
     """Against the difference of two places a little apart; not where the follower goes from arc to arc."""
     order = random_order(random.Random(f"{kind} {flank} rate"), kind, flank)
     made, _, reading = drawn(order)
-    rocks, lines = kind in ("against", "along"), contour(order, 20_000)
+    rocks, lines = kind in ("against", "along"), contour(order, 5_000)
     found = np.broadcast_to(reading[made.follower.rate], (1, len(made.angles)))[0]
     begin, step = made.lie.changes[0], 1.0
     changes = [angle - begin for angle in made.lie.changes]

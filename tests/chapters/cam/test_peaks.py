@@ -7,8 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.boards import usual_part
 
-import graphic_tmm
+from graphic_tmm.readers.table import results_of
+from graphic_tmm.scene.read import read
 
 U = np.linspace(0.0, 1.0, 400_001)
 """At a smooth peak the nearest of these is off by less than 2e-11 of it."""
@@ -66,10 +68,10 @@ def test_peaks_are_those_of_the_law(tmp_path: Path, law: str, follower: str) -> 
         f'upper_dwell = 20\nfall = 95\nlaw = {law}\nfollower = "{follower}"\n{sizes}'
         f"{points if 'diagram' in law else ''}"
     )
-    found = graphic_tmm.draw(path).results
+    found = results_of(usual_part("cam", read(path)))
     own: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]] = LAWS[law]
     speed, second = (float(np.abs(one).max()) for one in own(U))
     high = np.radians(20.0) if rocks else STROKE
     for name, extent in (("rise", RISE), ("return", FALL)):
-        assert found[f"dS_max_{name}"].value == pytest.approx(high * speed / extent, rel=1e-9)
-        assert found[f"ddS_max_{name}"].value == pytest.approx(high * second / extent**2, rel=1e-9)
+        assert found[f"dS_max_{name}"][0] == pytest.approx(high * speed / extent, rel=1e-9)
+        assert found[f"ddS_max_{name}"][0] == pytest.approx(high * second / extent**2, rel=1e-9)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 
@@ -40,9 +41,8 @@ def rubbing(drawn: Sampled, f: float, passes: int) -> Friction:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(4))
-def test_friction_settles_at_the_judges_equilibrium(seed: int) -> None:
-    for k, drawn in enumerate(sample(50, seed=2000 + seed, dyads=(1, 2))):
+def test_friction_settles_at_the_judges_equilibrium(many: Callable[[int, int], int]) -> None:
+    for k, drawn in enumerate(sample(many(200, 40), seed=2000, dyads=(1, 2))):
         one = weighed(drawn, k)
         order = order_of(one, gravity=True, inertia=True, friction=rubbing(drawn, 0.1, 20))
         solved = solve(one, drawn.phi, drawn.poses, order, turned=bool(k % 2))
@@ -51,9 +51,11 @@ def test_friction_settles_at_the_judges_equilibrium(seed: int) -> None:
 
 
 @pytest.mark.slow
-def test_after_two_passes_the_rest_is_within_what_is_reported() -> None:
-    told = 0
-    for k, drawn in enumerate(sample(150, seed=77, dyads=(1, 2))):
+def test_after_two_passes_the_rest_is_within_what_is_reported(
+    many: Callable[[int, int], int],
+) -> None:
+    told, count = 0, many(150, 40)
+    for k, drawn in enumerate(sample(count, seed=77, dyads=(1, 2))):
         one = weighed(drawn, k)
         order = order_of(one, gravity=True, inertia=True, friction=rubbing(drawn, 0.08, 2))
         solved = solve(one, drawn.phi, drawn.poses, order)
@@ -65,7 +67,7 @@ def test_after_two_passes_the_rest_is_within_what_is_reported() -> None:
         told += 1
         noise = 1e-11 * max(abs(f) for f in solved.judge.reactions.values())
         assert abs(found - solved.judge.balance) <= 1.5 * rest + noise, (k, drawn.kinds)
-    assert told > 140
+    assert told > 0.93 * count
 
 
 def test_no_friction_equals_none() -> None:
@@ -80,8 +82,8 @@ def test_no_friction_equals_none() -> None:
 
 
 @pytest.mark.slow
-def test_friction_opposes_and_costs_power() -> None:
-    for k, drawn in enumerate(sample(60, seed=9, dyads=(1, 2))):
+def test_friction_opposes_and_costs_power(many: Callable[[int, int], int]) -> None:
+    for k, drawn in enumerate(sample(many(60, 20), seed=9, dyads=(1, 2))):
         one = weighed(drawn, k)
         plain = solve(one, drawn.phi, drawn.poses, order_of(one, gravity=True))
         rough = order_of(one, gravity=True, friction=rubbing(drawn, 0.05, 12))
@@ -95,10 +97,12 @@ def test_friction_opposes_and_costs_power() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("f", [0.05, 0.3, 0.8, 1.2, 2.0])
-def test_near_self_locking_the_answer_is_the_judges_or_none(f: float) -> None:
+def test_near_self_locking_the_answer_is_the_judges_or_none(
+    f: float, many: Callable[[int, int], int]
+) -> None:
     """Where the judge finds no equilibrium the plan has none either; where both find one it is the same."""
     refused = 0
-    for k, drawn in enumerate(sample(40, seed=4, dyads=(1, 1), kinds=["RRP", "RPR"])):
+    for k, drawn in enumerate(sample(many(40, 12), seed=4, dyads=(1, 1), kinds=["RRP", "RPR"])):
         one = weighed(drawn, k)
         guides = {s.guide.name: f for link in drawn.mechanism.links for s in link.slides}
         order = order_of(one, gravity=True, friction=Friction(guides, {}, 6))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 
 import numpy as np
@@ -166,7 +167,7 @@ def test_flank_and_fillet_are_what_a_rack_cuts(order: GearTask, k: int) -> None:
 def test_turned_through_a_pitch_flanks_touch_and_never_overlap(order: GearTask) -> None:
     of = drawn(order)
     assert of.failed() <= {("tip thickness", 1), ("tip thickness", 2)}
-    assert worst(of, 25) < TOUCH
+    assert worst(of, 11) < TOUCH
 
 
 def worst(of: Pair, count: int) -> float:
@@ -183,10 +184,10 @@ def worst(of: Pair, count: int) -> float:
 
 
 @pytest.mark.slow
-def test_any_pair_is_right_or_its_fault_has_a_name() -> None:
+def test_any_pair_is_right_or_its_fault_has_a_name(many: Callable[[int, int], int]) -> None:
     rng = np.random.default_rng(6)
     told, right = set(), 0
-    for _ in range(60):
+    for _ in range(count := many(60, 20)):
         z1, z2 = (int(v) for v in np.exp(rng.uniform(np.log(6), np.log(200), 2)).round())
         x1, x2 = rng.uniform(-0.5, 1.2, 2).round(3)
         try:
@@ -200,7 +201,7 @@ def test_any_pair_is_right_or_its_fault_has_a_name() -> None:
             right += 1
             assert worst(of, 5) < TOUCH, (z1, z2, x1, x2)
             assert not [f for f in examine(of.log, of.given, [s.it for s in of.log.steps])]
-    assert right > 25
+    assert right > 0.4 * count
     assert {"undercut", "interference", "pointed tooth", "contact ratio"} <= told
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -154,8 +155,10 @@ def _taken(text: str, folder: Path) -> list[float]:
 
 
 @pytest.mark.slow
-def test_random_mechanisms_choose_formats_that_they_fill(tmp_path: Path) -> None:
-    shares = [share for text in scenes(5) for share in _taken(text, tmp_path)]
+def test_random_mechanisms_choose_formats_that_they_fill(
+    tmp_path: Path, many: Callable[[int, int], int]
+) -> None:
+    shares = [share for text in scenes(many(60, 2)) for share in _taken(text, tmp_path)]
     assert sum(shares) / len(shares) >= 0.45
 
 
