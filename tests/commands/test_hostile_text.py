@@ -68,12 +68,10 @@ def refused(folder: Path, path: Path, *words: str) -> str:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("language", ["ru", "en"])
 @pytest.mark.parametrize("what", SEEN)
-def test_a_page_holds_text_and_ink_and_nothing_that_acts(
-    what: str, language: str, tmp_path: Path
-) -> None:
-    text = SEEN[what]
+def test_a_page_holds_text_and_ink_and_nothing_that_acts(what: str, tmp_path: Path) -> None:
+    """In one language each, by turns."""
+    text, language = SEEN[what], ("ru", "en")[list(SEEN).index(what) % 2]
     texts = dict.fromkeys(("title", "name", *BLOCK), text)
     out = draw(tmp_path, worded(tmp_path, "A1", language, **texts))["svg"].decode("utf-8")
     assert not re.search(r"<[!?]", out)
