@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 from support.gallery import SHEETS, exact
 from support.trials import blamed, readings
+from support.verdicts import verdicts
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells, cells_and_points, points
@@ -74,10 +75,8 @@ def test_what_follows_from_a_slip_is_not_punished() -> None:
         Taken("accelerations", "2", "an2", mm=abs(an2) * (found / abs(ab)) ** 2, line=4),
     ]
     report = check(read(SHEETS / name), rows, trials=80)
-    verdicts = {one.taken.segment: one.verdict for one in report.readings}
-    assert verdicts["ab"] == WRONG
-    assert verdicts["pb"] == FINE
-    assert verdicts["an2"] == FINE
+    told = {one.taken.segment: one.verdict for one in report.readings}
+    assert told == {"ab": WRONG, "pb": FINE, "an2": FINE}
 
 
 def test_by_a_hand_that_hardly_slips_a_deviation_of_a_thousandth_is_wrong() -> None:
@@ -85,10 +84,12 @@ def test_by_a_hand_that_hardly_slips_a_deviation_of_a_thousandth_is_wrong() -> N
     due = cells(exact("engine"))["velocities", "pb", "2"].mm
     assert due is not None
     scene = replace(read(SHEETS / "engine"), ruler=0.001)
-    for off, verdict in ((0.05, WRONG), (0.004, FINE)):
-        rows = [Taken("velocities", "2", "pb", mm=round(abs(due) + off, 3), line=2)]
-        (one,) = check(scene, rows, hand="cad", trials=40).readings
-        assert one.verdict == verdict
+    rows = [
+        (f"{off}", (Taken("velocities", "2", "pb", mm=round(abs(due) + off, 3), line=2),))
+        for off in (0.05, 0.004)
+    ]
+    told = verdicts(scene, rows, hand="cad", trials=40)
+    assert [one.verdict for report in told for one in report.readings] == [WRONG, FINE]
 
 
 class Carrying:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections import Counter
+from functools import cache
 
 import pytest
 from support import gallery
@@ -23,8 +24,9 @@ PLANS = ("positions", "velocities", "accelerations", "diagrams", "flywheel", "fo
 POSITIONS = (*map(str, range(12)), "7*", "105°", "")
 
 
+@cache
 def segments(name):
-    made = gallery.made(name)
+    made = gallery.usual(name)
     return segments_of((*scene_columns(made), *result_columns(scene_results(made))))
 
 
