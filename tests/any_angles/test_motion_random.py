@@ -68,7 +68,7 @@ def test_enough_mechanisms_are_compared() -> None:
 @pytest.mark.parametrize("seed", range(3))
 def test_forces_are_those_of_newton_and_euler(seed: int) -> None:
     pick, compared = random.Random(seed), 0
-    for k, drawn in enumerate(sample(12, seed=300 + seed, dyads=(1, 2))):
+    for k, drawn in enumerate(sample(6, seed=300 + seed, dyads=(1, 2))):
         loaded = weighed(drawn, k)
         balance = pick.choice(("force", "moment"))
         order = order_of(loaded, gravity=True, inertia=True, balance=balance)
@@ -101,4 +101,4 @@ def test_forces_are_those_of_newton_and_euler(seed: int) -> None:
             one = found.balance[f"{sign}_bal_{way}"]
             assert abs(one[0] - judge.balance) <= 1e-8 * largest * arm, (way, k)
         compared += 1
-    assert compared >= 6
+    assert compared >= 3

@@ -46,7 +46,7 @@ def figure(drawn: Drawn, mark: Mark) -> float:
 
 
 @pytest.mark.slow
-@each("name", ALL)
+@pytest.mark.parametrize("name", ALL)
 def test_every_scale_factor_of_a_sheet_has_its_step_and_its_number(name: str) -> None:
     for drawn in boards(name):
         found, log = choices(drawn), drawn.construction
@@ -74,7 +74,7 @@ def test_every_scale_factor_of_a_part_has_its_number(what: str, tmp_path: Path) 
 
 
 @pytest.mark.slow
-@each("name", ALL)
+@pytest.mark.parametrize("name", ALL)
 def test_the_choice_is_told_in_both_languages_and_costs_work(name: str) -> None:
     for drawn in boards(name):
         found = choices(drawn)
@@ -88,7 +88,7 @@ def test_the_choice_is_told_in_both_languages_and_costs_work(name: str) -> None:
 
 
 @pytest.mark.slow
-@each("name", ALL)
+@pytest.mark.parametrize("name", ALL)
 def test_a_standard_scale_is_the_next_one_and_what_it_was_chosen_by_is_round(name: str) -> None:
     for drawn in boards(name):
         found = choices(drawn)
@@ -197,7 +197,7 @@ def steps_of_scales(drawn: Drawn) -> set[tuple[str, str]]:
 
 
 @pytest.mark.slow
-@each("name", ALL)
+@pytest.mark.parametrize("name", ALL)
 def test_every_scale_factor_on_a_sheet_is_what_a_step_came_to(name: str) -> None:
     """Whatever is written below a view, by whichever reader: no μ comes out of a view itself."""
     for drawn in boards(name):

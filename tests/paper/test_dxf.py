@@ -147,7 +147,7 @@ def test_the_same_bytes_whatever_the_hash_seed_and_the_clock() -> None:
             stdout=subprocess.PIPE,
             text=True,
         )
-        for seed in range(1, 6)
+        for seed in range(1, 4)
     ]
     said = {run.communicate()[0].strip() for run in runs}
     assert len(said) == 1
@@ -164,11 +164,11 @@ def test_a_scene_gives_the_same_bytes_whatever_the_hash_seed(tmp_path) -> None:
             env={**os.environ, "PYTHONHASHSEED": seed},
             stdout=subprocess.DEVNULL,
         )
-        for seed in "12345"
+        for seed in "123"
     ]
     assert not any(run.wait() for run in runs)
     found = {
-        tuple(path.read_bytes() for path in sorted((tmp_path / seed).iterdir())) for seed in "12345"
+        tuple(path.read_bytes() for path in sorted((tmp_path / seed).iterdir())) for seed in "123"
     }
     assert [len(files) for files in found] == [len(paper("crank-rocker")[1])]
 

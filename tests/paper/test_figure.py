@@ -6,7 +6,6 @@ from collections import Counter
 from itertools import pairwise
 
 import pytest
-from support.each import each
 from support.figures import assert_pictures_make_the_view, without_ink, without_source
 from support.gallery import PLANS, drawn
 
@@ -43,7 +42,7 @@ def test_every_operation_leaves_ink_or_none_by_name() -> None:
 
 
 @pytest.mark.slow
-@each("name, which", PLANS)
+@pytest.mark.parametrize(("name", "which"), PLANS)
 def test_steps_of_a_plan_are_its_ink(name: str, which: str) -> None:
     work = drawn(name, exact=True)
     views = [plan(work, which, k) for k in range(len(work.row(which)))]

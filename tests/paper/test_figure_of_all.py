@@ -11,7 +11,6 @@ from importlib import import_module
 from pkgutil import walk_packages
 
 import pytest
-from support.each import each
 from support.figures import slots_shown
 from support.gallery import ALL, exact
 
@@ -89,14 +88,8 @@ def assert_all_inked(name: str) -> None:
         assert without_trace(work, list(drawings(work))) == set()
 
 
-@pytest.mark.parametrize("name", EVERYDAY)
+@pytest.mark.parametrize("name", ALL)
 def test_every_step_of_a_scene_is_inked_by_some_view(name: str) -> None:
-    assert_all_inked(name)
-
-
-@pytest.mark.slow
-@each("name", sorted(set(ALL) - set(EVERYDAY)))
-def test_every_step_of_every_scene_is_inked_by_some_view(name: str) -> None:
     assert_all_inked(name)
 
 

@@ -50,7 +50,7 @@ def is_there(work: Drawn, mark: Mark, place: int) -> bool:
 
 
 @pytest.mark.slow
-@each("name", LOADED)
+@pytest.mark.parametrize("name", LOADED)
 def test_steps_of_the_forces_of_a_scene_are_their_ink(name: str) -> None:
     work = drawn(name, exact=True)
     for place in FORCES.on(work).places[:2]:

@@ -65,7 +65,7 @@ def test_vectors_of_the_engine_are_those_of_its_plans() -> None:
 
 
 @pytest.mark.slow
-@each("name, which", PLANS)
+@pytest.mark.parametrize(("name", "which"), PLANS)
 def test_a_vector_runs_between_its_points_as_long_as_its_segment(name: str, which: str) -> None:
     work = drawn(name, exact=True)
     reading = work.of("accelerations") if which == "accelerations" else work.reading
@@ -224,7 +224,7 @@ def test_plans_from_a_common_pole_are_those_of_the_single_positions() -> None:
     assert pens <= {"medium", "thin"}
 
 
-@each("name, plan_", PLANS)
+@pytest.mark.parametrize(("name", "plan_"), PLANS)
 def test_points_in_one_place_share_a_label_by_the_alphabet(name: str, plan_: str) -> None:
     """The pole first, then images by the alphabet, then the ends of normal and Coriolis components."""
     names = drawn(name, exact=True).row(plan_)
@@ -277,7 +277,7 @@ def test_images_found_by_similarity_stand_on_their_lines() -> None:
     assert not [s for s in velocity.strokes if s.pen == "thin" and not s.part and set(s.of) & alike]
 
 
-@each("name, which", PLANS)
+@pytest.mark.parametrize(("name", "which"), PLANS)
 def test_a_table_calls_a_segment_by_letters_of_the_plan(name: str, which: str) -> None:
     work = drawn(name, exact=True)
     points = {m.name for m in work.project.marks(which) if m.kind.__name__ == "Point"} | {"p", "π"}

@@ -17,7 +17,7 @@ def _within(drawn: Sampled, turned: bool) -> None:
 
 
 def test_accelerations_of_stones_on_guides_that_turn() -> None:
-    """Every day too: nothing else there sees a wrong Coriolis term in chains of groups."""
+    """In chains of groups, every day: a wrong Coriolis term is seen here."""
     for turned in (False, True):
         for drawn in sample(12, seed=1000 + turned, dyads=(1, 3), kinds=["RPR", "PRP", "RPP"]):
             _within(drawn, turned)
