@@ -32,8 +32,8 @@ SCENES = {
     "train and arcs": (BARE, ("planetary", ARCS)),
 }
 LANGUAGES = ("en", "ru")
-BOTH = ("forces", "train and arcs")
-"""Scenes asked for in English too; of the others a text that was not translated would show in Russian alone."""
+BOTH = "train and arcs"
+"""The scene that is asked for in English too: that code holds no Russian text is proven in `test_catalogue`."""
 TEX = re.compile(r"\$[^$]*\$")
 CHOICES = re.compile(r"\[[^\]]*\]")
 """What options may be, and are: words that are typed."""
@@ -124,7 +124,7 @@ def judged_once(found_once: None, monkeypatch: pytest.MonkeyPatch) -> None:
 def test_what_is_drawn_and_told_is_in_one_language(
     name: str, tmp_path: Path, many: Callable[[int, int], int]
 ) -> None:
-    for language in LANGUAGES if name in BOTH or many(1, 0) else ("ru",):
+    for language in LANGUAGES if name == BOTH or many(1, 0) else ("ru",):
         folder = tmp_path / language
         folder.mkdir()
         file, own = written(name, language, folder)
