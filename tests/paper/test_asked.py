@@ -106,11 +106,9 @@ def measurable(made: DrawnScene, format: str) -> None:
         marks = [s.it for s in log.steps if s.it.view == "positions" and s.it.kind is Point]
         spots = np.concatenate([work.reading[mark][0] for mark in marks])
         # the circle of the crank pin may reach farther than the pin in few positions
-        crank = KINEMATICS.on(work).positions.bodies[KINEMATICS.on(work).structure.driver].marks
-        pin, pivot = (
-            crank[KINEMATICS.on(work).structure.pin],
-            crank[KINEMATICS.on(work).structure.pivot],
-        )
+        structure = KINEMATICS.on(work).structure
+        crank = KINEMATICS.on(work).positions.bodies[structure.driver].marks
+        pin, pivot = crank[structure.pin], crank[structure.pivot]
         arm = abs(work.reading[pin][0][0] - work.reading[pivot][0][0])
         reach = max(np.ptp(spots.real), np.ptp(spots.imag)) + 2 * arm
         assert reach >= LEAST[format]
@@ -127,25 +125,6 @@ def orders(kind: str, place: str, format: str) -> list[tuple[str, tuple[str, ...
     return [(format, (*asked.WITH.get(place, ()), place))]
 
 
-MATRIX = [
-    (kind, place, format, count)
-    for kind in asked.MECHANISMS
-    for place in asked.PLACES
-    for format in FORMATS
-    for count in ROWS
-    if asked.can(kind, place, count)
-]
-# a few of them every day, all of them where time is given
-DAILY = random.Random(12).sample([one for one in MATRIX if one[3] <= 6], 3)
-
-
-@pytest.mark.parametrize(("kind", "place", "format", "count"), DAILY)
-def test_what_is_asked_for_is_drawn(
-    kind: str, place: str, format: str, count: int, tmp_path: Path
-) -> None:
-    held(asked.mechanism(kind, count, orders(kind, place, format)), format, tmp_path)
-
-
 Way = tuple[str, int, bool, str]
 """A mechanism, positions, whether there are extra ones, a format."""
 
@@ -154,6 +133,20 @@ def every(place: str) -> list[Way]:
     """Every way to ask for a place."""
     ways = product(asked.MECHANISMS, ROWS, (False, True), FORMATS)
     return [way for way in ways if asked.can(way[0], place, way[1])]
+
+
+def ask(place: str, way: Way, folder: Path) -> None:
+    kind, count, extra, format = way
+    ordered, language = orders(kind, place, format), ("ru", "en")[extra]
+    held(asked.mechanism(kind, count, ordered, extra=extra, language=language), format, folder)
+
+
+SMALL = [(place, way) for place in asked.PLACES for way in every(place) if way[1] <= 6]
+
+
+@pytest.mark.parametrize(("place", "way"), random.Random(12).sample(SMALL, 3))
+def test_what_is_asked_for_is_drawn(place: str, way: Way, tmp_path: Path) -> None:
+    ask(place, way, tmp_path)
 
 
 def by_turns(k: int) -> list[Way]:
@@ -167,9 +160,7 @@ def by_turns(k: int) -> list[Way]:
     return found
 
 
-def test_by_turns_every_place_meets_every_mechanism_and_format_and_every_row_both_mechanisms() -> (
-    None
-):
+def test_by_turns_every_place_meets_all_mechanisms_and_formats_and_they_all_rows() -> None:
     met = {place: by_turns(k) for k, place in enumerate(asked.PLACES)}
     for place, ways in met.items():
         assert set(ways) <= set(every(place))
@@ -186,12 +177,8 @@ def test_everything_that_can_be_asked_for_is_drawn(
     place: str, tmp_path: Path, many: Callable[[int, int], int]
 ) -> None:
     """Each place in two ways by turns; in all when measured."""
-    ways = every(place) if many(1, 0) else by_turns(asked.PLACES.index(place))
-    for kind, count, extra, format in ways:
-        text = asked.mechanism(
-            kind, count, orders(kind, place, format), extra=extra, language=("ru", "en")[extra]
-        )
-        held(text, format, tmp_path)
+    for way in every(place) if many(1, 0) else by_turns(asked.PLACES.index(place)):
+        ask(place, way, tmp_path)
 
 
 @pytest.mark.parametrize(
