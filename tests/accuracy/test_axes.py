@@ -20,6 +20,7 @@ EACH = [
 ]
 
 
+@pytest.mark.every
 @pytest.mark.parametrize(("name", "divided", "own"), EACH)
 def test_effects_that_a_scene_does_not_call_for_have_no_axis(
     name: str, divided: set[str], own: set[str]

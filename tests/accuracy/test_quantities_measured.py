@@ -16,6 +16,7 @@ from graphic_tmm.finer import at_count
 from graphic_tmm.readers.table import scene_columns, scene_results
 
 
+@pytest.mark.every
 @pytest.mark.parametrize(
     ("name", "found"),
     [

@@ -100,7 +100,7 @@ COMMANDS = (("draw",), ("table",), ("table", "--exact"), ("steps",), ("check",))
 @pytest.mark.parametrize(
     ("name", "command"),
     [
-        ("scotch-yoke", ("draw",)),
+        ("oscillating-cylinder", ("draw",)),
         ("crank-rocker", ("table", "--exact")),
         *(
             pytest.param(name, command, marks=pytest.mark.slow)

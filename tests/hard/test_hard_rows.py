@@ -96,6 +96,7 @@ def _varied(made: Drawn, lengths: np.ndarray) -> dict[Any, Any]:
     return dict(made.given) | {_rod(made)[0]: lengths[:, None]}
 
 
+@pytest.mark.every
 @pytest.mark.parametrize("name", ["slider-diagrams", "offset-slider"])
 def test_a_trial_that_fails_leaves_the_others_what_they_were(name: str) -> None:
     made = drawn_of(read(SHEETS / name), exact=True)

@@ -141,6 +141,7 @@ REFUSED = (
 )
 
 
+@pytest.mark.every
 @pytest.mark.parametrize(("key", "wrong", "remedy"), REFUSED)
 def test_what_cannot_be_is_refused_with_its_key(key: str, wrong: dict, remedy: str) -> None:  # type: ignore[type-arg]
     lie(BASE)

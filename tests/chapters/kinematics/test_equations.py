@@ -121,6 +121,7 @@ def test_a_segment_stands_for_its_quantity(letter: str, due: str) -> None:
     assert quantity(Mark(0, letter, Length, "velocities"), {}) == due
 
 
+@pytest.mark.every
 @pytest.mark.parametrize(
     ("name", "due"),
     [

@@ -114,6 +114,7 @@ def test_a_rocker_is_extreme_where_crank_and_coupler_are_in_line(
     }
 
 
+@pytest.mark.every
 @pytest.mark.parametrize("speed", [1.0, -1.0])
 @pytest.mark.parametrize(
     ("name", "r", "other"), [("windrower", None, "7*"), ("windrower-published", 0.1176, "6*")]
