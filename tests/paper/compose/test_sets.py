@@ -158,7 +158,7 @@ def _taken(text: str, folder: Path) -> list[float]:
 def test_random_mechanisms_choose_formats_that_they_fill(
     tmp_path: Path, many: Callable[[int, int], int]
 ) -> None:
-    shares = [share for text in scenes(many(60, 2)) for share in _taken(text, tmp_path)]
+    shares = [share for text in scenes(many(5, 2)) for share in _taken(text, tmp_path)]
     assert sum(shares) / len(shares) >= 0.45
 
 
