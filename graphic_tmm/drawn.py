@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -16,29 +16,18 @@ from graphic_tmm.board.hand import HANDS, Hand
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.board.values import Angle, Length, Reals
-from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.language.numbers import percent_decimals
 from graphic_tmm.project import Project
+from graphic_tmm.scene.chapter import MECHANISM, Answer
 from graphic_tmm.scene.records import Scene
 
 if TYPE_CHECKING:
-    from graphic_tmm.paper.drawing import Drawing
+    pass
 
 Results = Mapping[str, tuple[Reals, str]]
 """Results by name: figures, (trial,), NaN where there is none, and their unit."""
 MEASURED: Mapping[Any, str] = {Angle: "°", Length: "mm"}
 """The units of what is measured on the sheet."""
-
-
-@dataclass(frozen=True)
-class Pieces:
-    """What draws the views of a place piece by piece, in order: each piece may depend on other sizes."""
-
-    each: tuple[Callable[[Drawn, bool], list[Drawing]], ...]
-
-    def __call__(self, drawn: Drawn, lettered: bool) -> list[Drawing]:
-        """Return the views of all pieces."""
-        return [view for draw in self.each for view in draw(drawn, lettered)]
 
 
 class Numbers(NamedTuple):
@@ -163,7 +152,9 @@ class Drawn:
         log, drawn = self.construction, self.numbers.drawn
         marks = [step.it for step in log.steps if not step.op.across and step.it in drawn]
         found = examine(log, self.given, marks, doubts=self.reading.doubts, drawn=drawn)
-        own = [one for chapter in self.project.chapters for one in chapter.findings(self)]
+        own = [
+            one for chapter in self.project.chapters for one in Findings.of(chapter).findings(self)
+        ]
         return (*self._asked_for(found), *own)
 
     def _asked_for(self, found: tuple[Finding, ...]) -> Iterator[Finding]:
@@ -174,9 +165,28 @@ class Drawn:
             if one.step.it.view in told:
                 places &= told[one.step.it.view]
                 for chapter in self.project.chapters:
-                    left = chapter.compared(self, left, places)
+                    left = Findings.of(chapter).compared(self, left, places)
             if places and (left.marks or left.kind != "lost"):
                 yield left._replace(positions=tuple(sorted(places)))
+
+
+@dataclass(frozen=True)
+class Findings(Answer):
+    """What a chapter knows of what goes wrong.
+
+    ``undrawn``: the positions that cannot be drawn. ``nothing``: by slot, where a figure has no meaning;
+    ``coarse``: by slot, what leaves fewer digits of it. ``compared``: a finding, its positions -> what is told
+    of it; ``findings``: findings of its own.
+    """
+
+    stands: ClassVar[str] = "findings.FINDINGS"
+    undrawn: Callable[[Project, Reading], tuple[int, ...]] = lambda project, reading: ()
+    nothing: Callable[[Project, Doubts], Mapping[int, np.ndarray]] = lambda project, doubts: {}
+    coarse: Callable[[Project, Mapping[Mark, object], Hand], Mapping[int, Doubts]] = (
+        lambda project, given, hand: {}
+    )
+    compared: Callable[[Drawn, Finding, set[int]], Finding] = lambda drawn, finding, places: finding
+    findings: Callable[[Drawn], Iterable[Finding]] = lambda drawn: ()
 
 
 class DrawnScene(NamedTuple):
@@ -230,11 +240,11 @@ def read(project: Project, given: Mapping[Mark, object], hand: Hand, doubts: Dou
     exact = hand.ruler is None and not hand.slips and hand.digits is None
     coarse: dict[int, Doubts] = {}
     for chapter in () if exact else project.chapters:
-        coarse |= chapter.coarse(project, given, hand)
+        coarse |= Findings.of(chapter).coarse(project, given, hand)
     own = Doubts(log.steps, given, doubts.lost, coarse=coarse)
     nothing: dict[int, Any] = {}
     for chapter in project.chapters:
-        nothing |= chapter.nothing(project, doubts)
+        nothing |= Findings.of(chapter).nothing(project, doubts)
     idle = {view for view, places in rows.items() if not places}
     sliced = needed(log, _marks(log, idle))
     wanted = _marks(log, idle) | {mark for step in sliced for mark in (step.it, *step.uses)}

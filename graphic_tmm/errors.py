@@ -18,7 +18,8 @@ from __future__ import annotations
 import errno
 import re
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from importlib import import_module
+from typing import Any, NamedTuple
 
 from graphic_tmm.language.said import Said, joined, said
 
@@ -146,6 +147,21 @@ class MissingError(TmmError, ImportError):
     """A package that is needed and is not installed."""
 
     __str__ = Exception.__str__
+
+
+def needed(module: str, package: str) -> Any:
+    """Return a module that may be missing.
+
+    Raises
+    ------
+    MissingError
+        If it is: how its package is installed.
+    """
+    try:
+        return import_module(module)
+    except ImportError as error:
+        says = said("this needs the package {package}: pip install {package}", package=package)
+        raise MissingError(says) from error
 
 
 _REASONS = {

@@ -5,20 +5,53 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Set
 from dataclasses import dataclass, field
 from itertools import chain
-from typing import TYPE_CHECKING, Any
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark
-from graphic_tmm.chapter import MECHANISM, Chapter, aside, boards, chapters, in_order, places
 from graphic_tmm.errors import Fault, SceneError, StructureError
 from graphic_tmm.language.said import Said, joined, said
+from graphic_tmm.scene.chapter import (
+    MECHANISM,
+    Answer,
+    Chapter,
+    Holder,
+    aside,
+    boards,
+    chapters,
+    in_order,
+    places,
+)
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.tasks import calls_for
 
-if TYPE_CHECKING:
-    from graphic_tmm.drawn import Drawn
+
+@dataclass(frozen=True)
+class Plan(Answer):
+    """What a chapter records.
+
+    ``needs``: what else has to be recorded for it, by name: a chapter, or what another chapter understands.
+    ``record``: what it leaves on its board; ``aside``: of what it made, what is calculated beside it when
+    everything on the board was recorded, in views of its own and used by nothing, so that no drawing changes
+    for it; see `chapter.aside`. ``charts``: of what it made, the graphs on axes.
+
+    ``result``: of what it made, the marks that are all known at some position where the chapter has a result;
+    ``remedy``: why it has none where one of them is not, and what to do, behind its name. ``ranges``: the end
+    of a sentence that tells the positions that can be drawn, and what helps.
+    """
+
+    stands: ClassVar[str] = "record.PLAN"
+    needs: Callable[[Scene], Mapping[str, Any]] = lambda scene: {}
+    record: Callable[[Bench], Any] = lambda bench: None
+    aside: Callable[[Bench], Any] = lambda bench: None
+    charts: Callable[[Any], Iterable[Chart]] = lambda made: ()
+    result: Callable[[Any], Iterable[Mark]] = lambda made: ()
+    remedy: str = ""
+    ranges: Callable[[Project], tuple[str, str]] = lambda project: ("", "")
 
 
 @dataclass(frozen=True)
@@ -51,7 +84,9 @@ class Project:
     @property
     def charts(self) -> tuple[Chart, ...]:
         """The graphs on axes, in the order in which they stand one below the other."""
-        found = chain.from_iterable(one.charts(self.made[one.name]) for one in self.chapters)
+        found = chain.from_iterable(
+            Plan.of(one).charts(self.made[one.name]) for one in self.chapters
+        )
         return tuple({chart.view: chart for chart in found}.values())
 
     def scale(self, plan: str) -> Mark:
@@ -64,13 +99,21 @@ class Project:
     def ranges(self, *, remedies: bool) -> Said:
         """Return the end of a sentence: where it can be drawn; ``remedies``: and what helps."""
         parts = list[str]()
-        for says, remedy in (one.ranges(self) for one in self.chapters):
+        for says, remedy in (Plan.of(one).ranges(self) for one in self.chapters):
             parts += [says, *(["; ", remedy] if remedies and remedy else [])]
         return joined("", parts)
 
     def marks(self, plan: str) -> list[Mark]:
         """Return the marks of the steps drawn in a view, in order."""
         return [step.it for step in self.construction.steps if step.it.view == plan]
+
+
+class Before(Holder, Protocol):
+    """The same drawn before, in another size."""
+
+    @property
+    def reading(self) -> Reading:
+        """Its numbers at all positions."""
 
 
 class Bench:
@@ -87,7 +130,7 @@ class Bench:
         scene: Scene,
         wanted: Set[str],
         sizes: Mapping[str, float] | None = None,
-        usual: Drawn | None = None,
+        usual: Before | None = None,
     ) -> None:
         self.board, self.scene, self.wanted = board, scene, wanted
         self.draft = Draft()
@@ -120,9 +163,9 @@ class Bench:
         for one in reversed(in_order(self.board)):
             own = {place.name for place in one.places}
             shown = one.always or bool(own & self.wanted)
-            if one.name in self.needed or (one.asked(self.scene) and shown):
+            if one.name in self.needed or (calls_for(self.scene, one) and shown):
                 called.append(one)
-                for name, need in one.needs(self.scene).items():
+                for name, need in Plan.of(one).needs(self.scene).items():
                     self.needed[name] = max(need, self.needed.get(name, need))
         return called[::-1]
 
@@ -151,7 +194,7 @@ def draws(scene: Scene, board: str) -> bool:
     """Whether a scene asks for anything that stands on a board."""
     if board == MECHANISM:
         return scene.mechanism is not None
-    return any(one.asked(scene) for one in chapters(board))
+    return any(calls_for(scene, one) for one in chapters(board))
 
 
 def record(
@@ -159,7 +202,7 @@ def record(
     board: str = MECHANISM,
     wanted: Set[str] | None = None,
     sizes: Mapping[str, float] | None = None,
-    usual: Drawn | None = None,
+    usual: Before | None = None,
 ) -> Project:
     """Record what the scene calls for on a board, or of that only what is ``wanted`` (places of a sheet).
 
@@ -182,10 +225,10 @@ def record(
     )
     try:
         for chapter in bench.call():
-            bench.enter(chapter.name, chapter.record(bench))
+            bench.enter(chapter.name, Plan.of(chapter).record(bench))
         for chapter in in_order(board):
             if chapter.name in bench.made:
-                bench.enter(aside(chapter.name), chapter.aside(bench))
+                bench.enter(aside(chapter.name), Plan.of(chapter).aside(bench))
     except StructureError as error:
         raise scene.located(error) from error
     return bench.project()

@@ -9,7 +9,6 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from graphic_tmm.board.hand import MOST, Hand
-from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import TmmError, ViewError
 from graphic_tmm.fitting.absent import in_doubt, without_absent
@@ -17,21 +16,14 @@ from graphic_tmm.fitting.composition import Composition, beside, text
 from graphic_tmm.fitting.formats import formatted
 from graphic_tmm.fitting.given import drawn_as, larger
 from graphic_tmm.fitting.remedies import refusal, refuse_tiny
-from graphic_tmm.late import late
-from graphic_tmm.packaged import scene_name
 from graphic_tmm.project import own_boards
+from graphic_tmm.scene.chapter import chapters
+from graphic_tmm.scene.packaged import scene_name
 from graphic_tmm.scene.records import Scene
 
 if TYPE_CHECKING:
     from graphic_tmm.fitting.compose import Composed
     from graphic_tmm.paper.drawing import Sheet
-
-with late(__name__):
-    from graphic_tmm.fitting.compose import composed
-    from graphic_tmm.fitting.fit import fitted_boards, turned
-    from graphic_tmm.paper.write.dxf import dxf
-    from graphic_tmm.paper.write.export import pdf, png
-    from graphic_tmm.paper.write.svg import svg
 
 FORMATS = ("svg", "pdf", "png", "dxf")
 """What sheets can be written as."""
@@ -75,6 +67,8 @@ def make(
 def _make(
     scene: Scene, exact: bool, wanted: Set[str] | None, given: Composition | None
 ) -> DrawnScene:
+    from graphic_tmm.fitting.fit import fitted_boards, turned
+
     scene = formatted(scene, given)
     mechanism = draws_mechanism(scene, own_boards(scene))
     if given is not None and given.sizes:
@@ -127,6 +121,8 @@ def composed_sheets(
     SheetError
         If a view fits no sheet: the key that makes it so large, and a remedy.
     """
+    from graphic_tmm.fitting.compose import composed
+
     if near and given is not None:
         return _begun_with(scene, given) or composed_sheets(scene)
     made = make(scene, wanted=scene.shown, given=given)
@@ -142,6 +138,8 @@ def composed_sheets(
 
 def _begun_with(scene: Scene, given: Composition) -> tuple[DrawnScene, Composed] | None:
     """Draw a scene onto as many sheets as one like it, plans about as large; None if that fails."""
+    from graphic_tmm.fitting.compose import composed
+
     scene = formatted(scene, given)
     mechanism = draws_mechanism(scene, own_boards(scene))
     for sizes in (larger(scene, given.sizes, mechanism=mechanism), given.sizes):
@@ -164,6 +162,8 @@ def composed_as_large(scene: Scene, given: Composition) -> tuple[DrawnScene, Com
     SheetError
         As `composed_sheets`, in whose sizes it is drawn if a view fits no sheet so large.
     """
+    from graphic_tmm.fitting.compose import composed
+
     made = make(scene, wanted=scene.shown, given=given)
     with suppress(ViewError):
         return made, composed(made.scene, made.boards, given, near=True)
@@ -199,6 +199,10 @@ def files_of(
     ``strokes``: the letters of a DXF as strokes, not as text. ``composition``: theirs is a file, too.
     ``whole``: further formats in which a file holds the whole scene.
     """
+    from graphic_tmm.paper.write.dxf import dxf
+    from graphic_tmm.paper.write.export import pdf, png
+    from graphic_tmm.paper.write.svg import svg
+
     lettered = partial(dxf, stroked=strokes)
     one: dict[str, Callable[[Sheet], str | bytes]] = {"svg": svg, "png": png, "dxf": lettered}
     drawn, stem = found.sheets, scene_name(made.scene.source)

@@ -11,13 +11,13 @@ from support.command import invoke
 from support.each import each
 from support.gallery import SHEETS
 
-from graphic_tmm.captions import COMMON, captions, view_name
-from graphic_tmm.chapter import added, chapters
 from graphic_tmm.readers.text import result_name
+from graphic_tmm.scene.captions import COMMON, Named, captions, view_name
+from graphic_tmm.scene.chapter import added, chapters
 
 
 def test_no_name_has_two_captions() -> None:
-    told = Counter([*COMMON, *(name for one in chapters() for name in one.captions)])
+    told = Counter([*COMMON, *(name for one in chapters() for name in Named.of(one).captions)])
     assert [name for name, times in told.items() if times > 1] == []
 
 

@@ -24,11 +24,11 @@ ALLOWED = {
     "paper/lettering/letters.py: 'lettering cannot stand at ('",
     "paper/lettering/markup.py: 'lettering '",
     # folders of scenes, and mechanisms to begin with, that are called so
-    "beginnings.py: 'cam'",
-    "beginnings.py: 'engine'",
-    "beginnings.py: 'planetary'",
+    "commands/shared/beginnings.py: 'cam'",
+    "commands/shared/beginnings.py: 'engine'",
+    "commands/shared/beginnings.py: 'planetary'",
     # what motion is asked for: a word of the face, and of a place of sheets
-    "moving.py: 'forces'",
+    "any_angles/turn.py: 'forces'",
 }
 
 

@@ -11,7 +11,7 @@ import pytest
 from support import triangle
 from support.command import invoke, printed, tabled
 
-from graphic_tmm.chapter import added
+from graphic_tmm.scene.chapter import added
 
 SCENE = (
     'title = "T"\nlanguage = "{}"\n[[sheet]]\nformat = "A4"\n[triangle]\na = "60 mm"\nb = "50 mm"\n'
@@ -88,7 +88,7 @@ def test_what_it_costs_is_told(scene: Path) -> None:
 
 
 def test_without_it_its_section_is_unknown(scene: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("graphic_tmm.chapter._ADDED", [])
+    monkeypatch.setattr("graphic_tmm.scene.chapter._ADDED", [])
     done = invoke("table", scene)
     assert done.exit_code == 2
     assert "triangle" in done.stderr

@@ -15,7 +15,7 @@ import pytest
 from support.copies import copied
 from support.gallery import ALL, COMPOUND, ROOT, scene
 
-from graphic_tmm.chapter import chapters, places
+from graphic_tmm.scene.chapter import chapters, places
 
 NAMES = [one.name for one in chapters()]
 WHOLE = ("structure", "cam")

@@ -12,8 +12,8 @@ from support.gallery import made
 
 from graphic_tmm.board.grammar import OPERATIONS
 from graphic_tmm.board.operations.locus import REFINE
-from graphic_tmm.chapter import whole_book
 from graphic_tmm.readers.table import table
+from graphic_tmm.scene.chapter import whole_book
 
 
 @pytest.mark.parametrize("name", ["windrower", "cam", "gear-pair", "planetary"])

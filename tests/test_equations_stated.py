@@ -26,7 +26,7 @@ from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.formats import formatted
-from graphic_tmm.fitting.scales import usual
+from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.note.document import Table, walk
 from graphic_tmm.note.note import note, wanted
 from graphic_tmm.paper.seen import Seen

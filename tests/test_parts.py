@@ -13,12 +13,12 @@ from support.command import invoke
 from support.gallery import SHEETS, made
 from support.scenes import source, written
 
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
 from graphic_tmm.language.units import known
 from graphic_tmm.readers.protocol import part_protocol
 from graphic_tmm.readers.table import table
 from graphic_tmm.readers.warnings import warnings
+from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder
 from graphic_tmm.studio import make, sheets

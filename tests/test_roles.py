@@ -40,14 +40,12 @@ ALLOWED = {
     "readers/equations.py: closing.it.name.removeprefix('y_{')",
     "chapters/forces/views.py: column.letter in {one.letter for one in made.loads.couples_on_lever}",
     # the sides of conditions are told once each, by what they are called
-    "chapters/planetary/columns.py: found.setdefault(plain(mark.name), mark)",
+    "chapters/planetary/table.py: found.setdefault(plain(mark.name), mark)",
     # words that stand for the name of a column
     "readers/result_table.py: words.get(column.letter)",
     "readers/text.py: captions(language).get(column.letter)",
     # people name what they read by the names of the table
     "checking/judging/taken_marks.py: found.setdefault((mark.view, segment_name(mark.letter)), step)",
-    # how many marks of a name stand before one, of which people are told
-    "board/record.py: self.letter.count(TALLY)",
     # what strokes a text is lettered with
     "paper/write/svg.py: groups.setdefault(letters.letter(label.text, size=label.size).pen, [])",
 }

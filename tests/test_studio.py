@@ -23,13 +23,13 @@ from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.mechanism.records import Drive, Link, Mechanism, Row, Side
-from graphic_tmm.packaged import packaged, scene_name, scene_path
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.readers.warnings import warnings
+from graphic_tmm.scene.packaged import packaged, scene_name, scene_path
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scales, Scene, SheetOrder
 from graphic_tmm.studio import sheet_files, sheets
@@ -157,7 +157,8 @@ def test_the_same_scene_gives_the_same_bytes(name: str) -> None:
 @pytest.mark.slow
 def test_the_bytes_do_not_depend_on_the_process() -> None:
     code = (
-        "import sys; from graphic_tmm.packaged import scene_path; from graphic_tmm.studio import sheet_files;"
+        "import sys; from graphic_tmm.scene.packaged import scene_path;"
+        "from graphic_tmm.studio import sheet_files;"
         "from graphic_tmm.scene.read import read;"
         "texts = sheet_files(read(scene_path('crank-rocker')))[1];"
         "sys.stdout.buffer.write(''.join(texts.values()).encode())"

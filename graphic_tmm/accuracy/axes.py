@@ -10,14 +10,14 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
+from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.accuracy.settings import EACH_SLIP, GRID, OWN, Setting, named
 from graphic_tmm.board.hand import HANDS, Hand
-from graphic_tmm.chapter import MECHANISM, chapters
-from graphic_tmm.finer import at_count
 from graphic_tmm.language.said import said
 from graphic_tmm.project import called_on
+from graphic_tmm.readers.finer import at_count
+from graphic_tmm.scene.chapter import MECHANISM, chapters
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.varied import Axis
 
 COUNTS = (4, 6, 8, 10, 12, 14, 16, 18, 24, 36, 48)
 """Numbers of positions that every hand draws."""
@@ -62,7 +62,7 @@ POSITIONS = Axis(
 
 def dividing() -> dict[str, Axis]:
     """Return the axes along which a drawing is divided finer, by name."""
-    told = (axis for one in chapters() for axis in one.accuracy.axes if axis.parts is not None)
+    told = (axis for one in chapters() for axis in Accuracy.of(one).axes if axis.parts is not None)
     return {axis.name: axis for axis in (POSITIONS, *told)}
 
 
@@ -130,17 +130,17 @@ def _told(own: Setting) -> Iterator[Varied]:
     """Yield what chapters tell of, each with its poles behind it; poles stand farther together."""
     moved = False
     for chapter in chapters():
-        for axis in chapter.accuracy.axes:
+        for axis in Accuracy.of(chapter).axes:
             if axis.parts is None:
                 for value, scene in axis.scenes(own.scene):
                     yield Varied(axis.name, value, replace(own, scene=scene), axis.bears)
-        if chapter.accuracy.poles(own.scene) and not moved:
+        if Accuracy.of(chapter).poles(own.scene) and not moved:
             moved = True
             yield from _poles(own)
 
 
 def _poles(own: Setting) -> Iterator[Varied]:
-    only = tuple(name for one in chapters() for name in one.accuracy.poles(own.scene))
+    only = tuple(name for one in chapters() for name in Accuracy.of(one).poles(own.scene))
     for times in POLES:
         yield Varied("pole", f"{times:g}", replace(own, pole=times), only)
 

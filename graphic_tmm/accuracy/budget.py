@@ -21,19 +21,20 @@ from graphic_tmm.accuracy.cost import count
 from graphic_tmm.accuracy.drawing import Pinned, draw, pinned
 from graphic_tmm.accuracy.measure import Measure
 from graphic_tmm.accuracy.quantities import quantities
+from graphic_tmm.accuracy.quantity import Quantity
+from graphic_tmm.accuracy.question import Accuracy
 from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.repetition import varying
 from graphic_tmm.accuracy.settings import Setting
 from graphic_tmm.accuracy.study import Tell
 from graphic_tmm.accuracy.words import WORDS, counted
-from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError, TmmError
-from graphic_tmm.finer import whole
 from graphic_tmm.fitting.measuring import sheets_of
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
-from graphic_tmm.quantity import Quantity
+from graphic_tmm.readers.finer import whole
+from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
 
@@ -140,7 +141,7 @@ def _candidates(scene: Scene, scales: Pinned) -> Iterator[tuple[float, Candidate
 def _free(scene: Scene) -> list[tuple[tuple[str, ...], Scene]]:
     """Return the scene with all that may be chosen freely, along all axes of that sort that it has."""
     found: list[tuple[tuple[str, ...], Scene]] = [((), scene)]
-    for axis in (axis for one in chapters() for axis in one.accuracy.axes if axis.free):
+    for axis in (axis for one in chapters() for axis in Accuracy.of(one).axes if axis.free):
         if any(True for _ in axis.scenes(scene)):
             found = [
                 ((*told, value), other) for told, one in found for value, other in axis.scenes(one)

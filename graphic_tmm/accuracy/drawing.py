@@ -7,16 +7,17 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphic_tmm.accuracy.question import Accuracy, Trial
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Point
-from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import DrawnScene, doubted
-from graphic_tmm.fitting.scales import chosen, reach_of, usual
+from graphic_tmm.fitting.scales import chosen, reach_of
+from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.project import Project, own_boards, record
+from graphic_tmm.scene.chapter import MECHANISM
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import draws_mechanism
-from graphic_tmm.varied import Trial
 
 PER_MM = "/mm"
 Pinned = Mapping[tuple[str, str, str], object]
@@ -28,7 +29,7 @@ def pinned(made: DrawnScene) -> dict[tuple[str, str, str], object]:
     found: dict[tuple[str, str, str], object] = {}
     for one in made.boards:
         scales = [mark for mark in one.construction.given if mark.unit.endswith(PER_MM)]
-        kept = [m for each in one.project.chapters for m in each.accuracy.kept(one.project)]
+        kept = [m for each in one.project.chapters for m in Accuracy.of(each).kept(one.project)]
         for mark in (*scales, *kept):
             if mark in one.given:
                 found[one.board, *mark.key] = one.given[mark]
@@ -72,7 +73,7 @@ def tried(project: Project) -> dict[Mark, Trial]:
     """Return what the refinements of a project try, by the mark that each leaves."""
     found: dict[Mark, Trial] = {}
     for chapter in project.chapters:
-        found |= chapter.accuracy.tried(project)
+        found |= Accuracy.of(chapter).tried(project)
     return found
 
 
@@ -92,7 +93,7 @@ def _farther(project: Project, times: float) -> Project:
     """Return the same with poles so many times farther."""
     given = dict(project.given)
     for chapter in project.chapters:
-        given |= chapter.accuracy.farther(project, times)
+        given |= Accuracy.of(chapter).farther(project, times)
     return replace(project, given=given)
 
 

@@ -12,13 +12,13 @@ import numpy as np
 from graphic_tmm.accuracy.cost import Work, count
 from graphic_tmm.accuracy.drawing import Pinned, draw, tried
 from graphic_tmm.accuracy.quantities import quantities
+from graphic_tmm.accuracy.quantity import Quantity
 from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.repetition import varying
 from graphic_tmm.accuracy.settings import Setting
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.board.values import Reals
 from graphic_tmm.project import Project
-from graphic_tmm.quantity import Quantity
 
 SHARE = 0.9
 """An error is so large that this share of all readings keeps within it. The largest of all would grow with

@@ -10,12 +10,12 @@ import numpy as np
 
 from graphic_tmm.accuracy.drawing import Pinned, draw, on_board
 from graphic_tmm.accuracy.quantities import quantities
+from graphic_tmm.accuracy.quantity import Quantity, Reference
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import Reals
 from graphic_tmm.errors import TmmError
-from graphic_tmm.finer import at_count
 from graphic_tmm.project import Project
-from graphic_tmm.quantity import Quantity, Reference
+from graphic_tmm.readers.finer import at_count
 from graphic_tmm.scene.records import Scene
 
 TURN = 192

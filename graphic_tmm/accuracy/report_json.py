@@ -11,7 +11,7 @@ from graphic_tmm.accuracy.cost import Work
 from graphic_tmm.accuracy.lessons import Fitted, Optimum, divisions
 from graphic_tmm.accuracy.measure import Run
 from graphic_tmm.accuracy.study import Study
-from graphic_tmm.packaged import scene_name
+from graphic_tmm.scene.packaged import scene_name
 
 TOP = 10
 """So many steps of a construction are told for each quantity."""

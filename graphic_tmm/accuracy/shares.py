@@ -13,12 +13,12 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.accuracy.quantities import quantities
+from graphic_tmm.accuracy.quantity import Quantity
 from graphic_tmm.board.execute import execute, needed
 from graphic_tmm.board.hand import Hand, slip_of
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Reals
 from graphic_tmm.project import Project
-from graphic_tmm.quantity import Quantity
 
 EACH = 16
 """How often each step slips alone. A variance is then known to about a third of itself, √(2/15)."""

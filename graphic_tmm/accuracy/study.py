@@ -11,18 +11,19 @@ from graphic_tmm.accuracy.drawing import pinned
 from graphic_tmm.accuracy.lessons import Fitted, Optimum, best_of, fitted, optima
 from graphic_tmm.accuracy.measure import Measure, Run
 from graphic_tmm.accuracy.quantities import quantities
+from graphic_tmm.accuracy.question import Accuracy
 from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.settings import Setting, named
 from graphic_tmm.accuracy.shares import Share, shares
 from graphic_tmm.board.execute import Reading, execute
-from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError, TmmError
-from graphic_tmm.finer import whole
 from graphic_tmm.fitting.choice import choices
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit_name
 from graphic_tmm.project import Project
+from graphic_tmm.readers.finer import whole
+from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
 
@@ -152,7 +153,7 @@ def _steps(measure: Measure, setting: Setting) -> tuple[Steps, ...]:
 
 def _nothing(scene: Scene) -> str:
     shown = ", ".join(sorted(scene.called))
-    *first, last = (place for one in chapters() for place in one.accuracy.places)
+    *first, last = (place for one in chapters() for place in Accuracy.of(one).places)
     return said(
         "it calls for {shown}: nothing whose error can be told; place {first} or {last} on a [[sheet]]",
         shown=shown,

@@ -5,10 +5,11 @@ from __future__ import annotations
 from itertools import chain
 
 from graphic_tmm.accuracy.axes import dividing
-from graphic_tmm.chapter import chapters
+from graphic_tmm.accuracy.question import Accuracy
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.tables import Tongues, Words
+from graphic_tmm.scene.chapter import chapters
 
 TEXTS: dict[str, str] = {
     "title": said("{title}. What accuracy costs"),
@@ -110,7 +111,7 @@ class _Words(Tongues):
     """These texts and what chapters tell of, in every language."""
 
     def __getitem__(self, language: str) -> Words:
-        told = (one.accuracy.words.items() for one in chapters())
+        told = (Accuracy.of(one).words.items() for one in chapters())
         return Words({**TEXTS, **dict(chain.from_iterable(told))}, speaking(language))
 
 

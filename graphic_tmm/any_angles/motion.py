@@ -12,11 +12,11 @@ from numpy.typing import ArrayLike
 
 from graphic_tmm.any_angles.found import Motion, NotAsked
 from graphic_tmm.any_angles.recorded import recorded
+from graphic_tmm.any_angles.turn import PLAN_OF, Plan, Told
 from graphic_tmm.board.execute import translator
 from graphic_tmm.board.values import Reals
 from graphic_tmm.errors import ConstructionError
 from graphic_tmm.language.said import joined, said
-from graphic_tmm.moving import PLAN_OF, Plan, Told
 from graphic_tmm.scene.misfits import meant
 from graphic_tmm.scene.records import Scene
 

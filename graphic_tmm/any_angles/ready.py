@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.any_angles.si import in_si
+from graphic_tmm.any_angles.turn import VECTORS, Key, Quantity, Told
 from graphic_tmm.board.again import again
 from graphic_tmm.board.compile.run import LAYOUTS, LEAST, Bound, bound, picked
 from graphic_tmm.board.execute import Program, execute, prepare
@@ -21,7 +22,6 @@ from graphic_tmm.board.values import given as as_value
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import ConstructionError
 from graphic_tmm.language.said import said
-from graphic_tmm.moving import VECTORS, Key, Quantity, Told
 
 QUANTITIES: tuple[Quantity, ...] = get_args(Quantity)
 Known = Callable[[Reals], Mapping[Mark, Any]]

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from graphic_tmm.any_angles.ready import Ready, made_ready
+from graphic_tmm.any_angles.turn import Plan, Told, Turn, Turning
 from graphic_tmm.board import roles
 from graphic_tmm.board.again import again, kept
 from graphic_tmm.board.doubt import Doubts
@@ -22,12 +23,12 @@ from graphic_tmm.board.execute import Program, Reading, execute, prepare
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapter import MECHANISM, chapters
 from graphic_tmm.drawn import Drawn, Numbers, doubted, hand_of
-from graphic_tmm.fitting.scales import chosen, reach_of, usual
-from graphic_tmm.moving import Plan, Told, Turn
+from graphic_tmm.fitting.scales import chosen, reach_of
+from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.paper.formats import USUAL
 from graphic_tmm.project import record as record_project
+from graphic_tmm.scene.chapter import MECHANISM, chapters
 from graphic_tmm.scene.records import Scene, SheetOrder
 
 WHOLE = 360.0
@@ -63,7 +64,7 @@ class Recorded:
 
         turn = Turn(turned, self.whole, project.count, read, angles)
         for chapter in project.chapters:
-            found |= chapter.between(self.sheet, turn)
+            found |= Turning.of(chapter).between(self.sheet, turn)
         return found
 
     def _read(self, marks: tuple[Mark, ...], known: Mapping[Mark, Any]) -> Reading:
@@ -101,7 +102,7 @@ def _recorded(scene: Scene, plans: frozenset[Plan], *, exact: bool) -> Recorded:
     if scene.mechanism is not None:
         for chapter in chapters(MECHANISM):
             if chapter.always or plans & {place.name for place in chapter.places}:
-                scene = chapter.free(scene)
+                scene = Turning.of(chapter).free(scene)
     scene = replace(scene, sheets=(SheetOrder(USUAL, tuple(sorted(plans))),))
     project = record_project(scene, wanted=plans)
     hand = EXACT if exact else hand_of(scene)
@@ -126,7 +127,7 @@ def _recorded(scene: Scene, plans: frozenset[Plan], *, exact: bool) -> Recorded:
     by = next(mark for mark in log.given if mark.role == roles.CRANK_ANGLE)
     row = np.asarray(given[by], dtype=float)[0]
     whole = float(round(float(row[1]) * project.count)) if project.count > 1 else WHOLE
-    told = chain.from_iterable(chapter.told(project) for chapter in project.chapters)
+    told = chain.from_iterable(Turning.of(chapter).told(project) for chapter in project.chapters)
     return Recorded(sheet, tuple(row for row in told if row.plan in plans), whole)
 
 

@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from graphic_tmm.any_angles.turn import Told
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Complexes, Kind, Number, Point, Reals, Vector
-from graphic_tmm.moving import Told
 
 VIEW = "SI"
 

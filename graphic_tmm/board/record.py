@@ -45,11 +45,6 @@ class Mark(NamedTuple):
         """What the mark is called on sheets, in tables and protocols; "" if it is told by its value."""
         return self.letter.replace(TALLY, "")
 
-    @property
-    def tally(self) -> int:
-        """How many marks of its name stand before it in its view."""
-        return self.letter.count(TALLY)
-
 
 class Step(NamedTuple):
     """One operation done: it leaves the mark ``it`` and uses earlier marks; ``note`` is said before it.

@@ -8,12 +8,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeVar
 
 from graphic_tmm.board.values import Complexes, Point, Reals
-from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene, single
 from graphic_tmm.readers.columns import (
     Column,
 )
+from graphic_tmm.readers.readings import Readings
 from graphic_tmm.readers.table import positions_of, scene_columns, scene_results
+from graphic_tmm.scene.chapter import chapters
 
 T = TypeVar("T")
 Key = tuple[str, str, str]
@@ -36,7 +37,7 @@ class Cell(NamedTuple):
 
 def pointed() -> tuple[str, ...]:
     """Return the plans whose points can be compared by their coordinates."""
-    return tuple(plan for one in chapters() for plan in one.pointed)
+    return tuple(plan for one in chapters() for plan in Readings.of(one).pointed)
 
 
 def position_names(made: DrawnScene) -> tuple[str, ...]:

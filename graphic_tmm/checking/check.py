@@ -21,7 +21,7 @@ from graphic_tmm.checking.mutations.unseen import Unseen
 from graphic_tmm.checking.mutations.unseen import told as told_unseen
 from graphic_tmm.checking.records import Judged, Report, Taken
 from graphic_tmm.fitting.composition import Composition
-from graphic_tmm.packaged import scene_name
+from graphic_tmm.scene.packaged import scene_name
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from graphic_tmm.captions import captions
 from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.records import WRONG, Judged, Report
 from graphic_tmm.drawn import DrawnScene
@@ -20,6 +19,8 @@ from graphic_tmm.paper.lettering.letters import (
 from graphic_tmm.paper.packing import Room
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 from graphic_tmm.paper.views import captioned
+from graphic_tmm.readers.readings import Readings
+from graphic_tmm.scene.captions import captions
 
 FORMATS = ("A4", "A1")
 CROSS = 1.2
@@ -80,8 +81,10 @@ def plan_view(
     """Return the exact plan in one position, all of it thin, with what was read drawn upon it."""
     assert made.mechanism is not None
     drawn, name = made.mechanism, f"overlay-{plan}-{position}"
-    (chapter,) = (one for one in drawn.project.chapters if plan in one.pointed)
-    found = chapter.plan_at(drawn, plan, drawn.names.index(position), name, title, upon)
+    (chapter,) = (one for one in drawn.project.chapters if plan in Readings.of(one).pointed)
+    found = Readings.of(chapter).plan_at(
+        drawn, plan, drawn.names.index(position), name, title, upon
+    )
     told = {stroke.title for stroke in upon}
     strokes = (one if one.title in told else one._replace(pen="thin") for one in found.strokes)
     return found._replace(strokes=tuple(strokes))

@@ -15,13 +15,13 @@ from graphic_tmm.fitting.composition import FILE as COMPOSITION
 from graphic_tmm.fitting.composition import Composition, beside, known_composition, text
 from graphic_tmm.note.note import note_files
 from graphic_tmm.note.note import wanted as drawn_for
-from graphic_tmm.packaged import scene_name
 from graphic_tmm.page import FORMAT
 from graphic_tmm.page.page import page
 from graphic_tmm.paper.lettering.letters import missing
 from graphic_tmm.readers.table import table
 from graphic_tmm.readers.warnings import all_warnings
 from graphic_tmm.scene.hands import drawn_by
+from graphic_tmm.scene.packaged import scene_name
 from graphic_tmm.scene.read import FILE as SCENE
 from graphic_tmm.scene.read import judged
 from graphic_tmm.scene.records import Scene

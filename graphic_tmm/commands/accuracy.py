@@ -64,7 +64,7 @@ def _written(found: Study, report: dict[str, str], output: str) -> tuple[Path, .
     """Write the report and the figure of a study (by their ends) into a folder; return the files."""
     from graphic_tmm.accuracy.figure import figures
     from graphic_tmm.files import write
-    from graphic_tmm.packaged import scene_name
+    from graphic_tmm.scene.packaged import scene_name
 
     stem = scene_name(found.scene.source)
     every: dict[str, str | bytes] = {**report, **figures(found)}

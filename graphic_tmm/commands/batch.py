@@ -83,7 +83,7 @@ def batch(
     from graphic_tmm.classroom.variants.start import start_of
     from graphic_tmm.classroom.variants.table import read_variants
     from graphic_tmm.classroom.variants.variant import base
-    from graphic_tmm.packaged import scene_path
+    from graphic_tmm.scene.packaged import scene_path
 
     if jobs is not None and scheduler is not None:
         raise click.UsageError(

@@ -14,7 +14,7 @@ from graphic_tmm.language.reader import reader
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
-    from graphic_tmm.beginnings import Beginning
+    from graphic_tmm.commands.shared.beginnings import Beginning
 
 
 class Mechanism(ParamType):
@@ -24,7 +24,7 @@ class Mechanism(ParamType):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
         """Return the name; refuse one that there is not."""
-        from graphic_tmm.beginnings import BEGINNINGS
+        from graphic_tmm.commands.shared.beginnings import BEGINNINGS
 
         known = [one.name for one in BEGINNINGS]
         if value not in known:
@@ -38,7 +38,7 @@ class Mechanism(ParamType):
         """Return the names that begin so."""
         from click.shell_completion import CompletionItem
 
-        from graphic_tmm.beginnings import BEGINNINGS
+        from graphic_tmm.commands.shared.beginnings import BEGINNINGS
 
         return [
             CompletionItem(one.name, help=reader()(one.says))
@@ -57,7 +57,7 @@ def new(folder: str | None, mechanism: str | None, like: str | None, listed: boo
 
     Further sections stand in it as comments, with defaults. Without a MECHANISM the terminal asks.
     """
-    from graphic_tmm.beginnings import beginning
+    from graphic_tmm.commands.shared.beginnings import beginning
 
     if listed:
         click.echo("\n".join(_lines()))
@@ -80,7 +80,7 @@ def _on_terminal() -> bool:
 
 def _lines() -> list[str]:
     """Return a line for each mechanism, in the reader's language."""
-    from graphic_tmm.beginnings import BEGINNINGS
+    from graphic_tmm.commands.shared.beginnings import BEGINNINGS
 
     width = max(len(one.name) for one in BEGINNINGS)
     return [f"{one.name:<{width}}  {reader()(one.says)}" for one in BEGINNINGS]
@@ -105,11 +105,11 @@ def _refuse_old(target: Path) -> None:
 
 def _write(target: Path, one: Beginning | None, like: str | None) -> None:
     """Write the files of a new scene, and tell their names."""
-    from graphic_tmm.beginnings import link_name
+    from graphic_tmm.commands.shared.beginnings import link_name
     from graphic_tmm.files import write
-    from graphic_tmm.packaged import scene_path
     from graphic_tmm.scene.document import document
     from graphic_tmm.scene.new import begun, begun_with
+    from graphic_tmm.scene.packaged import scene_path
     from graphic_tmm.scene.read import FILE, SCENE, read
 
     source = scene_path(like if one is None else one.scene)

@@ -33,7 +33,7 @@ def note(scene: str | None, output: str, forms: str, hand: str | None, seed: int
     from graphic_tmm.note.formats import FORMATS, refuse_missing
     from graphic_tmm.note.note import note_files
     from graphic_tmm.note.note import wanted as drawn_for
-    from graphic_tmm.packaged import scene_name
+    from graphic_tmm.scene.packaged import scene_name
     from graphic_tmm.studio import make
 
     wanted = chosen(forms, FORMATS)

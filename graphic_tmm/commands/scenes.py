@@ -12,7 +12,7 @@ def scenes() -> None:
     """List the scenes that come with the package."""
     import tomllib
 
-    from graphic_tmm.packaged import packaged
+    from graphic_tmm.scene.packaged import packaged
 
     found = packaged()
     width = max((len(path.name) for path in found), default=0)

@@ -52,9 +52,9 @@ class Plans(Choice):
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> tuple[str, ...]:
         """Return the plans that are meant; refuse what is the name of none."""
-        from graphic_tmm.captions import plans_named
         from graphic_tmm.checking.readings.names import plan_meant
         from graphic_tmm.readers.protocol import plans
+        from graphic_tmm.scene.captions import plans_named
 
         if isinstance(value, tuple):  # it is understood already
             return value

@@ -91,7 +91,7 @@ def task(
     from graphic_tmm.language.reader import asked, hear
     from graphic_tmm.note.formats import FORMATS as NOTES
     from graphic_tmm.note.formats import refuse_missing
-    from graphic_tmm.packaged import scene_path
+    from graphic_tmm.scene.packaged import scene_path
 
     if limit is not None and jobs == 0:
         raise click.UsageError(said("--limit holds for other processes: leave it out, or --jobs 0"))

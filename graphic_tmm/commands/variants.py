@@ -50,8 +50,8 @@ def variants(
     from graphic_tmm.classroom.variants.variant import base
     from graphic_tmm.classroom.variants.writing import write_variants
     from graphic_tmm.files import write
-    from graphic_tmm.packaged import scene_path
     from graphic_tmm.paper.lettering.letters import missing
+    from graphic_tmm.scene.packaged import scene_path
 
     table = Path(output or "variants.csv")
     if table.suffix.lower() not in (".csv", ".xlsx"):

@@ -14,7 +14,6 @@ from graphic_tmm.board.hand import HANDS, HandName
 from graphic_tmm.board.operations import formulas  # noqa: F401 - entered into the table by being read
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Complexes, Point, Reals
-from graphic_tmm.captions import view_name
 from graphic_tmm.drawn import MEASURED
 from graphic_tmm.errors import ConstructionError, SheetError
 from graphic_tmm.face.asked import absent, within
@@ -30,6 +29,7 @@ from graphic_tmm.readers.findings import why_of
 from graphic_tmm.readers.narration import protocol
 from graphic_tmm.readers.protocol import Told
 from graphic_tmm.scene.build import DIVISIONS
+from graphic_tmm.scene.captions import view_name
 
 
 class Board(Drafting):

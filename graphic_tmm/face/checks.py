@@ -144,7 +144,7 @@ class Check:
         MissingError
             If pandas is not installed.
         """
-        from graphic_tmm.late import needed
+        from graphic_tmm.errors import needed
 
         return needed("pandas", "pandas").DataFrame(self.to_records())
 

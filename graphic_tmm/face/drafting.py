@@ -12,12 +12,12 @@ from graphic_tmm.board.operations import formulas  # noqa: F401 - entered into t
 from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Kind, Length, Number, Point, Side
-from graphic_tmm.chapter import whole_book
 from graphic_tmm.errors import ConstructionError
 from graphic_tmm.face.asked import absent
 from graphic_tmm.face.instruments import Given, Instruments
 from graphic_tmm.face.picture import LINK, VECTOR
 from graphic_tmm.language.said import said
+from graphic_tmm.scene.chapter import whole_book
 
 NUMBERS = (Length, Angle, Number, Side)
 """Kinds that a number may stand for."""

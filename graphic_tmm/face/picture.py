@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Figure, Mark
 from graphic_tmm.board.values import Point
-from graphic_tmm.captions import view_name
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
@@ -21,6 +20,7 @@ from graphic_tmm.paper.rules import LEAST, PRICK
 from graphic_tmm.paper.seen import Seen, finite
 from graphic_tmm.paper.symbols.arrows import arrow
 from graphic_tmm.paper.views import captioned
+from graphic_tmm.scene.captions import view_name
 
 LINK, VECTOR = "link", "vector"
 """What marks can stand for together: a link by its points, a vector from a point to another."""

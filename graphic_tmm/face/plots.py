@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from graphic_tmm.board.values import Reals
-from graphic_tmm.errors import SheetError
+from graphic_tmm.errors import SheetError, needed
 from graphic_tmm.face.tables import Column, Table
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
-from graphic_tmm.late import needed
 from graphic_tmm.readers.spread import QUANTILES
 
 if TYPE_CHECKING:

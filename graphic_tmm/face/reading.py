@@ -9,8 +9,8 @@ from typing import Any
 
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.said import said
-from graphic_tmm.packaged import packaged, scene_path
 from graphic_tmm.paper.lettering.letters import missing
+from graphic_tmm.scene.packaged import packaged, scene_path
 from graphic_tmm.scene.read import judged, understood
 from graphic_tmm.scene.read import read as read_file
 from graphic_tmm.scene.records import Scene

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 from graphic_tmm.board.values import Reals
+from graphic_tmm.errors import needed
 from graphic_tmm.face.asked import absent
 from graphic_tmm.face.html import grid
 from graphic_tmm.face.quantity import Quantity
-from graphic_tmm.late import needed
 from graphic_tmm.readers.former import renamed
 
 

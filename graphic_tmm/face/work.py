@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from graphic_tmm.captions import captions
 from graphic_tmm.drawn import DrawnScene, Results
 from graphic_tmm.face import tables
 from graphic_tmm.face.asked import Named
@@ -25,6 +24,7 @@ from graphic_tmm.readers.columns import Column, Positions
 from graphic_tmm.readers.table import facts_of, positions_of
 from graphic_tmm.readers.text import column_name, table_rows
 from graphic_tmm.readers.trials import trial_figures
+from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import composed_sheets, make
 

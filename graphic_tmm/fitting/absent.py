@@ -8,11 +8,12 @@ from dataclasses import replace
 import numpy as np
 
 from graphic_tmm.board.execute import Reading, execute
-from graphic_tmm.chapter import MECHANISM, Chapter
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.said import said
-from graphic_tmm.project import Project, own_boards, record
+from graphic_tmm.project import Plan, Project, own_boards, record
+from graphic_tmm.scene.captions import Named
+from graphic_tmm.scene.chapter import MECHANISM, Chapter
 from graphic_tmm.scene.records import Scene
 
 
@@ -38,7 +39,7 @@ def without_absent(scene: Scene) -> Scene | None:
         name: said(
             "{chapter}: it is left out; {remedy}",
             chapter=chapter_title(one),
-            remedy=one.remedy,
+            remedy=Plan.of(one).remedy,
         )
         for name, one in gone.items()
     }
@@ -52,7 +53,7 @@ def without_absent(scene: Scene) -> Scene | None:
 
 def chapter_title(chapter: Chapter) -> str:
     """Return what a chapter is called, English."""
-    words = chapter.captions
+    words = Named.of(chapter).captions
     return words.get(f"chapter {chapter.name}", words.get(chapter.name, chapter.name))
 
 
@@ -60,7 +61,9 @@ def _absent(scene: Scene) -> Iterator[Chapter]:
     boards = own_boards(scene)
     for board in (*((MECHANISM,) if scene.mechanism is not None else ()), *boards):
         project = record(scene, board)
-        marks = [mark for one in project.chapters for mark in one.result(project.made[one.name])]
+        marks = [
+            mark for one in project.chapters for mark in Plan.of(one).result(project.made[one.name])
+        ]
         given: Mapping[object, object] = dict.fromkeys(project.construction.given, 1.0)
         reading = execute(project.construction, {**given, **project.given}, marks)  # type: ignore[dict-item]
         yield from _without(project, reading)
@@ -69,6 +72,6 @@ def _absent(scene: Scene) -> Iterator[Chapter]:
 def _without(project: Project, reading: Reading) -> Iterator[Chapter]:
     """Yield the chapters of which no result is known."""
     for one in project.chapters:
-        marks = [mark for mark in one.result(project.made[one.name]) if mark in reading]
+        marks = [mark for mark in Plan.of(one).result(project.made[one.name]) if mark in reading]
         if any(not np.isfinite(reading[mark]).any() for mark in marks):
             yield one

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.errors import TmmError
-from graphic_tmm.fitting.scales import Sizes
 from graphic_tmm.fitting.search import Search
+from graphic_tmm.fitting.sizes import Sizes
 from graphic_tmm.fitting.tried import Mechanism
 from graphic_tmm.language.said import Said, said
 

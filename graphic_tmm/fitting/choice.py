@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
@@ -31,8 +32,10 @@ from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.scales import GRAPHS
+from graphic_tmm.fitting.sizes import GRAPHS
 from graphic_tmm.language.said import said
+from graphic_tmm.project import Plan
+from graphic_tmm.scene.chapter import Answer
 from graphic_tmm.scene.quantities import turns_a_minute
 
 SCALES = "scales"
@@ -274,13 +277,21 @@ def _shared(charts: Iterable[Chart], ledger: Ledger) -> None:
             ledger.same(chart.mu, chart.mu, letter, why=_SHARED)
 
 
+@dataclass(frozen=True)
+class Choice(Answer):
+    """How a chapter's scale factors were chosen: what ``choose`` enters."""
+
+    stands: ClassVar[str] = "choice.CHOICE"
+    choose: Callable[[Drawn, Ledger], None] = lambda drawn, ledger: None
+
+
 def choices(drawn: Drawn) -> Choices:
     """Return how the scale factors of a board were chosen; recorded once for a drawing."""
     if SCALES not in drawn.cache:
         ledger = Ledger()
         for chapter in drawn.project.chapters:
-            chapter.choice(drawn, ledger)
-            _graphs(drawn, chapter.charts(drawn.made[chapter.name]), ledger)
+            Choice.of(chapter).choose(drawn, ledger)
+            _graphs(drawn, Plan.of(chapter).charts(drawn.made[chapter.name]), ledger)
         _calculated(drawn, ledger)
         _shared(drawn.project.charts, ledger)
         drawn.cache[SCALES] = ledger.choices()

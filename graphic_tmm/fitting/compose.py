@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from graphic_tmm.board.scales import LENGTHS as STANDARD
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.composition import Composition, Placed, named
 from graphic_tmm.fitting.formats import oversized, room_on, views_of
@@ -24,6 +23,7 @@ from graphic_tmm.paper.drawing import Drawing, Sheet, Within
 from graphic_tmm.paper.formats import size_of
 from graphic_tmm.paper.frame.frame import frame
 from graphic_tmm.paper.packing import Room, settled
+from graphic_tmm.scene.chapter import MECHANISM
 from graphic_tmm.scene.records import Scene, SheetOrder
 
 if TYPE_CHECKING:

@@ -6,15 +6,15 @@ from collections.abc import Set
 from dataclasses import replace
 from functools import partial
 
-from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.advice import half_white
-from graphic_tmm.fitting.scales import Sizes
 from graphic_tmm.fitting.search import Search
+from graphic_tmm.fitting.sizes import Sizes
 from graphic_tmm.fitting.tried import Board, Mechanism, Part
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.formats import turned as other_way
 from graphic_tmm.project import own_boards
+from graphic_tmm.scene.chapter import MECHANISM
 from graphic_tmm.scene.records import Scene
 
 SEARCHED = "searched"

@@ -8,33 +8,25 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from graphic_tmm.chapter import Chapter, places
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import TmmError
 from graphic_tmm.fitting.absent import chapter_title
 from graphic_tmm.fitting.composition import Composition
-from graphic_tmm.fitting.scales import usual
+from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.fitting.tried import Board, Mechanism, Part
+from graphic_tmm.fitting.views import Views, drawing_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.late import late
 from graphic_tmm.paper.formats import AUTO, FORMATS, USUAL, growing, turned
 from graphic_tmm.project import own_boards
+from graphic_tmm.scene.chapter import Chapter, places
 from graphic_tmm.scene.records import Scene, SheetOrder
 
 if TYPE_CHECKING:
     from graphic_tmm.paper.compose.sheets import Order, Shared
-    from graphic_tmm.paper.drawing import Drawing
-
-with late(__name__):
-    from graphic_tmm.paper.compose.search import fits
     from graphic_tmm.paper.compose.units import Outline
-    from graphic_tmm.paper.frame.frame import drawing_area
-    from graphic_tmm.paper.lettering.heights import heights
-    from graphic_tmm.paper.lettering.letters import escape
-    from graphic_tmm.paper.packing import Room, settled
-    from graphic_tmm.paper.ruled import table
-    from graphic_tmm.paper.views import wrapped
+    from graphic_tmm.paper.drawing import Drawing
+    from graphic_tmm.paper.packing import Room
 
 TRIED = {"A4": "A4", "A3": "A3", "A2": "A2", "A1": "A2"}
 """As large as usual on which format things are drawn to find out whether one holds them."""
@@ -49,23 +41,32 @@ FAR_TOO_LARGE = 0.55
 
 def room_on(format: str, language: str, first: bool) -> Room:
     """Return the room of a sheet, the first of a set or one that follows."""
+    from graphic_tmm.paper.frame.frame import drawing_area
+    from graphic_tmm.paper.packing import Room
+
     area = drawing_area(format, language, first)
     return Room(area.inner, area.occupied)
 
 
 def views_of(place: str, scene: Scene, boards: Sequence[Drawn], lettered: bool) -> list[Drawing]:
     """Return the views of a place as they are drawn, before any of them comes apart."""
-    chapter, shown = places()[place]
+    chapter = places()[place][0]
     if chapter.name in scene.left_out:
         return left_out(scene, chapter, place)
     if not chapter.board:
-        return shown.plain(scene)
+        plain = Views.of(chapter).plain.get(place)
+        return plain(scene) if plain is not None else []
     there = [one for one in boards if one.board == chapter.board]
-    return [view for one in there for view in shown.draw(one, lettered)]
+    return [view for one in there for view in drawing_of(place)(one, lettered)]
 
 
 def left_out(scene: Scene, chapter: Chapter, place: str) -> list[Drawing]:
     """Return what a sheet shows of a chapter that is left out: a sentence, in the first of its places."""
+    from graphic_tmm.paper.lettering.heights import heights
+    from graphic_tmm.paper.lettering.letters import escape
+    from graphic_tmm.paper.ruled import table
+    from graphic_tmm.paper.views import wrapped
+
     order = [one for sheet in scene.sheets for one in sheet.place]
     if place != next(one for one in order if places()[one][0] is chapter):
         return []
@@ -116,6 +117,10 @@ def _as_told(scene: Scene, told: Mapping[int, str]) -> Scene:
 
 def _smallest(scene: Scene, order: SheetOrder, drawn: dict[str, list[Drawn]]) -> str:
     """Return the smallest format that holds what is ordered; the usual one where that takes several sheets."""
+    from graphic_tmm.paper.compose.search import fits
+    from graphic_tmm.paper.compose.units import Outline
+    from graphic_tmm.paper.packing import settled
+
     for format in growing():
         like = TRIED[format.split()[0]]
         sheets = tuple(replace(one, format=like) for one in scene.sheets)
@@ -169,6 +174,8 @@ def oversized(
 
 def _holding(boxes: Sequence[Outline], ordered: str, language: str) -> str:
     """Return the smallest format that holds boxes, if the one ordered is far larger; "" if none is."""
+    from graphic_tmm.paper.compose.search import fits
+
     area = FORMATS[ordered].width * FORMATS[ordered].height
     for format in growing():
         one = FORMATS[format]

@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING
 
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.composition import FILE, Composition
-from graphic_tmm.fitting.scales import usual
+from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.fitting.tried import Board, Mechanism, Part
 from graphic_tmm.language.said import said
-from graphic_tmm.late import late
 from graphic_tmm.project import own_boards
 from graphic_tmm.scene.records import Scene
 
@@ -19,9 +18,6 @@ if TYPE_CHECKING:
     from graphic_tmm.paper.compose.sheets import Order, Shared
 
     Laid = Sequence[tuple[Shared, Places]]
-
-with late(__name__):
-    from graphic_tmm.paper.compose.restored import restored
 
 LEAST = 0.5
 """A composition that names less of the views than this share is of something else."""
@@ -91,6 +87,8 @@ def restored_sheets(
     wanted: Sequence[Order], names: Sequence[str], given: Composition
 ) -> tuple[Laid | None, tuple[str, ...]]:
     """Return sheets as a composition has them, None if it is of no use any more; and what is told of it."""
+    from graphic_tmm.paper.compose.restored import restored
+
     number = {name: k for k, name in enumerate(names)}
     orders = [sheet.order for sheet in given.sheets]
     formats = [wanted[s.order].format for s in given.sheets if s.order < len(wanted)]

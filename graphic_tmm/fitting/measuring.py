@@ -6,19 +6,20 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
-from graphic_tmm.chapter import places
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import ViewError
 from graphic_tmm.fitting.compose import orders
 from graphic_tmm.fitting.formats import views_of
-from graphic_tmm.fitting.scales import Sizes
+from graphic_tmm.fitting.sizes import Sizes, sizes_of
 from graphic_tmm.fitting.tried import Board
+from graphic_tmm.fitting.views import pieces
 from graphic_tmm.paper.compose.search import fits
 from graphic_tmm.paper.compose.sheets import Order, shared
 from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.formats import FORMATS
 from graphic_tmm.paper.packing import bounds, holds, settled, share
+from graphic_tmm.scene.chapter import places
 from graphic_tmm.scene.records import Scene
 
 NEAR = 32.0
@@ -149,7 +150,7 @@ class Rooms:
 
     def _depending(self, size: str, sizes: Sizes) -> Iterator[Shown]:
         for one in self.shown(sizes):
-            if size in places()[one.place][1].sizes(self.scene, one.view.name):
+            if size in sizes_of(one.place, one.view.name, self.scene):
                 yield one
 
     def fill(self, size: str, sizes: Sizes) -> float:
@@ -157,7 +158,7 @@ class Rooms:
         found = [1.0]
         for number, (_, rooms) in enumerate(self.orders):
             views = list(self._of(number, sizes))
-            if any(size in places()[v.place][1].sizes(self.scene, v.view.name) for v in views):
+            if any(size in sizes_of(v.place, v.view.name, self.scene) for v in views):
                 taken = sum(_area(bounds(one.view)) for one in views)
                 room = _area(rooms[0].inner) - sum(map(_area, rooms[0].occupied))
                 found.append(taken / (self._sheets(number, sizes) * room))
@@ -220,17 +221,9 @@ class Rooms:
         if own not in self._depends:
             views = self._views(place, piece, sizes)
             found = [*shown.follows]
-            found += [name for view in views for name in shown.sizes(self.scene, view.name)]
+            found += [name for view in views for name in sizes_of(place, view.name, self.scene)]
             self._depends[own] = tuple(n for n in dict.fromkeys(found) if n in board.sizes)
         return (*own, *(board.comes_of(name, sizes) for name in self._depends[own]))
-
-
-def pieces(place: str) -> tuple[Draw, ...]:
-    """Return what draws the views of a place, piece by piece."""
-    draw = places()[place][1].draw
-    # by what it has: it may be imported late, and is no `Pieces` by its type then
-    each: tuple[Draw, ...] = getattr(draw, "each", (draw,))
-    return each
 
 
 def sheets_of(scene: Scene, boards: Sequence[Drawn]) -> int:

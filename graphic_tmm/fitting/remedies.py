@@ -4,18 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from graphic_tmm.chapter import MECHANISM, Size, chapters
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SheetError, ViewError
+from graphic_tmm.fitting.sizes import Size, Sizing
 from graphic_tmm.language.said import said
-from graphic_tmm.late import late
+from graphic_tmm.scene.chapter import MECHANISM, chapters
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.scene.registry import size_keys
-
-with late(__name__):
-    from graphic_tmm.fitting.compose import orders
-    from graphic_tmm.fitting.fit import fitted
-    from graphic_tmm.fitting.search import depends
 
 TINY = 5.0
 """A plan that a fixed μ draws smaller than this, mm, is no plan: nothing can be measured on it. Half a division
@@ -24,7 +19,7 @@ of 0.5 mm is 5 % of that."""
 
 def plans() -> dict[str, Size]:
     """Return the sizes that set the μ of a plan, by the name of the plan."""
-    found = (size for one in chapters(MECHANISM) for size in one.sizes)
+    found = (size for one in chapters(MECHANISM) for size in Sizing.of(one).sizes)
     return {size.name: size for size in found if size.in_mm}
 
 
@@ -60,6 +55,8 @@ def refuse_tiny(scene: Scene, drawn: Drawn) -> None:
 
 def refusal(scene: Scene, error: ViewError) -> SheetError:
     """Return the error of a view that no sheet holds, with the key that makes it so large and a remedy."""
+    from graphic_tmm.fitting.search import depends
+
     known = plans()
     plan = error.view.partition("-")[0]
     if plan in known and not known[plan].fixed(scene):
@@ -89,12 +86,16 @@ def refusal(scene: Scene, error: ViewError) -> SheetError:
 
 
 def _held_by_a1(scene: Scene, error: ViewError) -> bool:
+    from graphic_tmm.fitting.compose import orders
+
     ((_, rooms),) = orders(replace(scene, sheets=(SheetOrder("A1"),)))
     return rooms[0].within.share(*error.size) >= 1.0
 
 
 def _remedy(scene: Scene, size: Size) -> str:
     """Return what to write for the key that fixes the size of a plan, so that a sheet holds it."""
+    from graphic_tmm.fitting.fit import fitted
+
     key = size.fixed(scene)
     found = fitted(size.freed(scene), exact=True)
     large = size.extent(found.reach) / found.scales[size.name].value

@@ -18,7 +18,7 @@ from graphic_tmm.board.execute import Reading, cut
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Arc, Curve, Length, Line, Point, at, blank
 from graphic_tmm.board.values import given as as_value
-from graphic_tmm.drawn import Numbers
+from graphic_tmm.drawn import Findings, Numbers
 from graphic_tmm.project import Project
 
 PLACED = (Point, Length, Arc)
@@ -184,7 +184,7 @@ class Rescaling:
         self.views = to_scale(project)
         self.nothing: dict[int, Any] = {}
         for chapter in project.chapters:
-            self.nothing |= chapter.nothing(project, doubts)
+            self.nothing |= Findings.of(chapter).nothing(project, doubts)
 
     def numbers(self, given: Mapping[Mark, object]) -> Numbers:
         """Return the numbers with what is given."""

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -14,25 +14,14 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard
-from graphic_tmm.chapter import Size, chapters
-from graphic_tmm.drawn import Drawn, Numbers, hand_of, read
+from graphic_tmm.drawn import Drawn, Findings, Numbers, hand_of, read, view_scales
 from graphic_tmm.errors import StructureError
+from graphic_tmm.fitting.sizes import GRAPHS, Sizes
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.formats import narrowest
-from graphic_tmm.project import Project
+from graphic_tmm.project import Plan, Project
+from graphic_tmm.scene.chapter import MECHANISM, Answer
 from graphic_tmm.scene.records import Scene
-
-Sizes = Mapping[str, float]
-"""How large what is drawn may be, by the names that chapters give to sizes."""
-GRAPHS = "graphs"
-"""Graphs on axes, of whatever chapter."""
-GRAPH = Size(GRAPHS, least=0.2, small=0.7, cap=0.94, step=1.4)
-"""How large they are drawn: each chapter that has some lists it among its sizes."""
-
-
-def usual(scene: Scene) -> dict[str, float]:
-    """Return the usual sizes, which the formats of a scene's sheets suggest."""
-    return {size.name: size.usual(scene) for one in chapters() for size in one.sizes}
 
 
 @dataclass(frozen=True)
@@ -62,7 +51,7 @@ class Fitting:
         """Return μ of the plans, by view."""
         found: dict[str, Scale] = {}
         for chapter in self.project.chapters:
-            found |= chapter.plan_scales(self)
+            found |= ScaleFactors.of(chapter).plan_scales(self)
         return found
 
     def shorter(self, size: str, lengths: Iterable[tuple[str, str, str]]) -> dict[Mark, object]:
@@ -78,6 +67,25 @@ class Fitting:
                         value = np.ravel(np.asarray(self.project.given[mark]))[0]
                         found[mark] = share * float(value)
         return dict[Mark, object](found)
+
+
+@dataclass(frozen=True)
+class ScaleFactors(Answer):
+    """The scale factors of a chapter.
+
+    ``reach``: what they go by, found once. ``plan_scales``: μ of the plans at a size, without drawing them.
+    ``scales``: the values of its scale factors, put into what is given. ``named``: further scale factors as
+    drawn, by view, of those that were given a value; ``key``: what machines call the scale factor of a view.
+    """
+
+    stands: ClassVar[str] = "scales.SCALES"
+    reach: Callable[[Project, Doubts], Any] = lambda project, doubts: None
+    plan_scales: Callable[[Fitting], Mapping[str, Scale]] = lambda fitting: {}
+    scales: Callable[[Fitting], Mapping[Mark, object]] = lambda fitting: {}
+    named: Callable[[Project, Reading, Container[Mark]], Mapping[str, Scale]] = (
+        lambda project, reading, given: {}
+    )
+    key: Callable[[str], str] = lambda view: ""
 
 
 def unscaled(project: Project, doubts: Doubts, marks: Iterable[Mark]) -> Reading:
@@ -97,7 +105,7 @@ def reach_of(project: Project, doubts: Doubts) -> dict[str, Any]:
 
     All of it is read off one drawing, see `unscaled`.
     """
-    found = {one.name: one.reach(project, doubts) for one in project.chapters}
+    found = {one.name: ScaleFactors.of(one).reach(project, doubts) for one in project.chapters}
     return {**found, GRAPHS: _figures(project, doubts)}
 
 
@@ -110,7 +118,9 @@ def chosen(
     plans = {project.scale(view): scale.value for view, scale in scales.items()}
     fitting = replace(fitting, given={**fitting.given, **plans})
     for chapter in project.chapters:
-        fitting = replace(fitting, given={**fitting.given, **chapter.scales(fitting)})
+        fitting = replace(
+            fitting, given={**fitting.given, **ScaleFactors.of(chapter).scales(fitting)}
+        )
     return {**fitting.given, **_graph_scales(fitting)}, scales
 
 
@@ -143,12 +153,15 @@ def executed(
     hand = EXACT if exact else hand_of(scene)
     doubts = doubts or Doubts(project.construction.steps, given)
     found = numbers(given) if numbers is not None else read(project, given, hand, doubts)
-    named: dict[str, Scale] = {}
+    # on a board of its own every view is drawn to a scale of its own
+    named = view_scales(project, found.whole) if project.board != MECHANISM else {}
     for chapter in project.chapters:
-        named |= chapter.named(project, found.whole, told)
+        named |= ScaleFactors.of(chapter).named(project, found.whole, told)
     graphs = _told(project, found.whole)
     scales |= {view: scale for view, scale in graphs.items() if view not in named} | named
-    missing = {k for one in project.chapters for k in one.undrawn(project, found.whole)}
+    missing = {
+        k for one in project.chapters for k in Findings.of(one).undrawn(project, found.whole)
+    }
     if missing and len(missing) == len(project.names):
         over = project.ranges(remedies=True)
         raise StructureError(
@@ -190,7 +203,9 @@ def _graph_scales(fitting: Fitting) -> dict[Mark, float]:
     heights: dict[str, float] = {}
     for one in project.chapters:
         height = _graphs_on(fitting.scene, {place.name for place in one.places})
-        heights |= {chart.view: height * share for chart in one.charts(project.made[one.name])}
+        heights |= {
+            chart.view: height * share for chart in Plan.of(one).charts(project.made[one.name])
+        }
     found: dict[Mark, float] = {}
     for chart in (chart.shrunk(share) for chart in project.charts if chart.chosen):
         room = heights[chart.view] if chart.room is None else chart.room

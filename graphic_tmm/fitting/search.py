@@ -13,10 +13,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence, Set
 
-from graphic_tmm.chapter import chapters, places
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.measuring import Rooms, TooLarge, cells
-from graphic_tmm.fitting.scales import Sizes, usual
+from graphic_tmm.fitting.sizes import Sizes, all_sizes, sizes_of, usual
 from graphic_tmm.fitting.tried import Board, Mechanism
 from graphic_tmm.paper.packing import holds, share
 from graphic_tmm.scene.records import Scene
@@ -293,7 +292,7 @@ class Search:
 
 def _smaller(found: Iterable[TooLarge], sizes: Sizes, scene: Scene) -> Sizes:
     """Return sizes of which those that views too large depend on have given way."""
-    known = {size.name: size for one in chapters() for size in one.sizes}
+    known = all_sizes()
     way: dict[str, float] = {}
     for one in found:
         names = depends(one.place, one.view, scene)
@@ -307,6 +306,5 @@ def depends(place: str, view: str, scene: Scene) -> tuple[str, ...]:
     """Return the sizes, left free by the scene, that a view depends on, in the order in which they give way."""
     if view.startswith("table"):
         return ()
-    known = {size.name: size for one in chapters() for size in one.sizes}
-    names = places()[place][1].sizes(scene, view)
-    return tuple(name for name in names if not known[name].fixed(scene))
+    known = all_sizes()
+    return tuple(name for name in sizes_of(place, view, scene) if not known[name].fixed(scene))

@@ -11,11 +11,12 @@ import numpy as np
 
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.chapter import MECHANISM, Size, chapters
 from graphic_tmm.drawn import Drawn, doubted
 from graphic_tmm.fitting.rescaled import Rescaling
-from graphic_tmm.fitting.scales import Fitting, Sizes, chosen, executed, reach_of
+from graphic_tmm.fitting.scales import Fitting, chosen, executed, reach_of
+from graphic_tmm.fitting.sizes import Size, Sizes, Sizing
 from graphic_tmm.project import Project, record
+from graphic_tmm.scene.chapter import MECHANISM, chapters
 from graphic_tmm.scene.records import Scene
 
 NO_DOUBTS = Doubts((), {})
@@ -61,7 +62,9 @@ class Mechanism:
         self.doubts = doubted(self.project)
         self.reach = reach_of(self.project, self.doubts)
         self.rescaling = Rescaling(self.project, self.doubts)
-        self.sizes = {size.name: size for one in self.project.chapters for size in one.sizes}
+        self.sizes = {
+            size.name: size for one in self.project.chapters for size in Sizing.of(one).sizes
+        }
         self._drawn: dict[object, Drawn] = {}
         self._scales: dict[object, dict[str, Scale]] = {}
         self._chosen: dict[object, tuple[tuple[object, float], ...]] = {}
@@ -137,7 +140,9 @@ class Part:
     def __init__(self, scene: Scene, board: str) -> None:
         self.scene, self.name = scene, board
         self.project = record(scene, board)
-        self.sizes = {size.name: size for one in self.project.chapters for size in one.sizes}
+        self.sizes = {
+            size.name: size for one in self.project.chapters for size in Sizing.of(one).sizes
+        }
         self._projects: dict[object, tuple[Project, dict[str, Any]]] = {}
         self._drawn: dict[object, Drawn] = {}
         self._known: dict[object, object] = {}

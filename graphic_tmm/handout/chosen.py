@@ -8,13 +8,16 @@ from itertools import groupby
 from typing import NamedTuple
 
 from graphic_tmm.board.record import Construction, Mark
-from graphic_tmm.chapter import MECHANISM, Place
 from graphic_tmm.drawn import Drawn, DrawnScene
+from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.handout.ink import in_hand
 from graphic_tmm.handout.sized import Draw
 from graphic_tmm.handout.story import places_of
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.readers.protocol import position_of
+from graphic_tmm.readers.titles import Protocols
+from graphic_tmm.scene.captions import Named
+from graphic_tmm.scene.chapter import MECHANISM, Place
 
 LOW = Within(((1e4, 1.0),))
 """A sheet that is as wide as one likes and holds no graph above another."""
@@ -55,9 +58,9 @@ def _views(drawn: Drawn, plans: Iterable[str]) -> set[str]:
     """Return the views of the log that plans are drawn in; all of them of a chapter that does not say."""
     found: set[str] = set()
     for one in drawn.project.chapters:
-        views = one.views(drawn.project)
+        views = Protocols.of(one).views(drawn.project)
         for plan in plans:
-            if plan in one.plans:
+            if plan in Named.of(one).plans:
                 every = (step.it.view for step in drawn.construction.steps)
                 found.update(views.get(plan, () if views else every))
     return found
@@ -91,7 +94,7 @@ class _Views:
         """Return the views by name, with letters for pictures so many times as large."""
         key = factor, lettered
         if key not in self.made:
-            views = self.place.draw(in_hand(self.drawn, factor), lettered)
+            views = drawing_of(self.place.name)(in_hand(self.drawn, factor), lettered)
             parts = (part for view in views for part in apart(view))
             self.made[key] = {part.name: part for part in parts}
         return self.made[key]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from graphic_tmm.captions import plans_named
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.handout.chosen import chosen
@@ -13,9 +12,10 @@ from graphic_tmm.handout.series import Series, series
 from graphic_tmm.handout.sheets import framed, pages
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.packaged import scene_name
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.readers.protocol import plans as every_plan
+from graphic_tmm.scene.captions import plans_named
+from graphic_tmm.scene.packaged import scene_name
 from graphic_tmm.scene.records import Scene
 
 OVERVIEW = said("Overview of the pictures")

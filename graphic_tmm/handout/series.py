@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
-from graphic_tmm.captions import view_name
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.handout.ink import done, new
 from graphic_tmm.handout.sized import Draw, Manner, fitting, whole
@@ -16,6 +15,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Ink, Label
 from graphic_tmm.paper.packing import Box, bounds
 from graphic_tmm.readers.narration import Line
+from graphic_tmm.scene.captions import view_name
 
 GIVEN = said("Given: what is there before the first step.")
 READY = said("Ready: what only helped is rubbed out.")

@@ -7,12 +7,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.board.record import Construction
-from graphic_tmm.captions import captions
 from graphic_tmm.language.names import spoken
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.paper.lettering.letters import escape, letter
 from graphic_tmm.readers.narration import Line
+from graphic_tmm.scene.captions import captions
 
 SENTENCE, REASON = 3.5, 2.5
 """Heights of letters: of sentences and calculations; of reasons, mm (ГОСТ 2.304)."""

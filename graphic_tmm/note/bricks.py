@@ -9,10 +9,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby, pairwise
 from string import Formatter
 
-from graphic_tmm.captions import captions
-from graphic_tmm.chapter import Chapter, Place
 from graphic_tmm.drawn import Drawn, Results, single
-from graphic_tmm.finer import Finer, finer, sampled
+from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
@@ -41,8 +39,12 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.readers.columns import Column, known_at
 from graphic_tmm.readers.divided import is_sampled, told_off
+from graphic_tmm.readers.finer import Finer, FinerRow, finer, sampled
+from graphic_tmm.readers.measured import Tabled
 from graphic_tmm.readers.text import column_name
 from graphic_tmm.readers.told import Figures, told
+from graphic_tmm.scene.captions import captions
+from graphic_tmm.scene.chapter import Chapter, Place
 
 Figure = Picture | Beside
 
@@ -154,7 +156,7 @@ def drawings(drawn: Drawn, place: Place) -> list[Drawing]:
     """Return the views of a place, lettered for a page; kept beside the drawing."""
     kept: dict[str, list[Drawing]] = drawn.cache.setdefault("note drawings", {})
     if place.name not in kept:
-        kept[place.name] = readable(drawn, place.draw)
+        kept[place.name] = readable(drawn, drawing_of(place.name))
     return kept[place.name]
 
 
@@ -265,9 +267,9 @@ def _told(
 def results(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
     """Yield the table of a chapter's results."""
     words, rows = captions(language), []
-    curved = bool(chapter.accuracy.by_positions)
+    curved = bool(FinerRow.of(chapter).by_positions)
     fine = finer(drawn) if curved else None
-    for name, (value, of) in single(chapter.results(drawn)).items():
+    for name, (value, of) in single(Tabled.of(chapter).results(drawn)).items():
         told = Number(number(value, language), "", Source("result", drawn.board, name), value)
         row = (_result(name, chapter.name, language), (told,), _unit(of, language))
         rows.append((*row, *(_divided(drawn, name, fine, language) if fine is not None else ())))

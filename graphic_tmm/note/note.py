@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import chain
 
-from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, Document, once
 from graphic_tmm.note.formats import files
 from graphic_tmm.note.protocol import Known
@@ -19,12 +19,14 @@ from graphic_tmm.note.sections.symbols import symbol_list
 from graphic_tmm.note.sections.synthesis import synthesis
 from graphic_tmm.note.sections.task import task
 from graphic_tmm.note.sections.title import title_page
+from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.tasks import calls_for
 
 
 def wanted(scene: Scene) -> set[str]:
     """Return what is drawn for a note: what the scene calls for, and what chapters show besides."""
-    noted = (one.noted for one in chapters() if one.asked(scene))
+    noted = (Noted.of(one).places for one in chapters() if calls_for(scene, one))
     return {*scene.called, *chain.from_iterable(noted)}
 
 

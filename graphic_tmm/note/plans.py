@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator, Sequence
 
-from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -15,6 +14,7 @@ from graphic_tmm.note.protocol import Known, Manner, protocol_blocks, protocol_p
 from graphic_tmm.note.steps import Told
 from graphic_tmm.readers.covering import covering
 from graphic_tmm.readers.titles import title_of
+from graphic_tmm.scene.chapter import MECHANISM
 
 ALIKE = said("Axes, divisions and ordinates are drawn as on the diagrams before.")
 

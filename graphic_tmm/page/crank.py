@@ -17,10 +17,10 @@ from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.numbers import decimal_sign, fixed, number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.moving import Moving
 from graphic_tmm.page.cursors import Cursor, cursors
 from graphic_tmm.page.dense import Dense, dense
 from graphic_tmm.page.letters import lettered
+from graphic_tmm.page.moving import Moving, MovingFigures
 from graphic_tmm.page.pack import UNIT, Ints, Packer, packed
 from graphic_tmm.page.strands import STEP, Letter, Line, Strands, folded, strands
 from graphic_tmm.page.told import indexed
@@ -93,7 +93,7 @@ def crank(made: DrawnScene, sheets: Sequence[Sheet]) -> Turned | None:
 
 def _moving(drawn: Drawn) -> Iterator[Moving]:
     for chapter in drawn.project.chapters:
-        yield from chapter.moving(drawn)
+        yield from MovingFigures.of(chapter).figures(drawn)
 
 
 def _place(value: float) -> float:

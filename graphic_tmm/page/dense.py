@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from graphic_tmm.any_angles.turn import Turn, Turning
 from graphic_tmm.board import roles
 from graphic_tmm.board.again import again, kept
 from graphic_tmm.board.execute import Reading, execute
@@ -20,8 +21,7 @@ from graphic_tmm.board.findings import examine, step_number
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Reals
-from graphic_tmm.drawn import Drawn, Numbers
-from graphic_tmm.moving import Turn
+from graphic_tmm.drawn import Drawn, Findings, Numbers
 from graphic_tmm.project import Project
 from graphic_tmm.readers.findings import reason
 
@@ -70,7 +70,7 @@ def dense(drawn: Drawn) -> Dense | None:
 
     turn = Turn(turned, span, drawn.project.count, read)
     for chapter in drawn.project.chapters:
-        known |= chapter.between(sheet, turn)
+        known |= Turning.of(chapter).between(sheet, turn)
     following = again(log, known)
     reading = execute(following, known)
     angles = np.array(drawn.project.angles[0] or 0.0) + turned
@@ -120,7 +120,7 @@ def _undrawn(
     """Return the angles at which the mechanism cannot be drawn, and of each the sentence that tells why."""
     found: set[int] = set()
     for chapter in project.chapters:
-        found |= set(chapter.undrawn(project, reading))
+        found |= set(Findings.of(chapter).undrawn(project, reading))
     bad, why = tuple(sorted(found)), dict[int, str]()
     if bad:
         marks = [step.it for step in following.steps]

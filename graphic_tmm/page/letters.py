@@ -12,8 +12,8 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.moving import Moving
 from graphic_tmm.page.dense import Dense
+from graphic_tmm.page.moving import Moving
 from graphic_tmm.page.strands import Letter, Strands, bare
 from graphic_tmm.paper.drawing import Drawing, Label, Wanted
 from graphic_tmm.paper.finish import finished

@@ -11,12 +11,12 @@ from functools import cached_property
 from typing import NamedTuple
 
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.figure import Picture, pictures
 from graphic_tmm.paper.rules import rule_of
 from graphic_tmm.readers.narration import Line, protocol
+from graphic_tmm.scene.chapter import MECHANISM
 
 
 class Told(NamedTuple):

@@ -22,8 +22,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Reals
-from graphic_tmm.moving import Moving
 from graphic_tmm.page.dense import Dense
+from graphic_tmm.page.moving import Moving
 from graphic_tmm.paper.drawing import Drawing, Stroke, Wanted
 
 STEP = 5

@@ -15,7 +15,6 @@ from typing import Any, NamedTuple
 from graphic_tmm.accuracy.geometrography import DEFAULT, FORMULA, READING, SYMBOLS
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Angle, Arc, Line, Point
-from graphic_tmm.captions import captions, view_name
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.said import Said, said
@@ -23,6 +22,7 @@ from graphic_tmm.language.units import unit
 from graphic_tmm.paper.rules import LEAST
 from graphic_tmm.paper.seen import Seen, finite
 from graphic_tmm.readers.sentences import phrase
+from graphic_tmm.scene.captions import captions, view_name
 
 NAMES: Mapping[str, Said] = {
     "C": said("compass"),

@@ -22,7 +22,7 @@ from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.seen import Seen
 from graphic_tmm.paper.write.svg import clean, ids
 from graphic_tmm.readers.equations import called, polygon
-from graphic_tmm.readers.titles import title_of
+from graphic_tmm.readers.titles import Protocols, title_of
 
 EDGE = 6.0
 """White about a view, mm."""
@@ -142,7 +142,7 @@ class _View:
         equations = [
             text
             for chapter in self.drawn.project.chapters
-            for text in chapter.equations(self.drawn, told.view, self.language)
+            for text in Protocols.of(chapter).equations(self.drawn, told.view, self.language)
         ]
         terms = called(polygon(self.played.log, told.view), equations)
         if terms and all(term.line is None or term.line.slot in self.made for term in terms):

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.captions import captions
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.finer import SHARE, Finer, finer
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
+from graphic_tmm.readers.finer import SHARE, Finer, FinerRow, finer
+from graphic_tmm.scene.captions import captions
 
 ALIKE = 0.001
 """Results that are off by the same share, but for so much, are off for the same reason: the first is told."""
@@ -79,6 +79,6 @@ def _figure(name: str, found: Finer, language: str) -> str:
 
 def _side(drawn: Drawn, name: str, share: float) -> int:
     """Return -1 if it is dangerous that a result is off so, 1 if it is safe, 0 if it is neither."""
-    sides = (one.accuracy.by_positions.get(name, 0) for one in drawn.project.chapters)
+    sides = (FinerRow.of(one).by_positions.get(name, 0) for one in drawn.project.chapters)
     dangerous = next((side for side in sides if side), 0)
     return (-1 if share * dangerous > 0.0 else 1) if dangerous else 0

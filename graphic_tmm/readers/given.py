@@ -6,13 +6,18 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from graphic_tmm.captions import captions
-from graphic_tmm.chapter import MECHANISM, SIZE, Given, Place, chapters
+from graphic_tmm.fitting.views import Draw
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import small, unit
-from graphic_tmm.late import late
+from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights, heights
+from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.readers.protocol import synthesis
+from graphic_tmm.readers.task_sheet import SIZE, Given, TaskSheet
+from graphic_tmm.scene.captions import captions
+from graphic_tmm.scene.chapter import MECHANISM, chapters
 from graphic_tmm.scene.quantities import turns_a_minute
 from graphic_tmm.scene.records import Scene
 
@@ -20,11 +25,6 @@ if TYPE_CHECKING:
     from graphic_tmm.drawn import Drawn
     from graphic_tmm.paper.drawing import Drawing
 
-with late(__name__):
-    from graphic_tmm.paper.blocks import breakable
-    from graphic_tmm.paper.lettering.indices import markup
-    from graphic_tmm.paper.lettering.letters import escape
-    from graphic_tmm.readers.protocol import synthesis
 
 NAME = "table-given"
 TALL = 12
@@ -35,7 +35,11 @@ DIGITS = 6
 
 def given_rows(scene: Scene, board: str = MECHANISM) -> tuple[Given, ...]:
     """Return what a scene gives for what stands on a board, chapter by chapter; nothing twice."""
-    found = (_sized(row, scene.language) for one in chapters(board) for row in one.given(scene))
+    found = (
+        _sized(row, scene.language)
+        for one in chapters(board)
+        for row in TaskSheet.of(one).given(scene)
+    )
     return tuple(dict.fromkeys(found))
 
 
@@ -54,14 +58,14 @@ def given_speed(index: str, speed: float) -> Given:
     return Given(f"ω_{index}", abs(speed), "1/s")
 
 
-def given_place(board: str) -> Place:
-    """Return the place of what is given for a board of its own: beside what its chapter draws."""
+def given_views(board: str) -> dict[str, Draw]:
+    """Return what draws the table of what is given for a board of its own, by its place."""
     name = f"{board} given"
 
     def draw(drawn: Drawn, lettered: bool) -> list[Drawing]:
         return [given_table(drawn.scene, heights(drawn.scene, name), board)]
 
-    return Place(name, 0, draw, attends=board)
+    return {name: draw}
 
 
 def sought(scene: Scene) -> frozenset[str]:

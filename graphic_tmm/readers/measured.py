@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
 from graphic_tmm.board.naming import (
     segment_name,
 )
 from graphic_tmm.board.values import Length
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.drawn import Drawn, Results
 from graphic_tmm.language.units import unit_name
 from graphic_tmm.readers.columns import (
     Column,
     empty,
     row_of,
 )
+from graphic_tmm.scene.chapter import MECHANISM, Answer
 
 
 def measured_columns(drawn: Drawn) -> tuple[Column, ...]:
@@ -33,3 +38,22 @@ def measured_columns(drawn: Drawn) -> tuple[Column, ...]:
         segment = segment_name(step.it.letter)
         found.append(Column(step.it.view, segment, step.it.name, unit, lengths, figures, at))
     return tuple(found)
+
+
+def own_columns(drawn: Drawn) -> Iterable[Column]:
+    """Return what was measured on a board of its own; nothing of the mechanism's, which chapters share."""
+    return measured_columns(drawn) if drawn.board != MECHANISM else ()
+
+
+@dataclass(frozen=True)
+class Tabled(Answer):
+    """What tables tell of a chapter.
+
+    ``columns``: along the positions, if they are not what was measured on a board of its own; ``results``: by
+    name; ``facts``: what is told besides, for machines.
+    """
+
+    stands: ClassVar[str] = "table.TABLE"
+    columns: Callable[[Drawn], Iterable[Column]] = own_columns
+    results: Callable[[Drawn], Results] = lambda drawn: {}
+    facts: Callable[[Drawn], Mapping[str, Any]] = lambda drawn: {}

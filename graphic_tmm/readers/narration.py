@@ -9,8 +9,6 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Curve, undefined
-from graphic_tmm.captions import captions, view_name
-from graphic_tmm.chapter import chapters
 from graphic_tmm.fitting.choice import SCALES
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
@@ -18,6 +16,8 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.readers.equations import Equation, equations, heading
 from graphic_tmm.readers.sentences import calculation, figure, reason, sentence
+from graphic_tmm.scene.captions import Named, captions, view_name
+from graphic_tmm.scene.chapter import chapters
 
 
 class Line(NamedTuple):
@@ -164,7 +164,7 @@ def remark(note: str, language: str) -> str:
     words = captions(language)
     if f"phase {note}" in words:
         return words[f"phase {note}"]
-    named = (one.called(note, speaking(language)) for one in chapters())
+    named = (Named.of(one).called(note, speaking(language)) for one in chapters())
     if name := next(filter(None, named), ""):
         return name
     letter, _, way = note.partition(": ")

@@ -7,8 +7,6 @@ from typing import NamedTuple
 
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import execute
-from graphic_tmm.captions import captions, plans_named, view_name
-from graphic_tmm.chapter import MECHANISM, chapters
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.fitting.choice import SCALES, Choices, choices
@@ -17,7 +15,9 @@ from graphic_tmm.mechanism.synthesis import Found, rocker
 from graphic_tmm.readers.covering import covering
 from graphic_tmm.readers.narration import Line
 from graphic_tmm.readers.narration import protocol as narrate
-from graphic_tmm.readers.titles import title_of
+from graphic_tmm.readers.titles import Protocols, title_of
+from graphic_tmm.scene.captions import Named, captions, plans_named, view_name
+from graphic_tmm.scene.chapter import MECHANISM, chapters
 from graphic_tmm.scene.records import Scene
 
 SYNTHESIS = "synthesis"
@@ -35,8 +35,8 @@ class Told(NamedTuple):
 
 def plans() -> tuple[str, ...]:
     """Return the plans that a protocol may be asked for, in their order."""
-    in_turn = sorted(chapters(), key=lambda one: one.plans_rank or 10 * one.number)
-    found = dict.fromkeys(plan for one in in_turn for plan in one.plans)
+    in_turn = sorted(chapters(), key=lambda one: Named.of(one).rank or 10 * one.number)
+    found = dict.fromkeys(plan for one in in_turn for plan in Named.of(one).plans)
     return (*BESIDE, *found)
 
 
@@ -159,7 +159,7 @@ def _part_told(
 ) -> Iterator[Told]:
     if SCALES in wanted:
         yield from _beside(drawn, SCALES, language)
-    if not set(wanted) & {plan for one in drawn.project.chapters for plan in one.plans}:
+    if not set(wanted) & {plan for one in drawn.project.chapters for plan in Named.of(one).plans}:
         return
     log, names = drawn.construction, drawn.names
     if position is not None and position not in names:
@@ -195,7 +195,7 @@ def _views_of(drawn: Drawn, plan: str) -> list[str]:
     if plan in BESIDE:
         return [plan]
     project = drawn.project
-    found = {v for one in project.chapters for v in one.views(project).get(plan, ())}
+    found = {v for one in project.chapters for v in Protocols.of(one).views(project).get(plan, ())}
     views = dict.fromkeys(step.it.view for step in project.construction.steps)
     return [view for view in views if view in found]
 
@@ -216,7 +216,7 @@ def _plan_told(drawn: Drawn, view: str, place: int, language: str) -> Iterator[T
     equations = [
         Line(0, text)
         for one in drawn.project.chapters
-        for text in one.equations(drawn, view, language)
+        for text in Protocols.of(one).equations(drawn, view, language)
     ]
     heading = f"{title}, {captions(language)['position']} {drawn.names[place]}"
     yield Told(heading, (*equations, *lines))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from graphic_tmm.captions import captions
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
@@ -25,6 +24,7 @@ from graphic_tmm.readers.columns import (
     known_at,
 )
 from graphic_tmm.readers.told import told
+from graphic_tmm.scene.captions import captions
 
 SIZE = 3.5
 """Sizes of lettering, mm (ГОСТ 2.304)."""

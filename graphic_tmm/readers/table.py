@@ -9,19 +9,18 @@ from itertools import chain
 from typing import Any
 
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn, DrawnScene, Results, hand_of, single
-from graphic_tmm.finer import Finer, finer
+from graphic_tmm.fitting.scales import ScaleFactors
 from graphic_tmm.language.numbers import decimals_of
 from graphic_tmm.language.units import unit_name
-from graphic_tmm.packaged import scene_name
-from graphic_tmm.readers.columns import (
-    Column,
-    Positions,
-)
+from graphic_tmm.readers.columns import Column, Positions
+from graphic_tmm.readers.finer import Finer, finer
+from graphic_tmm.readers.measured import Tabled
 from graphic_tmm.readers.spread import ATTEMPTS, Spread
 from graphic_tmm.readers.text import left_out, result_tables, text_tables
 from graphic_tmm.readers.writing import as_csv, as_json
+from graphic_tmm.scene.chapter import MECHANISM
+from graphic_tmm.scene.packaged import scene_name
 from graphic_tmm.studio import blocks
 
 WIDTH = 220
@@ -31,7 +30,7 @@ WIDTH = 220
 def columns_of(drawn: Drawn) -> list[Column]:
     """Return the columns of a board; null where a position cannot be drawn."""
     project = drawn.project
-    found = chain.from_iterable(one.columns(drawn) for one in project.chapters)
+    found = chain.from_iterable(Tabled.of(one).columns(drawn) for one in project.chapters)
     language = drawn.scene.language
     units = (replace(column, unit=unit_name(column.unit, language)) for column in found)
     return [column.without(drawn.undrawn) for column in units]
@@ -41,7 +40,7 @@ def results_of(drawn: Drawn) -> Results:
     """Return the results of a board."""
     found: dict[str, tuple[Reals, str]] = {}
     for chapter in drawn.project.chapters:
-        found |= chapter.results(drawn)
+        found |= Tabled.of(chapter).results(drawn)
     language = drawn.scene.language
     return {name: (figures, unit_name(of, language)) for name, (figures, of) in found.items()}
 
@@ -153,7 +152,7 @@ BASES = {"μ_φ": "phi", "μ_S": "S"}
 
 
 def _scale_key(drawn: Drawn, view: str) -> str:
-    keys = (chapter.scale_key(view) for chapter in drawn.project.chapters)
+    keys = (ScaleFactors.of(chapter).key(view) for chapter in drawn.project.chapters)
     plain = "mu_" + view.replace(" ", "_").replace("-", "_")
     return next((key for key in keys if key), plain)
 
@@ -171,5 +170,5 @@ def facts_of(made: DrawnScene) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for drawn in made.boards:
         for chapter in drawn.project.chapters:
-            found |= chapter.facts(drawn)
+            found |= Tabled.of(chapter).facts(drawn)
     return found

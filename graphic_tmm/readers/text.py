@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
-from graphic_tmm.captions import captions
-from graphic_tmm.chapter import chapters
-from graphic_tmm.finer import Finer
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.symbols import result_symbol, symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.readers.columns import Column, Positions, known_at
+from graphic_tmm.readers.finer import Finer
 from graphic_tmm.readers.framed import Framed
 from graphic_tmm.readers.spread import QUANTILES
 from graphic_tmm.readers.told import told_as
+from graphic_tmm.scene.captions import captions
+from graphic_tmm.scene.chapter import chapters
 
 FRAME = 3
 """What the frame and the room about a cell take beside its text, characters; one more for the whole table."""

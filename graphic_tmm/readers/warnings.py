@@ -2,17 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import ClassVar
 
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.catalogue import SOURCE, speaking
 from graphic_tmm.language.names import plain
 from graphic_tmm.readers.divided import told_off
 from graphic_tmm.readers.findings import finding, left_out
+from graphic_tmm.scene.chapter import Answer
 from graphic_tmm.scene.remarks import unplaced
 
 SILENT = ("touching", "lost")
 """Kinds of findings that are no warning, or are told together."""
+
+
+@dataclass(frozen=True)
+class Warned(Answer):
+    """What people are told of a drawing by a chapter, in a language, besides what cannot be drawn."""
+
+    stands: ClassVar[str] = "findings.WARNINGS"
+    warnings: Callable[[Drawn, str], Iterable[str]] = lambda drawn, language: ()
 
 
 def all_warnings(made: DrawnScene, language: str, *, sheets: bool = False) -> tuple[str, ...]:
@@ -47,5 +58,5 @@ def _told(drawn: Drawn, language: str, remedies: bool) -> Iterator[str]:
     if off := told_off(drawn, language):
         yield plain("; ".join(off))
     for chapter in project.chapters:
-        yield from map(speaking(language), chapter.warnings(drawn, language))
+        yield from map(speaking(language), Warned.of(chapter).warnings(drawn, language))
     yield from map(speaking(language), drawn.advice())

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from graphic_tmm.bounds import Bound
-from graphic_tmm.chapter import chapters
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.scene import letters
 from graphic_tmm.scene import values as v
+from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.declare import FAULTY, Found, Kind, Names, Path, Schema, key
 from graphic_tmm.scene.misfits import meant, stands
 from graphic_tmm.scene.tables import Named

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence, Set
 
-from graphic_tmm.chapter import MECHANISM, Chapter, chapters, places
+from graphic_tmm.scene.chapter import MECHANISM, Chapter, chapters, places
 from graphic_tmm.scene.declare import Section
 
 SMALLEST = "A4"
@@ -30,7 +30,7 @@ def usual(asked: Set[str], *, mechanism: bool) -> tuple[str, ...]:
 
 def called(one: Chapter, asked: Set[str], *, mechanism: bool) -> bool:
     """Whether a scene calls for what a chapter shows."""
-    own = asking(one)
+    own = one.asking
     return mechanism and one.board == MECHANISM if own is None else own.name in asked
 
 
@@ -85,16 +85,9 @@ def _behind(order: tuple[str, ...], place: str, more: str) -> tuple[str, ...]:
     return (*order[:at], more, *order[at:])
 
 
-def asking(one: Chapter) -> Section | None:
-    """Return the section that asks for what a chapter shows; None if it has none, or is always there."""
-    if one.always:
-        return None
-    return next((section for section in one.sections if not section.gives), None)
-
-
 def of_section(section: Section) -> tuple[str, ...]:
     """Return what a sheet can show of what a section asks for."""
-    return tuple(place.name for one in chapters() if asking(one) == section for place in one.places)
+    return tuple(place.name for one in chapters() if one.asking == section for place in one.places)
 
 
 def called_by(section: Section) -> Iterator[str]:

@@ -26,7 +26,7 @@ class Scene:
 
     ``common_pole``: the velocity plans of all positions have one pole. ``main``: the number of the position
     drawn in heavy lines. ``author``: what the author of the note says. ``tasks``: what chapters are asked, by
-    section (`chapter.Asked`). ``letters``: how high letters of points, titles, numbers are, mm; None:
+    section (`tasks.SectionKey`). ``letters``: how high letters of points, titles, numbers are, mm; None:
     by the formats of the sheets. ``remarks``: what of the file comes to nothing, and defaults that matter, a
     line each. ``left_out``: chapters that have no result, which it asks for no more, and why. ``told``: the
     keys that the file writes in its sections, as section.key, each with its line.

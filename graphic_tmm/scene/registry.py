@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapter import chapters
+from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.declare import Section, keys_of
 
 

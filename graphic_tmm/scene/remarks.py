@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import chapters, places
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.records import shared
+from graphic_tmm.scene.chapter import chapters, places
 from graphic_tmm.scene.checks import centres_of
 from graphic_tmm.scene.places import called, of_section
 from graphic_tmm.scene.records import Scene

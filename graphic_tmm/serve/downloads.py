@@ -10,10 +10,10 @@ from pathlib import Path
 
 from graphic_tmm.fitting.composition import beside, known_composition
 from graphic_tmm.note.note import note_files, wanted
-from graphic_tmm.packaged import scene_name
 from graphic_tmm.page import FORMAT
 from graphic_tmm.page.page import page
 from graphic_tmm.readers.table import table
+from graphic_tmm.scene.packaged import scene_name
 from graphic_tmm.serve.jobs import File, Task, scene_of, told
 from graphic_tmm.studio import make, sheet_files
 

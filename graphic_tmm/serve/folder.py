@@ -14,7 +14,7 @@ from graphic_tmm.files import Kind, call, read, write
 from graphic_tmm.fitting.composition import COMPOSITION, beside
 from graphic_tmm.fitting.composition import FILE as COMPOSED
 from graphic_tmm.language.said import said
-from graphic_tmm.packaged import packaged, scene_name, scene_path
+from graphic_tmm.scene.packaged import packaged, scene_name, scene_path
 from graphic_tmm.scene.read import FILE, SCENE
 from graphic_tmm.serve.limits import SCENES
 

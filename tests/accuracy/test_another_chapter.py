@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import pytest
@@ -12,22 +12,33 @@ from support.gallery import SHEETS
 
 from graphic_tmm.accuracy.advice import advice, most
 from graphic_tmm.accuracy.budget import choose
+from graphic_tmm.accuracy.quantity import Quantity, Value
+from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.accuracy.report_json import json_report
 from graphic_tmm.accuracy.study import study
 from graphic_tmm.board.operations.instruments import join, lay_off, measure
 from graphic_tmm.board.values import Length, Point
-from graphic_tmm.chapter import Asked, Chapter, Made, Place, added
+from graphic_tmm.bounds import Bound
 from graphic_tmm.errors import SceneError
 from graphic_tmm.language.said import said
-from graphic_tmm.project import Bench, Project
-from graphic_tmm.quantity import Quantity, Value
+from graphic_tmm.project import Bench, Plan, Project
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.chapter import Chapter, Made, Place, added
+from graphic_tmm.scene.declare import Section, key
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
-from graphic_tmm.varied import Accuracy, Axis
+from graphic_tmm.scene.tasks import SectionKey
 
-ASKED: Asked[int] = Asked("strip")
+ASKED: SectionKey[int] = SectionKey("strip")
 STRIP: Made[Any] = Made("strip")
 WHOLE = 120.0
+
+
+@dataclass(frozen=True)
+class Strip:
+    """A strip in equal parts."""
+
+    pieces: int = key(v.number(Bound(1, whole=True)), "its parts", 4)
 
 
 def record(bench: Bench) -> Any:
@@ -56,21 +67,23 @@ CHAPTER = Chapter(
     name="strip",
     number=99,
     board="strip",
+    sections=(Section("strip", Strip, "a strip in equal parts", alone=True),),
     places=(Place("strip", 200),),
-    asked=lambda scene: ASKED.of(scene) is not None,
-    record=record,
-    accuracy=Accuracy(
-        quantities=quantities,
-        places=("strip",),
-        axes=(
-            Axis(
-                "pieces",
-                divided,
-                parts=lambda scene: ASKED.of(scene) or 0,
-                counted=said("{n} piece", "{n} pieces"),
+    answers=(
+        Plan(record=record),
+        Accuracy(
+            quantities=quantities,
+            places=("strip",),
+            axes=(
+                Axis(
+                    "pieces",
+                    divided,
+                    parts=lambda scene: ASKED.of(scene) or 0,
+                    counted=said("{n} piece", "{n} pieces"),
+                ),
             ),
+            words={"first_part": said("the first part"), "pieces": said("pieces of a strip")},
         ),
-        words={"first_part": said("the first part"), "pieces": said("pieces of a strip")},
     ),
 )
 

@@ -19,8 +19,8 @@ from graphic_tmm.board.grammar import OPERATIONS, Operation
 from graphic_tmm.board.script import Script
 from graphic_tmm.board.source import NotCompiled
 from graphic_tmm.board.values import Angle, Arc, Curve, Length, Line, Number, Point, Side, arrays
-from graphic_tmm.chapter import whole_book
 from graphic_tmm.page.practice.pack import HEAD
+from graphic_tmm.scene.chapter import whole_book
 
 TIMES = 12
 NEAR = 1e-9

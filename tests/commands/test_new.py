@@ -11,12 +11,12 @@ import pytest
 from support.boards import in_usual_size
 from support.command import invoke
 
-from graphic_tmm.beginnings import BEGINNINGS
 from graphic_tmm.commands import new as command
+from graphic_tmm.commands.shared.beginnings import BEGINNINGS
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.packaged import packaged
 from graphic_tmm.scene.declare import MISSING, Kind, keys_of
 from graphic_tmm.scene.new import MANNER, SCHEMA, shown
+from graphic_tmm.scene.packaged import packaged
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.sections import declared
 

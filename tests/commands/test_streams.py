@@ -14,7 +14,7 @@ from support.scenes import source
 
 from graphic_tmm.__main__ import main
 from graphic_tmm.commands.shared import progress
-from graphic_tmm.packaged import packaged
+from graphic_tmm.scene.packaged import packaged
 
 
 def fed(text: str, *arguments: str) -> Result:

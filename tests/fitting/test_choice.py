@@ -24,6 +24,7 @@ from graphic_tmm.board.scales import PREFERRED, Scale, nearest, standard
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.fitting.choice import SCALES, Choices, choices
+from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.language.numbers import number
 from graphic_tmm.readers.narration import protocol
 from graphic_tmm.scene.read import read
@@ -175,7 +176,9 @@ def told_on_sheets(drawn: Drawn) -> set[tuple[str, str]]:
     found: set[tuple[str, str]] = set()
     for chapter in drawn.project.chapters:
         for place in chapter.places:
-            labels = [label.text for view in place.draw(drawn, True) for label in view.labels]
+            labels = [
+                label.text for view in drawing_of(place.name)(drawn, True) for label in view.labels
+            ]
             told = [match for text in labels for match in TOLD.findall(text)]
             found |= {(bare(name), figure) for name, figure in told}
     return found

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from graphic_tmm.fitting.measuring import Rooms, pieces
-from graphic_tmm.fitting.scales import Sizes, usual
+from graphic_tmm.fitting.measuring import Rooms
+from graphic_tmm.fitting.sizes import Sizes, usual
 from graphic_tmm.fitting.tried import Mechanism
-from graphic_tmm.packaged import scene_path
+from graphic_tmm.fitting.views import pieces
 from graphic_tmm.paper.packing import bounds
+from graphic_tmm.scene.packaged import scene_path
 from graphic_tmm.scene.read import read
 
 Boxes = list[tuple[str, tuple[float, float, float, float]]]

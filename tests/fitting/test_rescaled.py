@@ -11,7 +11,8 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Curve
 from graphic_tmm.drawn import doubted
 from graphic_tmm.fitting.rescaled import Rescaled, to_scale
-from graphic_tmm.fitting.scales import chosen, reach_of, usual
+from graphic_tmm.fitting.scales import chosen, reach_of
+from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.project import Project, record
 from graphic_tmm.scene.read import read
 

@@ -16,8 +16,8 @@ from graphic_tmm.chapters.kinematics.scales import ruling
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.compose import composed
 from graphic_tmm.fitting.fit import fitted
-from graphic_tmm.fitting.scales import usual
 from graphic_tmm.fitting.search import Search
+from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.fitting.tried import Mechanism
 from graphic_tmm.mechanism.records import Row
 from graphic_tmm.readers.warnings import warnings

@@ -10,7 +10,6 @@ from support.each import each
 from support.gallery import ALL, EVERYDAY, LARGEST
 from support.handouts import drawn_last, shape_of, told
 
-from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.handout.chosen import Chosen
 from graphic_tmm.handout.ink import HEIGHTS
 from graphic_tmm.handout.series import Series
@@ -18,6 +17,7 @@ from graphic_tmm.handout.story import places_of
 from graphic_tmm.paper.drawing import Ink, Stroke
 from graphic_tmm.readers.covering import covering
 from graphic_tmm.readers.narration import protocol
+from graphic_tmm.scene.chapter import MECHANISM
 
 SCENES = [name for name in ALL if name != "lettering"]
 CHEAP = [name for name in ("slider-diagrams", "crank-rocker") if name in EVERYDAY]

@@ -16,9 +16,9 @@ from support.leftovers import english, leftovers, of_page, of_svg
 from support.scenes import MECHANISM, calling
 
 from graphic_tmm.__main__ import main
-from graphic_tmm.captions import captions
 from graphic_tmm.checking import check as checking
 from graphic_tmm.readers.protocol import plans
+from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
 
 BARE = 'title = "T"\nlanguage = "en"\n'

@@ -21,7 +21,7 @@ from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import TmmError
 from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.formats import formatted
-from graphic_tmm.fitting.scales import usual
+from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.note.note import note, wanted
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene

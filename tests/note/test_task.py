@@ -8,15 +8,16 @@ import pytest
 from support.gallery import in_usual, scene
 from support.scenes import edited
 
-from graphic_tmm.chapter import chapters
 from graphic_tmm.note.document import Symbol, Table
 from graphic_tmm.note.sections.task import given_table
+from graphic_tmm.readers.task_sheet import TaskSheet
+from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 
 
 def stated(asked: Scene, language: str) -> list[str]:
-    return [one for chapter in chapters() for one in chapter.stated(asked, language)]
+    return [one for chapter in chapters() for one in TaskSheet.of(chapter).stated(asked, language)]
 
 
 def test_the_task_of_the_project_is_told_in_words_as_its_document_does() -> None:

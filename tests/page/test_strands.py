@@ -10,9 +10,9 @@ import pytest
 from support import gallery
 
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.moving import Moving
 from graphic_tmm.page.dense import Dense, dense
 from graphic_tmm.page.letters import glide, lettered
+from graphic_tmm.page.moving import Moving, MovingFigures
 from graphic_tmm.page.strands import (
     NEAR,
     STEP,
@@ -39,7 +39,7 @@ def _dense(name: str) -> Dense:
 
 def _moving(drawn: Drawn) -> Iterator[Moving]:
     for chapter in drawn.project.chapters:
-        yield from chapter.moving(drawn)
+        yield from MovingFigures.of(chapter).figures(drawn)
 
 
 def _ink(moving: Moving, k: int) -> dict[Line, list[float]]:

@@ -17,14 +17,14 @@ from support.mechanisms import sample
 from support.scenes import written
 
 from graphic_tmm.board.values import Point
-from graphic_tmm.chapter import places
 from graphic_tmm.chapters.flywheel.names import FLYWHEEL
 from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.errors import SheetError
-from graphic_tmm.fitting.scales import usual
 from graphic_tmm.fitting.search import MEASURABLE, SAVING
+from graphic_tmm.fitting.sizes import sizes_of, usual
 from graphic_tmm.fitting.tried import Mechanism
+from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.mechanism.records import Row
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.frame.frame import drawing_area
@@ -367,9 +367,8 @@ def test_a_board_knows_every_size_that_its_views_depend_on(
         return
     scene = read(written(tmp_path, asked.mechanism(kind, 6, [("A4", (place,))])))
     board = Mechanism(scene)
-    shown = places()[place][1]
-    views = shown.draw(board.draw(usual(scene)), False)
-    assert {n for view in views for n in shown.sizes(scene, view.name)} <= set(board.sizes)
+    views = drawing_of(place)(board.draw(usual(scene)), False)
+    assert {n for view in views for n in sizes_of(place, view.name, scene)} <= set(board.sizes)
 
 
 def read_of(text: str, folder: Path) -> Drawn:

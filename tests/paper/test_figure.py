@@ -12,7 +12,6 @@ from support.gallery import PLANS, drawn
 from graphic_tmm.board.grammar import OPERATIONS
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.values import Arc, Curve, Line, Point
-from graphic_tmm.chapter import whole_book
 from graphic_tmm.chapters.diagrams.views import diagram_views
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
 from graphic_tmm.chapters.kinematics.views import position_views
@@ -22,6 +21,7 @@ from graphic_tmm.paper.figure import Picture, of_step, pictures, until
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph_rules import axes_of
 from graphic_tmm.paper.rules import BY_KIND, RULES, TRACELESS
+from graphic_tmm.scene.chapter import whole_book
 
 
 def plan(work: Drawn, which: str, index: int) -> Drawing:

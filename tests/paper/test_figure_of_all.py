@@ -17,10 +17,11 @@ from support.gallery import ALL, exact
 from graphic_tmm import chapters as book
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.rules import TRACELESS
+from graphic_tmm.scene.chapter import chapters
 
 ASIDE = (r"forces \S+ \d+", r"\S+-calculation", r"planetary-behind", r"engine-works")
 """Views that are worked aside and no sheet shows: force polygons of the passes of friction before the last, and
@@ -44,7 +45,7 @@ def drawings(work: Drawn) -> Iterator[tuple[str, Drawing]]:
     for one in chapters():
         if one.name in work.made:
             for place in one.places:
-                yield from ((one.name, view) for view in place.draw(work, False))
+                yield from ((one.name, view) for view in drawing_of(place.name)(work, False))
 
 
 def unseen(work: Drawn, step: Step) -> bool:

@@ -16,10 +16,11 @@ from support.gallery import NAMES, drawn
 
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Arc, Line, Point
-from graphic_tmm.chapter import places
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.fit import fitted
+from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.paper.drawing import Drawing, Stroke
+from graphic_tmm.scene.chapter import places
 from graphic_tmm.scene.read import read
 
 PLACES = ("positions", "velocities", "accelerations", "forces", "lever")
@@ -88,10 +89,10 @@ def ends(work: Drawn, view: Drawing) -> Iterator[str]:
 def faults(work: Drawn) -> list[str]:
     known, found, seen = places(), list[str](), 0
     for place in PLACES:
-        chapter, shown = known[place]
+        chapter = known[place][0]
         if chapter.name not in work.made:
             continue
-        for view in shown.draw(work, False):
+        for view in drawing_of(place)(work, False):
             if view.shows:
                 seen += 1
                 found += [*astray(work, view), *ends(work, view)]

@@ -11,6 +11,7 @@ import pytest
 from support.boards import in_usual_size
 
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Label
 from graphic_tmm.paper.figure import pictures
 from graphic_tmm.paper.lettering.letters import letter
@@ -45,7 +46,7 @@ def drawings(drawn: Drawn) -> Iterator[Drawing]:
     for chapter in drawn.project.chapters:
         for place in chapter.places:
             if not place.together:
-                yield from (view for view in place.draw(drawn, True) if view.shows)
+                yield from (view for view in drawing_of(place.name)(drawn, True) if view.shows)
 
 
 def spots(stroke: Ink) -> np.ndarray:

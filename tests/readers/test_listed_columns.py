@@ -10,11 +10,11 @@ from typing import Any
 import pytest
 from support.gallery import exact, scene
 
-from graphic_tmm.chapter import places
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import FINE
 from graphic_tmm.checking.template.whole import template_of
+from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.readers.table import table
 
@@ -35,7 +35,7 @@ def document(name: str) -> dict[str, Any]:
 
 def views(name: str, place: str) -> Iterable[Drawing]:
     (board,) = exact(name).boards
-    return places()[place][1].draw(board, True)
+    return drawing_of(place)(board, True)
 
 
 def shown(drawing: Drawing) -> list[str]:

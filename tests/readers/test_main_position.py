@@ -11,6 +11,7 @@ from support.boards import in_usual_size
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.drawn import Drawn, DrawnScene
+from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.handout.chosen import chosen
 from graphic_tmm.page.stops import Played
 from graphic_tmm.readers.protocol import steps_of
@@ -32,13 +33,7 @@ def board(name: str, main: str | None = None) -> Drawn:
 
 def heavy(drawn: Drawn) -> set[int | None]:
     """The positions whose pins bear the sign of a pair: the one that is drawn heavy."""
-    (place,) = (
-        place
-        for chapter in drawn.project.chapters
-        for place in chapter.places
-        if place.name == "positions"
-    )
-    (view,) = place.draw(drawn, True)
+    (view,) = drawing_of("positions")(drawn, True)
     return {one.position for one in view.strokes if getattr(one, "part", "") == "turning"}
 
 
@@ -48,8 +43,7 @@ def test_all_begin_with_it(main: str | None) -> None:
     assert heavy(drawn) == {drawn.main}
     name = drawn.names[drawn.main]
     assert name == (main or "4")
-    (place,) = (p for c in drawn.project.chapters for p in c.places if p.name == "positions")
-    (view,) = place.draw(drawn, True)
+    (view,) = drawing_of("positions")(drawn, True)
     assert Played(drawn, view, "en").first == drawn.main
     one = next(c for c in chosen(made("upright.toml", main), ["velocities"], None))
     assert one.place == drawn.main

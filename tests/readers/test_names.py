@@ -24,7 +24,6 @@ from support.scenes import calling, written
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import TALLY, Construction
-from graphic_tmm.captions import captions
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.names import plain, spoken
 from graphic_tmm.language.symbols import symbol
@@ -36,6 +35,7 @@ from graphic_tmm.readers.protocol import protocol as told
 from graphic_tmm.readers.protocol import steps_of
 from graphic_tmm.readers.table import scene_columns, table
 from graphic_tmm.readers.text import column_name
+from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.read import read
 
 PACKAGED = sorted(

@@ -16,6 +16,7 @@ from support.scenes import slider_crank, written
 
 from graphic_tmm.chapters.forces.views import force_table
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.language.numbers import percent_decimals
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.told import told
@@ -83,7 +84,7 @@ def test_what_rounds_to_nothing_is_within_any_limit(tmp_path: Path) -> None:
     shown = " ".join(
         texts(
             [
-                place.draw(drawn, True)
+                drawing_of(place.name)(drawn, True)
                 for one in drawn.project.chapters
                 for place in one.places
                 if place.name == "lever"

@@ -16,11 +16,11 @@ from support.scenes import edited
 from support.sheets_of_random import scenes
 
 from graphic_tmm.board.values import Curve, undefined
-from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.catalogue import languages
 from graphic_tmm.readers.protocol import part_protocol, plans, protocol
 from graphic_tmm.readers.table import table
+from graphic_tmm.scene.chapter import MECHANISM
 from graphic_tmm.scene.read import read
 
 READABLE = 0.9e-9

@@ -11,11 +11,10 @@ from support.gallery import ALL, PLANS, drawn, made
 
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.operations.instruments import homologous, similar
-from graphic_tmm.board.record import Board, Construction, Mark
-from graphic_tmm.board.values import Length, Point
+from graphic_tmm.board.record import Board, Construction
+from graphic_tmm.board.values import Point
 from graphic_tmm.fitting.choice import choices
 from graphic_tmm.language.catalogue import SOURCE, speaking
-from graphic_tmm.language.names import aloud
 from graphic_tmm.readers.equations import Term, equations
 from graphic_tmm.readers.protocol import synthesis
 from graphic_tmm.readers.sentences import calculation, reason
@@ -74,23 +73,6 @@ def test_terms_of_equations_know_the_ends_of_their_segments(name: str, plan: str
             assert side[-1].marks[1] == point
         if isinstance(equation.sought, Term):
             assert equation.sought.marks == (pole, point)
-
-
-def test_a_mark_has_a_name_that_can_be_spoken() -> None:
-    assert aloud(Mark(0, "O####", Point, "forces"), "en") == "O, the fifth"
-    assert aloud(Mark(0, "O#", Point, "forces"), "ru") == "O, второе"
-    assert aloud(Mark(0, "A′", Point, "plan"), "en") == "A prime"
-    assert aloud(Mark(0, "l_{OA}", Length, "plan"), "ru") == "l OA"
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ALL)
-def test_no_spoken_name_has_a_sign_that_cannot_be_spoken(name: str) -> None:
-    for board in made(name).boards:
-        log = board.construction
-        for mark in (*log.given, *(step.it for step in log.steps)):
-            for language in ("en", "ru"):
-                assert not set("#′″{}_^") & set(aloud(mark, language))
 
 
 @pytest.mark.slow

@@ -23,13 +23,13 @@ from support.gallery import NAMES, drawn
 from support.scenes import edited
 
 from graphic_tmm.board.naming import segment_name
-from graphic_tmm.chapter import MECHANISM, places
 from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.table import plan_columns
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.table import columns_of, table
 from graphic_tmm.readers.text import text_tables
 from graphic_tmm.readers.writing import as_csv, as_json
+from graphic_tmm.scene.chapter import MECHANISM, places
 from graphic_tmm.scene.read import read
 
 OWN_BOARDS = {name for name, (one, _) in places().items() if one.board not in ("", MECHANISM)}

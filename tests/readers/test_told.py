@@ -17,13 +17,14 @@ from support.columns import along
 from support.gallery import NAMES
 from support.sheets_of_random import scenes
 
-from graphic_tmm.chapter import chapters
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.result_table import result_table
 from graphic_tmm.readers.table import columns_of
 from graphic_tmm.readers.told import told
+from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.read import read
 
 Row = list[str]
@@ -35,7 +36,9 @@ def tables(drawn: Drawn) -> Iterator[Drawing]:
     for chapter in chapters():
         if chapter.board == drawn.board:
             for place in chapter.places:
-                yield from (v for v in place.draw(drawn, False) if v.name.startswith("table-"))
+                yield from (
+                    v for v in drawing_of(place.name)(drawn, False) if v.name.startswith("table-")
+                )
 
 
 def rows_of(view: Drawing) -> list[Row]:

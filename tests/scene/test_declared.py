@@ -11,15 +11,16 @@ from typing import Any
 import pytest
 
 from graphic_tmm.bounds import Bound
-from graphic_tmm.chapter import Asked, Chapter, added
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene import keys
 from graphic_tmm.scene import values as v
+from graphic_tmm.scene.chapter import Chapter, added
 from graphic_tmm.scene.declare import Found, Said, Section, key, keys_of, made
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.registry import size_keys
 from graphic_tmm.scene.schema import schema
 from graphic_tmm.scene.sections import Parts, declared
+from graphic_tmm.scene.tasks import SectionKey
 
 HEAD = 'title = "T"\nlanguage = "en"\n[[sheet]]\nplace = ["lettering"]\n'
 
@@ -42,7 +43,7 @@ def _check(said: Said, parts: Parts) -> Iterator[Found]:
         yield Found(("spring", "loaded"), "a load shortens it; write a shorter length")
 
 
-ASKED: Asked[Spring] = Asked("spring")
+ASKED: SectionKey[Spring] = SectionKey("spring")
 CHAPTER = Chapter(
     name="springs",
     number=99,

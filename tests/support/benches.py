@@ -13,9 +13,9 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.packaged import packaged
 from graphic_tmm.page.practice.pack import Packing
 from graphic_tmm.page.practice.tasks import sheet_row
+from graphic_tmm.scene.packaged import packaged
 from support import gallery
 from support.browser import without
 

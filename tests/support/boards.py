@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.chapters.kinematics.names import PLANS
 from graphic_tmm.drawn import Drawn, DrawnScene, doubted
 from graphic_tmm.fitting.given import drawn_as
-from graphic_tmm.fitting.scales import executed, reach_of, usual
+from graphic_tmm.fitting.scales import executed, reach_of
+from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.mechanism.records import Mechanism, Row
 from graphic_tmm.project import Project, own_boards, record
+from graphic_tmm.scene.chapter import MECHANISM
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import draws_mechanism
 

@@ -15,14 +15,14 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.drawn import Drawn, DrawnScene
-from graphic_tmm.finer import Finer, finer
 from graphic_tmm.fitting.choice import SCALES, choices
 from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.formats import formatted
-from graphic_tmm.fitting.scales import usual
+from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.note.document import Document, Number, Source
 from graphic_tmm.note.formats import files
 from graphic_tmm.note.note import note, wanted
+from graphic_tmm.readers.finer import Finer, finer
 from graphic_tmm.readers.given import given_rows
 from graphic_tmm.readers.protocol import SYNTHESIS, synthesis
 from graphic_tmm.readers.table import columns_of, results_of

@@ -6,8 +6,8 @@ from functools import cache, wraps
 from pathlib import Path
 from typing import Any
 
-from graphic_tmm.packaged import packaged
 from graphic_tmm.scene import read as reading
+from graphic_tmm.scene.packaged import packaged
 from graphic_tmm.scene.records import Scene
 
 ANEW = reading.read

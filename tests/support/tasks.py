@@ -7,12 +7,12 @@ from functools import cache
 from graphic_tmm.accuracy.drawing import Pinned, draw, pinned
 from graphic_tmm.accuracy.measure import Measure
 from graphic_tmm.accuracy.quantities import quantities
+from graphic_tmm.accuracy.quantity import Quantity
 from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.settings import Setting, named
 from graphic_tmm.accuracy.study import Study, study
-from graphic_tmm.finer import whole
 from graphic_tmm.project import Project
-from graphic_tmm.quantity import Quantity
+from graphic_tmm.readers.finer import whole
 from graphic_tmm.scene.records import Scene
 from support import gallery
 from support.gallery import exact

@@ -5,19 +5,22 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from graphic_tmm.accuracy.quantity import Quantity, Value
+from graphic_tmm.accuracy.question import Accuracy
 from graphic_tmm.board.operations.instruments import cross, lay_off, measure, ray, strike
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point, Side
-from graphic_tmm.chapter import Asked, Chapter, Made, Place
-from graphic_tmm.drawn import Drawn, view_scales
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.scales import ScaleFactors
+from graphic_tmm.fitting.views import Views
 from graphic_tmm.paper.drawing import Drawing, line
 from graphic_tmm.paper.views import captioned, mu_text
-from graphic_tmm.project import Bench, Project
-from graphic_tmm.quantity import Quantity, Value
-from graphic_tmm.readers.measured import measured_columns
+from graphic_tmm.project import Bench, Plan, Project
 from graphic_tmm.scene import values as v
+from graphic_tmm.scene.captions import Named
+from graphic_tmm.scene.chapter import Chapter, Made, Place
 from graphic_tmm.scene.declare import Section, key
-from graphic_tmm.varied import Accuracy
+from graphic_tmm.scene.tasks import SectionKey
 
 
 @dataclass(frozen=True)
@@ -35,14 +38,12 @@ class Triangle(NamedTuple):
     mu: Mark
 
 
-ASKED: Asked[Sides] = Asked("triangle")
+ASKED: SectionKey[Sides] = SectionKey("triangle")
 TRIANGLE: Made[Triangle] = Made("triangle")
 
 
-def record(bench: Bench) -> Triangle | None:
+def record(bench: Bench) -> Triangle:
     task, draft = ASKED.of(bench.scene), bench.draft
-    if task is None:
-        return None
     draft.open("triangle")
     draft.mu_l = mu = draft.scale("μ_l", "m/mm")
     draft.lay_out()
@@ -69,12 +70,11 @@ def side(project: Project) -> tuple[Quantity, ...]:
 CHAPTER = Chapter(
     "triangle", 98, "triangle",
     sections=(Section("triangle", Sides, "a triangle by its sides", alone=True),),
-    places=(Place("triangle", 130, figure),),
-    asked=lambda scene: ASKED.of(scene) is not None,
-    record=record,
-    scales=lambda fitting: {TRIANGLE.on(fitting).mu: 0.0005},
-    named=lambda project, reading, given: view_scales(project, reading),
-    plans=("triangle",),
-    columns=measured_columns, captions={"triangle": "Triangle by its sides"},
-    accuracy=Accuracy(quantities=side, words={"CA": "side CA"}),
+    places=(Place("triangle", 130),),
+    answers=(
+        Plan(record=record), Views(draw={"triangle": figure}),
+        ScaleFactors(scales=lambda fitting: {TRIANGLE.on(fitting).mu: 0.0005}),
+        Named(captions={"triangle": "Triangle by its sides"}, plans=("triangle",)),
+        Accuracy(quantities=side, words={"CA": "side CA"}),
+    ),
 )  # fmt: skip

@@ -28,62 +28,15 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from graphic_tmm.chapter import Chapter, Place, Size
-from graphic_tmm.chapters.arc_cam.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.arc_cam.names import ARC_CAM
-from graphic_tmm.chapters.arc_cam.task import ASKED, SECTIONS
-from graphic_tmm.late import late
-from graphic_tmm.readers.given import given_place
-
-if TYPE_CHECKING:
-    from graphic_tmm.scene.records import Scene
-
-with late(__name__):
-    from graphic_tmm.chapters.arc_cam.asks import asks
-    from graphic_tmm.chapters.arc_cam.beside import record_beside
-    from graphic_tmm.chapters.arc_cam.choice import choose
-    from graphic_tmm.chapters.arc_cam.given import given
-    from graphic_tmm.chapters.arc_cam.note import note
-    from graphic_tmm.chapters.arc_cam.note_conclusions import concludes
-    from graphic_tmm.chapters.arc_cam.plan import record
-    from graphic_tmm.chapters.arc_cam.scheme import scheme
-    from graphic_tmm.chapters.arc_cam.table import arc_columns, results
-    from graphic_tmm.chapters.arc_cam.views import arc_views
-    from graphic_tmm.drawn import view_scales
-
-
-def _fixed(scene: Scene) -> str:
-    return "arc_cam.mu_l" if "arc_cam.mu_l" in scene.told else ""
-
+from graphic_tmm.chapters.arc_cam.task import SECTIONS
+from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
     name=ARC_CAM.chapter,
     number=13,
-    captions=CAPTIONS,
     board=ARC_CAM.chapter,
     builds_on=("cam",),
-    places=(
-        Place("arc_cam", 105, arc_views, sizes=lambda scene, view: (ARC_CAM.chapter,), asks=asks),
-        given_place("arc_cam"),
-    ),
-    sizes=(Size(ARC_CAM.chapter, small=0.75, cap=0.6, step=1.25, fixed=_fixed),),
-    asked=lambda scene: ASKED.of(scene) is not None,
-    given=given,
-    scheme=scheme,
+    places=(Place("arc_cam", 105), Place("arc_cam given", attends="arc_cam")),
     sections=SECTIONS,
-    record=record,
-    aside=record_beside,
-    charts=lambda made: made.charts.values(),
-    choice=choose,
-    named=lambda project, reading, given: view_scales(project, reading),
-    plans=(ARC_CAM.chapter,),
-    plans_rank=81,
-    columns=arc_columns,
-    results=results,
-    note=note,
-    concludes=concludes,
-    sources=("artobolevsky", "popov"),
-    symbols=SYMBOLS,
 )

@@ -9,7 +9,6 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import measure
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
-from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.arc_cam import formulas as f
 from graphic_tmm.chapters.arc_cam import reasons as why
 from graphic_tmm.chapters.arc_cam.acceleration import second_derivatives
@@ -17,6 +16,7 @@ from graphic_tmm.chapters.arc_cam.contour import Contour
 from graphic_tmm.chapters.arc_cam.names import ARC_CAM
 from graphic_tmm.chapters.arc_cam.task import ROCKER
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made, aside
 
 VIEW = "arc_cam-calculation"
 """The view of what is calculated."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from graphic_tmm.chapters.arc_cam.names import ARC_CAM
 from graphic_tmm.chapters.arc_cam.plan import reach_of
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Ledger
+from graphic_tmm.fitting.choice import Choice, Ledger
 
 
 def choose(drawn: Drawn, ledger: Ledger) -> None:
@@ -18,3 +18,6 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
         return
     most = ledger.quantity("r_{max}", reach_of(made.order), "m")
     ledger.fitting(mu, most, ledger.value_of(drawn, mu), lengths=True)
+
+
+CHOICE = Choice(choose)

@@ -14,12 +14,14 @@ from graphic_tmm.chapters.arc_cam.beside import BESIDE
 from graphic_tmm.chapters.arc_cam.beside import VIEW as CALCULATED
 from graphic_tmm.chapters.arc_cam.contour import VIEW
 from graphic_tmm.chapters.arc_cam.names import ARC_CAM
+from graphic_tmm.chapters.arc_cam.note_conclusions import concludes
 from graphic_tmm.chapters.arc_cam.plan import VIEWS, ArcCam
 from graphic_tmm.chapters.arc_cam.table import arc_columns
 from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER
 from graphic_tmm.chapters.arc_cam.views import arc_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.note.bricks import columns, heading, referred
+from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import (
     Block,
     Item,
@@ -108,3 +110,6 @@ class _Page(Page):
         steps = self.drawn.construction.steps
         marks: Sequence[Mark] = [s.it for s in steps if s.it.view == view and s.op in ops]
         yield from self.worked_out(self._read(view), *marks)
+
+
+NOTE = Noted(section=note, concludes=concludes)

@@ -11,7 +11,6 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from graphic_tmm.board.scales import LENGTHS, standard_length
-from graphic_tmm.chapter import Scheme
 from graphic_tmm.chapters.arc_cam.geometry import centre_of, normals
 from graphic_tmm.chapters.arc_cam.ink import DOT, GUIDE, PIN, ROD, WIDTH, from_to
 from graphic_tmm.chapters.arc_cam.task import ASKED, FLAT, ROCKER, ArcTask, Flank
@@ -23,6 +22,7 @@ from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.lettering.heights import HEIGHTS
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.symbols.kinematic import arrowhead, channel, fixed_pivot, round_arrow
+from graphic_tmm.readers.task_sheet import Scheme
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.values import CLOCKWISE
 

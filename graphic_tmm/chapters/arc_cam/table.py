@@ -13,6 +13,7 @@ from graphic_tmm.chapters.arc_cam.plan import marks
 from graphic_tmm.chapters.arc_cam.task import ROCKER
 from graphic_tmm.drawn import Drawn, Results
 from graphic_tmm.readers.columns import Column, empty, row_of
+from graphic_tmm.readers.measured import Tabled
 
 PLAN = ARC_CAM.chapter
 
@@ -65,3 +66,6 @@ def results(drawn: Drawn) -> Results:
         for name, mark in zip(("flank_centre", "flank_to_nose"), pair, strict=True):
             found[f"{name}{number}"] = (drawn.reading.figure(mark)[:, 0].copy(), mark.unit)
     return found
+
+
+TABLE = Tabled(columns=arc_columns, results=results)

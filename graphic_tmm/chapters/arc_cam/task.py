@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from graphic_tmm.bounds import Bound
-from graphic_tmm.chapter import Asked
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, key, made
 from graphic_tmm.scene.misfits import stands
+from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -120,7 +120,7 @@ class ArcTask:
     )
 
 
-ASKED: Asked[ArcTask] = Asked("arc_cam")
+ASKED: SectionKey[ArcTask] = SectionKey("arc_cam")
 
 
 def check(cam: Said, parts: Parts) -> Iterator[Found]:

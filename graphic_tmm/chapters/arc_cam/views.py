@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.arc_cam.ink import ArcNames, draw_contour_ink
 from graphic_tmm.chapters.arc_cam.names import ARC_CAM
 from graphic_tmm.chapters.arc_cam.plan import LETTERS, VIEWS, ArcCam
 from graphic_tmm.chapters.arc_cam.table import PLAN, arc_columns
 from graphic_tmm.chapters.arc_cam.table import results as figures
 from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.axes import on_axis
@@ -20,7 +20,9 @@ from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import captioned, mu_text, pole_figures, stacked, wrapped
+from graphic_tmm.readers.given import given_views
 from graphic_tmm.readers.result_table import result_table, results
+from graphic_tmm.scene.captions import captions
 
 
 def arc_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -98,3 +100,6 @@ def _results(drawn: Drawn) -> Drawing:
         rows.append([words[name], figure, unit("mm" if in_mm else of, language)])
     high = heights(drawn.scene, PLAN)
     return results("table-arc_cam-results", words["arc_cam"], rows, language, high)
+
+
+SHOWN = Views(draw={"arc_cam": arc_views, **given_views("arc_cam")})

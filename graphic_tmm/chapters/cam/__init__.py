@@ -34,100 +34,14 @@ windrower (scene ``windrower``).
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from graphic_tmm.chapter import Chapter, Place, Size
-from graphic_tmm.chapters.cam.captions import CAPTIONS, SYMBOLS
-from graphic_tmm.chapters.cam.names import CAM, GRAPHS
-from graphic_tmm.chapters.cam.task import ASKED, SECTIONS
-from graphic_tmm.language.said import said
-from graphic_tmm.late import late
-from graphic_tmm.readers.given import given_place
-
-if TYPE_CHECKING:
-    from graphic_tmm.drawn import Drawn
-    from graphic_tmm.scene.records import Scene
-
-with late(__name__):
-    from graphic_tmm.chapters.cam import asks
-    from graphic_tmm.chapters.cam.accuracy import ACCURACY
-    from graphic_tmm.chapters.cam.beside import record_beside
-    from graphic_tmm.chapters.cam.choice import choose
-    from graphic_tmm.chapters.cam.findings import cam_findings, changes
-    from graphic_tmm.chapters.cam.given import given, stated
-    from graphic_tmm.chapters.cam.note import note
-    from graphic_tmm.chapters.cam.note_conclusions import concludes
-    from graphic_tmm.chapters.cam.plan import record
-    from graphic_tmm.chapters.cam.scheme import scheme
-    from graphic_tmm.chapters.cam.table import cam_columns, results
-    from graphic_tmm.chapters.cam.verdict import verdict as judged
-    from graphic_tmm.chapters.cam.views import cam_views, scheme_views
-    from graphic_tmm.drawn import view_scales
-
-
-FIGURES = ("cam profile", "cam scheme", "cam centre", "profile", "centre")
-"""What is drawn of a cam besides graphs."""
-
-
-def _sizes(scene: Scene, view: str) -> tuple[str, ...]:
-    return (CAM.chapter,) if view.startswith(FIGURES) else (GRAPHS,)
-
-
-def _limits(drawn: Drawn, language: str) -> tuple[str, ...]:
-    """Return, as sentences, what was changed of diagrams read off paper, and the limits that a cam passes."""
-    made = CAM.on(drawn)
-    found = cam_findings(drawn.reading, made)
-    return (*changes(made, language), *(one.says(language) for one in found))
-
-
-def _told(key: str) -> Size:
-    name = {"cam.mu_l": CAM.chapter, "cam.base": GRAPHS}[key]
-    return Size(
-        name,
-        small=0.75,
-        cap=CAPS[key],
-        step=1.25,
-        fixed=lambda scene: key if key in scene.told else "",
-    )
-
-
-CAPS = {"cam.mu_l": 0.6, "cam.base": 0.94}
-"""What share of a sheet's height what a key sizes may take."""
+from graphic_tmm.chapters.cam.names import CAM
+from graphic_tmm.chapters.cam.task import SECTIONS
+from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
     name=CAM.chapter,
     number=8,
-    captions=CAPTIONS,
     board=CAM.chapter,
-    places=(
-        Place("cam", 100, cam_views, sizes=_sizes, asks=asks.asks),
-        Place("cam scheme", 0, scheme_views, sizes=_sizes, asks=asks.scheme),
-        given_place("cam"),
-    ),
-    sizes=(_told("cam.mu_l"), _told("cam.base")),
-    asked=lambda scene: ASKED.of(scene) is not None,
-    given=given,
-    stated=stated,
-    listed=asks.listed,
-    scheme=scheme,
+    places=(Place("cam", 100), Place("cam scheme"), Place("cam given", attends="cam")),
     sections=SECTIONS,
-    record=record,
-    aside=record_beside,
-    choice=choose,
-    charts=lambda made: made.charts,
-    result=lambda made: (made.least,),
-    remedy=said(
-        "no centre of the cam keeps the pressure angle within its limit; allow a larger one "
-        "(pressure, or a smaller transmission), or a smaller stroke or longer phases"
-    ),
-    named=lambda project, reading, given: view_scales(project, reading),
-    warnings=_limits,
-    plans=(CAM.chapter,),
-    columns=cam_columns,
-    results=results,
-    accuracy=ACCURACY,
-    concludes=lambda drawn, language: (*concludes(drawn, language), *judged(drawn, language)),
-    note=note,
-    sources=("artobolevsky", "popov"),
-    symbols=SYMBOLS,
 )

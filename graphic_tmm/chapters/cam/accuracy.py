@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
+from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
+from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.chapters.cam.names import CAM
 from graphic_tmm.chapters.cam.task import ASKED
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.quantity import Quantity, Reference, Value
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.varied import Accuracy, Axis
 
 PARTS = (6, 8, 10, 12, 16, 24, 36, 48)
 """Parts of a moving phase."""

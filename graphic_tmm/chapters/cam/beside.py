@@ -7,7 +7,6 @@ from typing import NamedTuple
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
-from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam.laws import laws
 from graphic_tmm.chapters.cam.names import CAM
@@ -16,6 +15,7 @@ from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.read_off import risen
 from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CamTask, FlatFollower, RockerFollower
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made, aside
 
 VIEW = "cam-calculation"
 """The view of what is calculated."""

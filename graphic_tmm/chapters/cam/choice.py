@@ -7,7 +7,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.cam.names import CAM
 from graphic_tmm.chapters.cam.task import ASKED
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Ledger
+from graphic_tmm.fitting.choice import Choice, Ledger
 from graphic_tmm.language.said import said
 
 _AS_DIAGRAMS = said(
@@ -48,3 +48,6 @@ def _as_diagrams(drawn: Drawn, ledger: Ledger, mu: Mark, view: str) -> None:
     same = ledger.copied(drawn, steps, mu)
     ledger.of(view)
     ledger.draft.draw(accepted, "μ_l", same, unit=mu.unit, why=_AS_DIAGRAMS)
+
+
+CHOICE = Choice(choose)

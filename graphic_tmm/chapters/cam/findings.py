@@ -9,12 +9,15 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.cam.names import CAM
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.read_off import SLACK
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.task import FlatFollower
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
+from graphic_tmm.readers.warnings import Warned
 
 PROTRACTOR = 0.05
 """Degrees: 0.1 mm on a ray of 100 mm. A pressure angle that is over by less cannot be told from the limit."""
@@ -171,3 +174,13 @@ def _roller(
     elif radius > by_rho * (1.0 + RULER):
         found.append(CamFinding("roller by curvature", angle, radius, by_rho, *sizes))
     return tuple(found)
+
+
+def _limits(drawn: Drawn, language: str) -> Iterator[str]:
+    """Yield what was changed of diagrams read off paper, and the limits that a cam passes."""
+    made = CAM.on(drawn)
+    yield from changes(made, language)
+    yield from (finding.says(language) for finding in cam_findings(drawn.reading, made))
+
+
+WARNINGS = Warned(_limits)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import SIZE, Given
 from graphic_tmm.chapters.cam.task import (
     ASKED,
     CamTask,
@@ -16,6 +15,7 @@ from graphic_tmm.chapters.cam.task import (
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.given import given_speed
+from graphic_tmm.readers.task_sheet import SIZE, Given
 from graphic_tmm.scene.records import Scene
 
 

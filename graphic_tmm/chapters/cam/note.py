@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.board.operations.formulas import to_board, total
-from graphic_tmm.chapter import chapters
 from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam import law_formulas as law
 from graphic_tmm.chapters.cam import note_words as words
@@ -20,13 +19,17 @@ from graphic_tmm.chapters.cam.centre import Centre, Path
 from graphic_tmm.chapters.cam.diagrams import VIEWS
 from graphic_tmm.chapters.cam.ink_scheme import NAME as SCHEME
 from graphic_tmm.chapters.cam.names import CAM
+from graphic_tmm.chapters.cam.note_conclusions import concludes
 from graphic_tmm.chapters.cam.note_page import CamPage
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
 from graphic_tmm.chapters.cam.table import cam_columns
 from graphic_tmm.chapters.cam.turn import CURVATURE, PRESSURE
+from graphic_tmm.chapters.cam.verdict import verdict
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.note.bricks import columns, heading, results
-from graphic_tmm.note.document import Block, Paragraph, Run, Text
+from graphic_tmm.note.chapter import Noted
+from graphic_tmm.note.document import Block, Paragraph, Run, Runs, Text
+from graphic_tmm.scene.chapter import chapters
 
 RADII = (
     law.sine_radius, law.sine_radius_V, law.sine_radius_A, law.cosine_radius, law.cosine_radius_V,
@@ -168,3 +171,11 @@ class _Page(CamPage):
     def _results(self) -> Iterator[Block]:
         own = next(one for one in chapters() if one.name == CAM.chapter)
         yield from results(self.drawn, own, self.language)
+
+
+def _concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
+    yield from concludes(drawn, language)
+    yield from verdict(drawn, language)
+
+
+NOTE = Noted(section=note, concludes=_concludes)

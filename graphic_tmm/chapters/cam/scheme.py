@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import accumulate, pairwise
 
-from graphic_tmm.chapter import Scheme
 from graphic_tmm.chapters.cam.task import ASKED, CamTask, RockerFollower
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -15,6 +14,7 @@ from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.lettering.heights import HEIGHTS
 from graphic_tmm.paper.symbols.dimensions import ARROW, Dimension, dimension
 from graphic_tmm.paper.symbols.kinematic import arrowhead
+from graphic_tmm.readers.task_sheet import Scheme
 from graphic_tmm.scene.records import Scene
 
 SIZE = HEIGHTS["A4"].point

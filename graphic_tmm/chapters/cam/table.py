@@ -13,11 +13,8 @@ from graphic_tmm.chapters.cam.names import CAM
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.task import RockerFollower
 from graphic_tmm.drawn import Drawn, Results, results_of
-from graphic_tmm.readers.columns import (
-    Column,
-    empty,
-    row_of,
-)
+from graphic_tmm.readers.columns import Column, empty, row_of
+from graphic_tmm.readers.measured import Tabled
 
 PLAN = CAM.chapter
 
@@ -84,3 +81,6 @@ def cam_marks(made: Cam) -> Mapping[str, Mark]:
         marks |= {"pressure_rise": highest.value, "pressure_return": lowest.value}
     marks["least_curvature"] = made.curvature.extremes[0].value
     return marks
+
+
+TABLE = Tabled(columns=cam_columns, results=results)

@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from graphic_tmm.bounds import POSITIVE, Bound
-from graphic_tmm.chapter import Asked
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, key, made
 from graphic_tmm.scene.misfits import listed, stands
+from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -302,7 +302,7 @@ class CamTask:
     poles: tuple[float, float] = (30.0, 30.0)
 
 
-ASKED: Asked[CamTask] = Asked("cam")
+ASKED: SectionKey[CamTask] = SectionKey("cam")
 
 
 def check(cam: Said, parts: Parts) -> Iterator[Found]:

@@ -7,7 +7,6 @@ from itertools import accumulate
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.cam.beside import BESIDE
 from graphic_tmm.chapters.cam.diagrams import LETTERS, VIEWS
 from graphic_tmm.chapters.cam.flat import Convexity
@@ -23,6 +22,7 @@ from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.table import PLAN, cam_columns, cam_marks
 from graphic_tmm.chapters.cam.turn import CURVATURE
 from graphic_tmm.drawn import Drawn, results_of, single
+from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.units import unit
@@ -32,7 +32,9 @@ from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Level, Names, Span, draw_graph
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import captioned, mu_text, pole_figures, stacked
+from graphic_tmm.readers.given import given_views
 from graphic_tmm.readers.result_table import result_table, results
+from graphic_tmm.scene.captions import captions
 
 LIMITED = ("cam pressure",)
 RADII = "cam radii"
@@ -219,3 +221,6 @@ def _results(drawn: Drawn) -> Drawing:
         figure = fixed(1000.0 * value, 2, language) if in_mm else fixed(value, 2, language)
         rows.append([words[name], figure, unit("mm" if in_mm else of, language)])
     return results("table-cam-results", words["cam"], rows, language, heights(drawn.scene, PLAN))
+
+
+SHOWN = Views(draw={"cam": cam_views, "cam scheme": scheme_views, **given_views("cam")})

@@ -7,6 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
+from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.board.charts import ScaleOrder, distances
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.cycle.names import CYCLE
@@ -16,11 +18,10 @@ from graphic_tmm.chapters.flywheel.names import VIEWS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.quantity import Quantity, Reference, Value
+from graphic_tmm.readers.finer import FinerRow
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.varied import Accuracy, Axis
 
-FINER = 48
+PARTS_OF_TRUTH = 48
 """A cycle divided so many times finer has converged; what stood at a position stands at one still."""
 TIMES = (1, 2, 3, 4, 6)
 """How many times finer the cycle is divided."""
@@ -36,7 +37,7 @@ def _quantities(project: Project) -> Iterator[Quantity]:
 
 
 def _converged(scene: Scene) -> Scene | None:
-    return next((one for _, one in _finer(scene, (FINER,), mean="areas")), None)
+    return next((one for _, one in _finer(scene, (PARTS_OF_TRUTH,), mean="areas")), None)
 
 
 def _finer(scene: Scene, times: Iterable[int], mean: str = "") -> Iterator[tuple[str, Scene]]:
@@ -108,10 +109,14 @@ ACCURACY = Accuracy(
             counted=said("{n} part", "{n} parts"),
         ),
     ),
-    at_count=_at_count,
-    by_positions=BY_POSITIONS,
     enlarged=_enlarged,
     poles=_poles,
     farther=_farther,
     words=WORDS,
+)
+
+
+FINER = FinerRow(
+    at_count=_at_count,
+    by_positions=BY_POSITIONS,
 )

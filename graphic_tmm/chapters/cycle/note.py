@@ -11,6 +11,7 @@ from graphic_tmm.chapters.flywheel.conclusions import concluded
 from graphic_tmm.chapters.flywheel.note import FlywheelPage
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
+from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, Runs, Text
 from graphic_tmm.note.figures import in_hand
 
@@ -36,3 +37,6 @@ def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
     """Yield what the flywheel has to be, and what the machine takes."""
     made = CYCLE.on(drawn)
     yield from concluded(drawn, cycle_results(drawn), made.flywheel.order, language, "cycle")
+
+
+NOTE = Noted(section=note, concludes=concludes)

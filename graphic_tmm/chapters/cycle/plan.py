@@ -18,7 +18,6 @@ from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.cycle.names import CYCLE
 from graphic_tmm.chapters.cycle.task import ASKED, CycleTask
 from graphic_tmm.chapters.flywheel.beside import Beside, calculate
@@ -36,6 +35,7 @@ from graphic_tmm.chapters.flywheel.rim import draw_rim
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made, aside
 
 
 class Cycle(NamedTuple):

@@ -8,13 +8,13 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from graphic_tmm.bounds import INTERVALS, Bound
-from graphic_tmm.chapter import Asked
 from graphic_tmm.chapters.flywheel.task import FlywheelTask, aims
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, build, key, keys_of, made
 from graphic_tmm.scene.misfits import listed, stands
+from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -97,7 +97,7 @@ class CycleTask:
     moments: tuple[Moment, ...] = ()
 
 
-ASKED: Asked[CycleTask] = Asked("cycle")
+ASKED: SectionKey[CycleTask] = SectionKey("cycle")
 
 
 def _check(asked: Said, parts: Parts) -> Iterator[Found]:

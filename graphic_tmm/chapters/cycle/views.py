@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import Given
 from graphic_tmm.chapters.cycle.names import CYCLE
 from graphic_tmm.chapters.cycle.plan import BESIDE
 from graphic_tmm.chapters.cycle.task import ASKED
@@ -13,12 +12,14 @@ from graphic_tmm.chapters.flywheel.given import given_of
 from graphic_tmm.chapters.flywheel.table import columns_of, results_for, too_wide
 from graphic_tmm.chapters.flywheel.views import graphs, results_of, sketch
 from graphic_tmm.drawn import Drawn, Results, single
+from graphic_tmm.fitting.views import Views
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import stacked
 from graphic_tmm.readers.columns import Column
-from graphic_tmm.readers.given import given_speed
+from graphic_tmm.readers.given import given_speed, given_views
 from graphic_tmm.readers.result_table import result_table
+from graphic_tmm.readers.task_sheet import Given
 from graphic_tmm.scene.records import Scene
 
 PLAN = CYCLE.chapter
@@ -57,3 +58,6 @@ def given(scene: Scene) -> Iterator[Given]:
     yield given_speed("1", order.speed)
     yield Given("n_t", float(order.turns))
     yield from given_of(order.flywheel)
+
+
+SHOWN = Views(draw={CYCLE.chapter: cycle_views, **given_views(CYCLE.chapter)})

@@ -32,102 +32,15 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from graphic_tmm.board import roles
-from graphic_tmm.board.scales import Scale
-from graphic_tmm.chapter import Chapter, Place
-from graphic_tmm.chapters.diagrams.captions import CAPTIONS, SYMBOLS
-from graphic_tmm.chapters.diagrams.names import BASE_VIEW, CALCULATED, DIAGRAMS, VIEWS
-from graphic_tmm.chapters.diagrams.task import ASKED, SECTIONS
-from graphic_tmm.chapters.kinematics.names import (
-    ACCELERATIONS,
-    FULL_TURN,
-    KINEMATICS,
-    POSITIONS,
-    VELOCITIES,
-)
-from graphic_tmm.fitting.scales import GRAPH, GRAPHS
-from graphic_tmm.late import late
-
-if TYPE_CHECKING:
-    from collections.abc import Container
-
-    from graphic_tmm.board.execute import Reading
-    from graphic_tmm.board.record import Mark
-    from graphic_tmm.chapter import Holder
-    from graphic_tmm.project import Project
-
-with late(__name__):
-    from graphic_tmm.chapters.diagrams.accuracy import ACCURACY
-    from graphic_tmm.chapters.diagrams.asks import asks
-    from graphic_tmm.chapters.diagrams.beside import record_beside
-    from graphic_tmm.chapters.diagrams.captions import called
-    from graphic_tmm.chapters.diagrams.choice import choose
-    from graphic_tmm.chapters.diagrams.note import note
-    from graphic_tmm.chapters.diagrams.note_conclusions import concludes
-    from graphic_tmm.chapters.diagrams.plan import record
-    from graphic_tmm.chapters.diagrams.table import diagram_columns
-    from graphic_tmm.chapters.diagrams.views import diagram_views
-    from graphic_tmm.language.catalogue import speaking
-
-
-def _named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
-    """Return the scale of the base."""
-    mu = DIAGRAMS.on(project).base.mu
-    return {BASE_VIEW: Scale(mu.name, float(reading[mu][0, 0]), mu.unit)}
-
-
-def _title(holder: Holder, view: str, language: str) -> str:
-    made = DIAGRAMS.on(holder)
-    own = any(chart.view == view for chart in made.charts.values())
-    return called(view, speaking(language), made.order.point) if own else ""
-
+from graphic_tmm.chapters.diagrams.names import DIAGRAMS
+from graphic_tmm.chapters.diagrams.task import SECTIONS
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, POSITIONS
+from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
     name=DIAGRAMS.chapter,
     number=3,
-    captions=CAPTIONS,
-    called=called,
     builds_on=(KINEMATICS.chapter,),
-    places=(
-        Place(
-            DIAGRAMS.chapter,
-            30,
-            diagram_views,
-            asks=asks,
-            beside=(ACCELERATIONS,),
-            follows=(POSITIONS,),
-            sizes=lambda scene, view: (GRAPHS,),
-        ),
-    ),
-    sizes=(GRAPH,),
-    asked=lambda scene: ASKED.of(scene) is not None,
-    needs=lambda scene: {VELOCITIES: True},
+    places=(Place(DIAGRAMS.chapter, 30, beside=(ACCELERATIONS,), follows=(POSITIONS,)),),
     sections=SECTIONS,
-    record=record,
-    aside=record_beside,
-    result=lambda made: [chart.ordinates[0] for chart in made.charts.values()],
-    remedy=FULL_TURN,
-    charts=lambda made: made.charts.values(),
-    choice=choose,
-    scales=lambda fitting: fitting.shorter(
-        GRAPHS, [("diagrams.base", view, roles.BASE) for view in (VIEWS["S"], VIEWS["V"])]
-    ),
-    named=_named,
-    scale_key=lambda view: f"mu_{view.replace(' ', '_')}" if view in VIEWS.values() else "",
-    plans=(DIAGRAMS.chapter,),
-    columns=diagram_columns,
-    views=lambda project: {
-        DIAGRAMS.chapter: [
-            *(chart.view for chart in DIAGRAMS.on(project).charts.values()),
-            CALCULATED,
-        ]
-    },
-    titles=_title,
-    accuracy=ACCURACY,
-    concludes=concludes,
-    note=note,
-    sources=("artobolevsky",),
-    symbols=SYMBOLS,
 )

@@ -7,6 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphic_tmm.accuracy.quantity import Quantity, Value
+from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.board.charts import STANDARD, ScaleOrder, distances
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.diagrams.names import DIAGRAMS, VIEWS
@@ -16,9 +18,8 @@ from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, VEL
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.quantity import Quantity, Value
+from graphic_tmm.readers.finer import FinerRow
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.varied import Accuracy, Axis
 
 NAMES = {"V": "V_diagram", "a": "a_diagram"}
 """What the quantities are called, by their symbols."""
@@ -159,10 +160,14 @@ ACCURACY = Accuracy(
         Axis("method", _methods, tuple(NAMES.values()), free=True),
         Axis("start", _starts, tuple(NAMES.values())),
     ),
-    whole=_whole,
     enlarged=_enlarged,
     poles=_poles,
     farther=_farther,
     moved=_moved,
     words=WORDS,
+)
+
+
+FINER = FinerRow(
+    whole=_whole,
 )

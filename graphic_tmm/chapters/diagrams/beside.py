@@ -13,7 +13,6 @@ from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.instruments import measure, measure_along
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number, Point
-from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.diagrams import reasons as why
 from graphic_tmm.chapters.diagrams.names import CALCULATED, DIAGRAMS
 from graphic_tmm.chapters.diagrams.plan import Kinematic
@@ -21,6 +20,7 @@ from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made, aside
 
 WHOLE = 1e-9
 """An extra position that is nearer to one of the row, in intervals, stands on its boundary."""

@@ -10,7 +10,7 @@ from graphic_tmm.chapters.diagrams.names import DIAGRAMS, VIEWS
 from graphic_tmm.chapters.diagrams.standard import chain, wanted_base
 from graphic_tmm.chapters.diagrams.task import ASKED
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Ledger
+from graphic_tmm.fitting.choice import Choice, Ledger
 
 
 def choose(drawn: Drawn, ledger: Ledger) -> None:
@@ -47,3 +47,6 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
 def _nearest(ledger: Ledger, mu: Mark, exact: Mark) -> None:
     found = ledger.draft.draw(nearest_standard, mu.name, exact, unit=mu.unit)
     ledger.enter(mu, found)
+
+
+CHOICE = Choice(choose)

@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from graphic_tmm.board.charts import Chart
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.diagrams import note_words as words
 from graphic_tmm.chapters.diagrams.beside import BESIDE
 from graphic_tmm.chapters.diagrams.names import CALCULATED, DIAGRAMS, VIEWS
+from graphic_tmm.chapters.diagrams.note_conclusions import concludes
 from graphic_tmm.chapters.diagrams.note_middles import intervals, middles_table
 from graphic_tmm.chapters.diagrams.plan import Kinematic
 from graphic_tmm.chapters.diagrams.table import diagram_columns
@@ -27,6 +27,7 @@ from graphic_tmm.note.bricks import (
     referred,
     worked,
 )
+from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import (
     Block,
     Item,
@@ -43,6 +44,7 @@ from graphic_tmm.note.figures import is_figure, picture, readable
 from graphic_tmm.note.page import Page
 from graphic_tmm.note.steps import Told
 from graphic_tmm.readers.told import told as as_told
+from graphic_tmm.scene.captions import captions
 
 
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
@@ -252,3 +254,6 @@ class _Page(Page):
     def _figures(self) -> tuple[Picture, ...]:
         shown = readable(self.drawn, diagram_views)
         return tuple(picture(one, self.language) for one in shown if is_figure(one))
+
+
+NOTE = Noted(section=note, concludes=concludes)

@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator, Mapping
 
 from graphic_tmm.board.charts import Chart
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.diagrams.beside import Middle
 from graphic_tmm.chapters.diagrams.note_words import MIDDLES
 from graphic_tmm.chapters.diagrams.plan import Kinematic
@@ -17,6 +16,7 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.document import Runs, Symbol, Table, text
 from graphic_tmm.note.steps import Told
+from graphic_tmm.scene.captions import captions
 
 ACROSS = 12
 """How many intervals stand in one table beside one another."""

@@ -9,12 +9,8 @@ import numpy as np
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.diagrams.names import DIAGRAMS
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.columns import (
-    Column,
-    empty,
-    ordinates,
-    row_of,
-)
+from graphic_tmm.readers.columns import Column, empty, ordinates, row_of
+from graphic_tmm.readers.measured import Tabled
 
 PLAN = DIAGRAMS.chapter
 COMPARED = ("V", "a")
@@ -54,3 +50,6 @@ def _difference(letter: str, found: Reals, due: Reals, places: int) -> Column:
     apart = np.where(np.isclose(found, due, rtol=EVEN, atol=0.0), 0.0, found - due)
     row = np.round(100.0 * apart / np.where(largest > 0.0, largest, np.nan), places) + 0.0
     return Column(PLAN, letter, letter, "%", empty(row.shape[1]), row)
+
+
+TABLE = Tabled(columns=diagram_columns)

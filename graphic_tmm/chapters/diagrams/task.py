@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from graphic_tmm.board.charts import STANDARD, ScaleOrder
-from graphic_tmm.chapter import Asked
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Said, Section, key, made
+from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -95,7 +95,7 @@ class KinematicTask:
     )
 
 
-ASKED: Asked[KinematicTask] = Asked("diagrams")
+ASKED: SectionKey[KinematicTask] = SectionKey("diagrams")
 
 
 def check(asked: Said, parts: Parts) -> Iterator[Found]:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.diagrams.names import BASE_VIEW, DIAGRAMS
 from graphic_tmm.chapters.diagrams.table import PLAN, diagram_columns
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
@@ -20,6 +20,7 @@ from graphic_tmm.paper.lettering.letters import (
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.views import mu_text, pole_figures, stacked, wrapped
 from graphic_tmm.readers.result_table import result_table
+from graphic_tmm.scene.captions import captions
 
 
 def diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -59,3 +60,6 @@ def _width(views: Sequence[Drawing]) -> float:
     """Return how wide diagrams are whose origins stand above each other, mm."""
     boxes = [bounds(view) for view in views]
     return max(box[2] for box in boxes) - min(box[0] for box in boxes)
+
+
+SHOWN = Views(draw={DIAGRAMS.chapter: diagram_views})

@@ -27,129 +27,21 @@ Sources: the book chapter on the forces in the crank mechanism of a steam engine
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from graphic_tmm.chapter import Chapter, Place, Size
-from graphic_tmm.chapters.engine.captions import CAPTIONS, SYMBOLS
-from graphic_tmm.chapters.engine.names import (
-    CALCULATED,
-    ENGINE,
-    HARMONICS,
-    MASSES,
-    TRANSFER,
-    TRANSFER_PLACE,
-    VIEW,
-    WORKS_VIEW,
-)
-from graphic_tmm.chapters.engine.task import ASKED, SECTIONS
+from graphic_tmm.chapters.engine.names import ENGINE, TRANSFER_PLACE
+from graphic_tmm.chapters.engine.task import SECTIONS
 from graphic_tmm.chapters.forces.names import FORCES
-from graphic_tmm.chapters.indicator.names import CALCULATED as STROKE
 from graphic_tmm.chapters.indicator.names import INDICATOR
-from graphic_tmm.chapters.indicator.task import Wish
-from graphic_tmm.chapters.kinematics.names import (
-    ACCELERATIONS,
-    FULL_TURN,
-    KINEMATICS,
-    POSITIONS,
-    VELOCITIES,
-)
-from graphic_tmm.fitting.scales import GRAPH, GRAPHS
-from graphic_tmm.late import late
-
-if TYPE_CHECKING:
-    from graphic_tmm.project import Project
-    from graphic_tmm.scene.records import Scene
-
-with late(__name__):
-    from graphic_tmm.chapters.engine import asks
-    from graphic_tmm.chapters.engine.accuracy import ACCURACY
-    from graphic_tmm.chapters.engine.beside import record_beside
-    from graphic_tmm.chapters.engine.choice import choose
-    from graphic_tmm.chapters.engine.conclusions import concludes
-    from graphic_tmm.chapters.engine.given import given
-    from graphic_tmm.chapters.engine.note import note
-    from graphic_tmm.chapters.engine.plan import record
-    from graphic_tmm.chapters.engine.scales import SCALE_KEYS, engine_scales, named, reach
-    from graphic_tmm.chapters.engine.table import engine_columns, engine_results
-    from graphic_tmm.chapters.engine.turning import moving
-    from graphic_tmm.chapters.engine.views import engine_diagram_views, engine_views, transfer_views
-
-
-def _needs(scene: Scene) -> dict[str, object]:
-    order = ASKED.of(scene)
-    assert order is not None
-    wish = Wish(2, ENGINE.chapter, order.indicator)
-    return {VELOCITIES: True, ACCELERATIONS: True, INDICATOR.chapter: wish}
-
-
-def _sizes(scene: Scene, view: str) -> tuple[str, ...]:
-    return (GRAPHS,) if view.startswith("indicator") else ("engine", POSITIONS)
-
-
-def _views(project: Project) -> dict[str, list[str]]:
-    charts = [chart.view for chart in ENGINE.on(project).charts]
-    cylinder = INDICATOR.on(project)
-    own = [cylinder.indicator.chart.view, STROKE] if cylinder.shown_by == ENGINE.chapter else []
-    return {
-        ENGINE.chapter: [*own, VIEW, TRANSFER, HARMONICS, *charts, CALCULATED, MASSES, WORKS_VIEW]
-    }
-
+from graphic_tmm.chapters.kinematics.names import KINEMATICS, POSITIONS
+from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
     name=ENGINE.chapter,
     number=7,
-    captions=CAPTIONS,
     builds_on=(KINEMATICS.chapter, INDICATOR.chapter, FORCES.chapter),
     places=(
-        Place("engine", 70, engine_views, follows=(POSITIONS,), sizes=_sizes, asks=asks.plan),
-        Place(
-            TRANSFER_PLACE,
-            0,
-            transfer_views,
-            asks=asks.transfer,
-            follows=(POSITIONS,),
-            sizes=lambda scene, view: (TRANSFER, POSITIONS),
-        ),
-        Place(
-            "engine diagrams",
-            71,
-            engine_diagram_views,
-            asks=asks.diagrams,
-            follows=(POSITIONS,),
-            sizes=lambda scene, view: (GRAPHS,),
-        ),
+        Place("engine", 70, follows=(POSITIONS,)),
+        Place(TRANSFER_PLACE, follows=(POSITIONS,)),
+        Place("engine diagrams", 71, follows=(POSITIONS,)),
     ),
-    sizes=(
-        GRAPH,
-        Size("engine", least=0.5, small=0.7, cap=0.4),
-        Size(TRANSFER, least=0.5, small=0.7),
-    ),
-    asked=lambda scene: ASKED.of(scene) is not None,
-    needs=_needs,
-    given=given,
-    listed=asks.listed,
-    acting=asks.acting,
     sections=SECTIONS,
-    record=record,
-    aside=record_beside,
-    charts=lambda made: made.charts,
-    result=lambda made: (made.values["M"],),
-    remedy=FULL_TURN,
-    moving=moving,
-    reach=reach,
-    scales=engine_scales,
-    choice=choose,
-    named=named,
-    scale_key=lambda view: SCALE_KEYS.get(view, ""),
-    plans=(ENGINE.chapter,),
-    plans_rank=26,
-    columns=engine_columns,
-    results=engine_results,
-    views=_views,
-    accuracy=ACCURACY,
-    note=note,
-    noted=(TRANSFER_PLACE,),
-    concludes=concludes,
-    sources=("artobolevsky",),
-    symbols=SYMBOLS,
 )

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
+from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.names import ENGINE
 from graphic_tmm.chapters.engine.task import ASKED
@@ -18,9 +20,8 @@ from graphic_tmm.chapters.kinematics.plan import ALL
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.quantity import Quantity, Reference, Value
+from graphic_tmm.readers.finer import FinerRow
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.varied import Accuracy, Axis
 
 TURNING = "M_engine"
 
@@ -89,9 +90,13 @@ ACCURACY = Accuracy(
     quantities=_quantities,
     places=(ENGINE.chapter,),
     axes=(Axis("rod", _rods, (TURNING,)), Axis("inertia", _series, (TURNING,))),
+    enlarged=_enlarged,
+    words=WORDS,
+)
+
+
+FINER = FinerRow(
     at_count=_at_count,
     by_positions={"work_T": 0, "work_P": 0},
     sampled=lambda scene: sampled(getattr(ASKED.of(scene), "indicator", None)),
-    enlarged=_enlarged,
-    words=WORDS,
 )

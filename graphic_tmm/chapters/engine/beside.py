@@ -21,7 +21,6 @@ from graphic_tmm.board.operations.graphs import level_off
 from graphic_tmm.board.operations.instruments import measure, measure_along, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number
-from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.engine.formulas import (
     KGF,
     in_kgf,
@@ -38,6 +37,7 @@ from graphic_tmm.chapters.indicator.plan import Side
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Link
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made, aside
 
 _SQUARE = "the rod stands square to the guide"
 WORKS = ("work_T", "work_P", "work_apart")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from graphic_tmm.chapters.engine.beside import BESIDE
 from graphic_tmm.chapters.engine.names import ENGINE, HARMONICS, TRANSFER, VIEW
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Ledger
+from graphic_tmm.fitting.choice import Choice, Ledger
 
 
 def choose(drawn: Drawn, ledger: Ledger) -> None:
@@ -16,3 +16,6 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
         ledger.of(view)
         most = ledger.quantity("F_{max}", known[view], mu.unit.removesuffix("/mm"))
         ledger.fitting(mu, most, ledger.value_of(drawn, mu))
+
+
+CHOICE = Choice(choose)

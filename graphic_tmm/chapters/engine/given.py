@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import Given
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.task import ASKED
 from graphic_tmm.chapters.indicator.given import given_of
+from graphic_tmm.readers.task_sheet import Given
 from graphic_tmm.scene.records import Scene
 
 

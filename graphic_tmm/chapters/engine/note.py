@@ -7,12 +7,14 @@ from collections.abc import Iterator, Mapping
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.engine import note_words as words
 from graphic_tmm.chapters.engine.beside import BESIDE
+from graphic_tmm.chapters.engine.conclusions import concludes
 from graphic_tmm.chapters.engine.names import (
     CALCULATED,
     ENGINE,
     HARMONICS,
     MASSES,
     TRANSFER,
+    TRANSFER_PLACE,
     VIEW,
     WORKS_VIEW,
 )
@@ -29,6 +31,7 @@ from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.note.bricks import asked, columns, heading, referred
+from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import (
     Block,
     Item,
@@ -208,3 +211,6 @@ class _Engine(Worked):
     def figures(self, *names: str) -> tuple[Picture, ...]:
         """Return those of some figures that are drawn."""
         return tuple(self.shown[name] for name in names if name in self.shown)
+
+
+NOTE = Noted(section=note, places=(TRANSFER_PLACE,), concludes=concludes)

@@ -13,7 +13,8 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard
 from graphic_tmm.chapters.engine.beside import BESIDE
 from graphic_tmm.chapters.engine.names import ENGINE, HARMONICS, TRANSFER, VIEW
-from graphic_tmm.fitting.scales import GRAPHS, Fitting, unscaled
+from graphic_tmm.fitting.scales import Fitting, ScaleFactors, unscaled
+from graphic_tmm.fitting.sizes import GRAPHS
 from graphic_tmm.project import Project
 
 TRIANGLE, VECTOR, FORCE = 60.0, 70.0, 55.0
@@ -56,3 +57,8 @@ def named(project: Project, reading: Reading, given: Container[Mark]) -> dict[st
     made = ENGINE.on(project)
     marks = {VIEW: made.mu, HARMONICS: made.harmonics.mu, TRANSFER: BESIDE.on(project).transfer.mu}
     return {view: Scale("μ_F", float(reading[mu][0, 0]), mu.unit) for view, mu in marks.items()}
+
+
+SCALES = ScaleFactors(
+    reach=reach, scales=engine_scales, named=named, key=lambda view: SCALE_KEYS.get(view, "")
+)

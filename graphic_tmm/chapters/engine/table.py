@@ -10,12 +10,8 @@ from graphic_tmm.chapters.engine.names import ENGINE
 from graphic_tmm.chapters.engine.plan import Engine
 from graphic_tmm.chapters.indicator.names import INDICATOR
 from graphic_tmm.drawn import Drawn, Results, results_of
-from graphic_tmm.readers.columns import (
-    Column,
-    empty,
-    ordinates,
-    row_of,
-)
+from graphic_tmm.readers.columns import Column, empty, ordinates, row_of
+from graphic_tmm.readers.measured import Tabled
 
 PLAN = ENGINE.chapter
 PRESSURES = ("pk", "pv")
@@ -82,3 +78,6 @@ def engine_results(drawn: Drawn) -> Results:
     }
     found = {name: mark for name, mark in marks.items() if mark is not None}
     return results_of(drawn, found | dict(zip(WORKS, BESIDE.on(drawn).works, strict=True)))
+
+
+TABLE = Tabled(columns=engine_columns, results=engine_results)

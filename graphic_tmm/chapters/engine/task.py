@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from graphic_tmm.bounds import INTERVALS
-from graphic_tmm.chapter import Asked
 from graphic_tmm.chapters.indicator.task import IndicatorTask
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Said, Section, key, made
 from graphic_tmm.scene.references import no_moving
+from graphic_tmm.scene.tasks import SectionKey
 from graphic_tmm.scene.units import SI
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ class EngineTask:
     )  # fmt: skip
 
 
-ASKED: Asked[EngineTask] = Asked("engine")
+ASKED: SectionKey[EngineTask] = SectionKey("engine")
 
 
 def check(engine: Said, parts: Parts) -> Iterator[Found]:

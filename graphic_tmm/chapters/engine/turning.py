@@ -9,7 +9,7 @@ from graphic_tmm.chapters.engine.names import ENGINE, VIEW
 from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.moving import Moving
+from graphic_tmm.page.moving import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import mu_text
@@ -28,3 +28,6 @@ def moving(drawn: Drawn) -> Iterator[Moving]:
     title = speaking(language)("Force triangles")
     told = mu_text(scale, language)
     yield Moving(VIEW, title, told, at, lambda name: f"engine-{name}")
+
+
+FIGURES = MovingFigures(moving)

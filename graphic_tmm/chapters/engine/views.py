@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.engine.beside import BESIDE, WORKS
 from graphic_tmm.chapters.engine.ink import draw_rotating, draw_triangles
 from graphic_tmm.chapters.engine.ink_transfer import Shown, draw_all_forces
@@ -14,6 +13,7 @@ from graphic_tmm.chapters.forces.ink_polygons import bar
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.names import KINEMATICS, POSITIONS
 from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.symbols import symbol
@@ -29,6 +29,7 @@ from graphic_tmm.paper.lettering.letters import (
 )
 from graphic_tmm.paper.views import captioned, in_rows, mu_text, stacked, width_of
 from graphic_tmm.readers.result_table import result_table, results
+from graphic_tmm.scene.captions import captions
 
 SUMS = ", ".join(
     f"{bar(whole)} = {bar(one)} + {bar(other)}"
@@ -183,3 +184,12 @@ def _results(drawn: Drawn) -> Drawing:
     ]
     high = heights(drawn.scene, "engine diagrams")
     return results("table-lumping", _("The rod's mass lumped"), rows, language, high)
+
+
+SHOWN = Views(
+    draw={
+        "engine": engine_views,
+        TRANSFER_PLACE: transfer_views,
+        "engine diagrams": engine_diagram_views,
+    }
+)

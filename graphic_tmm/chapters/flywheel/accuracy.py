@@ -7,6 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
+from graphic_tmm.accuracy.question import Accuracy
 from graphic_tmm.board.charts import ScaleOrder, distances
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.flywheel.names import FLYWHEEL, VIEWS
@@ -16,9 +18,8 @@ from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged, sampled
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.quantity import Quantity, Reference, Value
+from graphic_tmm.readers.finer import FinerRow
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.varied import Accuracy
 
 FINE = 12_288
 """Positions of a row that has converged."""
@@ -118,11 +119,15 @@ WORDS = {
 ACCURACY = Accuracy(
     quantities=_quantities,
     places=(FLYWHEEL.chapter,),
-    at_count=_at_count,
     enlarged=_enlarged,
-    by_positions=BY_POSITIONS,
-    sampled=_sampled,
     poles=_poles,
     farther=_farther,
     words=WORDS,
+)
+
+
+FINER = FinerRow(
+    at_count=_at_count,
+    by_positions=BY_POSITIONS,
+    sampled=_sampled,
 )

@@ -14,12 +14,12 @@ from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.instruments import measure_along
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.flywheel.names import CALCULATED, FLYWHEEL
 from graphic_tmm.chapters.flywheel.plan import Flywheel
 from graphic_tmm.chapters.indicator.cylinder import machine_of
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made, aside
 
 
 @formula(

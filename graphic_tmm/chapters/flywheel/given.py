@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import SIZE, Given
 from graphic_tmm.chapters.flywheel.task import ASKED, FlywheelTask
 from graphic_tmm.chapters.indicator.given import given_of as given_of_cylinder
+from graphic_tmm.readers.task_sheet import SIZE, Given
 from graphic_tmm.scene.records import Scene
 
 

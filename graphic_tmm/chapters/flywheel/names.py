@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from graphic_tmm.chapter import Made
+from graphic_tmm.scene.chapter import Made
 
 if TYPE_CHECKING:
     from graphic_tmm.chapters.flywheel.plan import Flywheel

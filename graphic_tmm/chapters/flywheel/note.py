@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from graphic_tmm.chapter import chapters
 from graphic_tmm.chapters.flywheel import note_words as words
 from graphic_tmm.chapters.flywheel.beside import BESIDE, Beside
+from graphic_tmm.chapters.flywheel.conclusions import concludes
 from graphic_tmm.chapters.flywheel.names import ENERGY_MASS, FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.plan import Flywheel
 from graphic_tmm.chapters.flywheel.table import flywheel_columns
@@ -16,10 +16,12 @@ from graphic_tmm.chapters.kinematics.names import KINEMATICS, VELOCITIES
 from graphic_tmm.chapters.kinematics.table import kinematic_columns
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.note.bricks import columns, heading, referred, results
+from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, Picture, Symbol, Text
 from graphic_tmm.note.figures import in_hand, is_figure, picture
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.readers.columns import Column
+from graphic_tmm.scene.chapter import chapters
 
 
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
@@ -166,3 +168,6 @@ class FlywheelPage(Worked):
     def figures(self, *names: str) -> tuple[Picture, ...]:
         """Return those of some figures that are drawn."""
         return tuple(self.shown[name] for name in names if name in self.shown)
+
+
+NOTE = Noted(section=note, concludes=concludes)

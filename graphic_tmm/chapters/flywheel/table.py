@@ -18,6 +18,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.columns import Column, ordinates
+from graphic_tmm.readers.measured import Tabled
 
 PLAN = FLYWHEEL.chapter
 OFF_SHEET = ("M_mean", "power", "A_excess", "J_made", "delta_made")
@@ -94,3 +95,6 @@ def too_wide(results: Mapping[str, tuple[float, str]], language: str) -> str:
     sizes = {"outer": outer, "width": width, "least": least, "most": most}
     told = {name: number(size, language, 3) for name, size in sizes.items()}
     return speaking(language)(text, **told)
+
+
+TABLE = Tabled(columns=flywheel_columns, results=flywheel_results)

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 
 from graphic_tmm.board.charts import STANDARD, ScaleOrder
 from graphic_tmm.bounds import Bound
-from graphic_tmm.chapter import Asked
 from graphic_tmm.chapters.indicator.task import IndicatorTask
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Said, Section, key, made
 from graphic_tmm.scene.quantities import kept
+from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -135,7 +135,7 @@ class FlywheelTask:
     )
 
 
-ASKED: Asked[FlywheelTask] = Asked("flywheel")
+ASKED: SectionKey[FlywheelTask] = SectionKey("flywheel")
 
 
 def check(flywheel: Said, parts: Parts) -> Iterator[Found]:

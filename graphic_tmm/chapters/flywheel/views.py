@@ -8,8 +8,6 @@ from collections.abc import Mapping
 from graphic_tmm.board import roles
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import REDUCTIONS
-from graphic_tmm.captions import captions
-from graphic_tmm.chapters.flywheel.captions import graph_title
 from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass
 from graphic_tmm.chapters.flywheel.ink_energy import (
     draw_energy_mass_ink,
@@ -25,8 +23,10 @@ from graphic_tmm.chapters.flywheel.table import (
     flywheel_results,
     rim_too_wide,
 )
+from graphic_tmm.chapters.flywheel.words import graph_title
 from graphic_tmm.chapters.indicator.views import indicator_views
-from graphic_tmm.drawn import Drawn, Pieces, single
+from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.fitting.views import Pieces, Views
 from graphic_tmm.language import symbols
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
@@ -42,6 +42,7 @@ from graphic_tmm.paper.lettering.letters import (
 from graphic_tmm.paper.views import captioned, mu_text, pole_figures, stacked
 from graphic_tmm.readers.divided import told_off
 from graphic_tmm.readers.result_table import result_table, results
+from graphic_tmm.scene.captions import captions
 
 SKETCH = 110.0
 """Room for the outer diameter of the sketch, mm."""
@@ -189,3 +190,6 @@ def results_of(drawn: Drawn, found: Mapping[str, tuple[float, str]], place: str 
     high = heights(drawn.scene, place)
     made = results("table-results", words["flywheel"], rows, language, high)
     return captioned(made, *off, heights=high) if (off := told_off(drawn, language)) else made
+
+
+SHOWN = Views(draw={FLYWHEEL.chapter: flywheel_views})

@@ -33,148 +33,22 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from graphic_tmm.chapter import Chapter, Place, Size
 from graphic_tmm.chapters.diagrams.names import DIAGRAMS
-from graphic_tmm.chapters.forces.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.forces.names import FORCES, LOADS
 from graphic_tmm.chapters.forces.sections import SECTIONS
-from graphic_tmm.chapters.forces.task import ASKED
 from graphic_tmm.chapters.indicator.names import INDICATOR
-from graphic_tmm.chapters.indicator.task import Wish
-from graphic_tmm.chapters.kinematics.names import (
-    ACCELERATIONS,
-    KINEMATICS,
-    POSITIONS,
-    TURNS,
-    VELOCITIES,
-)
-from graphic_tmm.fitting.scales import GRAPH, GRAPHS
-from graphic_tmm.late import late
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
-
-    from graphic_tmm.drawn import Drawn
-    from graphic_tmm.project import Project
-    from graphic_tmm.scene.records import Scene
-
-with late(__name__):
-    from graphic_tmm.chapters.forces import asks, views
-    from graphic_tmm.chapters.forces.accuracy import ACCURACY
-    from graphic_tmm.chapters.forces.any_angle import free, told
-    from graphic_tmm.chapters.forces.captions import called
-    from graphic_tmm.chapters.forces.choice import choose
-    from graphic_tmm.chapters.forces.findings import balanced, compared, idle, ruled
-    from graphic_tmm.chapters.forces.given import given, stated
-    from graphic_tmm.chapters.forces.note import concludes, note
-    from graphic_tmm.chapters.forces.plan import record
-    from graphic_tmm.chapters.forces.scales import force_scales, named, reach, scale_key
-    from graphic_tmm.chapters.forces.table import force_columns
-    from graphic_tmm.chapters.forces.turning import between, moving
-    from graphic_tmm.chapters.forces.views_loads import load_views
-    from graphic_tmm.chapters.kinematics.assumed import assumed
-
-
-def _needs(scene: Scene) -> dict[str, object]:
-    order = ASKED.of(scene)
-    found: dict[str, object] = {VELOCITIES: True}
-    if order is not None and order.inertia:
-        found[ACCELERATIONS] = True
-    if order is not None and order.gas is not None:
-        found[INDICATOR.chapter] = Wish(1, FORCES.chapter, order.gas)
-        found[TURNS] = order.gas.turns
-    return found
-
-
-def _sizes(scene: Scene, view: str) -> tuple[str, ...]:
-    if view.startswith("indicator"):
-        return (GRAPHS,)
-    return ("groups",) if view.startswith("group") else ("forces",)
-
-
-def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
-    if FORCES.on(drawn).order.inertia:
-        yield from assumed(drawn)
-
-
-def _views(project: Project) -> Mapping[str, list[str]]:
-    """Return the views that forces are drawn in, in the order of the log."""
-    made = FORCES.on(project)
-    there = dict.fromkeys(step.it.view for step in project.construction.steps)
-    return {FORCES.chapter: [view for view in there if made.owns(view)]}
-
-
-def _fixed(scene: Scene) -> str:
-    order = ASKED.of(scene)
-    return "forces.mu_F" if order is not None and order.mu is not None else ""
-
-
-SIZES = (
-    Size("forces", least=0.1, small=0.5, cap=0.42, fixed=_fixed),
-    Size("groups", least=0.05, small=0.6, cap=0.42),
-    Size("lever", least=0.05, small=0.6, cap=0.45),
-)
-"""Of polygons, of detached groups, of the lever: shares of the usual room."""
+from graphic_tmm.chapters.kinematics.names import KINEMATICS, POSITIONS, VELOCITIES
+from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
     name=FORCES.chapter,
     number=6,
-    captions=CAPTIONS,
-    called=called,
     builds_on=(KINEMATICS.chapter, DIAGRAMS.chapter, INDICATOR.chapter),
     places=(
-        Place(
-            "forces",
-            60,
-            views.force_views,
-            follows=(POSITIONS,),
-            sizes=_sizes,
-            asks=asks.polygons,
-        ),
-        Place(
-            "lever",
-            61,
-            views.lever_views,
-            follows=(POSITIONS, VELOCITIES),
-            sizes=lambda scene, view: ("lever",),
-            asks=asks.lever,
-        ),
-        Place("force table", 62, views.force_table, follows=(POSITIONS,), asks=asks.table),
-        Place(LOADS, 0, load_views, follows=(POSITIONS,), attends=POSITIONS),
+        Place("forces", 60, follows=(POSITIONS,)),
+        Place("lever", 61, follows=(POSITIONS, VELOCITIES)),
+        Place("force table", 62, follows=(POSITIONS,)),
+        Place(LOADS, follows=(POSITIONS,), attends=POSITIONS),
     ),
-    sizes=(GRAPH, *SIZES),
-    asked=lambda scene: ASKED.of(scene) is not None,
-    needs=_needs,
-    given=given,
-    stated=stated,
-    listed=asks.listed,
-    acting=asks.acting,
     sections=SECTIONS,
-    record=record,
-    reach=reach,
-    scales=force_scales,
-    choice=choose,
-    named=named,
-    scale_key=scale_key,
-    nothing=balanced,
-    coarse=ruled,
-    compared=compared,
-    findings=idle,
-    warnings=_warnings,
-    plans=(FORCES.chapter,),
-    plans_rank=23,
-    columns=force_columns,
-    views=_views,
-    equations=views.polygon_equation,
-    accuracy=ACCURACY,
-    between=between,
-    moving=moving,
-    told=told,
-    free=free,
-    note=note,
-    concludes=concludes,
-    sources=("artobolevsky", "popov"),
-    symbols=SYMBOLS,
 )

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
+from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.task import ASKED
@@ -14,9 +16,8 @@ from graphic_tmm.chapters.kinematics.plan import ALL
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.quantity import Quantity, Reference, Value
+from graphic_tmm.readers.finer import FinerRow
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.varied import Accuracy, Axis
 
 PASSES = (2, 3, 4, 6, 8)
 """Numbers of passes of friction that are held against those that have settled."""
@@ -92,9 +93,13 @@ ACCURACY = Accuracy(
     quantities=_quantities,
     places=(FORCES.chapter,),
     axes=(Axis("passes", _by_passes, (FORCE, MOMENT)),),
-    whole=_whole,
-    at_count=_at_count,
     kept=_kept,
     enlarged=_enlarged,
     words=WORDS,
+)
+
+
+FINER = FinerRow(
+    whole=_whole,
+    at_count=_at_count,
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from graphic_tmm.any_angles.turn import Told
 from graphic_tmm.board.naming import segment_name
 from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.table import balance_segments
@@ -12,7 +13,6 @@ from graphic_tmm.chapters.forces.task import ASKED
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Extreme
-from graphic_tmm.moving import Told
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.values import OTHER_EXTREME

@@ -11,7 +11,7 @@ from graphic_tmm.chapters.forces.pictured import ACROSS, UP, pictured
 from graphic_tmm.chapters.forces.scales import Reaches, polygon_scales
 from graphic_tmm.chapters.kinematics.names import POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Ledger
+from graphic_tmm.fitting.choice import Choice, Ledger
 from graphic_tmm.language.said import said
 
 GRAIN = 10.0
@@ -69,3 +69,6 @@ def _lever(drawn: Drawn, ledger: Ledger, longest: float) -> None:
     wanted = ledger.draft.take(Length, f"[{most.name}]", room)
     exact = ledger.draft.draw(times_larger, f"{lever.times.name}′", wanted, plan, most)
     ledger.enter(lever.times, ledger.draft.draw(next_ratio, lever.times.name, exact))
+
+
+CHOICE = Choice(choose)

@@ -12,8 +12,10 @@ from graphic_tmm.board.findings import Finding, step_number
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.names import FORCES
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.chapters.kinematics.assumed import assumed
+from graphic_tmm.drawn import Drawn, Findings
 from graphic_tmm.project import Project
+from graphic_tmm.readers.warnings import Warned
 
 
 def balanced(project: Project, doubts: Doubts) -> dict[int, np.ndarray]:
@@ -59,3 +61,14 @@ def idle(drawn: Drawn) -> Iterator[Finding]:
         if polygon.view not in drawn.scales:
             step = next(step for step in log.steps if step.it.view == polygon.view)
             yield Finding("idle", step, step_number(log, step), made.places, 0.0)
+
+
+FINDINGS = Findings(nothing=balanced, coarse=ruled, compared=compared, findings=idle)
+
+
+def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
+    if FORCES.on(drawn).order.inertia:
+        yield from assumed(drawn)
+
+
+WARNINGS = Warned(_warnings)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping
 
-from graphic_tmm.chapter import SIZE, Given
 from graphic_tmm.chapters.forces.task import ASKED, Load
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
+from graphic_tmm.readers.task_sheet import SIZE, Given
 from graphic_tmm.scene.records import Scene
 
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.captions import captions
-from graphic_tmm.chapters.forces.captions import called
 from graphic_tmm.chapters.forces.ink_balances import driver_rows, group_rows, lever_rows
 from graphic_tmm.chapters.forces.lever import VIEW as LEVER
 from graphic_tmm.chapters.forces.loads import VIEW as LOADS
@@ -17,6 +15,7 @@ from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.polygons import Polygon
 from graphic_tmm.chapters.forces.table import DIFFERENCE, force_columns
 from graphic_tmm.chapters.forces.views import EXACTLY, force_views, lever_views, vectors_of
+from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -32,6 +31,7 @@ from graphic_tmm.note.bricks import (
     referred,
     worked,
 )
+from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import (
     Block,
     Display,
@@ -50,6 +50,7 @@ from graphic_tmm.note.document import (
 from graphic_tmm.note.figures import WALL, in_hand, is_figure, picture
 from graphic_tmm.note.plans import at_position, listed, section, shown_and_listed
 from graphic_tmm.paper.seen import Seen
+from graphic_tmm.scene.captions import captions
 
 MOMENTS = said("Equilibrium of moments:")
 CLOSED = said("Equilibrium of forces; the polygon closes where the lines of the unknown ones meet:")
@@ -168,3 +169,6 @@ def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
             "limit": asked(drawn, "forces", "limit", "", language),
         }
         yield filled(_(said_), put)
+
+
+NOTE = Noted(section=note, concludes=concludes)

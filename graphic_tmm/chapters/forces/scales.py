@@ -18,7 +18,7 @@ from graphic_tmm.chapters.forces.detached import Detached
 from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.plan import VIEW
 from graphic_tmm.chapters.kinematics.names import POSITIONS, VELOCITIES
-from graphic_tmm.fitting.scales import Fitting, extent, unscaled
+from graphic_tmm.fitting.scales import Fitting, ScaleFactors, extent, unscaled
 from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
 
@@ -138,3 +138,6 @@ def scale_key(view: str) -> str:
     if view.startswith(f"{VIEW} "):
         return "mu_F_" + view.removeprefix(f"{VIEW} ").replace("-", "_").replace(" ", "_pass_")
     return "mu_lever" if view == "lever" else ""
+
+
+SCALES = ScaleFactors(reach=reach, scales=force_scales, named=named, key=scale_key)

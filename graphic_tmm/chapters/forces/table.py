@@ -15,11 +15,8 @@ from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.polygons import Reaction
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.columns import (
-    Column,
-    empty,
-    row_of,
-)
+from graphic_tmm.readers.columns import Column, empty, row_of
+from graphic_tmm.readers.measured import Tabled
 
 PLAN = FORCES.chapter
 
@@ -110,3 +107,6 @@ def _balance(made: Forces) -> list[_Row]:
         rows.append(_Row(f"{sign}_bal_open", "bal_open", unit, made.open))
         rows.append(_Row("efficiency", "η", "%", made.efficiency))
     return rows
+
+
+TABLE = Tabled(columns=force_columns)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from graphic_tmm.chapter import Asked
 from graphic_tmm.chapters.forces import kinds as w
 from graphic_tmm.chapters.indicator.task import IndicatorTask
 from graphic_tmm.mechanism.records import Mechanism
@@ -13,6 +12,7 @@ from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Others, Said, key, made
 from graphic_tmm.scene.quantities import kept
 from graphic_tmm.scene.tables import Named
+from graphic_tmm.scene.tasks import SectionKey
 from graphic_tmm.scene.units import GRAVITY, KGF
 
 AGAINST = w.AGAINST
@@ -184,7 +184,7 @@ class ForcesTask:
     g: float = GRAVITY
 
 
-ASKED: Asked[ForcesTask] = Asked("forces")
+ASKED: SectionKey[ForcesTask] = SectionKey("forces")
 
 
 def joined(others: Others) -> Mapping[str, object]:

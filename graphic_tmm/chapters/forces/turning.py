@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from graphic_tmm.any_angles.turn import Between, Turn, Turning
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
-from graphic_tmm.captions import captions
-from graphic_tmm.chapters.forces.captions import called
+from graphic_tmm.chapters.forces.any_angle import free, told
 from graphic_tmm.chapters.forces.given import varies
 from graphic_tmm.chapters.forces.ink_groups import Shown, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
@@ -22,14 +22,16 @@ from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.forces.task import Load
 from graphic_tmm.chapters.forces.travel import TURN, parts_of_strokes, size_at_turn
 from graphic_tmm.chapters.forces.views import decimals_told, driver_shown, group_shown
+from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.moving import Between, Moving, Turn
+from graphic_tmm.page.moving import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import mu_text
+from graphic_tmm.scene.captions import captions
 
 
 def between(drawn: Drawn, turn: Turn) -> Between:
@@ -170,3 +172,7 @@ def _group(
         )
 
     return at
+
+
+TURNING = Turning(between=between, told=told, free=free)
+FIGURES = MovingFigures(moving)

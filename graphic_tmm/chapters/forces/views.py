@@ -10,9 +10,7 @@ from functools import partial
 import numpy as np
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.forces.balances import Writer
-from graphic_tmm.chapters.forces.captions import called
 from graphic_tmm.chapters.forces.ink_balances import (
     Row,
     draw_balances,
@@ -24,18 +22,21 @@ from graphic_tmm.chapters.forces.ink_groups import Reactive, Rubbed, Shown, draw
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
 from graphic_tmm.chapters.forces.loads import Couple
-from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.names import FORCES, LOADS
 from graphic_tmm.chapters.forces.pins import below
 from graphic_tmm.chapters.forces.pins import told as pins_told
 from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.chapters.forces.statics import Solved
 from graphic_tmm.chapters.forces.table import BALANCES, DIFFERENCE, force_columns
+from graphic_tmm.chapters.forces.views_loads import load_views
+from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.bodies import PinLeg
 from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import decimals_of, fixed, number
@@ -53,6 +54,7 @@ from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.result_table import (
     result_table,
 )
+from graphic_tmm.scene.captions import captions
 
 EXACTLY = 2
 """To how many decimals a length is told that no ruler has rounded."""
@@ -345,3 +347,13 @@ def polygon_equation(drawn: Drawn, view: str, language: str) -> list[str]:
     ]
     first = view == FORCES.on(drawn).polygons[0].view
     return [*(map(plain, pins_told(drawn, language)) if first else ()), *equations]
+
+
+SHOWN = Views(
+    draw={
+        "forces": force_views,
+        "lever": lever_views,
+        "force table": force_table,
+        LOADS: load_views,
+    }
+)

@@ -8,14 +8,13 @@ import numpy as np
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard
-from graphic_tmm.captions import captions
-from graphic_tmm.chapters.forces.captions import LOAD
 from graphic_tmm.chapters.forces.given import sizes_of
 from graphic_tmm.chapters.forces.ink_loads import At, Diagram, Part, draw_load
 from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.names import LOADS as PLACE
 from graphic_tmm.chapters.forces.pictured import ACROSS, Pictured, mu_l, pictured, travelled
 from graphic_tmm.chapters.forces.task import Load
+from graphic_tmm.chapters.forces.words import LOAD
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import choices
 from graphic_tmm.language.catalogue import speaking
@@ -25,6 +24,7 @@ from graphic_tmm.paper.drawing import Drawing, Stand
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import captioned, mu_text
+from graphic_tmm.scene.captions import captions
 
 
 def load_views(drawn: Drawn, lettered: bool) -> list[Drawing]:

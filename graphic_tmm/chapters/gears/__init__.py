@@ -32,65 +32,14 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from graphic_tmm.chapter import Chapter, Place, Size
-from graphic_tmm.chapters.gears.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.gears.names import GEARS
-from graphic_tmm.chapters.gears.task import ASKED, SECTIONS
-from graphic_tmm.late import late
-from graphic_tmm.readers.given import given_place
-
-if TYPE_CHECKING:
-    from graphic_tmm.scene.records import Scene
-
-with late(__name__):
-    from graphic_tmm.chapters.gears.accuracy import ACCURACY
-    from graphic_tmm.chapters.gears.asks import asks
-    from graphic_tmm.chapters.gears.beside import record_beside
-    from graphic_tmm.chapters.gears.choice import choose
-    from graphic_tmm.chapters.gears.columns import gear_columns
-    from graphic_tmm.chapters.gears.given import given, stated
-    from graphic_tmm.chapters.gears.note import concludes, note
-    from graphic_tmm.chapters.gears.plan import gear_scales, record
-    from graphic_tmm.chapters.gears.results import gear_results
-    from graphic_tmm.chapters.gears.verdict import failures
-    from graphic_tmm.chapters.gears.verdict import verdict as judged
-    from graphic_tmm.chapters.gears.views import gear_views
-    from graphic_tmm.drawn import view_scales
-
-
-def _fixed(scene: Scene) -> str:
-    return next((key for key in ("gears.mu_l", "gears.a_w") if key in scene.told), "")
-
+from graphic_tmm.chapters.gears.task import SECTIONS
+from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
     name=GEARS.chapter,
     number=9,
-    captions=CAPTIONS,
     board=GEARS.chapter,
-    places=(
-        Place("gears", 110, gear_views, sizes=lambda scene, view: (GEARS.chapter,), asks=asks),
-        given_place("gears"),
-    ),
-    sizes=(Size(GEARS.chapter, small=0.75, cap=0.9, step=1.25, fixed=_fixed),),
-    asked=lambda scene: ASKED.of(scene) is not None,
-    given=given,
-    stated=stated,
+    places=(Place("gears", 110), Place("gears given", attends="gears")),
     sections=SECTIONS,
-    record=record,
-    aside=record_beside,
-    scales=gear_scales,
-    choice=choose,
-    named=lambda project, reading, given: view_scales(project, reading),
-    scale_key=lambda view: {"gear": "mu_l_gears", "sliding": "mu_theta"}.get(view, ""),
-    plans=(GEARS.chapter,),
-    warnings=failures,
-    columns=gear_columns,
-    results=gear_results,
-    accuracy=ACCURACY,
-    concludes=lambda drawn, language: (*concludes(drawn, language), *judged(drawn, language)),
-    note=note,
-    sources=("artobolevsky", "popov", "contour", "geometry"),
-    symbols=SYMBOLS,
 )

@@ -6,14 +6,14 @@ from collections.abc import Iterator
 from dataclasses import replace
 from math import pi
 
+from graphic_tmm.accuracy.quantity import Quantity, Value
+from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.chapters.gears.task import ASKED
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.quantity import Quantity, Value
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.varied import Accuracy, Axis
 
 STEPS = (4, 6, 8, 12, 16, 24, 48)
 """Steps of a rolling."""

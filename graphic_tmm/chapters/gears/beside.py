@@ -8,11 +8,11 @@ from typing import NamedTuple
 from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.gears import formulas as g
 from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made, aside
 
 VIEW = "gear-calculation"
 """The view of what is calculated."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Ledger
+from graphic_tmm.fitting.choice import Choice, Ledger
 
 
 def choose(drawn: Drawn, ledger: Ledger) -> None:
@@ -25,3 +25,6 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
         return
     most = ledger.quantity("ϑ_{max}", gear.sliding.floor, "")
     ledger.fitting(chart.mu, most, ledger.value_of(drawn, chart.mu))
+
+
+CHOICE = Choice(choose)

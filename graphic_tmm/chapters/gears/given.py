@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import SIZE, Given
 from graphic_tmm.chapters.gears.task import ASKED
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
+from graphic_tmm.readers.task_sheet import SIZE, Given
 from graphic_tmm.scene.records import Scene
 
 

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import chapters
 from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.chapters.gears.results import gear_results
+from graphic_tmm.chapters.gears.verdict import verdict
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note.bricks import filled, result_number
+from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, Runs
 from graphic_tmm.note.sections.chapter import from_log
+from graphic_tmm.scene.chapter import chapters
 
 MESHING = "gear"
 """The view of the meshing: its teeth are drawn by the same steps many times."""
@@ -35,3 +37,11 @@ def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
     }
     put = {key: result_number(drawn, results, name, language) for key, name in names.items()}
     yield filled(speaking(language)(RATIO), put)
+
+
+def _concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
+    yield from concludes(drawn, language)
+    yield from verdict(drawn, language)
+
+
+NOTE = Noted(section=note, concludes=_concludes)

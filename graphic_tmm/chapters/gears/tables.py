@@ -7,7 +7,6 @@ import math
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.gears.beside import BESIDE
 from graphic_tmm.chapters.gears.dimensions import WheelSizes
 from graphic_tmm.chapters.gears.names import GEARS
@@ -19,6 +18,7 @@ from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.scene.captions import captions
 
 PLACES = 3
 """Decimals of lengths in mm and of coefficients."""

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from graphic_tmm.bounds import POSITIVE, Bound
-from graphic_tmm.chapter import Asked
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Names, Section, key
 from graphic_tmm.scene.misfits import listed, stands
+from graphic_tmm.scene.tasks import SectionKey
 
 
 def _stations(value: object, names: Names) -> tuple[float, ...]:
@@ -71,7 +71,7 @@ class GearTask:
     )  # fmt: skip
 
 
-ASKED: Asked[GearTask] = Asked("gears")
+ASKED: SectionKey[GearTask] = SectionKey("gears")
 
 
 def _refuse(order: GearTask) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.gears.checks import Verdict, verdicts
 from graphic_tmm.chapters.gears.ink import draw_gear_ink
 from graphic_tmm.chapters.gears.ink_rolling import NAME as ROLLING
@@ -13,6 +12,7 @@ from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.tables import dimension_table, sliding_table, working
 from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.said import said
@@ -23,6 +23,8 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.lettering.heights import Heights, heights
 from graphic_tmm.paper.views import captioned, mu_text
+from graphic_tmm.readers.given import given_views
+from graphic_tmm.scene.captions import captions
 
 CHECKS = Tongues(
     {
@@ -109,3 +111,6 @@ def _compared(found: Verdict, language: str) -> str:
     factor, places = (1000.0, 2) if found.unit == "m" else (1.0, 3)
     value, least = (fixed(factor * x, places, language) for x in (found.value, found.least))
     return f"{value} {'≥' if found.holds else '<'} {least}"
+
+
+SHOWN = Views(draw={"gears": gear_views, **given_views("gears")})

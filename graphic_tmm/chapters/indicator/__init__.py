@@ -24,30 +24,15 @@ course project of the flywheel of a single-cylinder engine (scene ``engine``).
 
 from __future__ import annotations
 
-from graphic_tmm.chapter import Chapter
 from graphic_tmm.chapters.diagrams.names import DIAGRAMS
-from graphic_tmm.chapters.indicator.captions import CAPTIONS
-from graphic_tmm.chapters.indicator.names import INDICATOR, VIEW
+from graphic_tmm.chapters.indicator.names import INDICATOR
 from graphic_tmm.chapters.indicator.task import SECTIONS
 from graphic_tmm.chapters.kinematics.names import KINEMATICS
-from graphic_tmm.late import late
-
-with late(__name__):
-    from graphic_tmm.chapters.indicator.beside import record_beside
-    from graphic_tmm.chapters.indicator.cylinder import record
-    from graphic_tmm.chapters.indicator.turning import between
-
+from graphic_tmm.scene.chapter import Chapter
 
 CHAPTER = Chapter(
     name=INDICATOR.chapter,
     number=4,
-    captions=CAPTIONS,
     builds_on=(KINEMATICS.chapter, DIAGRAMS.chapter),
     sections=SECTIONS,
-    record=record,
-    aside=record_beside,
-    charts=lambda made: (made.indicator.chart,),
-    between=between,
-    scale_key=lambda view: "mu_p" if view == VIEW else "",
-    sources=("artobolevsky",),
 )

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.captions import captions
-from graphic_tmm.chapter import Acting, Listed, Posed
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask, Stretch
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -14,6 +12,8 @@ from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.drawing import Wanted
 from graphic_tmm.paper.symbols.arrows import arrow
 from graphic_tmm.readers.given import figure
+from graphic_tmm.readers.task_sheet import Acting, Listed, Posed
+from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
 
 ACROSS = 8

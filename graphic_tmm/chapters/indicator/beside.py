@@ -7,9 +7,9 @@ from typing import NamedTuple
 from graphic_tmm.board.operations.choice import scale_of
 from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.indicator.names import CALCULATED, INDICATOR
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made, aside
 
 
 class Beside(NamedTuple):

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import SIZE, Given
 from graphic_tmm.chapters.indicator.task import IndicatorTask
+from graphic_tmm.readers.task_sheet import SIZE, Given
 
 
 def given_of(order: IndicatorTask) -> Iterator[Given]:

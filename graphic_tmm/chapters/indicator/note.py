@@ -9,7 +9,6 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.indicator.names import CALCULATED as STROKE
 from graphic_tmm.chapters.indicator.names import VIEW
 from graphic_tmm.chapters.indicator.views import indicator_views
@@ -42,6 +41,7 @@ from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.text import column_name
 from graphic_tmm.readers.told import decimals
+from graphic_tmm.scene.captions import captions
 
 
 class Worked(Page):

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from graphic_tmm.any_angles.turn import Between, Turn, Turning
 from graphic_tmm.board.operations.curve import over
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.indicator.names import INDICATOR
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.moving import Between, Turn
 
 
 def between(drawn: Drawn, turn: Turn) -> Between:
@@ -21,3 +21,6 @@ def between(drawn: Drawn, turn: Turn) -> Between:
         heights = over(drawn.numbers.drawn[side.curve], turn.numbers, feet)
         found[pressure] = (heights * mu)[None, :]
     return found
+
+
+TURNING = Turning(between=between)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.indicator.beside import BESIDE
 from graphic_tmm.chapters.indicator.ink import draw_indicator_ink
 from graphic_tmm.chapters.indicator.names import INDICATOR, VIEW
@@ -18,6 +17,7 @@ from graphic_tmm.paper.lettering.letters import (
     escape,
 )
 from graphic_tmm.paper.views import captioned, mu_text
+from graphic_tmm.scene.captions import captions
 
 
 def indicator_views(drawn: Drawn, lettered: bool, by: str) -> list[Drawing]:

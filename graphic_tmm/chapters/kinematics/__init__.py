@@ -39,217 +39,41 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-import numpy as np
-
-from graphic_tmm.board.values import Curve
-from graphic_tmm.chapter import Chapter, Place
-from graphic_tmm.chapters.kinematics.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.kinematics.names import (
     ACCELERATIONS,
-    EXTREMES,
     GIVEN,
     KINEMATICS,
-    PLANS,
     POSITIONS,
     VELOCITIES,
 )
-from graphic_tmm.chapters.kinematics.scales import SIZES
-from graphic_tmm.chapters.kinematics.task import ASKED, SECTIONS
-from graphic_tmm.late import late
-
-if TYPE_CHECKING:
-    from graphic_tmm.board.execute import Reading
-    from graphic_tmm.project import Project
-    from graphic_tmm.scene.records import Scene
-
-with late(__name__):
-    from graphic_tmm.board.values import undefined
-    from graphic_tmm.chapters.kinematics import asks, views
-    from graphic_tmm.chapters.kinematics.accuracy import ACCURACY
-    from graphic_tmm.chapters.kinematics.any_angle import free, told
-    from graphic_tmm.chapters.kinematics.choice import choose
-    from graphic_tmm.chapters.kinematics.given import given, stated
-    from graphic_tmm.chapters.kinematics.note import note
-    from graphic_tmm.chapters.kinematics.plan import record
-    from graphic_tmm.chapters.kinematics.scales import (
-        SCALE_KEYS,
-        extents,
-        plan_scales,
-        sizes_of,
-    )
-    from graphic_tmm.chapters.kinematics.scheme import scheme
-    from graphic_tmm.chapters.kinematics.table import (
-        kinematic_columns,
-        measured_vectors,
-        rate_marks,
-        speed_marks,
-    )
-    from graphic_tmm.chapters.kinematics.transmission import passed
-    from graphic_tmm.chapters.kinematics.turning import between, moving
-    from graphic_tmm.language.said import joined, said
-
-
-def _undrawn(project: Project, reading: Reading) -> tuple[int, ...]:
-    """Return the positions in which a mark of the plan of positions is not there."""
-    bad = np.zeros((1, len(project.names)), dtype=bool)
-    for mark in project.marks(POSITIONS):
-        if mark.kind is not Curve:
-            bad = bad | undefined(reading[mark]).any(axis=0, keepdims=True)
-    return tuple(int(i) for i in np.flatnonzero(bad[0]))
-
-
-def _ranges(project: Project) -> tuple[str, str]:
-    """Return, as the end of a sentence, where the mechanism assembles; and how to draw it there."""
-    assembly = KINEMATICS.on(project).assembly
-    if not assembly.said:
-        return "", ""
-    inside = (
-        f'"{(a + (b - a) * share) % 360:.4g} deg"' for a, b in assembly.ranges for share in SHARES
-    )
-    remedy = said("write positions that lie there: extra = [{listed}]", listed=", ".join(inside))
-    return joined("", (": ", assembly.said)), remedy
-
-
-SHARES = (0.25, 0.5, 0.75)
-"""Where in a range of crank angles a position is proposed."""
-
-
-def _needs(scene: Scene) -> dict[str, object]:
-    """Return the plans that further rows are read off."""
-    rows = ASKED.of(scene)
-    if rows is None:
-        return {}
-    gained = bool(rows.relative or rows.paths)
-    return dict.fromkeys(
-        [*[VELOCITIES] * bool(rows.pins or gained), *[ACCELERATIONS] * gained], True
-    )
-
+from graphic_tmm.chapters.kinematics.task import SECTIONS
+from graphic_tmm.scene.chapter import Chapter, Place
 
 _BOTH = (VELOCITIES, ACCELERATIONS)
+_AT = (POSITIONS,)
 
 CHAPTER = Chapter(
     name=KINEMATICS.chapter,
     number=2,
-    captions=CAPTIONS,
     places=(
-        Place(GIVEN, 20, views.given_views, attends=POSITIONS),
-        Place(
-            POSITIONS,
-            19,
-            views.position_views,
-            follows=(POSITIONS,),
-            sizes=sizes_of,
-            asks=asks.positions,
-        ),
-        Place(
-            VELOCITIES,
-            21,
-            views.velocity_views,
-            asks=asks.velocities,
-            follows=(POSITIONS, VELOCITIES),
-            sizes=sizes_of,
-        ),
-        Place(
-            ACCELERATIONS,
-            22,
-            views.acceleration_views,
-            asks=asks.accelerations,
-            follows=(POSITIONS, ACCELERATIONS),
-            sizes=sizes_of,
-        ),
+        Place(GIVEN, 20, attends=POSITIONS),
+        Place(POSITIONS, 19, follows=_AT),
+        Place(VELOCITIES, 21, follows=(POSITIONS, VELOCITIES)),
+        Place(ACCELERATIONS, 22, follows=(POSITIONS, ACCELERATIONS)),
         Place(
             "equations",
             23,
-            views.equation_views,
-            asks=asks.equations,
             shows=_BOTH,
-            follows=(POSITIONS,),
+            follows=_AT,
             together=("velocity equations", "acceleration equations"),
         ),
-        Place(
-            "velocity equations",
-            0,
-            views.velocity_equations,
-            asks=asks.velocity_equations,
-            shows=(VELOCITIES,),
-            follows=(POSITIONS,),
-            tells=VELOCITIES,
-        ),
-        Place(
-            "acceleration equations",
-            0,
-            views.acceleration_equations,
-            asks=asks.acceleration_equations,
-            shows=(ACCELERATIONS,),
-            follows=(POSITIONS,),
-            tells=ACCELERATIONS,
-        ),
-        Place(
-            "position table",
-            0,
-            views.position_table,
-            asks=asks.position_table,
-            shows=(POSITIONS,),
-            follows=(POSITIONS,),
-        ),
-        Place(
-            "velocity table",
-            0,
-            views.velocity_table,
-            asks=asks.velocity_table,
-            shows=(VELOCITIES,),
-            follows=(POSITIONS, VELOCITIES),
-        ),
-        Place(
-            "acceleration table",
-            0,
-            views.acceleration_table,
-            asks=asks.acceleration_table,
-            shows=(ACCELERATIONS,),
-            follows=(POSITIONS, ACCELERATIONS),
-        ),
-        Place(
-            "results",
-            99,
-            views.both_tables,
-            asks=asks.both_tables,
-            shows=_BOTH,
-            together=("velocity table", "acceleration table"),
-        ),
+        Place("velocity equations", shows=(VELOCITIES,), follows=_AT, tells=VELOCITIES),
+        Place("acceleration equations", shows=(ACCELERATIONS,), follows=_AT, tells=ACCELERATIONS),
+        Place("position table", shows=_AT, follows=_AT),
+        Place("velocity table", shows=(VELOCITIES,), follows=(POSITIONS, VELOCITIES)),
+        Place("acceleration table", shows=(ACCELERATIONS,), follows=(POSITIONS, ACCELERATIONS)),
+        Place("results", 99, shows=_BOTH, together=("velocity table", "acceleration table")),
     ),
-    sizes=SIZES,
     sections=SECTIONS,
-    asked=lambda scene: scene.mechanism is not None,
-    needs=_needs,
     always=True,
-    given=given,
-    stated=stated,
-    scheme=scheme,
-    record=record,
-    reach=extents,
-    plan_scales=plan_scales,
-    choice=choose,
-    warnings=views.warned,
-    scale_key=lambda view: SCALE_KEYS.get(view, ""),
-    undrawn=_undrawn,
-    ranges=_ranges,
-    plans=(EXTREMES, *PLANS),
-    columns=kinematic_columns,
-    pointed=PLANS,
-    plan_at=views.plan_at,
-    named_marks=rate_marks,
-    speeds=speed_marks,
-    views=lambda project: {plan: (plan,) for plan in (EXTREMES, *PLANS)},
-    accuracy=ACCURACY,
-    between=between,
-    moving=moving,
-    passed=passed,
-    vectors=measured_vectors,
-    told=told,
-    free=free,
-    note=note,
-    sources=("artobolevsky", "popov"),
-    symbols=SYMBOLS,
 )

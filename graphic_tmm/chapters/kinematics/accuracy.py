@@ -7,6 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphic_tmm.accuracy.quantity import Quantity, Value
+from graphic_tmm.accuracy.question import Accuracy, Trial
 from graphic_tmm.board.operations.locus import REFINE
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
@@ -16,9 +18,8 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Extreme, Row
 from graphic_tmm.project import Project
-from graphic_tmm.quantity import Quantity, Value
+from graphic_tmm.readers.finer import FinerRow
 from graphic_tmm.scene.records import Scales, Scene
-from graphic_tmm.varied import Accuracy, Trial
 
 
 def _quantities(project: Project) -> Iterator[Quantity]:
@@ -101,9 +102,13 @@ WORDS = {
 ACCURACY = Accuracy(
     quantities=_quantities,
     places=(VELOCITIES, ACCELERATIONS),
-    whole=_whole,
-    at_count=_at_count,
     tried=_tried,
     enlarged=_enlarged,
     words=WORDS,
+)
+
+
+FINER = FinerRow(
+    whole=_whole,
+    at_count=_at_count,
 )

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from graphic_tmm.any_angles.turn import Plan, Quantity, Told
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.plan import ALL
-from graphic_tmm.moving import Plan, Quantity, Told
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 

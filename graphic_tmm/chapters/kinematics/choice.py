@@ -9,7 +9,7 @@ from graphic_tmm.chapters.kinematics.images import image_letter
 from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
 from graphic_tmm.chapters.kinematics.scales import Extents, crank_sizes
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Ledger
+from graphic_tmm.fitting.choice import Choice, Ledger
 
 
 def choose(drawn: Drawn, ledger: Ledger) -> None:
@@ -74,3 +74,6 @@ def _plan(
         most = ledger.quantity(f"{quantity.letter[0]}_{{max}}", longest, quantity.unit)
         found = ledger.fitting(mu, most, ledger.value_of(drawn, mu))
     ledger.follows(letter, quantity, found)
+
+
+CHOICE = Choice(choose)

@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator, Sequence
 
 from graphic_tmm.board.draft import ROUNDING
-from graphic_tmm.chapter import SIZE, Given
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.guides import turn
@@ -14,6 +13,7 @@ from graphic_tmm.mechanism.records import Extreme, Guide, Link, Mechanism
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.readers.given import given_speed
 from graphic_tmm.readers.narration import remark
+from graphic_tmm.readers.task_sheet import SIZE, Given
 from graphic_tmm.scene.records import Scene
 
 

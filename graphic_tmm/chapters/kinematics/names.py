@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from graphic_tmm.chapter import Made
 from graphic_tmm.language.said import said
+from graphic_tmm.scene.chapter import Made
 
 if TYPE_CHECKING:
     from graphic_tmm.chapters.kinematics.plan import KinematicPlans

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.kinematics import views
 from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, EXTREMES, POSITIONS, VELOCITIES
 from graphic_tmm.chapters.kinematics.table import kinematic_columns
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.note.bricks import columns, worked
+from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, Picture
 from graphic_tmm.note.figures import in_hand, picture, readable
 from graphic_tmm.note.plans import listed
@@ -18,6 +18,7 @@ from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.views import captioned, mu_text
 from graphic_tmm.readers.titles import title_of
+from graphic_tmm.scene.captions import captions
 
 
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
@@ -49,3 +50,6 @@ def _plan(drawn: Drawn, view: str, at: int, language: str) -> tuple[Picture, ...
     found = views.plan_at(held, view, place, f"{view}-{drawn.names[place]}", title, ())
     mu, high = mu_text(drawn.scales[view], language), heights(held.scene, view)
     return (picture(captioned(found, escape(title), mu, heights=high), language),)
+
+
+NOTE = Noted(section=note)

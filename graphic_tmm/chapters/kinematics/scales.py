@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,25 +14,20 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Figure
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Curve, Point
-from graphic_tmm.captions import captions
-from graphic_tmm.chapter import Size
 from graphic_tmm.chapters.kinematics.names import (
     ACCELERATIONS,
     KINEMATICS,
-    PLANS,
     POSITIONS,
     VELOCITIES,
 )
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 from graphic_tmm.chapters.kinematics.reaches import Reach, reach_of
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.scales import Fitting, extent, unscaled
+from graphic_tmm.fitting.scales import Fitting, ScaleFactors, extent, unscaled
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
-from graphic_tmm.language.units import unit_name
-from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
-from graphic_tmm.scene.records import Scales, Scene
+from graphic_tmm.scene.captions import captions
 
 SMALL, VECTORS, UNSEEN = 50.0, 80.0, 150.0
 """Room for the longest vector of a plan, mm, to begin with, and where no sheet shows it. Below 50 mm the half
@@ -197,59 +191,6 @@ def reaches_at(
     return found
 
 
-def _narrow(scene: Scene) -> float:
-    """Return the room for the plan of positions on the formats of its sheets, mm."""
-    orders = [order for order in scene.sheets if POSITIONS in order.place] or scene.sheets
-    return narrowest(order.format for order in orders).room
-
-
-def _size(plan: str, usual: Callable[[Scene], float], cap: float, small: float = 0.0) -> Size:
-    keys = KEYS[plan]
-
-    def fixed(scene: Scene) -> str:
-        return next((f"scales.{key}" for key in keys if getattr(scene.scales, key)), "")
-
-    def freed(scene: Scene) -> Scene:
-        left: dict[str, Any] = dict.fromkeys(keys)
-        free: Scales = replace(scene.scales, **left)
-        return replace(scene, scales=free)
-
-    def remedy(drawn: Drawn, key: str) -> str:
-        mu = drawn.scales[plan].value
-        crank = crank_sizes(KINEMATICS.on(drawn))[PLANS.index(plan)] / mu
-        return (
-            f"{mu:g} {unit_name(UNITS[key], drawn.scene.language)}"
-            if key in UNITS
-            else f"{math.floor(crank) or crank:g} mm"
-        )
-
-    def own(reach: Mapping[str, Any]) -> float:
-        return float(getattr(reach[KINEMATICS.chapter], plan))
-
-    return Size(
-        plan,
-        usual,
-        in_mm=True,
-        small=small,
-        unseen=UNSEEN if small else 0.0,
-        cap=cap,
-        extent=own,
-        fixed=fixed,
-        freed=freed,
-        remedy=remedy,
-        keys=keys,
-    )
-
-
-SIZES = (
-    _size(POSITIONS, _narrow, 0.6),
-    _size(VELOCITIES, lambda scene: VECTORS, 0.4, SMALL),
-    _size(ACCELERATIONS, lambda scene: VECTORS, 0.4, SMALL),
+SCALES = ScaleFactors(
+    reach=extents, plan_scales=plan_scales, key=lambda view: SCALE_KEYS.get(view, "")
 )
-"""Room for the plan of positions, and for the longest vectors of the others."""
-
-
-def sizes_of(scene: Scene, view: str) -> tuple[str, ...]:
-    """Return the size that the view of a plan depends on."""
-    plan = view.partition("-")[0]
-    return (POSITIONS,) if plan == VELOCITIES and scene.scales.mu_v_is_mu_l_omega else (plan,)

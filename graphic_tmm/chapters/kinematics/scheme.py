@@ -12,7 +12,6 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import LENGTHS, standard_length
 from graphic_tmm.board.values import Reals, undefined
-from graphic_tmm.chapter import Posed, Scheme, chapters
 from graphic_tmm.chapters.kinematics.given import frame_sizes
 from graphic_tmm.chapters.kinematics.ink_numbers import guide_names, link_numbers
 from graphic_tmm.chapters.kinematics.ink_positions import SWEEP, PositionsInk
@@ -32,6 +31,8 @@ from graphic_tmm.paper.lettering.heights import HEIGHTS
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.symbols.kinematic import round_arrow
 from graphic_tmm.project import Project, record
+from graphic_tmm.readers.task_sheet import Posed, Scheme, TaskSheet
+from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.records import Scales, Scene, SheetOrder
 
 FORMAT = "A4"
@@ -218,7 +219,9 @@ def _drawing(pose: Pose, mu: float) -> Drawing:
         strokes += turn.strokes
         wanted.append(turn.wanted)
     posed = Posed(lambda letter, link: _spot(made, ink.reading, letter, link), SIZES.point)
-    found = (one for chapter in chapters() for one in chapter.acting(pose.scene, posed))
+    found = (
+        one for chapter in chapters() for one in TaskSheet.of(chapter).acting(pose.scene, posed)
+    )
     for acting in dict.fromkeys(found):
         strokes += acting.strokes
         wanted += acting.wanted

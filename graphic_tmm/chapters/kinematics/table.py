@@ -20,6 +20,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, empty, row_of
 from graphic_tmm.readers.equations import components, quantity
+from graphic_tmm.readers.measured import Tabled
 
 UNITS = {POSITIONS: "m", VELOCITIES: "m/s", ACCELERATIONS: "m/s²"}
 """Of what the segments of a plan stand for."""
@@ -94,3 +95,6 @@ def speed_marks(project: Project) -> list[Mark]:
         return []
     speed = [velocities.speed] if velocities.speed is not None else []
     return [*speed, *velocities.rates.values()]
+
+
+TABLE = Tabled(columns=kinematic_columns)

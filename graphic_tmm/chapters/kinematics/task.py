@@ -6,12 +6,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from graphic_tmm.chapter import Asked
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import letters
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Said, Section, key
 from graphic_tmm.scene.tables import Named
+from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -52,7 +52,7 @@ class Rows:
     )
 
 
-ASKED: Asked[Rows] = Asked("rows")
+ASKED: SectionKey[Rows] = SectionKey("rows")
 
 
 def _check(asked: Said, parts: Parts) -> Iterator[Found]:

@@ -6,13 +6,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from graphic_tmm.any_angles.turn import Passed
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
 from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.survey import Survey
-from graphic_tmm.moving import Passed
 from graphic_tmm.project import Project
 
 POOR = 0.35

@@ -6,12 +6,13 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from graphic_tmm.any_angles.turn import Between, Turn, Turning
 from graphic_tmm.board import roles
 from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.operations.instruments import stand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
-from graphic_tmm.captions import captions
+from graphic_tmm.chapters.kinematics.any_angle import free, told
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
 from graphic_tmm.chapters.kinematics.ink_positions import (
     FULL,
@@ -24,12 +25,14 @@ from graphic_tmm.chapters.kinematics.plan import KinematicPlans, sides_at
 from graphic_tmm.chapters.kinematics.positions import side_record, side_values
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
+from graphic_tmm.chapters.kinematics.transmission import passed
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.moving import Between, Moving, Turn
+from graphic_tmm.page.moving import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing, Ink
 from graphic_tmm.paper.figure import Manner, figure
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import mu_text
+from graphic_tmm.scene.captions import captions
 
 
 def between(drawn: Drawn, turn: Turn) -> Between:
@@ -135,3 +138,7 @@ def _plan(drawn: Drawn, plan: str, title: str) -> Moving:
         lambda name: f"{plan}-{name}",
         columns=lambda: plan_columns(drawn, plan),
     )
+
+
+TURNING = Turning(between=between, passed=passed, told=told, free=free)
+FIGURES = MovingFigures(moving)

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.kinematics.ink_equations import draw_equations
 from graphic_tmm.chapters.kinematics.ink_links import LinksInk
 from graphic_tmm.chapters.kinematics.ink_plans import (
@@ -26,6 +25,7 @@ from graphic_tmm.chapters.kinematics.scales import outlying, reaches
 from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
 from graphic_tmm.chapters.kinematics.task import ASKED
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Stand, Stroke
@@ -38,6 +38,7 @@ from graphic_tmm.paper.views import captioned, in_rows, mu_text, noted, width_of
 from graphic_tmm.readers.equations import equations
 from graphic_tmm.readers.given import given_table
 from graphic_tmm.readers.result_table import result_table
+from graphic_tmm.scene.captions import captions
 
 EQUATIONS = {
     VELOCITIES: said("Equations of velocities"),
@@ -237,3 +238,20 @@ def plan_at(
     at = [Place(drawn.row(plan).index(place))]
     mu = drawn.scales[plan].value
     return finished(draw_plan(log, reading, plan, at, name, title, mu, UNITS[plan], upon=upon))
+
+
+SHOWN = Views(
+    draw={
+        GIVEN: given_views,
+        POSITIONS: position_views,
+        VELOCITIES: velocity_views,
+        ACCELERATIONS: acceleration_views,
+        "equations": equation_views,
+        "velocity equations": velocity_equations,
+        "acceleration equations": acceleration_equations,
+        "position table": position_table,
+        "velocity table": velocity_table,
+        "acceleration table": acceleration_table,
+        "results": both_tables,
+    }
+)

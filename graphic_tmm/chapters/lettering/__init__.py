@@ -16,50 +16,8 @@ Sources: ГОСТ 2.303 (линии), ГОСТ 2.304 (шрифты чертёж�
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from graphic_tmm.chapter import Chapter, Place
-from graphic_tmm.language.said import said
-from graphic_tmm.late import late
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from graphic_tmm.paper.drawing import Drawing
-    from graphic_tmm.scene.records import Scene
-
-with late(__name__):
-    from graphic_tmm.chapters.lettering.specimen import specimen as characters
-    from graphic_tmm.chapters.lettering.specimen_symbols import specimen_symbols as symbols
-    from graphic_tmm.language.catalogue import speaking
-    from graphic_tmm.paper.lettering.heights import heights
-
-
-def _characters(scene: Scene) -> list[Drawing]:
-    return characters(scene.language, heights(scene, "lettering").title)
-
-
-def _symbols(scene: Scene) -> list[Drawing]:
-    return symbols(scene.language, heights(scene, "symbols"))
-
-
-def _asks_characters(scene: Scene, language: str) -> Iterator[str]:
-    yield speaking(language)(_CHARACTERS)
-
-
-def _asks_symbols(scene: Scene, language: str) -> Iterator[str]:
-    yield speaking(language)(_SYMBOLS)
-
-
-_CHARACTERS = said("Letters and figures are drawn on their auxiliary grid, in the standard sizes.")
-_SYMBOLS = said("Lines and the symbols of links and pairs are drawn as the standards have them.")
+from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
-    name="lettering",
-    number=11,
-    board="",
-    places=(
-        Place("lettering", 0, plain=_characters, asks=_asks_characters),
-        Place("symbols", 0, plain=_symbols, asks=_asks_symbols),
-    ),
+    name="lettering", number=11, board="", places=(Place("lettering"), Place("symbols"))
 )

@@ -29,70 +29,15 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from graphic_tmm.chapter import Chapter, Place, Size
-from graphic_tmm.chapters.planetary.captions import CAPTIONS, SYMBOLS
 from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
-from graphic_tmm.chapters.planetary.task import ASKED, SECTIONS
-from graphic_tmm.late import late
-from graphic_tmm.readers.given import given_place
-
-if TYPE_CHECKING:
-    from graphic_tmm.scene.records import Scene
-
-with late(__name__):
-    from graphic_tmm.chapters.planetary.asks import asks
-    from graphic_tmm.chapters.planetary.beside import record_beside
-    from graphic_tmm.chapters.planetary.choice import choose_steps
-    from graphic_tmm.chapters.planetary.columns import planetary_columns
-    from graphic_tmm.chapters.planetary.given import given
-    from graphic_tmm.chapters.planetary.note import concludes, note
-    from graphic_tmm.chapters.planetary.plan import record
-    from graphic_tmm.chapters.planetary.scheme import scheme
-    from graphic_tmm.chapters.planetary.verdict import train_results
-    from graphic_tmm.chapters.planetary.verdict import verdict as judged
-    from graphic_tmm.chapters.planetary.views import planetary_views
-    from graphic_tmm.drawn import view_scales
-
+from graphic_tmm.chapters.planetary.task import SECTIONS
+from graphic_tmm.scene.chapter import Chapter, Place
 
 _NAME = PLANETARY_TRAIN.chapter
-SCALE_KEYS = {
-    "planetary": "mu_l_planetary",
-    "planetary-velocities": "mu_v_planetary",
-    "planetary-rates": "mu_omega_planetary",
-}
-"""What the scale factors are called where machines read them."""
-
-
-def _fixed(scene: Scene) -> str:
-    return "planetary.mu_l" if "planetary.mu_l" in scene.told else ""
-
-
 CHAPTER = Chapter(
     name=_NAME,
     number=10,
-    captions=CAPTIONS,
     board=_NAME,
-    places=(
-        Place("planetary", 120, planetary_views, sizes=lambda scene, view: (_NAME,), asks=asks),
-        given_place("planetary"),
-    ),
-    sizes=(Size(_NAME, small=0.75, cap=0.65, step=1.25, fixed=_fixed),),
-    asked=lambda scene: ASKED.of(scene) is not None,
-    given=given,
-    scheme=scheme,
+    places=(Place("planetary", 120), Place("planetary given", attends="planetary")),
     sections=SECTIONS,
-    record=record,
-    aside=record_beside,
-    choice=choose_steps,
-    named=lambda project, reading, given: view_scales(project, reading),
-    scale_key=lambda view: SCALE_KEYS.get(view, ""),
-    plans=(_NAME,),
-    columns=planetary_columns,
-    results=train_results,
-    note=note,
-    concludes=lambda drawn, language: (*concludes(drawn, language), *judged(drawn, language)),
-    sources=("artobolevsky", "popov"),
-    symbols=SYMBOLS,
 )

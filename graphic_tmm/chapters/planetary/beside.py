@@ -10,12 +10,12 @@ from typing import NamedTuple
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
-from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.planetary import formulas as t
 from graphic_tmm.chapters.planetary.dimensions import rings_of
 from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
 from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made, aside
 
 CALCULATED, BEHIND = "planetary-calculation", "planetary-behind"
 """The views of what is calculated of the train, and behind it."""

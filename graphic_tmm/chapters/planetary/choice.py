@@ -5,7 +5,7 @@ from __future__ import annotations
 from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
 from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Ledger
+from graphic_tmm.fitting.choice import Choice, Ledger
 
 
 def choose_steps(drawn: Drawn, ledger: Ledger) -> None:
@@ -35,3 +35,6 @@ def _reach(drawn: Drawn, train: Planetary) -> float:
     wheels = train.train.scheme.wheels
     rims = max(found[wheel] for wheel in wheels[1:-1])
     return max(found["1"], found[wheels[-1]], found["H"] + rims)
+
+
+CHOICE = Choice(choose_steps)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import SIZE, Given
 from graphic_tmm.chapters.planetary.task import ASKED, SCHEMES
 from graphic_tmm.readers.given import given_speed
+from graphic_tmm.readers.task_sheet import SIZE, Given
 from graphic_tmm.scene.records import Scene
 
 

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapter import chapters
 from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
+from graphic_tmm.chapters.planetary.verdict import verdict
 from graphic_tmm.drawn import Drawn, results_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note.bricks import filled, result_number, results
+from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, Runs
 from graphic_tmm.note.sections.chapter import from_log
+from graphic_tmm.scene.chapter import chapters
 
 RATIO = said("The ratio of the train is {due} by its teeth and {drawn} as drawn, {apart} apart.")
 NAMES = {
@@ -34,3 +36,11 @@ def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
     if set(NAMES.values()) <= set(results):
         put = {key: result_number(drawn, results, name, language) for key, name in NAMES.items()}
         yield filled(speaking(language)(RATIO), put)
+
+
+def _concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
+    yield from concludes(drawn, language)
+    yield from verdict(drawn, language)
+
+
+NOTE = Noted(section=note, concludes=_concludes)

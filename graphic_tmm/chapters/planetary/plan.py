@@ -19,7 +19,7 @@ from graphic_tmm.chapters.planetary.pictures import (
     draw_pair,
 )
 from graphic_tmm.chapters.planetary.rates import Picture, Rates, draw_picture, draw_rates
-from graphic_tmm.chapters.planetary.sizes import Drawn, choose_scales
+from graphic_tmm.chapters.planetary.reach import Drawn, choose_scales
 from graphic_tmm.chapters.planetary.task import ASKED, PlanetaryTask, Train
 from graphic_tmm.chapters.planetary.tooth_search import choose
 from graphic_tmm.project import Bench

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from graphic_tmm.chapter import Scheme as Shown
 from graphic_tmm.chapters.planetary.ink_numbers import BESIDE
 from graphic_tmm.chapters.planetary.ink_scheme import Scheme2KH, Side, draw_scheme, spots
-from graphic_tmm.chapters.planetary.sizes import ARM, ROW, SHAFT
+from graphic_tmm.chapters.planetary.reach import ARM, ROW, SHAFT
 from graphic_tmm.chapters.planetary.task import ASKED, SCHEMES, PlanetaryTask, Scheme
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -16,6 +15,7 @@ from graphic_tmm.paper.figure import added
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.lettering.heights import HEIGHTS
 from graphic_tmm.paper.packing import bounds
+from graphic_tmm.readers.task_sheet import Scheme as Shown
 from graphic_tmm.scene.records import Scene
 
 RADII: Mapping[str, tuple[float, ...]] = {

@@ -10,7 +10,6 @@ import numpy as np
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Length
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.planetary.dimensions import Condition
 from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.chapters.planetary.tooth_search import Solutions, search
@@ -28,6 +27,7 @@ from graphic_tmm.paper.ruled import PADDING, table
 from graphic_tmm.paper.views import wrapped
 from graphic_tmm.readers.columns import listed
 from graphic_tmm.readers.told import told
+from graphic_tmm.scene.captions import captions
 
 SLANT = 1.0
 """How far inclined letters lean over the width of a text, mm."""

@@ -15,11 +15,11 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from graphic_tmm.bounds import Bound, TaskError
-from graphic_tmm.chapter import Asked
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, bound_of, key, made
 from graphic_tmm.scene.misfits import stands
+from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -202,7 +202,7 @@ class PlanetaryTask:
     )
 
 
-ASKED: Asked[PlanetaryTask] = Asked("planetary")
+ASKED: SectionKey[PlanetaryTask] = SectionKey("planetary")
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.planetary.beside import BESIDE
 from graphic_tmm.chapters.planetary.ink import Captions, draw_planetary_ink
 from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
@@ -14,12 +13,15 @@ from graphic_tmm.chapters.planetary.tables import (
     trains_wanted,
 )
 from graphic_tmm.drawn import Drawn, results_of, single
+from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import mu_text
+from graphic_tmm.readers.given import given_views
+from graphic_tmm.scene.captions import captions
 
 
 def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -66,3 +68,6 @@ def _overall(drawn: Drawn) -> list[str]:
         f"U_{{0}} = {text} = {number(ratio, language)}",
         f"n = {speeds[0]}/{speeds[1]} = {speeds[2]} {_('rpm')}",
     ]
+
+
+SHOWN = Views(draw={"planetary": planetary_views, **given_views("planetary")})

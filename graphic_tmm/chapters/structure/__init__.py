@@ -28,55 +28,13 @@ Sources: Ассур Л. В., Исследование плоских стерж�
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from graphic_tmm.chapter import Chapter, Made, Place
-from graphic_tmm.chapters.structure.captions import CAPTIONS, SYMBOLS
-from graphic_tmm.chapters.structure.names import PARTS, VIEW
-from graphic_tmm.late import late
-
-if TYPE_CHECKING:
-    from graphic_tmm.mechanism.structure import Structure
-    from graphic_tmm.project import Bench
-
-with late(__name__):
-    from graphic_tmm.chapters.structure import asks
-    from graphic_tmm.chapters.structure.mobility import record_mobility
-    from graphic_tmm.chapters.structure.note import note
-    from graphic_tmm.chapters.structure.views import part_views, structure_views
-    from graphic_tmm.mechanism.structure import dissect
-
-
-STRUCTURE: Made[Structure] = Made("structure")
-
-
-def _record(bench: Bench) -> Structure:
-    """Return the structure; it leaves no step."""
-    assert bench.scene.mechanism is not None
-    return dissect(bench.scene.mechanism)
-
+from graphic_tmm.chapters.structure.names import PARTS, STRUCTURE
+from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
     name=STRUCTURE.chapter,
     number=1,
     builds_on=("kinematics",),
-    places=(
-        Place("structure", 90, structure_views, shows=(), asks=asks.tables),
-        Place(PARTS, 0, part_views, shows=(), follows=("positions",), asks=asks.parts),
-    ),
-    asked=lambda scene: scene.mechanism is not None,
+    places=(Place("structure", 90), Place(PARTS, follows=("positions",))),
     always=True,
-    record=_record,
-    aside=record_mobility,
-    plans=(VIEW,),
-    views=lambda project: {VIEW: (VIEW,)},
-    captions=CAPTIONS,
-    facts=lambda drawn: {
-        "W": STRUCTURE.on(drawn).mobility,
-        "formula": STRUCTURE.on(drawn).formula,
-    },
-    note=note,
-    noted=(PARTS,),
-    sources=("assur", "artobolevsky"),
-    symbols=SYMBOLS,
 )

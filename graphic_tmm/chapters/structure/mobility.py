@@ -8,13 +8,12 @@ from typing import NamedTuple
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
-from graphic_tmm.chapter import Made, aside
 from graphic_tmm.chapters.structure.names import PARTS, VIEW
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made, aside
 
-STRUCTURE = "structure"
 """The place of the tables."""
 
 
@@ -46,7 +45,7 @@ def parts(structure: Structure) -> dict[str, tuple[int, int]]:
 def record_mobility(bench: Bench) -> Mobility | None:
     """Calculate W of the mechanism and, as a check of its dissection, of each part; None if nobody asks."""
     assert bench.scene.mechanism is not None
-    if not bench.wanted & {STRUCTURE, PARTS}:
+    if not bench.wanted & {VIEW, PARTS}:
         return None
     structure, draft = dissect(bench.scene.mechanism), bench.draft
     draft.open(VIEW)

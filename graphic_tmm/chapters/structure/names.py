@@ -1,6 +1,15 @@
-"""The view and the place of a structure by its parts."""
+"""What the structure of a mechanism is held by; its view, its places."""
 
 from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from graphic_tmm.scene.chapter import Made
+
+if TYPE_CHECKING:
+    from graphic_tmm.mechanism.structure import Structure
+
+STRUCTURE: Made[Structure] = Made("structure")
 
 VIEW = "structure"
 PARTS = "groups of structure"

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.structure.mobility import MOBILITY, Mobility
-from graphic_tmm.chapters.structure.names import VIEW
+from graphic_tmm.chapters.structure.names import PARTS, VIEW
 from graphic_tmm.chapters.structure.roles import link_name, pair_name
 from graphic_tmm.chapters.structure.tables import WORDS
 from graphic_tmm.chapters.structure.views import part_views
@@ -17,6 +17,7 @@ from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.note.bricks import beside, filled, folded, referred
 from graphic_tmm.note.calculations import without_letters
+from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import (
     Block,
     Display,
@@ -41,7 +42,7 @@ ONE_DRIVE = said(
 )
 GROUP = said("group {name}: class II, order 2, kind {kind}")
 DRIVEN = said("driving link {name}: class I")
-PARTS = said("In the order of their attachment the parts are shown in {}; the mobility of each:")
+ATTACHED = said("In the order of their attachment the parts are shown in {}; the mobility of each:")
 LINKS, PAIRS = said("Links of the mechanism"), said("Kinematic pairs of the mechanism")
 
 
@@ -81,7 +82,7 @@ def _mobility(
         pictures.append(picture(shown[f"part-{name}"], language)._replace(caption=text(title)))
         formulas.append(_calculated(told, mark))
     parts = beside(pictures)
-    yield referred(parts, language, PARTS)
+    yield referred(parts, language, ATTACHED)
     yield Display((formulas[0], *map(without_letters, formulas[1:])))
     yield from parts
 
@@ -126,3 +127,6 @@ def _pairs(mechanism: Mechanism, structure: Structure, language: str) -> Table:
     heads = ("letter", "joined", "kind", "contact", "freedoms", "index")
     told = tuple(text(words[head]) for head in heads)
     return Table("table-pairs", text(speaking(language)(PAIRS)), told, tuple(rows), "ccllcc")
+
+
+NOTE = Noted(section=note, places=(PARTS,))

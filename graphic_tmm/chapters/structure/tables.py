@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from graphic_tmm.captions import captions
 from graphic_tmm.chapters.structure.roles import link_name, pair_name
 from graphic_tmm.language.said import said
 from graphic_tmm.language.tables import Tongues
@@ -16,6 +15,7 @@ from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
+from graphic_tmm.scene.captions import captions
 
 WORDS = Tongues(
     {

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.structure.ink_groups import draw_part
-from graphic_tmm.chapters.structure.mobility import MOBILITY, STRUCTURE, parts
-from graphic_tmm.chapters.structure.names import PARTS
+from graphic_tmm.chapters.structure.mobility import MOBILITY, parts
+from graphic_tmm.chapters.structure.names import PARTS, VIEW
 from graphic_tmm.chapters.structure.tables import WORDS, link_table, pair_table, structure_lines
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.numbers import number
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.drawing import Drawing
@@ -21,7 +22,7 @@ def structure_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     mechanism, language = drawn.scene.mechanism, drawn.scene.language
     assert mechanism is not None
     structure = dissect(mechanism)
-    high = heights(drawn.scene, STRUCTURE)
+    high = heights(drawn.scene, VIEW)
     pairs = pair_table(mechanism, structure, language, high)
     return [
         link_table(mechanism, structure, language, high),
@@ -54,3 +55,6 @@ def part_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         line = f"W = 3·{n} − 2·{p5} = {number(w, drawn.scene.language)}"
         found.append(captioned(finished(view, lettered), told, line, heights=high))
     return found
+
+
+SHOWN = Views(draw={"structure": structure_views, PARTS: part_views})

@@ -18,7 +18,6 @@ import numpy as np
 
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Number, Reals
-from graphic_tmm.captions import captions
 from graphic_tmm.checking.judging.taken_marks import step_name, steps_of
 from graphic_tmm.checking.judging.yardstick import Yardstick
 from graphic_tmm.checking.records import FINE, UNKNOWN, WRONG, Judged, Likely
@@ -26,6 +25,7 @@ from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.said import said
+from graphic_tmm.scene.captions import captions
 
 RARE = 0.005
 """Of honest drawings so many may be told of a group: as many as may be told of a mistake."""

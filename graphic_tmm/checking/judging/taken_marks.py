@@ -19,6 +19,7 @@ from graphic_tmm.checking.judging.reader import Reader
 from graphic_tmm.checking.readings.units import half_of, taken_figure
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.readers.readings import Readings
 
 
 def steps_of(work: Drawn | None) -> dict[tuple[str, str], Step]:
@@ -40,7 +41,7 @@ def steps_of(work: Drawn | None) -> dict[tuple[str, str], Step]:
         if mark.view in plans and mark.kind is Point:
             found.setdefault(mark.key, step)
     for chapter in work.project.chapters:
-        for key, mark in chapter.named_marks(work.project).items():
+        for key, mark in Readings.of(chapter).named_marks(work.project).items():
             if mark in steps and mark.kind is Number:
                 found[key] = steps[mark]
     return found

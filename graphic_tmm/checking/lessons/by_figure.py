@@ -20,6 +20,7 @@ from graphic_tmm.checking.lessons.steps import Steps, Told
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.units import unit_name
+from graphic_tmm.readers.titles import Protocols
 
 SAME = 1e-9
 """Figures that differ by less than this share are one: what two ways of calculating leave is some 1e-12."""
@@ -52,7 +53,7 @@ def _of_plan(steps: Steps, plan: str) -> Iterator[Told]:
 
 def _views(board: Drawn, plan: str) -> Iterator[str]:
     for chapter in board.project.chapters:
-        yield from chapter.views(board.project).get(plan, ())
+        yield from Protocols.of(chapter).views(board.project).get(plan, ())
 
 
 def _names(mark: Mark) -> tuple[str, ...]:

@@ -15,6 +15,7 @@ from graphic_tmm.checking.lessons.steps import Told
 from graphic_tmm.checking.records import Judged, Picture
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.readers.readings import Readings
 
 NOTHING = 1e-9
 """A vector shorter than so many mm has no direction."""
@@ -60,12 +61,14 @@ class SmallPlans:
         """Return the exact plan in a position; None where it is none, or not drawn there."""
         at = (plan, place)
         if at not in self._drawn:
-            chapters = [one for one in work.project.chapters if plan in one.pointed]
+            chapters = [one for one in work.project.chapters if plan in Readings.of(one).pointed]
             here = place in work.row(plan) and place not in work.undrawn
             if not chapters or not here or work.of(plan) is None:
                 self._drawn[at] = None
             else:
-                drawing = chapters[0].plan_at(work, plan, place, f"lesson-{plan}-{place}", "", ())
+                drawing = Readings.of(chapters[0]).plan_at(
+                    work, plan, place, f"lesson-{plan}-{place}", "", ()
+                )
                 self._drawn[at] = Picture(drawing, named=_named(work, drawing, place))
         return self._drawn[at]
 

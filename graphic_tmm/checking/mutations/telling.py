@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from graphic_tmm.board.findings import step_number
 from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.captions import view_name
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.choosing import SURE, UNSURE
 from graphic_tmm.checking.mutations.diagnosis import Diagnosis
@@ -25,6 +24,7 @@ from graphic_tmm.language.names import spoken
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.sentences import letters_of
+from graphic_tmm.scene.captions import view_name
 
 ON_STEP = said("{plan}, step {step}: {told}")
 AT_POSITION = said("{told}, at position {position} only")

@@ -7,13 +7,13 @@ from functools import cached_property
 
 import numpy as np
 
-from graphic_tmm.captions import view_name
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.diagnosis import VISIBLE
 from graphic_tmm.checking.mutations.mistakes import Mistakes
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
+from graphic_tmm.scene.captions import view_name
 
 SAYS = said("these readings do not show what was done on: {plans}")
 

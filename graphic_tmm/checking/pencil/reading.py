@@ -10,7 +10,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.captions import view_name
 from graphic_tmm.checking.pencil.again import again
 from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import Name, View
@@ -21,6 +20,7 @@ from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE, Spot, signs
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.said import said
+from graphic_tmm.scene.captions import view_name
 
 WIDE, WIDEST = 3.5, 10.0
 """Lines are followed so many deviations of the hand aside, and never farther, mm."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from graphic_tmm.captions import view_name
 from graphic_tmm.checking.cells import Cell, Key, pointed
 from graphic_tmm.checking.readings.names import (
     SILENT,
@@ -26,6 +25,7 @@ from graphic_tmm.errors import Fault
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.readers.table import scene_columns, scene_results
+from graphic_tmm.scene.captions import view_name
 
 _LISTED = 6
 """So many lines are listed in a note."""

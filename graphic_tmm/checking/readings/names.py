@@ -6,7 +6,6 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from graphic_tmm.captions import captions
 from graphic_tmm.checking.cells import RESULTS
 from graphic_tmm.checking.readings.spelling import (
     LEVELS,
@@ -22,6 +21,7 @@ from graphic_tmm.language.names import plain
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.former import renamed
 from graphic_tmm.readers.text import column_name, result_name
+from graphic_tmm.scene.captions import captions
 
 Aliases = Mapping[str, frozenset[str]]
 """What things are called besides, by the names that code has for them."""

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping
 
-from graphic_tmm.captions import view_name
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import said
+from graphic_tmm.scene.captions import view_name
 
 NEAR = 1.0
 """A pole that was read nearer to the origin than this is the origin, mm: a coordinate read off paper scatters

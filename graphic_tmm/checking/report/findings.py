@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from graphic_tmm.captions import view_name
 from graphic_tmm.checking.records import (
     DOUBTFUL,
     MISTAKE,
@@ -18,6 +17,7 @@ from graphic_tmm.checking.report.rows import counts, runs
 from graphic_tmm.checking.report.words import LONGEST_SENTENCE, WORDS, plan_name, shown
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed
+from graphic_tmm.scene.captions import view_name
 
 NAMED = 5
 """So many findings are told; the JSON has all of them."""

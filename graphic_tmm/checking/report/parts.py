@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from graphic_tmm.captions import captions
 from graphic_tmm.checking.records import (
     DOUBTFUL,
     FINE,
@@ -27,6 +26,7 @@ from graphic_tmm.checking.report.words import (
     unit_name,
 )
 from graphic_tmm.language.numbers import number
+from graphic_tmm.scene.captions import captions
 
 KNOWN = ("farther",)
 """What is so of every reading that is wrong: no drawing of the hand is farther off."""

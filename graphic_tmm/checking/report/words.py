@@ -6,13 +6,13 @@ report passes them through `shown` before it escapes them for its own medium.
 
 from __future__ import annotations
 
-from graphic_tmm.captions import captions
-from graphic_tmm.chapter import chapters
 from graphic_tmm.checking.cells import RESULTS
 from graphic_tmm.language.said import said
 from graphic_tmm.language.tables import Tongues
 from graphic_tmm.language.units import known
 from graphic_tmm.language.units import unit as translated
+from graphic_tmm.scene.captions import Named, captions
+from graphic_tmm.scene.chapter import chapters
 
 LONGEST = 80
 """Of a name, a letter or a unit so many characters are shown."""
@@ -121,7 +121,7 @@ def shown(text: str, most: int = LONGEST) -> str:
 
 def plan_name(plan: str, language: str) -> str:
     """Return what a plan is called in a language; as the reading calls it if no chapter has a name for it."""
-    known = plan == RESULTS or any(plan in one.captions for one in chapters())
+    known = plan == RESULTS or any(plan in Named.of(one).captions for one in chapters())
     return captions(language)[plan or RESULTS] if known or not plan else shown(plan)
 
 

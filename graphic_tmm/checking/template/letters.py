@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from graphic_tmm.captions import captions
 from graphic_tmm.checking.cells import pointed, points
 from graphic_tmm.checking.overlay import plan_view
 from graphic_tmm.drawn import DrawnScene
@@ -15,6 +14,7 @@ from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.views import captioned
+from graphic_tmm.scene.captions import captions
 
 GAP = 12.0
 """Between plans, and about them, mm: the letters at their rims stand clear. Chosen by eye."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from graphic_tmm.captions import captions
 from graphic_tmm.checking.cells import Cell, Key, pointed
 from graphic_tmm.checking.judging.taken_marks import steps_of
 from graphic_tmm.checking.records import Taken
@@ -15,6 +14,7 @@ from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.language.units import unit
 from graphic_tmm.readers.table import scene_columns
 from graphic_tmm.readers.text import column_name
+from graphic_tmm.scene.captions import captions
 
 _DIGITS = 4
 """So many digits of a scale factor are told."""

@@ -12,7 +12,6 @@ from hashlib import sha256
 from pathlib import Path
 from typing import NamedTuple
 
-from graphic_tmm.captions import captions
 from graphic_tmm.checking.photo.picture import PHOTOGRAPH
 from graphic_tmm.checking.readings.decoding import READINGS
 from graphic_tmm.classroom.batch.ledger import Ran
@@ -41,6 +40,7 @@ from graphic_tmm.files import read
 from graphic_tmm.fitting.composition import COMPOSITION, beside, read_composition
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
+from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
 

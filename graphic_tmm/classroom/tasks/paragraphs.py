@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.classroom.tasks import told
 from graphic_tmm.classroom.tasks.setting import Setting
 from graphic_tmm.classroom.tasks.sheet import NARROWER, Block, even, rag
@@ -16,6 +15,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Label
 from graphic_tmm.paper.lettering.letters import letter, plain
 from graphic_tmm.project import own_boards
+from graphic_tmm.scene.chapter import MECHANISM
 from graphic_tmm.scene.document import Document
 from graphic_tmm.scene.records import Scene
 

@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import islice
 from typing import NamedTuple
 
-from graphic_tmm.chapter import Given, Listed, Scheme, chapters
 from graphic_tmm.classroom.tasks.setting import Setting
 from graphic_tmm.classroom.tasks.sheet import BESIDE, Block, below, even, figure, width_of
 from graphic_tmm.classroom.tasks.sought import disguised
@@ -23,6 +22,8 @@ from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.ruled import table
 from graphic_tmm.readers.given import given_table
+from graphic_tmm.readers.task_sheet import Given, Listed, Scheme, TaskSheet
+from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.records import Scene
 
 SCHEME = said("Scheme of the mechanism", context="task")
@@ -56,7 +57,7 @@ def drawer(scene: Scene, text: str) -> Drawer:
         if shown is None:
             return None
         if room not in found:
-            made = (chapter.scheme(shown, room) for chapter in chapters())
+            made = (TaskSheet.of(chapter).scheme(shown, room) for chapter in chapters())
             found[room] = next((one for one in made if one), None)
         return found[room]
 
@@ -133,7 +134,9 @@ def _tables(scene: Scene, rows: Rows, tall: int, setting: Setting) -> Iterator[B
 
 def _listed(scene: Scene, setting: Setting) -> Iterator[Block]:
     """Yield what is given point by point, as tables."""
-    found = (one for chapter in chapters() for one in chapter.listed(scene, scene.language))
+    found = (
+        one for chapter in chapters() for one in TaskSheet.of(chapter).listed(scene, scene.language)
+    )
     wide = width_of(scene.language)
     for one in dict.fromkeys(found):
         above = setting.between if one.title else setting.least

@@ -6,8 +6,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from graphic_tmm.captions import captions
-from graphic_tmm.chapter import chapters, places
+from graphic_tmm.fitting.sizes import all_sizes
 from graphic_tmm.handout.words import indexed
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import decimal_sign, number
@@ -18,6 +17,9 @@ from graphic_tmm.paper.formats import AUTO
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.readers.protocol import synthesis as read_synthesis
+from graphic_tmm.readers.task_sheet import TaskSheet
+from graphic_tmm.scene.captions import captions
+from graphic_tmm.scene.chapter import chapters, places
 from graphic_tmm.scene.declare import keys_of
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.units import plain
@@ -95,8 +97,9 @@ def orders(scene: Scene) -> Iterator[Told]:
 
 
 def _asks(name: str, scene: Scene) -> Iterable[str]:
-    place = places()[name][1]
-    own = list(place.asks(scene, scene.language))
+    chapter, place = places()[name]
+    wanted = TaskSheet.of(chapter).wanted.get(name)
+    own = list(wanted(scene, scene.language)) if wanted is not None else []
     return own or [one for part in place.together for one in _asks(part, scene)]
 
 
@@ -104,7 +107,7 @@ def conditions(scene: Scene) -> Iterator[str]:
     """Yield what the scene states besides (mark-up), but for what is asked anyway."""
     asked = {one for order in scene.sheets for name in order.place for one in _asks(name, scene)}
     for chapter in chapters():
-        for one in chapter.stated(scene, scene.language):
+        for one in TaskSheet.of(chapter).stated(scene, scene.language):
             if one not in asked:
                 yield indexed(one)
     yield from map(indexed, scene.author.task)
@@ -202,7 +205,7 @@ def _free(scene: Scene, doc: Document) -> list[str]:
 
 def families() -> dict[str, tuple[str, ...]]:
     """Return, by plan, the keys of [scales] of which one fixes its scale factor, that of μ first."""
-    return {size.name: size.keys for one in chapters() for size in one.sizes if size.keys}
+    return {name: size.keys for name, size in all_sizes().items() if size.keys}
 
 
 def handed(scene: Scene, *, readings: bool, drawn: bool) -> Iterator[str]:

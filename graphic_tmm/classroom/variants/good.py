@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator, Mapping
 from itertools import chain
 from typing import NamedTuple
 
+from graphic_tmm.any_angles.turn import Turning
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.classroom.variants.ranges import Good
 from graphic_tmm.classroom.variants.variant import Base, Variant, scene_of
@@ -24,6 +25,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.project import Project, own_boards
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.former import is_called
+from graphic_tmm.readers.readings import Readings
 from graphic_tmm.readers.warnings import SILENT
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import draws_mechanism, make
@@ -96,7 +98,7 @@ def _reasons(scene: Scene, by: Measure) -> Iterator[str]:
 
 def _moving(project: Project, good: Good) -> Iterator[str]:
     """Yield what speaks against the motion over a whole turn."""
-    found = (chapter.passed(project) for chapter in project.chapters)
+    found = (Turning.of(chapter).passed(project) for chapter in project.chapters)
     for one in (passed for passed in found if passed is not None):
         if not one.whole:
             yield said("it does not assemble over the whole turn")
@@ -130,7 +132,7 @@ def shortest(drawn: Drawn, limit: float) -> Iterator[Column]:
 
 def _vectors(drawn: Drawn) -> list[Column]:
     chapters = drawn.project.chapters
-    return list(chain.from_iterable(chapter.vectors(drawn) for chapter in chapters))
+    return list(chain.from_iterable(Readings.of(chapter).vectors(drawn) for chapter in chapters))
 
 
 def _taken(made: DrawnScene) -> float:

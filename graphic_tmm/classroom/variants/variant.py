@@ -14,10 +14,10 @@ from typing import NamedTuple
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.packaged import scene_name
 from graphic_tmm.scene.declare import Path
 from graphic_tmm.scene.document import Document, document
 from graphic_tmm.scene.faults import key_of
+from graphic_tmm.scene.packaged import scene_name
 from graphic_tmm.scene.quantities import NUMBER
 from graphic_tmm.scene.read import FILE, SCENE, judged
 from graphic_tmm.scene.records import Scene

@@ -104,7 +104,7 @@ def _class(wanted: MarkedBy, by: tuple[str, str, int, float, float]) -> Class:
     from graphic_tmm.classroom.marks.rule_file import read_rule
     from graphic_tmm.classroom.variants.table import read_variants
     from graphic_tmm.classroom.variants.variant import base
-    from graphic_tmm.packaged import scene_path
+    from graphic_tmm.scene.packaged import scene_path
 
     path = scene_path(wanted.scene)
     hear(asked() or language_of(path))

@@ -34,7 +34,7 @@ class SceneName(ParamType):
         """Return the names of scenes that begin so, and what a shell knows of files."""
         from click.shell_completion import CompletionItem
 
-        from graphic_tmm.packaged import packaged
+        from graphic_tmm.scene.packaged import packaged
 
         names = [path.name for path in packaged() if path.name.startswith(incomplete)]
         return [*map(CompletionItem, names), CompletionItem(incomplete, type="file")]
@@ -45,7 +45,7 @@ def read_scene(name: str | None, *, lettered: bool = False) -> Scene:
 
     ``lettered``: refuse letters that cannot be written on a sheet.
     """
-    from graphic_tmm.packaged import scene_path
+    from graphic_tmm.scene.packaged import scene_path
     from graphic_tmm.scene.read import read
 
     path = scene_path(name)

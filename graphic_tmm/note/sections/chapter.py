@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator
 
-from graphic_tmm.captions import captions
-from graphic_tmm.chapter import Chapter, chapters
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
 from graphic_tmm.note.bricks import columns, figures_of, heading, paired, results, worked
+from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, paragraph
 from graphic_tmm.note.plans import section, shown_and_listed
 from graphic_tmm.note.protocol import Known
+from graphic_tmm.readers.measured import Tabled
+from graphic_tmm.readers.titles import Protocols
+from graphic_tmm.scene.captions import Named, captions
+from graphic_tmm.scene.chapter import Chapter, chapters
 from graphic_tmm.scene.records import Scene
 
 
@@ -21,7 +24,7 @@ def chapter_section(drawn: Drawn, chapter: Chapter, language: str, known: Known)
 
     ``known``: what chapters before it have told.
     """
-    own = chapter.note(drawn, language)
+    own = Noted.of(chapter).section(drawn, language)
     told = own if own is not None else from_log(drawn, chapter, language, known=known)
     blocks = list(paired(told))
     if blocks:
@@ -74,15 +77,15 @@ def from_log(
     name = f"{drawn.board}-{chapter.name}"
     yield from shown_and_listed(sections, name, title(chapter, language), language, shown)
     if tables:
-        yield from columns(drawn, chapter.columns(drawn), language)
+        yield from columns(drawn, Tabled.of(chapter).columns(drawn), language)
         yield from results(drawn, chapter, language)
 
 
 def _views(drawn: Drawn, chapter: Chapter) -> list[str]:
     """Return the views of the log that are a chapter's, plan by plan; those of a part in the log's order."""
     there = dict.fromkeys(step.it.view for step in drawn.construction.steps)
-    told = chapter.views(drawn.project)
-    own = [view for plan in chapter.plans for view in told.get(plan, ())]
+    told = Protocols.of(chapter).views(drawn.project)
+    own = [view for plan in Named.of(chapter).plans for view in told.get(plan, ())]
     if not own and len(drawn.project.chapters) == 1:
         own = list(there)
     return [view for view in dict.fromkeys(own) if view in there]

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.captions import captions
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.language.said import said
 from graphic_tmm.note.bricks import folded
+from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import (
     Block,
     Heading,
@@ -27,6 +27,7 @@ from graphic_tmm.note.document import (
 from graphic_tmm.readers.exactness import deviations
 from graphic_tmm.readers.text import result_name
 from graphic_tmm.readers.warnings import warnings
+from graphic_tmm.scene.captions import captions
 
 CONCLUSIONS = said("Conclusions")
 EXACTNESS = said("Largest errors of the drawing against the same without error of the ruler")
@@ -40,7 +41,7 @@ def conclusions(made: DrawnScene, language: str) -> Iterator[Block]:
     found: list[Runs] = []
     for drawn in made.boards:
         for chapter in drawn.project.chapters:
-            found += chapter.concludes(drawn, language)
+            found += Noted.of(chapter).concludes(drawn, language)
     for drawn in made.boards:
         found += [text(_sentence(told)) for told in warnings(drawn, language, remedies=False)]
     own = made.scene.author.conclusions

@@ -8,6 +8,7 @@ from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import code_of, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note.document import Block, Heading, Item, Listed, paragraph, text
+from graphic_tmm.scene.captions import Named
 
 LITERATURE = said("Literature")
 BOOKS: dict[str, str] = {
@@ -49,6 +50,6 @@ def _called_for(made: DrawnScene, language: str) -> list[str]:
         {one.number: one for drawn in made.boards for one in drawn.project.chapters}.values(),
         key=lambda one: one.number,
     )
-    named = dict.fromkeys(key for one in chapters for key in one.sources)
+    named = dict.fromkeys(key for one in chapters for key in Named.of(one).sources)
     keys = (*named, *(ESKD if code_of(language) == "ru" else ISO))
     return [speaking(language)(BOOKS[key]) for key in keys]

@@ -8,7 +8,6 @@ from typing import NamedTuple
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations import choice
 from graphic_tmm.board.record import Step
-from graphic_tmm.captions import captions, view_name
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.fitting.choice import SCALES, choices
 from graphic_tmm.language.catalogue import speaking
@@ -33,6 +32,7 @@ from graphic_tmm.note.document import (
 )
 from graphic_tmm.note.steps import Told, calculated, reason_runs
 from graphic_tmm.readers.titles import title_of
+from graphic_tmm.scene.captions import captions, view_name
 
 PLAN, FOUND, TAKEN = said("Drawing"), said("Calculation"), said("Scale factor")
 GIVEN = said("taken from the task")

@@ -21,6 +21,7 @@ from graphic_tmm.note.document import (
     symbols,
     text,
 )
+from graphic_tmm.scene.captions import Named
 
 SYMBOLS, MEANING = said("Symbols"), said("Meaning")
 SYMBOL, UNIT = said("Symbol"), said("Unit")
@@ -37,7 +38,7 @@ def symbol_list(made: DrawnScene, blocks: Sequence[Block], language: str) -> Ite
     rows: dict[str, tuple[Runs, ...]] = {}
     for drawn in made.boards:
         for chapter in drawn.project.chapters:
-            for letter, meaning, of in chapter.symbols:
+            for letter, meaning, of in Named.of(chapter).symbols:
                 stem = _STEM.match(letter)
                 if stem and stem[0] in stems:
                     told = (Symbol(symbol(letter, language)),)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.board.execute import execute
-from graphic_tmm.captions import view_name
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.note.bricks import heading
 from graphic_tmm.note.document import Block
@@ -13,6 +12,7 @@ from graphic_tmm.note.protocol import Manner, protocol_blocks
 from graphic_tmm.note.steps import Told
 from graphic_tmm.readers.protocol import SYNTHESIS
 from graphic_tmm.readers.protocol import synthesis as found_for
+from graphic_tmm.scene.captions import view_name
 
 
 def synthesis(made: DrawnScene, language: str) -> Iterator[Block]:

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.captions import captions
-from graphic_tmm.chapter import MECHANISM
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -31,6 +29,10 @@ from graphic_tmm.note.document import (
 from graphic_tmm.note.figures import in_hand, picture
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.readers.given import figure, given_rows, sought
+from graphic_tmm.readers.readings import Readings
+from graphic_tmm.readers.task_sheet import TaskSheet
+from graphic_tmm.scene.captions import captions
+from graphic_tmm.scene.chapter import MECHANISM
 
 TASK = said("Task")
 SCHEME = said("Scheme of the mechanism")
@@ -62,7 +64,7 @@ def _conditions(made: DrawnScene, language: str) -> Iterator[Block]:
         sentence
         for drawn in made.boards
         for chapter in drawn.project.chapters
-        for sentence in chapter.stated(made.scene, language)
+        for sentence in TaskSheet.of(chapter).stated(made.scene, language)
     ]
     if told:
         yield paragraph(speaking(language)(BESIDES))
@@ -77,9 +79,9 @@ def scheme(drawn: Drawn, language: str) -> Picture | None:
     """Return the mechanism in one position, as its first plan that can be drawn alone."""
     place = worked(drawn)
     for chapter in drawn.project.chapters:
-        for plan in chapter.pointed:
+        for plan in Readings.of(chapter).pointed:
             title = speaking(language)(SCHEME)
-            view = chapter.plan_at(in_hand(drawn), plan, place, "scheme", title, ())
+            view = Readings.of(chapter).plan_at(in_hand(drawn), plan, place, "scheme", title, ())
             return picture(view, language)
     return None
 

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple, Protocol
 
 from graphic_tmm.paper.formats import USUAL
-
-if TYPE_CHECKING:
-    from graphic_tmm.scene.records import Scene
 
 
 class Heights(NamedTuple):
@@ -42,7 +39,31 @@ def heights_on(formats: Iterable[str]) -> Heights:
     return next((found for name, found in HEIGHTS.items() if name in there), HEIGHTS[USUAL])
 
 
-def heights(scene: Scene, *places: str) -> Heights:
+class Ordered(Protocol):
+    """A sheet that is ordered: its format, the places that it shows."""
+
+    @property
+    def format(self) -> str:
+        """The format."""
+
+    @property
+    def place(self) -> tuple[str, ...]:
+        """The places."""
+
+
+class Orders(Protocol):
+    """Sheets that are ordered, and how high their letters are to be, mm; None: as usual."""
+
+    @property
+    def sheets(self) -> Sequence[Ordered]:
+        """The sheets."""
+
+    @property
+    def letters(self) -> tuple[float, float, float] | None:
+        """The heights."""
+
+
+def heights(scene: Orders, *places: str) -> Heights:
     """Return how high the letters of a place of a scene's sheets are, the same on all that show it.
 
     ``places``: it and those that it is a part of. One that no sheet shows is lettered as the narrowest of all.

@@ -32,7 +32,7 @@ from graphic_tmm.board.values import (
     arrays,
     complexes,
 )
-from graphic_tmm.chapter import whole_book
+from graphic_tmm.scene.chapter import whole_book
 
 COUNT = 53
 ROWS = [np.linspace(-3.0, 5.0, COUNT)[None, :], np.array([[2.5]]), np.array([[-4.0]])]

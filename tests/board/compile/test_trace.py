@@ -15,7 +15,7 @@ from graphic_tmm.board.grammar import OPERATIONS
 from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.operations.instruments import meet, square
 from graphic_tmm.board.values import Curve, Length, Line, Point
-from graphic_tmm.chapter import whole_book
+from graphic_tmm.scene.chapter import whole_book
 
 LEFT = {
     *("next_standard", "next_standard_length", "nearest_standard", "next_ratio", "whole_mm"),

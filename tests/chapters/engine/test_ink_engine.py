@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 from support.engines import SCENE
 
-from graphic_tmm.captions import captions
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.readers.table import scene_results
+from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make, sheets
 

@@ -13,12 +13,12 @@ from support.boards import in_usual_size
 from support.readable import texts
 from support.scenes import slider_crank, written
 
-from graphic_tmm import finer as finer_rows
 from graphic_tmm.chapters.flywheel.views import flywheel_views
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.finer import FINE, SHARE, USUAL, Finer, finer
 from graphic_tmm.note.document import Paragraph, walk
 from graphic_tmm.note.note import note
+from graphic_tmm.readers import finer as finer_rows
+from graphic_tmm.readers.finer import FINE, SHARE, USUAL, Finer, finer
 from graphic_tmm.readers.table import table
 from graphic_tmm.readers.warnings import warnings
 from graphic_tmm.scene.read import read

@@ -14,10 +14,10 @@ from support.scenes import edited
 from graphic_tmm.board.execute import execute
 from graphic_tmm.bounds import TaskError
 from graphic_tmm.chapters.gears.beside import BESIDE, VIEW
-from graphic_tmm.chapters.gears.columns import SLIDING
 from graphic_tmm.chapters.gears.dimensions import VIEW as DIMENSIONS
 from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.chapters.gears.refusals import refuse_order
+from graphic_tmm.chapters.gears.table import SLIDING
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.chapters.gears.verdict import verdict
 from graphic_tmm.drawn import Drawn, Results, single

@@ -1,0 +1,110 @@
+"""Any angles of a turn of the crank: what chapters know there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import ClassVar, Literal, NamedTuple
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Reals
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.project import Project
+from graphic_tmm.scene.chapter import Answer
+from graphic_tmm.scene.records import Scene
+
+Between = Mapping[Mark, object]
+"""Values of marks at the angles of a turn."""
+
+
+@dataclass(frozen=True)
+class Turn:
+    """Angles of the crank at which the log of a row of positions is run once more.
+
+    ``turned``: how far it has turned from position zero, degrees, (angle,), with the sign in which it is drawn,
+    the zero position first; ``whole``: how far it does over the row, degrees, with that sign, in ``count``
+    intervals. ``read``: the numbers of marks at these angles, of what is known already. ``angles``: the
+    direction of the crank itself where that is what is asked for, degrees, (1, angle): the state of a mechanism
+    that was never turned from anywhere; None where it is turned from the zero position on. A chapter that hands
+    this very array on does so at any angles: it is asked once.
+    """
+
+    turned: Reals
+    whole: float
+    count: int
+    read: Callable[[Iterable[Mark]], Reading]
+    angles: Reals | None = None
+
+    @cached_property
+    def numbers(self) -> Reals:
+        """Where each angle is in the row, in intervals of it."""
+        whole = abs(self.whole)
+        along = self.turned if self.whole > 0.0 else -self.turned
+        return along % whole * self.count / whole
+
+
+Plan = Literal["positions", "velocities", "accelerations", "forces"]
+"""What motion is asked for, by the place of a sheet that shows it."""
+Quantity = Literal["places", "velocities", "accelerations", "omega", "epsilon", "forces", "balance"]
+"""What is told of a mechanism at any angle."""
+PLAN_OF: Mapping[Quantity, Plan] = {
+    "places": "positions",
+    "velocities": "velocities",
+    "accelerations": "accelerations",
+    "omega": "velocities",
+    "epsilon": "accelerations",
+    "forces": "forces",
+    "balance": "forces",
+}
+"""By which plan a quantity is found."""
+VECTORS: frozenset[Quantity] = frozenset({"places", "velocities", "accelerations", "forces"})
+"""Those that are x + iy."""
+Key = tuple[str, int] | int | str
+"""Of what it is told: a letter and the number of its link; a link; the name of a column."""
+
+
+class Told(NamedTuple):
+    """A quantity that can be had at any angle of the crank, in SI: where the log has it.
+
+    ``mark``: its number, in SI; or, with a ``scale`` (SI a mm), a
+    point of a plan, whose vector from ``start`` (None: from the pole, 0) times the scale it is, behind
+    ``origin`` (SI). ``known``: a number without which nobody knows it.
+    """
+
+    plan: Plan
+    quantity: Quantity
+    key: Key
+    mark: Mark
+    scale: Mark | None = None
+    start: Mark | None = None
+    origin: complex = 0j
+    known: Mark | None = None
+
+
+class Passed(NamedTuple):
+    """How a mechanism passes its motion on over a turn of its crank.
+
+    ``whole``: whether it assembles at every angle; ``least``: the least transmission angle of all its groups,
+    degrees, NaN where it assembles nowhere.
+    """
+
+    whole: bool
+    least: float
+
+
+@dataclass(frozen=True)
+class Turning(Answer):
+    """What a chapter knows at any angle of the crank.
+
+    ``between``: of a drawn board, at any angles of a turn, what its own given marks are there, and those that
+    are read off what is drawn, not run again. ``passed``: how well the mechanism passes its motion on over a
+    turn. ``told``: what of it can be had at any angle; ``free``: the scene as it is recorded for that.
+    """
+
+    stands: ClassVar[str] = "turning.TURNING"
+    between: Callable[[Drawn, Turn], Between] = lambda drawn, turn: {}
+    passed: Callable[[Project], Passed | None] = lambda project: None
+    told: Callable[[Project], Iterable[Told]] = lambda project: ()
+    free: Callable[[Scene], Scene] = lambda scene: scene

@@ -1,0 +1,51 @@
+"""What a task asks of a cycle of moments, and the moments that it gives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphic_tmm.chapters.cycle.names import CYCLE
+from graphic_tmm.chapters.cycle.task import ASKED
+from graphic_tmm.chapters.cycle.views import given
+from graphic_tmm.chapters.flywheel.task_sheet import of_order
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.language.units import unit
+from graphic_tmm.readers.given import figure
+from graphic_tmm.readers.task_sheet import Listed, TaskSheet
+from graphic_tmm.scene.records import Scene
+
+
+def asks(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the diagrams, the flywheel, its rim."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    yield speaking(language)(_PARTS, n=order.positions)
+    yield from of_order(order.flywheel, language)
+
+
+def listed(scene: Scene, language: str) -> Iterator[Listed]:
+    """Yield the moments point by point, a table each: they add up."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    _ = speaking(language)
+    opposes = order.flywheel.constant == "driving"
+    for k, one in enumerate(order.moments):
+        title = _(_RESISTING if opposes else _DRIVING) if k == 0 else ""
+        heads = ("φ, °", *(figure(angle, language) for angle, _ in one.points))
+        row = (f"M, {unit('N·m', language)}", *(figure(size, language) for _, size in one.points))
+        yield Listed(f"moment-{k + 1}", title, heads, (row,))
+
+
+_PARTS = said("The cycle is divided into {n} part.", "The cycle is divided into {n} parts.")
+_RESISTING = said("Resisting moments over the cycle (several add up), straight between the points")
+_DRIVING = said("Driving moments over the cycle (several add up), straight between the points")
+
+
+TASK_SHEET = TaskSheet(
+    given=given,
+    listed=listed,
+    wanted={CYCLE.chapter: asks},
+)

@@ -1,0 +1,49 @@
+"""What people call kinematic diagrams, their table and its columns."""
+
+from __future__ import annotations
+
+from graphic_tmm.chapters.diagrams.names import DIAGRAMS
+from graphic_tmm.language.catalogue import Speech
+from graphic_tmm.language.names import plain
+from graphic_tmm.language.said import said
+from graphic_tmm.scene.captions import Named
+
+CAPTIONS: dict[str, str] = {
+    "diagrams": said("Diagrams"),
+    "diagrams of": said("Kinematic diagrams of {point}"),
+    "diagram S": said("Displacement diagram of {point}"),
+    "diagram V": said("Velocity diagram of {point}"),
+    "diagram a": said("Acceleration diagram of {point}"),
+    "view base": said("Base of the diagrams"),
+    "diagrams-calculation": said("Time of a turn, places on the base"),
+    "table diagrams": said("Diagrams and plans"),
+    "V_plan": said("V_{pl}"),
+    "a_plan": said("a_{pl}"),
+    "V_difference": said("Δ_{V}"),
+    "a_difference": said("Δ_{a}"),
+}
+
+
+def called(view: str, speech: Speech, point: str = "") -> str:
+    """Return what a diagram of a point is called, as plain text; "" for another view."""
+    caption = CAPTIONS.get(view, "")
+    return plain(speech(caption, point=point)).strip() if "{point}" in caption else ""
+
+
+SYMBOLS = (
+    ("L", said("length of the base, one turn"), "mm"),
+    ("H", said("pole distance"), "mm"),
+    ("μ_t", said("scale factor of time"), "s/mm"),
+    ("μ_S", said("scale factor of displacements"), "m/mm"),
+    ("μ_V", said("scale factor of velocities on the diagram"), "(m/s)/mm"),
+)
+"""Its letters in a note: what they stand for, their units."""
+
+
+WORDS = Named(
+    captions=CAPTIONS,
+    called=called,
+    plans=(DIAGRAMS.chapter,),
+    sources=("artobolevsky",),
+    symbols=SYMBOLS,
+)

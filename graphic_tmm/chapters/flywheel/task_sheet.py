@@ -1,0 +1,77 @@
+"""What a task asks of a flywheel, a sentence each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphic_tmm.chapters.flywheel.given import given
+from graphic_tmm.chapters.flywheel.names import FLYWHEEL
+from graphic_tmm.chapters.flywheel.task import ASKED, FlywheelTask
+from graphic_tmm.chapters.indicator import asks as gas
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.readers.task_sheet import Acting, Listed, Posed, TaskSheet
+from graphic_tmm.scene.records import Scene
+
+
+def asks(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the diagrams of a cycle, the flywheel, its rim."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    _ = speaking(language)
+    if order.indicator is not None:
+        yield _(_INDICATOR)
+    yield from of_order(order, language)
+    if order.tangents is not None:
+        yield _(_ENERGY_MASS)
+
+
+def of_order(order: FlywheelTask, language: str) -> Iterator[str]:
+    """Ask for what is found of any flywheel."""
+    _ = speaking(language)
+    yield _(_DRIVING if order.constant == "driving" else _RESISTING)
+    yield _(_INERTIA if order.J is None else _IRREGULARITY)
+    if order.rim is not None:
+        yield _(_RIM)
+
+
+_INDICATOR = said("The indicator diagram is drawn.")
+_DRIVING = said(
+    "Diagrams over the cycle are drawn: of the reduced moments, of their works by graphical "
+    "integration, of the change of kinetic energy; the driving moment is taken as constant."
+)
+_RESISTING = said(
+    "Diagrams over the cycle are drawn: of the reduced moments, of their works by graphical "
+    "integration, of the change of kinetic energy; the resisting moment is taken as constant."
+)
+_INERTIA = said(
+    "The moment of inertia of the flywheel is found that keeps the given coefficient of irregularity δ."
+)
+_IRREGULARITY = said(
+    "The coefficient of irregularity δ is found that the flywheel of given moment of inertia keeps."
+)
+_ENERGY_MASS = said("The flywheel is checked by the energy–mass diagram.")
+_RIM = said("The rim of the flywheel is dimensioned, its sketch is drawn.")
+
+
+def listed(scene: Scene, language: str) -> Iterator[Listed]:
+    """Yield the pressures in the cylinder."""
+    order = ASKED.of(scene)
+    if order is not None:
+        yield from gas.listed(order.indicator, scene, language)
+
+
+def acting(scene: Scene, posed: Posed) -> Iterator[Acting]:
+    """Yield the force of the gas."""
+    order = ASKED.of(scene)
+    if order is not None:
+        yield from gas.acting(order.indicator, scene, posed)
+
+
+TASK_SHEET = TaskSheet(
+    given=given,
+    listed=listed,
+    acting=acting,
+    wanted={FLYWHEEL.chapter: asks},
+)

@@ -1,0 +1,77 @@
+"""What people call the flywheel's graphs, table and results."""
+
+from __future__ import annotations
+
+from graphic_tmm.chapters.flywheel.names import FLYWHEEL
+from graphic_tmm.language.catalogue import Speech
+from graphic_tmm.language.said import said
+from graphic_tmm.scene.captions import Named
+
+CAPTIONS: dict[str, str] = {
+    "flywheel": said("Flywheel"),
+    "moment": said("Reduced moment of the driving forces"),
+    "work": said("Works of the driving and the resisting forces"),
+    "energy": said("Change of kinetic energy"),
+    "energy-mass": said("Energy–mass diagram"),
+    "flywheel-calculation": said("Mean moment, power and the two methods"),
+    "table flywheel": said("Flywheel, by positions"),
+    "cd": said("cd"),
+    "J_fly": said("J_{F}"),
+    "delta": "δ",
+    "J_fly_energy_mass": said("J_{F} (energy–mass)"),
+    "J_apart": said("difference of J_{F}"),
+    "M_mean": said("M_{mean}"),
+    "power": said("N, mean power"),
+    "A_excess": said("largest excess work"),
+    "J_made": said("J of the rim as it is made"),
+    "delta_made": said("δ of the rim as it is made"),
+    "D_mean": said("D_{mean}"),
+    "rim_mass": said("m_{F}"),
+    "p_mean_cover": said("p_{mean}, cover"),
+    "p_mean_shaft": said("p_{mean}, shaft"),
+    "D_max": "D_{max}",
+    "D_e": "D_{e}",
+    "D_i": "D_{i}",
+    "rim_width": "b",
+}
+
+_RESISTING = said("Reduced moment of the resisting forces")
+_GIVEN = {
+    "resisting": said("Driving moment over the cycle"),
+    "driving": said("Resisting moment over the cycle"),
+}
+"""What the moment is called that varies where it is given, by which is constant."""
+
+
+def graph_title(view: str, constant: str, speech: Speech, *, given: bool = False) -> str:
+    """Return what a graph is called; that of the moment by which of the two moments varies.
+
+    ``given``: it is given as it is, no force was reduced.
+    """
+    if view == "moment" and given:
+        return speech(_GIVEN[constant])
+    if view == "moment" and constant == "driving":
+        return speech(_RESISTING)
+    return speech(CAPTIONS[view])
+
+
+SYMBOLS = (
+    ("M_r", said("reduced moment"), "N·m"),
+    ("A", said("work"), "J"),
+    ("A_{ex}", said("largest excess work"), "J"),
+    ("p_{max}", said("highest pressure of the diagram"), "Pa"),
+    ("T", said("kinetic energy"), "J"),
+    ("J_F", said("moment of inertia of the flywheel"), "kg·m²"),
+    ("δ", said("coefficient of irregularity"), ""),
+    ("μ_M", said("scale factor of moments"), "N·m/mm"),
+    ("μ_A", said("scale factor of works"), "J/mm"),
+)
+"""Its letters in a note: what they stand for, their units."""
+
+
+WORDS = Named(
+    captions=CAPTIONS,
+    plans=(FLYWHEEL.chapter,),
+    sources=("artobolevsky", "popov"),
+    symbols=SYMBOLS,
+)

@@ -1,0 +1,26 @@
+"""What is recorded of forces, and what it needs."""
+
+from __future__ import annotations
+
+from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.plan import record
+from graphic_tmm.chapters.forces.task import ASKED
+from graphic_tmm.chapters.indicator.names import INDICATOR
+from graphic_tmm.chapters.indicator.task import Wish
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, TURNS, VELOCITIES
+from graphic_tmm.project import Plan
+from graphic_tmm.scene.records import Scene
+
+
+def _needs(scene: Scene) -> dict[str, object]:
+    order = ASKED.of(scene)
+    needs: dict[str, object] = {VELOCITIES: True}
+    if order is not None and order.inertia:
+        needs[ACCELERATIONS] = True
+    if order is not None and order.gas is not None:
+        needs[INDICATOR.chapter] = Wish(1, FORCES.chapter, order.gas)
+        needs[TURNS] = order.gas.turns
+    return needs
+
+
+PLAN = Plan(needs=_needs, record=record)

@@ -1,0 +1,156 @@
+"""What a task asks of forces, what it gives of loads that vary, and how it shows loads."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Sequence
+
+from graphic_tmm.chapters.forces.given import given, letters, stated, varies, wanted_positions
+from graphic_tmm.chapters.forces.task import AGAINST, ASKED, Load
+from graphic_tmm.chapters.indicator import asks as gas
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.language.symbols import symbol
+from graphic_tmm.language.units import unit
+from graphic_tmm.mechanism.records import Link
+from graphic_tmm.paper.drawing import Wanted
+from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.symbols.arrows import arrow
+from graphic_tmm.paper.symbols.kinematic import round_arrow
+from graphic_tmm.readers.given import figure
+from graphic_tmm.readers.task_sheet import Acting, Listed, Posed, TaskSheet
+from graphic_tmm.scene.captions import captions
+from graphic_tmm.scene.records import Scene
+
+LONG = 22.0
+"""How long the arrow of a force is, mm: it passes the edge of a slider."""
+ROUND, SWEEP = 9.0, 90.0
+"""Radius of the arrow of a moment, mm; it goes over so many degrees."""
+ACROSS = 12
+"""So many positions stand beside one another in a table."""
+
+
+def polygons(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the reactions and the balancing force."""
+    _ = speaking(language)
+    yield wanted_positions(scene, language) or _(_EVERYWHERE)
+    yield _(_POLYGONS)
+
+
+def lever(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the lever."""
+    yield speaking(language)(_LEVER)
+
+
+def table(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the table of forces."""
+    yield speaking(language)(_TABLE)
+
+
+_EVERYWHERE = said("Forces are found in all positions.")
+_POLYGONS = said(
+    "Reactions in all pairs are found by polygons of forces, group by group; the balancing force is found."
+)
+_LEVER = said("The balancing force is found by Zhukovsky's lever as well.")
+_TABLE = said("Reactions and balancing forces are set in a table.")
+_SHARE = said("{letter} by the travel of point {point}, from the zero position")
+_BACK = said("{letter} by the travel of point {point}, on the way back")
+_ANGLE = said("{letter} by the turn of the crank from the zero position")
+_PLACES = said("{letter} by positions")
+
+
+def listed(scene: Scene, language: str) -> Iterator[Listed]:
+    """Yield the tables of loads that vary: by shares of a stroke, by angles, by positions."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    for letter, load in zip(letters(order.loads), order.loads, strict=True):
+        if varies(load):
+            yield from _by_points(scene, symbol(letter, language), load, language)
+    yield from gas.listed(order.gas, scene, language)
+
+
+def _by_points(scene: Scene, called: str, load: Load, language: str) -> Iterator[Listed]:
+    _, words = speaking(language), captions(language)
+    told = unit("N·m" if load.point is None else "N", language)
+    name, row = f"load-{load.link}", f"{markup(called)}, {told}"
+    if load.travel is not None:
+        point = load.travel.of
+        for way, says in ((load.travel.out, _SHARE), (load.travel.back, _BACK)):
+            if way:
+                title = _(says, letter=markup(called), point=markup(point))
+                yield _across(name, title, "s/S", row, way, language)
+    elif load.by_angle:
+        title = _(_ANGLE, letter=markup(called))
+        yield _across(name, title, "φ, °", row, load.by_angle, language)
+    elif isinstance(load.size, tuple):
+        title = _(_PLACES, letter=markup(called))
+        names = [float(scene.row.first + k) for k in range(len(load.size))]
+        points = list(zip(names, load.size, strict=True))
+        for k in range(0, len(points), ACROSS):
+            some = points[k : k + ACROSS]
+            yield _across(f"{name}-{k}", "" if k else title, words["position"], row, some, language)
+
+
+def _across(
+    name: str,
+    title: str,
+    head: str,
+    row: str,
+    points: Sequence[tuple[float, float]],
+    language: str,
+) -> Listed:
+    """Return a table of two rows: where, and how much."""
+    heads = (head, *(figure(at, language) for at, _ in points))
+    return Listed(name, title, heads, ((row, *(figure(size, language) for _, size in points)),))
+
+
+def acting(scene: Scene, posed: Posed) -> Iterator[Acting]:
+    """Yield the loads as arrows at their points, those against a motion the other way."""
+    order, mechanism = ASKED.of(scene), scene.mechanism
+    if order is None or mechanism is None:
+        return
+    for letter, load in zip(letters(order.loads), order.loads, strict=True):
+        if load.point is not None:
+            yield _force(posed, letter, load, load.point)
+        else:
+            yield _moment(posed, letter, load, mechanism.by_number[load.link])
+    yield from gas.acting(order.gas, scene, posed)
+
+
+def _force(posed: Posed, letter: str, load: Load, point: str) -> Acting:
+    at, going = posed.spot(point, load.link)
+    fixed = None if isinstance(load.direction, str) else math.radians(load.direction)
+    way = -going if fixed is None else cmath.rect(1.0, fixed)
+    if not way:
+        return Acting((), ())
+    strokes = tuple(one._replace(part="load") for one in arrow(at, at + LONG * way, "main"))
+    return Acting(strokes, (Wanted(markup(letter), at + LONG * way, posed.size, 1.5, way),))
+
+
+def _moment(posed: Posed, letter: str, load: Load, link: Link) -> Acting:
+    spots = [posed.spot(point, load.link) for point in link.points]
+    if not spots:
+        return Acting((), ())
+    (first, gone), *others = spots
+    turning = sum(((at - first).conjugate() * (going - gone)).imag for at, going in others)
+    sizes = load.size if isinstance(load.size, tuple) else (load.size,)
+    sense = -math.copysign(1.0, turning) if load.direction == AGAINST else _sense(sizes)
+    middle = (first + others[0][0]) / 2 if others else first
+    strokes = round_arrow(middle, ROUND, -SWEEP / 2 if sense > 0 else SWEEP / 2, sense * SWEEP)
+    inked = tuple(one._replace(part="load") for one in strokes)
+    return Acting(inked, (Wanted(markup(letter), middle + ROUND, posed.size, 1.5, 1 + 0j),))
+
+
+def _sense(sizes: Sequence[float]) -> float:
+    return math.copysign(1.0, max(sizes, key=abs, default=1.0))
+
+
+TASK_SHEET = TaskSheet(
+    given=given,
+    stated=stated,
+    listed=listed,
+    acting=acting,
+    wanted={"forces": polygons, "lever": lever, "force table": table},
+)

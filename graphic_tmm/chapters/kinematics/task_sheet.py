@@ -1,0 +1,161 @@
+"""What a task asks of the plans of a mechanism, a sentence each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphic_tmm.chapters.kinematics.given import given, stated, wanted_accelerations
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.row import OTHER
+from graphic_tmm.chapters.kinematics.scheme import scheme
+from graphic_tmm.chapters.kinematics.task import ASKED, Rows
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import number
+from graphic_tmm.language.said import said
+from graphic_tmm.language.units import unit
+from graphic_tmm.readers.task_sheet import TaskSheet
+from graphic_tmm.scene.records import Scene
+
+
+def positions(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the plan of positions, and for the paths of points."""
+    _, row = speaking(language), scene.row
+    extra = [f"{one:g}°" for one in row.extra if one != OTHER and not isinstance(one, str)]
+    told = _(_PLAN, n=row.count, first=str(row.first))
+    yield told
+    if OTHER in row.extra:
+        yield _(_OTHER)
+    if extra:
+        yield _(_ANGLES, n=len(extra), listed=", ".join(extra))
+    if scene.trajectories:
+        yield _(_PATHS, n=len(scene.trajectories), listed=", ".join(scene.trajectories))
+    asked = ASKED.of(scene)
+    if asked is not None:
+        yield from _rows(asked, language)
+
+
+def _rows(asked: Rows, language: str) -> Iterator[str]:
+    """Ask for further rows, a sentence a kind."""
+    _ = speaking(language)
+    pins = (
+        f"{k} ({number(1000 * r, language)} {unit('mm', language)})" for k, r in asked.pins.items()
+    )
+    for says, listed in (
+        (_LENGTHS, asked.lengths),
+        (_OF_LINKS, asked.angles),
+        (_RELATIVE, asked.relative),
+        (_CURVED, asked.paths),
+        (_PINS, tuple(pins)),
+    ):
+        if listed:
+            yield _(says, listed=", ".join(listed))
+
+
+def position_table(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the table of positions."""
+    yield speaking(language)(_POSITION_TABLE)
+
+
+def velocities(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the plans of velocities."""
+    _ = speaking(language)
+    if scene.common_pole:
+        yield _(_TURNED_COMMON if scene.turned else _COMMON)
+    else:
+        yield _(_TURNED if scene.turned else _VELOCITIES)
+
+
+def accelerations(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the plans of accelerations."""
+    if scene.row.accelerations:
+        yield wanted_accelerations(scene, language) or speaking(language)(_ALL)
+
+
+def equations(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the equations of the plans."""
+    yield speaking(language)(_BOTH_EQUATIONS if scene.row.accelerations else _EQUATIONS)
+
+
+def velocity_equations(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for those of velocities."""
+    yield speaking(language)(_EQUATIONS)
+
+
+def acceleration_equations(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for those of accelerations."""
+    if scene.row.accelerations:
+        yield speaking(language)(_ACCELERATION_EQUATIONS)
+
+
+def velocity_table(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the table of velocities."""
+    yield speaking(language)(_VELOCITY_TABLE)
+
+
+def acceleration_table(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the table of accelerations."""
+    if scene.row.accelerations:
+        yield speaking(language)(_ACCELERATION_TABLE)
+
+
+def both_tables(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for both tables."""
+    yield speaking(language)(_BOTH_TABLES if scene.row.accelerations else _VELOCITY_TABLE)
+
+
+_LENGTHS = said("In every position these lengths are read off: {listed}.")
+_OF_LINKS = said("In every position the angles of these lines with the x axis are found: {listed}.")
+_RELATIVE = said(
+    "Whole relative accelerations are read off, of the first point to the second: {listed}."
+)
+_CURVED = said(
+    "Normal and tangential accelerations and radii of curvature of the paths are found of points: {listed}."
+)
+_PINS = said("The rubbing speeds of these pins (radius) are found: {listed}.")
+_POSITION_TABLE = said("Lengths and angles are put into a table.")
+_PLAN = said(
+    "The plan of positions is drawn for {n} position of the crank; the first one bears the number {first}.",
+    "The plan of positions is drawn for {n} equally spaced positions of the crank; the first one "
+    "bears the number {first}.",
+)
+_OTHER = said("The other extreme position is drawn as well.")
+_ANGLES = said(
+    "The position at the crank's angle {listed} is drawn as well.",
+    "The positions at the crank's angles {listed} are drawn as well.",
+)
+_PATHS = said("The path of point {listed} is drawn.", "The paths of points {listed} are drawn.")
+_VELOCITIES = said("Velocity plans are drawn for all positions.")
+_TURNED = said("Velocity plans, turned by 90°, are drawn for all positions.")
+_COMMON = said("Velocity plans of all positions are drawn from one pole.")
+_TURNED_COMMON = said("Velocity plans of all positions, turned by 90°, are drawn from one pole.")
+_ALL = said("Acceleration plans are drawn for all positions.")
+_EQUATIONS = said("The vector equations of velocities are written down.")
+_ACCELERATION_EQUATIONS = said("The vector equations of accelerations are written down.")
+_BOTH_EQUATIONS = said("The vector equations of velocities and accelerations are written down.")
+_VELOCITY_TABLE = said("Velocities of points and angular velocities of links are set in a table.")
+_ACCELERATION_TABLE = said(
+    "Accelerations of points and angular accelerations of links are set in a table."
+)
+_BOTH_TABLES = said(
+    "Velocities and accelerations of points, angular velocities and angular accelerations of "
+    "links are set in a table."
+)
+
+
+TASK_SHEET = TaskSheet(
+    given=given,
+    stated=stated,
+    scheme=scheme,
+    wanted={
+        POSITIONS: positions,
+        VELOCITIES: velocities,
+        ACCELERATIONS: accelerations,
+        "equations": equations,
+        "velocity equations": velocity_equations,
+        "acceleration equations": acceleration_equations,
+        "position table": position_table,
+        "velocity table": velocity_table,
+        "acceleration table": acceleration_table,
+        "results": both_tables,
+    },
+)

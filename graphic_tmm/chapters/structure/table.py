@@ -1,0 +1,13 @@
+"""What machines are told of the structure of a mechanism."""
+
+from __future__ import annotations
+
+from graphic_tmm.chapters.structure.names import STRUCTURE
+from graphic_tmm.readers.measured import Tabled
+
+TABLE = Tabled(
+    facts=lambda drawn: {
+        "W": STRUCTURE.on(drawn).mobility,
+        "formula": STRUCTURE.on(drawn).formula,
+    }
+)

@@ -1,0 +1,194 @@
+"""What the number of positions costs: results that curves give, held against the same at a finer row.
+
+A curve through a few points may not rise above them where what it stands for does. The same chapters, recorded
+once more at a row of `FINE` positions or a few more and drawn by the exact hand, tell how far a result is off
+for that reason alone. What a scene gives at its positions only has no truth between them but the curve that is
+drawn: nothing is compared then.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import ClassVar, NamedTuple
+
+from graphic_tmm.board.doubt import Doubts
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.hand import EXACT
+from graphic_tmm.board.record import Mark
+from graphic_tmm.drawn import Drawn, Numbers, single
+from graphic_tmm.errors import TmmError
+from graphic_tmm.project import Project, record
+from graphic_tmm.readers.measured import Tabled
+from graphic_tmm.scene.chapter import MECHANISM, Answer, Chapter, chapters
+from graphic_tmm.scene.records import Scene
+
+Figures = Mapping[str, tuple[float, str]]
+"""Results by name: a figure and its unit."""
+FINE = 360
+"""Positions of a row that has converged: J of the shipped flywheels changes by less than 0.01 % beyond them."""
+USUAL = (8, 12, 16, 18, 24, 30, 36, 48, 60, 72, 90, 96, 108, 120, 144, 180, 216, 240, 288)
+"""Numbers of positions that are drawn."""
+SHARE = 0.01
+"""A result that is off by no more than this share of what is due is told without a word."""
+
+
+@dataclass(frozen=True)
+class FinerRow(Answer):
+    """What follows for a chapter when the row of positions gets another number of them.
+
+    ``whole``: the scene with all drawn at all positions of its row. ``at_count``: what follows when the row,
+    which still has its old number of positions, gets another; None if it has not what a scene names then.
+    What is given position by position is taken to be straight between them.
+
+    ``by_positions``: the results that curves through the positions give, each with the side on which it is
+    dangerous to be off: −1 where it is told too small, +1 too large, 0 none. ``sampled``: whether the scene
+    gives at its positions only what those curves are drawn through.
+    """
+
+    stands: ClassVar[str] = "accuracy.FINER"
+    whole: Callable[[Scene], Scene] = lambda scene: scene
+    at_count: Callable[[Scene, int], Scene | None] = lambda scene, count: scene
+    by_positions: Mapping[str, int] = field(default_factory=dict)
+    sampled: Callable[[Scene], bool] = lambda scene: False
+
+
+class Finer(NamedTuple):
+    """What a finer row tells of results.
+
+    ``own``: the positions of a turn as drawn (of the cycle where there is no crank), ``fine``: those of the
+    finer row. ``due``: by result its figure there and the unit; ``off``: how far the drawing's is off for want
+    of positions, as a signed share of it. ``enough``: the least usual number of positions at which no result is
+    off by more than `SHARE`; None if there is none.
+    """
+
+    own: int
+    fine: int
+    due: Figures
+    off: Mapping[str, float]
+    enough: int | None
+
+    @property
+    def far(self) -> tuple[str, ...]:
+        """The results that are off by more than `SHARE`."""
+        return tuple(name for name, share in self.off.items() if abs(share) > SHARE)
+
+
+def whole(scene: Scene) -> Scene:
+    """Return the scene with its plans at all positions of the row; one without a mechanism has no row."""
+    if scene.mechanism is not None:
+        for chapter in chapters():
+            scene = FinerRow.of(chapter).whole(scene)
+    return scene
+
+
+def at_count(scene: Scene, count: int, board: str = MECHANISM) -> Scene | None:
+    """Return the scene with another number of positions in the row of a board.
+
+    Positions that the scene names keep their places in the turn; None if one of them is not a position of the
+    new row. What is given position by position is taken to be straight between them.
+    """
+    if board == MECHANISM and count == scene.row.count:
+        return scene
+    found: Scene | None = scene
+    for chapter in chapters(board):
+        found = FinerRow.of(chapter).at_count(found, count) if found is not None else None
+    if found is None or board != MECHANISM:
+        return found
+    return replace(found, row=replace(found.row, count=count))
+
+
+def sampled(drawn: Drawn) -> bool:
+    """Whether the scene gives something at the positions only of what curves are drawn through."""
+    return any(FinerRow.of(one).sampled(drawn.scene) for one in _curved(drawn.project))
+
+
+def finer(drawn: Drawn) -> Finer | None:
+    """Return what a finer row tells of the results of a board; None where curves give none.
+
+    It hangs on the scene alone, and is kept beside it.
+    """
+    if not _curved(drawn.project) or sampled(drawn):
+        return None
+    key, cache = ("finer", drawn.board), drawn.scene.cache
+    if key not in cache:
+        cache[key] = _finer(drawn)
+    found: Finer | None = cache[key]
+    return found
+
+
+def _curved(project: Project) -> tuple[Chapter, ...]:
+    """Return the chapters that have results of curves."""
+    return tuple(one for one in project.chapters if FinerRow.of(one).by_positions)
+
+
+def _finer(drawn: Drawn) -> Finer | None:
+    own = _positions(drawn)
+    count = own * math.ceil(FINE / own)
+    due = _at(drawn, count)
+    if due is None:
+        return None
+    off = _off(_results(drawn.project, drawn.given), due)
+    if not off:
+        return None
+    enough: int | None = own
+    if any(abs(share) > SHARE for share in off.values()):
+        enough = next(_enough(drawn, due), None)
+    due = {name: one for name, one in due.items() if name in off}
+    return Finer(own, count, due, off, enough)
+
+
+def _off(own: Figures, due: Figures) -> dict[str, float]:
+    """Return how far figures are off, as a share of what is due, signed; where both are known."""
+    pairs = {name: (own[name][0], figure) for name, (figure, _) in due.items() if name in own}
+    return {
+        name: value / figure - 1.0
+        for name, (value, figure) in pairs.items()
+        if math.isfinite(value) and math.isfinite(figure) and figure
+    }
+
+
+def _positions(drawn: Drawn) -> int:
+    """Return the positions of a turn, or of the cycle of a board that has no mechanism."""
+    return drawn.scene.row.count if drawn.board == MECHANISM else drawn.project.count
+
+
+def _enough(drawn: Drawn, due: Figures) -> Iterator[int]:
+    """Yield the usual numbers of positions, greater than the drawing's, at which nothing is far off.
+
+    Those come first at which the positions that the scene names are positions still.
+    """
+    more = [count for count in USUAL if count > _positions(drawn)]
+    for count in [n for n in more if at_count(drawn.scene, n, drawn.board)] or more:
+        there = _at(drawn, count)
+        if there is not None and all(abs(share) <= SHARE for share in _off(there, due).values()):
+            yield count
+
+
+def _at(drawn: Drawn, count: int) -> Figures | None:
+    """Return the results of curves at another number of positions by the exact hand; None if there are none."""
+    scene = at_count(whole(drawn.scene), count, drawn.board)
+    if scene is None:
+        return None
+    scene = replace(scene, row=replace(scene.row, extra=()))
+    wanted = {place.name for one in _curved(drawn.project) for place in one.places}
+    try:
+        project = record(scene, drawn.board, wanted)
+    except TmmError:
+        return None
+    known = {mark.key: value for mark, value in drawn.given.items()}
+    given = {mark: known.get(mark.key, 1.0) for mark in project.construction.given}
+    return _results(project, given | project.given)
+
+
+def _results(project: Project, given: Mapping[Mark, object]) -> Figures:
+    reading = execute(project.construction, given)
+    nothing = Doubts((), {})
+    numbers = Numbers(reading, {}, reading)
+    exact = Drawn(project, given, {}, numbers, EXACT, nothing, undrawn=(), sizes={}, reach={})
+    found: dict[str, tuple[float, str]] = {}
+    for chapter in _curved(project):
+        there = single(Tabled.of(chapter).results(exact))
+        found |= {name: there[name] for name in FinerRow.of(chapter).by_positions if name in there}
+    return found
