@@ -1,7 +1,7 @@
 """A scene's log, recorded once to be run at any angles, and slices of it made ready to run.
 
 Scenes are frozen: what was recorded of one is kept beside it. What is given at other angles chapters tell
-(`Chapter.between`), as for a page on which the mechanism moves; what does not vary is found once.
+(`Turning.between`), as for a page on which the mechanism moves; what does not vary is found once.
 """
 
 from __future__ import annotations

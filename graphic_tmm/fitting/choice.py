@@ -3,7 +3,7 @@
 The search tries sizes; what it came to is recorded here as a person chooses: so long is the longest to be
 drawn, so many mm are meant for it, therefore the scale factor is at least so much; the next standard value; the
 lengths that follow. A scale factor that the scene gives is taken as it is. Chapters record their own choices
-(`Chapter.choice`); the log of the drawing knows nothing of it.
+(`Choice`); the log of the drawing knows nothing of it.
 """
 
 from __future__ import annotations

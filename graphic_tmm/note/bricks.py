@@ -1,6 +1,6 @@
 """What sections are built of: the protocol of a plan, its figures, tables of columns and results.
 
-A chapter's own section (`Chapter.note`) is built of these; of one that has none `sections.chapter` builds it.
+A chapter's own section (`Noted`) is built of these; of one that has none `sections.chapter` builds it.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """A mechanism at every degree of its crank: the same log, executed by the exact hand at so many angles more.
 
-Chapters tell what their givens are there (`Chapter.between`). What is drawn across positions, a curve, an
+Chapters tell what their givens are there (`Turning.between`). What is drawn across positions, a curve, an
 extreme, is the sheet's own and is not drawn again. What follows from something else that belongs to the
 positions of the sheet alone (a chord between two of them) is left out.
 """

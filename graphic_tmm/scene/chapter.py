@@ -88,7 +88,13 @@ class Answer:
 
     @classmethod
     def of(cls, chapter: Chapter) -> Self:
-        """Return what a chapter answers."""
+        """Return what a chapter answers.
+
+        Raises
+        ------
+        TypeError
+            If something else stands there.
+        """
         return cast(Self, _answer(chapter, cls))  # type: ignore[arg-type]
 
 
@@ -131,7 +137,8 @@ def _answer(chapter: Chapter, kind: type[Answer]) -> Answer:
     if find_spec(f"{chapter.folder}.{file}") is None:
         return kind()
     answer = getattr(import_module(f"{chapter.folder}.{file}"), name, None) or kind()
-    assert isinstance(answer, kind), f"{chapter.folder}.{kind.stands} is no {kind.__name__}"
+    if not isinstance(answer, kind):
+        raise TypeError(f"{chapter.folder}.{kind.stands} is no {kind.__name__}")
     return answer
 
 
