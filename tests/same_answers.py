@@ -109,7 +109,10 @@ def moved(folder: Path) -> Iterator[tuple[str, bytes]]:
             try:
                 found = graphic_tmm.motion(folder, ANGLES, plans=plans, fast=fast)
             except graphic_tmm.TmmError as refused:
-                yield f"{plans[-1]} {fast}", str(refused).encode()
+                yield (
+                    f"{plans[-1]} {fast}",
+                    str(refused).replace(str(packaged()[0].parent), "sheets").encode(),
+                )
                 continue
             for name in NAMES:
                 try:

@@ -14,22 +14,23 @@ from support.gallery import ROOT
 BOOK = ROOT / "graphic_tmm" / "chapters"
 CHAPTERS = sorted(path.parent.name for path in BOOK.glob("*/__init__.py"))
 LAYERS = (
-    ("task", "kinds", "captions"),
+    ("names", "task", "kinds", "words"),
     ("sections", "formulas", "law_formulas", "rack", "operations", "rolling"),
     (),  # plans: what no other layer names
-    ("table", "results", "tables", "scales", "findings", "assumed", "any"),
-    ("ink", "outline", "accuracy", "choice", "columns", "verdict"),
-    ("views", "turning", "scheme"),
-    ("note", "conclusions"),
+    ("results", "tables", "scales", "assumed"),
+    ("ink", "outline", "accuracy", "choice"),
+    ("any", "views", "turning", "scheme", "record", "sizes", "table", "findings", "verdict"),
+    ("note", "conclusions", "protocol", "readings", "task_sheet"),
     ("__init__",),
 )
 
 
 def layer(name: str) -> int:
-    found = (
-        k for k, names in enumerate(LAYERS) if name in names or name.partition("_")[0] in names
-    )
-    return next(found, 2)
+    for own in (name, name.partition("_")[0]):
+        for k, names in enumerate(LAYERS):
+            if own in names:
+                return k
+    return 2
 
 
 def imports(path: Path, chapter: str) -> set[str]:

@@ -22,6 +22,7 @@ from graphic_tmm.note.document import Number as Figure
 from graphic_tmm.note.document import Runs, Text
 from graphic_tmm.project import record
 from graphic_tmm.readers.given import given_rows
+from graphic_tmm.readers.table import columns_of
 from graphic_tmm.scene.read import read
 
 ROCKER = 'stroke = "20 deg"\nfollower = "rocker"\nlever = "0.1 m"\ncentres = "0.13 m"\n'
@@ -97,7 +98,7 @@ def test_the_followers_speeds_are_those_of_its_way_in_time(rocker: bool, tmp_pat
     """Differences of the closed form S(ω·t) over milliseconds; where the acceleration jumps, none."""
     drawn = fast(tmp_path, rocker=rocker)
     made, omega = CAM.on(drawn), 120.0 * math.pi / 30.0
-    columns = {one.segment: one for one in drawn.project.chapters[0].columns(drawn)}
+    columns = {one.segment: one for one in columns_of(drawn)}
     names, units = (("omega", "eps"), ("1/s", "1/s²")) if rocker else (("v", "a"), ("m/s", "m/s²"))
     assert tuple(columns[name].unit for name in names) == units
     turn, step = made.diagrams.turn, 1e-4

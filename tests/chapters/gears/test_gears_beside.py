@@ -26,6 +26,7 @@ from graphic_tmm.note.document import Number as Figure
 from graphic_tmm.note.document import Text
 from graphic_tmm.project import record
 from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.table import columns_of, results_of
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 
@@ -146,8 +147,8 @@ def test_that_all_checks_hold_is_told_in_words_and_only_then(tmp_path: Path) -> 
 
 
 def _columns(drawn: Drawn) -> list[Column]:
-    return list(drawn.project.chapters[0].columns(drawn))
+    return columns_of(drawn)
 
 
 def _results(drawn: Drawn) -> Results:
-    return drawn.project.chapters[0].results(drawn)
+    return results_of(drawn)
