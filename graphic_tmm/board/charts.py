@@ -53,6 +53,11 @@ class Chart(NamedTuple):
     end: Mark | None = None
     figure: tuple[Mark, ...] = ()
 
+    @property
+    def letter(self) -> str:
+        """What its scale is called."""
+        return f"μ_{self.symbol}" if len(self.symbol) == 1 else f"μ_{{{self.symbol}}}"
+
     def shrunk(self, share: float) -> Chart:
         """Return the graph with a share of its room."""
         return self if self.room is None else self._replace(room=self.room * share)

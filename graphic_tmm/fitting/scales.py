@@ -153,12 +153,11 @@ def executed(
     hand = EXACT if exact else hand_of(scene)
     doubts = doubts or Doubts(project.construction.steps, given)
     found = numbers(given) if numbers is not None else read(project, given, hand, doubts)
-    # on a board of its own every view is drawn to a scale of its own
-    named = view_scales(project, found.whole) if project.board != MECHANISM else {}
+    # on a board of its own every view is drawn to a scale of its own; graphs may share one
+    views = view_scales(project, found.whole) if project.board != MECHANISM else {}
+    scales |= views | _told(project, found.whole)
     for chapter in project.chapters:
-        named |= ScaleFactors.of(chapter).named(project, found.whole, told)
-    graphs = _told(project, found.whole)
-    scales |= {view: scale for view, scale in graphs.items() if view not in named} | named
+        scales |= ScaleFactors.of(chapter).named(project, found.whole, told)
     missing = {
         k for one in project.chapters for k in Findings.of(one).undrawn(project, found.whole)
     }
@@ -222,7 +221,7 @@ def _graphs_on(scene: Scene, places: set[str]) -> float:
 def _told(project: Project, reading: Reading) -> dict[str, Scale]:
     """Return the scales of the graphs as drawn, by view."""
     return {
-        chart.view: Scale(f"μ_{chart.symbol}", float(reading[chart.mu][0, 0]), chart.mu.unit)
+        chart.view: Scale(chart.letter, float(reading[chart.mu][0, 0]), chart.mu.unit)
         for chart in project.charts
     }
 

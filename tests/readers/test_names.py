@@ -25,6 +25,7 @@ from support.scenes import calling, written
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import TALLY, Construction
 from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.language.names import plain, spoken
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.lettering.indices import markup
@@ -364,7 +365,10 @@ def test_the_protocol_says_which_moment_varies_as_the_sheet_does() -> None:
         assert f"{title}, положение 2" in list(told(made.mechanism, ("flywheel",), "2", "ru"))
         places = (p for one in made.mechanism.project.chapters for p in one.places)
         views = (
-            v for p in places if p.name in changed.called for v in p.draw(made.mechanism, True)
+            view
+            for place in places
+            if place.name in changed.called
+            for view in drawing_of(place.name)(made.mechanism, True)
         )
         texts = {label.text for view in views for label in view.labels}
         assert title in texts

@@ -17,6 +17,7 @@ from support.linkages import four_bar
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.mechanism.records import Row
 from graphic_tmm.page.dense import Dense, dense
+from graphic_tmm.page.moving import MovingFigures
 from graphic_tmm.page.page import page
 from graphic_tmm.page.strands import Line, strands
 from graphic_tmm.readers.table import columns_of
@@ -153,7 +154,9 @@ def test_figures_are_chosen(page_of: Begin) -> None:
 @pytest.mark.parametrize("number", range(3))
 def test_the_ink_is_that_of_python(page_of: Begin, number: int) -> None:
     shown, found = _crank(page_of), _dense()
-    figures = [m for c in found.drawn.project.chapters for m in c.moving(found.drawn)]
+    figures = [
+        m for c in found.drawn.project.chapters for m in MovingFigures.of(c).figures(found.drawn)
+    ]
     moving = figures[number]
     made = strands(found, moving)
     rows = made.at(found.whole, [key for key in made.rows if isinstance(key, Line)])
