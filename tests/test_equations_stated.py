@@ -20,9 +20,9 @@ from support.stated import Equations, Stated, letters_of
 
 from graphic_tmm.chapters.forces.balances import Writer
 from graphic_tmm.chapters.forces.ink_balances import driver_rows, group_rows, lever_rows
-from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.views import EXACTLY
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.formats import formatted
@@ -94,7 +94,7 @@ def of_sheets(name: str, language: str) -> Iterator[Equations]:
     """The equations beside groups and lever as they are lettered, position by position."""
     work = spoken(name, language).mechanism
     assert work is not None
-    made_, plans = FORCES.on(work), KINEMATICS.on(work)
+    made_, plans = FORCES_PLAN.on(work), KINEMATICS_PLAN.on(work)
     crank = plans.structure.driver
     pivot = plans.positions.bodies[crank].marks[plans.structure.pivot]
     decimals = EXACTLY if work.hand.ruler is None else decimals_of(work.hand.ruler)

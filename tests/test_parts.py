@@ -13,7 +13,7 @@ from support.command import invoke
 from support.gallery import SHEETS, made
 from support.scenes import source, written
 
-from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
+from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
 from graphic_tmm.language.units import known
 from graphic_tmm.readers.protocol import part_protocol
 from graphic_tmm.readers.table import table
@@ -72,7 +72,7 @@ def test_the_planetary_results() -> None:
     assert found["planetary_ratio_drawn"] == pytest.approx(4.56, rel=1e-9)
     assert found["overall_ratio"] == pytest.approx(7.6)
     (part,) = parts(made("planetary"))
-    assert PLANETARY_TRAIN.on(part).order.teeth == (25, None, None)  # the others were found
+    assert PLANETARY_PLAN.on(part).order.teeth == (25, None, None)  # the others were found
 
 
 @pytest.mark.slow

@@ -19,7 +19,7 @@ from support.mechanisms import Sampled, mechanisms
 from support.oracle import poses_from_points, solve_fast
 
 from graphic_tmm.board.execute import execute
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.errors import StructureError, TmmError
 from graphic_tmm.mechanism.records import Extreme, Mechanism, Row
 from graphic_tmm.project import Project
@@ -32,8 +32,8 @@ Pose = tuple[float, float, float]
 
 def places(project: Project, letter: str) -> np.ndarray:
     """Places (m) of a letter in all positions."""
-    mark = KINEMATICS.on(project).positions.point(letter)
-    given_ = project.given | {KINEMATICS.on(project).mu_l: 1.0}
+    mark = KINEMATICS_PLAN.on(project).positions.point(letter)
+    given_ = project.given | {KINEMATICS_PLAN.on(project).mu_l: 1.0}
     return np.ravel(execute(project.construction, given_, [mark])[mark])
 
 
@@ -175,7 +175,7 @@ def test_no_flips_are_taken_at_their_word() -> None:
 def test_an_extreme_within_the_range_is_found() -> None:
     mechanism = four_bar(0.3, 0.22, 0.25, 0.35)
     project = recorded(mechanism, Row(12, zero=Extreme("A", "right")), plans=["positions"])
-    assert KINEMATICS.on(project).assembly.ranges
+    assert KINEMATICS_PLAN.on(project).assembly.ranges
     assert project.angles[0] == pytest.approx(0.0, abs=1e-9)
 
 
@@ -189,7 +189,7 @@ def test_the_end_of_the_range_is_no_extreme_position() -> None:
             except StructureError as error:
                 assert "does not come to an extreme position" in str(error)  # noqa: PT017
                 continue
-            low, high = KINEMATICS.on(project).assembly.ranges[0]
+            low, high = KINEMATICS_PLAN.on(project).assembly.ranges[0]
             angle = project.angles[0]
             assert any(low + 1e-3 < angle + turn < high - 1e-3 for turn in (0, 360)), (letter, way)
 

@@ -12,7 +12,7 @@ from support.boards import drawn_of
 from support.gallery import NAMES, scene
 from support.oracle import Motion, State, solve_from_points
 
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.positions import side_record, side_values
 from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.drawn import Drawn
@@ -34,10 +34,10 @@ def work_of(name: str) -> Drawn:
 def _points(made: Drawn, place: int) -> dict[str, complex]:
     """Places (m, sheet's axes) of all letters at a position, as the plan of positions has them."""
     project = made.project
-    origin = made.scene.mechanism.frame.points[KINEMATICS.on(project).structure.pivot]
+    origin = made.scene.mechanism.frame.points[KINEMATICS_PLAN.on(project).structure.pivot]
     mu = made.scales["positions"].value
     found = {}
-    for body in KINEMATICS.on(project).positions.bodies.values():
+    for body in KINEMATICS_PLAN.on(project).positions.bodies.values():
         for letter in body.link.points:
             row = np.ravel(made.reading[body.marks[letter]])
             found[letter] = origin + mu * complex(row[place % row.size])
@@ -93,7 +93,7 @@ def test_a_scene_is_drawn_at_every_position(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_every_point_and_every_velocity_equals_the_vector_loops(name: str) -> None:
     made = work_of(name)
-    plan = KINEMATICS.on(made).velocities
+    plan = KINEMATICS_PLAN.on(made).velocities
     mechanism = made.scene.mechanism
     assert plan is not None
     turn = 1j * math.copysign(1.0, mechanism.drive.speed) if made.scene.turned else 1.0
@@ -101,7 +101,7 @@ def test_every_point_and_every_velocity_equals_the_vector_loops(name: str) -> No
     for place, state in enumerate(states(name)):
         points = _points(made, place)
         speed = max(abs(mechanism.drive.speed) * state.size, _largest(state, "v"))
-        for number, body in KINEMATICS.on(made).positions.bodies.items():
+        for number, body in KINEMATICS_PLAN.on(made).positions.bodies.items():
             for letter in body.link.points:
                 due: Motion = state.points[letter, number]
                 assert abs(points[letter] - due.r) <= RATIO * state.size, (place, letter)
@@ -118,18 +118,18 @@ def test_every_point_and_every_velocity_equals_the_vector_loops(name: str) -> No
 @pytest.mark.parametrize("name", NAMES)
 def test_every_acceleration_equals_the_vector_loops(name: str) -> None:
     made = work_of(name)
-    plan = KINEMATICS.on(made).accelerations
+    plan = KINEMATICS_PLAN.on(made).accelerations
     drive = made.scene.mechanism.drive
     if "accelerations" not in {p for sheet in made.scene.sheets for p in sheet.place}:
-        assert not KINEMATICS.on(made).accelerated
+        assert not KINEMATICS_PLAN.on(made).accelerated
         return
     assert plan is not None
     assert made.of("accelerations") is not None
     mu = made.scales["accelerations"].value
-    for index, place in enumerate(KINEMATICS.on(made).accelerated):
+    for index, place in enumerate(KINEMATICS_PLAN.on(made).accelerated):
         state = states(name)[place]
         pull = max(drive.speed**2 * state.size, _largest(state, "a"))
-        for number, body in KINEMATICS.on(made).positions.bodies.items():
+        for number, body in KINEMATICS_PLAN.on(made).positions.bodies.items():
             for letter in body.link.points:
                 image = plan.images.by_letter[number][letter]
                 seen = _at(made.of("accelerations")[image], index) * mu

@@ -19,7 +19,7 @@ import shapely
 from support.boards import drawn_of
 from support.gallery import NAMES, SHEETS, paper
 
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.mechanism.records import Drive, Link, Mechanism, Row, Side
@@ -128,10 +128,12 @@ def test_every_plan_asked_for_is_on_a_sheet_with_its_scale(name: str) -> None:
     if "velocities" in placed:
         names = made.project.names
         common = made.scene.common_pole
-        turn = names[: KINEMATICS.on(made).in_turn]  # of later turns the plans are the same
+        turn = names[: KINEMATICS_PLAN.on(made).in_turn]  # of later turns the plans are the same
         due |= {"velocities"} if common else {f"velocities-{k}" for k in turn}
     if "accelerations" in placed:
-        due |= {f"accelerations-{made.project.names[k]}" for k in KINEMATICS.on(made).accelerated}
+        due |= {
+            f"accelerations-{made.project.names[k]}" for k in KINEMATICS_PLAN.on(made).accelerated
+        }
     assert due <= set(plans)
     for view in due:
         symbol = {"p": "μ_l", "v": "μ_v", "a": "μ_a"}[view[0]]
@@ -272,8 +274,8 @@ def test_the_ruler_rounds_readings_and_exact_does_not() -> None:
 
 def test_a_plan_that_is_not_asked_for_is_not_recorded() -> None:
     made = drawn_of(scene(row=Row(6), sheets=(SheetOrder("A4", ("positions",)),)))
-    assert KINEMATICS.on(made).velocities is None
-    assert KINEMATICS.on(made).accelerations is None
+    assert KINEMATICS_PLAN.on(made).velocities is None
+    assert KINEMATICS_PLAN.on(made).accelerations is None
     assert list(made.scales) == ["positions"]
     assert not made.project.marks("velocities")
     assert not made.project.marks("accelerations")
@@ -281,8 +283,8 @@ def test_a_plan_that_is_not_asked_for_is_not_recorded() -> None:
 
 def test_no_acceleration_plan_without_positions_for_it() -> None:
     made = drawn_of(scene(row=Row(6)))
-    assert KINEMATICS.on(made).velocities is not None
-    assert KINEMATICS.on(made).accelerations is None
+    assert KINEMATICS_PLAN.on(made).velocities is not None
+    assert KINEMATICS_PLAN.on(made).accelerations is None
 
 
 # warnings

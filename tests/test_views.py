@@ -8,7 +8,7 @@ import pytest
 import shapely
 from support.gallery import SHEETS
 
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.errors import SceneError
 from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.drawing import Drawing, Stroke
@@ -29,9 +29,9 @@ def test_the_main_position_is_the_one_asked_for() -> None:
         made, paper = sheets(replace(scene, main=name))
         work = made.mechanism
         assert work is not None
-        pin = KINEMATICS.on(work).positions.bodies[1].marks["A"]
+        pin = KINEMATICS_PLAN.on(work).positions.bodies[1].marks["A"]
         due = complex(work.reading[pin][0, work.project.names.index(name)])
-        pivot = complex(work.reading[KINEMATICS.on(work).positions.bodies[1].marks["O"]][0, 0])
+        pivot = complex(work.reading[KINEMATICS_PLAN.on(work).positions.bodies[1].marks["O"]][0, 0])
         (view,) = (d for d in paper[0].drawings if d.name == "positions")
         (sheet_pivot,) = (
             complex(*s.path[0][:2])

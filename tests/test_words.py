@@ -16,7 +16,7 @@ from support.gallery import NAMES, SHEETS, drawn, scene
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import Finding
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.units import unit
 from graphic_tmm.project import record
@@ -183,7 +183,7 @@ def calculations(name: str) -> Iterator[str]:
         if reading is None:
             continue
         count = len(
-            KINEMATICS.on(work).accelerated if plan == "accelerations" else work.project.names
+            KINEMATICS_PLAN.on(work).accelerated if plan == "accelerations" else work.project.names
         )
         for place in range(count):
             for line in protocol(work.project.construction, plan, reading, place, "ru"):

@@ -280,7 +280,7 @@ def _shared(charts: Iterable[Chart], ledger: Ledger) -> None:
 class Choice(Answer):
     """How a chapter's scale factors were chosen: what ``choose`` enters."""
 
-    stands: ClassVar[str] = "choice.CHOICE"
+    stands: ClassVar[str] = "scales.CHOICE"
     choose: Callable[[Drawn, Ledger], None] = lambda drawn, ledger: None
 
 

@@ -52,7 +52,7 @@ class Sizing(Answer):
     depends, in the order in which they give way.
     """
 
-    stands: ClassVar[str] = "sizes.SIZES"
+    stands: ClassVar[str] = "scales.SIZES"
     sizes: tuple[Size, ...] = ()
     depends: Mapping[str, Callable[[Scene, str], tuple[str, ...]]] = field(default_factory=dict)
 

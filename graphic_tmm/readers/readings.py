@@ -29,7 +29,7 @@ class Readings(Answer):
     ``vectors``: the columns of the vectors that are measured on its plans.
     """
 
-    stands: ClassVar[str] = "readings.READINGS"
+    stands: ClassVar[str] = "views.READINGS"
     pointed: tuple[str, ...] = ()
     plan_at: Callable[[Drawn, str, int, str, str, Sequence[Stroke]], Drawing] = _no_plan
     named_marks: Callable[[Project], Mapping[tuple[str, str], Mark]] = lambda project: {}

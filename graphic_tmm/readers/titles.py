@@ -21,7 +21,7 @@ class Protocols(Answer):
     that tells more.
     """
 
-    stands: ClassVar[str] = "protocol.PROTOCOL"
+    stands: ClassVar[str] = "table.PROTOCOL"
     views: Callable[[Project], Mapping[str, Iterable[str]]] = lambda project: {}
     equations: Callable[[Drawn, str, str], Iterable[str]] = lambda drawn, view, language: ()
     titles: Callable[[Holder, str, str], str] = lambda holder, view, language: ""

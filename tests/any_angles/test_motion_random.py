@@ -16,7 +16,7 @@ from support.oracle import solve_fast
 import graphic_tmm
 from graphic_tmm.any_angles.motion import PLANS
 from graphic_tmm.any_angles.recorded import recorded
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.records import Scene
 
@@ -77,7 +77,7 @@ def test_forces_are_those_of_newton_and_euler(seed: int) -> None:
             continue
         scene = Scene("random", "", "en", loaded.mechanism, tasks={"forces": order})
         found = graphic_tmm.motion(scene, [drawn.phi], plans=[*PLANS, "forces"], exact=True)
-        made = KINEMATICS.on(
+        made = KINEMATICS_PLAN.on(
             recorded(scene, frozenset([*PLANS, "forces"]), exact=True).sheet.project
         )
         judge = dynamics.statics(

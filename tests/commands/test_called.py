@@ -15,7 +15,7 @@ from support.found_once import found_once as found_once
 from support.gallery import FOLDERS
 from support.scenes import MECHANISM, SECTIONS, calling, written
 
-from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.project import record
 from graphic_tmm.scene.read import judged, read
 from graphic_tmm.scene.remarks import unplaced
@@ -173,9 +173,9 @@ def test_drawing_executes_nothing_that_no_sheet_shows(tmp_path: Path) -> None:
     scene = read(calling(tmp_path, "forces", "load", "gears", sheet=ONLY_VELOCITIES))
     made = make(scene, wanted=scene.shown)
     assert made.mechanism is not None
-    assert FORCES.of(made.mechanism) is None
+    assert FORCES_PLAN.of(made.mechanism) is None
     assert parts(made) == ()
-    assert FORCES.of(make(scene).mechanism) is not None  # type: ignore[union-attr]
+    assert FORCES_PLAN.of(make(scene).mechanism) is not None  # type: ignore[union-attr]
     assert [part.board for part in parts(make(scene))] == ["gears"]
 
 

@@ -16,7 +16,7 @@ from support.hard_mechanisms import four_bar, slider_crank
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import Curve, arrays, undefined
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.scene.read import read
 
@@ -126,9 +126,9 @@ def test_quantiles_of_the_trials_that_can_be_drawn_know_nothing_of_the_others() 
     bad = np.arange(400) % 7 == 3
     given = _varied(made, np.where(bad, 0.01 * usual, lengths))
     fine = _varied(made, lengths[~bad])
-    velocities = KINEMATICS.on(made).velocities
+    velocities = KINEMATICS_PLAN.on(made).velocities
     assert velocities is not None
-    mark = velocities.readings[KINEMATICS.on(made).positions.closings[0].legs[1].link]
+    mark = velocities.readings[KINEMATICS_PLAN.on(made).positions.closings[0].legs[1].link]
     some, all_ = execute(log, given, [mark])[mark], execute(log, fine, [mark])[mark]
     assert np.isnan(some[bad]).any(axis=1).all()
     assert np.isfinite(some[~bad]).all()

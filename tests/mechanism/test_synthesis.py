@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from support.boards import recorded
 from support.examples import most
 
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.errors import TmmError
 from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide
@@ -46,8 +46,8 @@ def ratio_and_stroke(project: Project) -> tuple[float, float]:
     from graphic_tmm.board.execute import execute
 
     log = project.construction
-    mark = KINEMATICS.on(project).positions.point("C")
-    reading = execute(log, project.given | {KINEMATICS.on(project).mu_l: 1.0}, [mark])
+    mark = KINEMATICS_PLAN.on(project).positions.point("C")
+    reading = execute(log, project.given | {KINEMATICS_PLAN.on(project).mu_l: 1.0}, [mark])
     places = np.ravel(reading[mark]).real
     stroke = abs(places[-1] - places[0])
     travelled = (project.angles[-1] - project.angles[0]) % 360.0

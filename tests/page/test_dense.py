@@ -16,7 +16,8 @@ from support.oracle import OracleError, solve_fast
 from support.scenes import calling
 
 from graphic_tmm.board.values import Curve, arrays
-from graphic_tmm.chapters.kinematics.names import KINEMATICS, PLANS
+from graphic_tmm.chapters.kinematics.names import PLANS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Mechanism, Row
 from graphic_tmm.page.dense import Dense, dense
@@ -62,7 +63,7 @@ def test_marks_at_the_positions_are_those_of_the_exact_hand(name: str) -> None:
 
 def _follows(one: Sampled, found: Dense) -> int:
     """Compare places and velocities with vector loops from degree to degree; how many were compared."""
-    made, reading, poses = KINEMATICS.on(found.drawn), found.drawn.reading, one.poses
+    made, reading, poses = KINEMATICS_PLAN.on(found.drawn), found.drawn.reading, one.poses
     mu_l, mu_v = (found.drawn.scales[plan].value for plan in PLANS[:2])
     origin = one.mechanism.frame.points[made.structure.pivot]
     speed, compared = abs(one.mechanism.drive.speed), 0

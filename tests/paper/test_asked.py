@@ -17,8 +17,8 @@ from support.mechanisms import sample
 from support.scenes import written
 
 from graphic_tmm.board.values import Point
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.errors import SheetError
 from graphic_tmm.fitting.search import MEASURABLE, SAVING
@@ -105,8 +105,8 @@ def measurable(made: DrawnScene, format: str) -> None:
         marks = [s.it for s in log.steps if s.it.view == "positions" and s.it.kind is Point]
         spots = np.concatenate([work.reading[mark][0] for mark in marks])
         # the circle of the crank pin may reach farther than the pin in few positions
-        structure = KINEMATICS.on(work).structure
-        crank = KINEMATICS.on(work).positions.bodies[structure.driver].marks
+        structure = KINEMATICS_PLAN.on(work).structure
+        crank = KINEMATICS_PLAN.on(work).positions.bodies[structure.driver].marks
         pin, pivot = crank[structure.pin], crank[structure.pivot]
         arm = abs(work.reading[pin][0][0] - work.reading[pivot][0][0])
         reach = max(np.ptp(spots.real), np.ptp(spots.imag)) + 2 * arm
@@ -379,7 +379,7 @@ def read_of(text: str, folder: Path) -> Drawn:
 
 
 def base(work: Drawn) -> float:
-    flywheel = FLYWHEEL.on(work)
+    flywheel = FLYWHEEL_PLAN.on(work)
     assert flywheel is not None
     return float(work.reading[flywheel.base.length][0, 0])
 

@@ -14,7 +14,7 @@ from support.gallery import SHEETS
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.values import Curve
-from graphic_tmm.chapters.diagrams.names import DIAGRAMS
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
 from graphic_tmm.chapters.diagrams.task import KinematicTask
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.curve_parts import points
@@ -66,8 +66,8 @@ def test_the_curve_stands_over_the_base_and_passes_through_the_readings(
     case: tuple[str, str, str], symbol: str
 ) -> None:
     work = drawn(*case)
-    assert DIAGRAMS.of(work) is not None
-    chart = DIAGRAMS.on(work).charts[symbol]
+    assert DIAGRAMS_PLAN.of(work) is not None
+    chart = DIAGRAMS_PLAN.on(work).charts[symbol]
     pieces = [s for s in graph(work, symbol).strokes if isinstance(s, Bezier)]
     assert pieces
     x = [z.real for piece in pieces for z in piece.controls]

@@ -23,7 +23,7 @@ from support.gallery import NAMES, drawn
 from support.scenes import edited
 
 from graphic_tmm.board.naming import segment_name
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.table import plan_columns
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.table import columns_of, table
@@ -133,7 +133,7 @@ def test_a_value_is_its_segment_times_mu(name: str) -> None:
 
 @pytest.mark.parametrize("name", ALONE)
 def test_accelerations_are_null_where_they_have_no_plan_and_nothing_else_is(name: str) -> None:
-    made, places = printed_of(name), KINEMATICS.on(drawn(name)).accelerated
+    made, places = printed_of(name), KINEMATICS_PLAN.on(drawn(name)).accelerated
     for one in made["columns"]:
         if one["plan"] in GRAPHS:
             continue  # test_chart_tables.py

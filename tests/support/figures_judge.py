@@ -15,9 +15,9 @@ import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
 
 from graphic_tmm.board.operations.instruments import measure, measure_along
-from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.task import ForcesTask
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Mechanism, Row
 from graphic_tmm.readers.columns import (
@@ -115,8 +115,8 @@ def _motion(made: Drawn, mechanism: Mechanism, rates: Any) -> dict[Key, tuple[An
     exact = exact_of(mechanism, rates)
     project, found = made.project, dict[Key, tuple[Any, Any]]()
     plans = (
-        ("velocities", KINEMATICS.on(project).velocities, 1, "omega", exact.omega),
-        ("accelerations", KINEMATICS.on(project).accelerations, 2, "epsilon", exact.epsilon),
+        ("velocities", KINEMATICS_PLAN.on(project).velocities, 1, "omega", exact.omega),
+        ("accelerations", KINEMATICS_PLAN.on(project).accelerations, 2, "epsilon", exact.epsilon),
     )
     fastest = max(abs(w) for w in exact.omega.values())
     for plan, motion, n, rate, turns in plans:
@@ -143,7 +143,7 @@ def _motion(made: Drawn, mechanism: Mechanism, rates: Any) -> dict[Key, tuple[An
 def _forces(
     made: Drawn, one: Loaded, angle: float, poses: Any, rates: Any
 ) -> dict[Key, tuple[Any, Any]]:
-    assert FORCES.of(made) is not None
+    assert FORCES_PLAN.of(made) is not None
     try:
         state = oracle.solve_fast(one.mechanism, angle, poses)
     except oracle.OracleError:
@@ -157,14 +157,14 @@ def _forces(
         gravity=True,
         inertia=True,
         balance="force",
-        at=places(KINEMATICS.on(made).structure, KINEMATICS.on(made).positions),
+        at=places(KINEMATICS_PLAN.on(made).structure, KINEMATICS_PLAN.on(made).positions),
         digits=True,
     )
     sizes = {k: abs(v) for k, v in judge.reactions.items()}
     largest = max([*sizes.values(), abs(judge.balance)])
     found = {
         ("forces", f"R{i}{j}"): (sizes[i, j], largest)
-        for reaction in FORCES.on(made).reactions
+        for reaction in FORCES_PLAN.on(made).reactions
         for i, j in [reaction.links]
     }
     for way in ("forces", "lever"):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from graphic_tmm.board.execute import execute
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.mechanism.records import Extreme, Mechanism, Row
 from graphic_tmm.project import Project
 from support.boards import recorded
@@ -21,11 +21,11 @@ def project_of(
 
 def places(project: Project, letter: str) -> np.ndarray:
     """Return the places of a point over the positions, m."""
-    mark = KINEMATICS.on(project).positions.point(letter)
+    mark = KINEMATICS_PLAN.on(project).positions.point(letter)
     return np.ravel(
-        execute(project.construction, project.given | {KINEMATICS.on(project).mu_l: 1.0}, [mark])[
-            mark
-        ]
+        execute(
+            project.construction, project.given | {KINEMATICS_PLAN.on(project).mu_l: 1.0}, [mark]
+        )[mark]
     )
 
 

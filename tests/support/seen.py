@@ -13,7 +13,7 @@ from itertools import pairwise
 
 import shapely
 
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Link, Slide
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
@@ -34,7 +34,7 @@ class Seen:
     """The plan of positions of a sheet, and the poses of the links by the vector loops (mm on that sheet)."""
 
     def __init__(self, work: Drawn, paper: tuple[Sheet, ...]) -> None:
-        self.work, self.mechanism = work, KINEMATICS.on(work).mechanism
+        self.work, self.mechanism = work, KINEMATICS_PLAN.on(work).mechanism
         self.view: Drawing = next(d for s in paper for d in s.drawings if d.name == "positions")
         self.mu = work.scales["positions"].value
         names = work.project.names
@@ -47,8 +47,8 @@ class Seen:
     def pose(self, place: int) -> dict[int, Pose]:
         """Solve the vector loops from what the plan shows, which must be where they close."""
         start = {}
-        origin = self.mechanism.frame.points[KINEMATICS.on(self.work).structure.pivot]
-        for body in KINEMATICS.on(self.work).positions.bodies.values():
+        origin = self.mechanism.frame.points[KINEMATICS_PLAN.on(self.work).structure.pivot]
+        for body in KINEMATICS_PLAN.on(self.work).positions.bodies.values():
             for letter in body.link.points:
                 row = self.work.reading[body.marks[letter]][0]
                 start[letter] = origin + row[place if row.size > 1 else 0] * self.mu
@@ -59,7 +59,7 @@ class Seen:
     @cached_property
     def shift(self) -> complex:
         """Where the crank's pivot stands on the sheet: in the middle of the crank circle."""
-        structure = KINEMATICS.on(self.work).structure
+        structure = KINEMATICS_PLAN.on(self.work).structure
         crank = self.mechanism.by_number[structure.driver].points
         radius = abs(crank[structure.pin] - crank[structure.pivot]) / self.mu
         centres = [

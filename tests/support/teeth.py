@@ -16,7 +16,7 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.gears.checks import Verdict, verdicts
 from graphic_tmm.chapters.gears.names import GEARS
-from graphic_tmm.chapters.gears.plan import Gear, gear_scales
+from graphic_tmm.chapters.gears.plan import GEARS_PLAN, Gear, gear_scales
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.chapters.gears.teeth import Flank
@@ -38,7 +38,7 @@ class Pair(NamedTuple):
 
     @property
     def gear(self) -> Gear:
-        return GEARS.on(self.project)
+        return GEARS_PLAN.on(self.project)
 
     @property
     def log(self) -> Construction:
@@ -77,8 +77,8 @@ class Pair(NamedTuple):
 
 
 def pair(order: GearTask, **options: Any) -> Pair:
-    project = record(Scene("", "T", "en").asking(gears=order), GEARS.chapter)
-    fitting = Fitting(project, {GEARS.chapter: 1.0}, {}, dict(project.given))
+    project = record(Scene("", "T", "en").asking(gears=order), GEARS)
+    fitting = Fitting(project, {GEARS: 1.0}, {}, dict(project.given))
     given = {**project.given, **gear_scales(fitting)}
     return Pair(project, given, execute(project.construction, given, **options))
 

@@ -16,7 +16,7 @@ from graphic_tmm.board.hand import HANDS
 from graphic_tmm.board.operations.instruments import lay_off, meet
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Line
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.checking.cells import Cell, Key, cells, cells_and_points
 from graphic_tmm.checking.check import TRIALS
 from graphic_tmm.checking.judging.judge import judge
@@ -153,7 +153,9 @@ def _long(drawn: DrawnScene, step: Step) -> Iterable[str]:
     project = work.project
     accelerated = step.it.view == "accelerations"
     reading = work.of("accelerations") if accelerated else work.reading
-    places = KINEMATICS.on(project).accelerated if accelerated else tuple(range(len(project.names)))
+    places = (
+        KINEMATICS_PLAN.on(project).accelerated if accelerated else tuple(range(len(project.names)))
+    )
     ends = [
         one.it
         for one in project.construction.steps

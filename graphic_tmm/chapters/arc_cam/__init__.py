@@ -33,9 +33,9 @@ from graphic_tmm.chapters.arc_cam.task import SECTIONS
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
-    name=ARC_CAM.chapter,
+    name=ARC_CAM,
     number=13,
-    board=ARC_CAM.chapter,
+    board=ARC_CAM,
     builds_on=("cam",),
     places=(Place("arc_cam", 105), Place("arc_cam given", attends="arc_cam")),
     sections=SECTIONS,

@@ -14,6 +14,7 @@ from graphic_tmm.chapters.arc_cam import reasons as why
 from graphic_tmm.chapters.arc_cam.acceleration import second_derivatives
 from graphic_tmm.chapters.arc_cam.contour import Contour
 from graphic_tmm.chapters.arc_cam.names import ARC_CAM
+from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN
 from graphic_tmm.chapters.arc_cam.task import ROCKER
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Made, aside
@@ -37,12 +38,12 @@ class Beside(NamedTuple):
     acceleration: tuple[Mark, Mark] | None = None
 
 
-BESIDE: Made[Beside] = Made(aside(ARC_CAM.chapter))
+BESIDE: Made[Beside] = Made(aside(ARC_CAM))
 
 
 def record_beside(bench: Bench) -> Beside:
     """Find the second derivative by the arcs' centres; with a speed, velocity and acceleration."""
-    made, draft = ARC_CAM.on(bench), bench.draft
+    made, draft = ARC_CAM_PLAN.on(bench), bench.draft
     draft.open(VIEW)
     centres = _centres(draft, made.contour)
     second = second_derivatives(draft, made)

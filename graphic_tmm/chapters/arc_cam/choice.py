@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.arc_cam.names import ARC_CAM
-from graphic_tmm.chapters.arc_cam.plan import reach_of
+from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, reach_of
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Choice, Ledger
 
 
 def choose(drawn: Drawn, ledger: Ledger) -> None:
     """Record the choice: by how far the contour with its follower reaches."""
-    made = ARC_CAM.on(drawn)
+    made = ARC_CAM_PLAN.on(drawn)
     mu = made.contour.mu
     ledger.of(mu.view)
     if made.order.mu_l:

@@ -13,9 +13,8 @@ from graphic_tmm.chapters.arc_cam import note_words as words
 from graphic_tmm.chapters.arc_cam.beside import BESIDE
 from graphic_tmm.chapters.arc_cam.beside import VIEW as CALCULATED
 from graphic_tmm.chapters.arc_cam.contour import VIEW
-from graphic_tmm.chapters.arc_cam.names import ARC_CAM
 from graphic_tmm.chapters.arc_cam.note_conclusions import concludes
-from graphic_tmm.chapters.arc_cam.plan import VIEWS, ArcCam
+from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, VIEWS, ArcCam
 from graphic_tmm.chapters.arc_cam.table import arc_columns
 from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER
 from graphic_tmm.chapters.arc_cam.views import arc_views
@@ -37,7 +36,7 @@ from graphic_tmm.note.steps import Told
 
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
     """Yield the section of a cam given by arcs."""
-    made = ARC_CAM.of(drawn)
+    made = ARC_CAM_PLAN.of(drawn)
     if made is not None:
         yield from _Page(drawn, made, language).blocks()
 

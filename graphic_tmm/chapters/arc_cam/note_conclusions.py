@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.arc_cam import note_words as words
-from graphic_tmm.chapters.arc_cam.names import ARC_CAM
+from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN
 from graphic_tmm.chapters.arc_cam.table import arc_columns, results
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -17,7 +17,7 @@ from graphic_tmm.readers.columns import Column
 
 def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
     """Yield what a cam given by arcs comes to."""
-    if ARC_CAM.of(drawn) is None:
+    if ARC_CAM_PLAN.of(drawn) is None:
         return
     _ = speaking(language)
     yield filled(

@@ -21,6 +21,7 @@ from graphic_tmm.chapters.arc_cam.geometry import SAME, Lie, lie
 from graphic_tmm.chapters.arc_cam.names import ARC_CAM
 from graphic_tmm.chapters.arc_cam.task import ASKED, ROCKER, ArcTask
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made
 
 VIEWS = {"S": "arc cam S", "V": "arc cam dS", "A": "arc cam ddS"}
 LETTERS = {"S": "S", "V": "S′", "A": "S″"}
@@ -50,12 +51,15 @@ class ArcCam:
     charts: dict[str, Chart]
 
 
+ARC_CAM_PLAN: Made[ArcCam] = Made(ARC_CAM)
+
+
 def record(bench: Bench) -> ArcCam | None:
     """Draw the cam that the scene asks for, at a share of its usual size where there is one."""
     order = ASKED.of(bench.scene)
     if order is None:
         return None
-    made = draw_arc_cam(bench.draft, order, bench.sizes.get(ARC_CAM.chapter, 1.0))
+    made = draw_arc_cam(bench.draft, order, bench.sizes.get(ARC_CAM, 1.0))
     names = [*map(str, range(order.parts + 1)), *_changes(made.lie, order.parts)]
     bench.stand(names, [round(angle, 9) for angle in made.angles], order.parts)
     return made

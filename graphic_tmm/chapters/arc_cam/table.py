@@ -9,13 +9,13 @@ import numpy as np
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.arc_cam.beside import BESIDE
 from graphic_tmm.chapters.arc_cam.names import ARC_CAM
-from graphic_tmm.chapters.arc_cam.plan import marks
+from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, marks
 from graphic_tmm.chapters.arc_cam.task import ROCKER
 from graphic_tmm.drawn import Drawn, Results
 from graphic_tmm.readers.columns import Column, empty, row_of
 from graphic_tmm.readers.measured import Tabled
 
-PLAN = ARC_CAM.chapter
+PLAN = ARC_CAM
 
 
 def arc_columns(drawn: Drawn) -> tuple[Column, ...]:
@@ -23,7 +23,7 @@ def arc_columns(drawn: Drawn) -> tuple[Column, ...]:
 
     By the arcs' centres d²S/dφ² is told twice: at a change of arcs before it, and behind it.
     """
-    made, reading = ARC_CAM.on(drawn), drawn.reading
+    made, reading = ARC_CAM_PLAN.on(drawn), drawn.reading
     count, follower = len(made.angles), made.follower
     motion = "rad" if made.order.follower == ROCKER else "m"
     charts = dict(zip(marks(made), made.charts.values(), strict=True))
@@ -56,7 +56,7 @@ def _column(segment: str, unit: str, value: Reals, count: int, mm: Reals | None 
 
 def results(drawn: Drawn) -> Results:
     """Return the stroke, the greatest of S in all positions; how far the flanks' centres stand from others."""
-    made = ARC_CAM.on(drawn)
+    made = ARC_CAM_PLAN.on(drawn)
     chart = made.charts["S"]
     value = drawn.reading.figure(chart.ordinates[0], chart.mu)
     with np.errstate(all="ignore"):

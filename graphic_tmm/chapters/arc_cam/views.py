@@ -6,8 +6,7 @@ import math
 from collections.abc import Sequence
 
 from graphic_tmm.chapters.arc_cam.ink import ArcNames, draw_contour_ink
-from graphic_tmm.chapters.arc_cam.names import ARC_CAM
-from graphic_tmm.chapters.arc_cam.plan import LETTERS, VIEWS, ArcCam
+from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, LETTERS, VIEWS, ArcCam
 from graphic_tmm.chapters.arc_cam.table import PLAN, arc_columns
 from graphic_tmm.chapters.arc_cam.table import results as figures
 from graphic_tmm.drawn import Drawn, single
@@ -27,7 +26,7 @@ from graphic_tmm.scene.captions import captions
 
 def arc_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the views of a cam given by arcs."""
-    made, language = ARC_CAM.on(drawn), drawn.scene.language
+    made, language = ARC_CAM_PLAN.on(drawn), drawn.scene.language
     high = heights(drawn.scene, PLAN)
     rows = arc_columns(drawn)
     return [

@@ -58,7 +58,7 @@ SYMBOLS = (
 
 WORDS = Named(
     captions=CAPTIONS,
-    plans=(ARC_CAM.chapter,),
+    plans=(ARC_CAM,),
     rank=81,
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,

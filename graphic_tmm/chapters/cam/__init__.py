@@ -39,9 +39,9 @@ from graphic_tmm.chapters.cam.task import SECTIONS
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
-    name=CAM.chapter,
+    name=CAM,
     number=8,
-    board=CAM.chapter,
+    board=CAM,
     places=(Place("cam", 100), Place("cam scheme"), Place("cam given", attends="cam")),
     sections=SECTIONS,
 )

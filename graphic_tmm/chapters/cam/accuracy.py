@@ -8,6 +8,7 @@ from dataclasses import replace
 from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
 from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.chapters.cam.names import CAM
+from graphic_tmm.chapters.cam.plan import CAM_PLAN
 from graphic_tmm.chapters.cam.task import ASKED
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
@@ -22,7 +23,7 @@ CONVERGED = 192
 
 def _quantities(project: Project) -> Iterator[Quantity]:
     due = Reference(lambda scene: next((one for _, one in _by_parts(scene, (CONVERGED,))), None))
-    yield Quantity("r0_min", "m", (Value(CAM.on(project).least),), reference=due)
+    yield Quantity("r0_min", "m", (Value(CAM_PLAN.on(project).least),), reference=due)
 
 
 def _by_parts(scene: Scene, parts: Iterable[int]) -> Iterator[tuple[str, Scene]]:
@@ -70,7 +71,7 @@ WORDS = {
 
 ACCURACY = Accuracy(
     quantities=_quantities,
-    places=(CAM.chapter,),
+    places=(CAM,),
     axes=(Axis("parts", _divided, parts=_own, counted=said("{n} part", "{n} parts")),),
     enlarged=_enlarged,
     words=WORDS,

@@ -11,7 +11,7 @@ from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam.laws import laws
 from graphic_tmm.chapters.cam.names import CAM
 from graphic_tmm.chapters.cam.phases import Phase
-from graphic_tmm.chapters.cam.plan import Cam
+from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
 from graphic_tmm.chapters.cam.read_off import risen
 from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CamTask, FlatFollower, RockerFollower
 from graphic_tmm.project import Bench
@@ -39,12 +39,12 @@ class Beside(NamedTuple):
     peaks: dict[str, Mark]
 
 
-BESIDE: Made[Beside] = Made(aside(CAM.chapter))
+BESIDE: Made[Beside] = Made(aside(CAM))
 
 
 def record_beside(bench: Bench) -> Beside:
     """Calculate what the drawing of a cam does not need."""
-    cam, draft = CAM.on(bench), bench.draft
+    cam, draft = CAM_PLAN.on(bench), bench.draft
     draft.open(VIEW)
     along = draft.draw(f.degrees_per_mm, "μ_φ", cam.diagrams.base.length, unit="°/mm")
     dwells = _dwells(draft, cam.order)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graphic_tmm.board.operations.choice import accepted
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.cam.names import CAM
+from graphic_tmm.chapters.cam.plan import CAM_PLAN
 from graphic_tmm.chapters.cam.task import ASKED
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Choice, Ledger
@@ -19,7 +19,7 @@ _HANDY = said("A millimetre for a degree: the angle is read off the ruler as it 
 
 def choose(drawn: Drawn, ledger: Ledger) -> None:
     """Record how the scale factors of dS/dφ, of the centre with the profile, of the pressure angle came."""
-    cam, order = CAM.on(drawn), ASKED.of(drawn.scene)
+    cam, order = CAM_PLAN.on(drawn), ASKED.of(drawn.scene)
     for chart in cam.charts:
         if chart.unit == "°" and chart.wanted:
             ledger.of(chart.view)

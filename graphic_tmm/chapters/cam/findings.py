@@ -9,8 +9,7 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.cam.names import CAM
-from graphic_tmm.chapters.cam.plan import Cam
+from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
 from graphic_tmm.chapters.cam.read_off import SLACK
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.task import FlatFollower
@@ -178,7 +177,7 @@ def _roller(
 
 def _limits(drawn: Drawn, language: str) -> Iterator[str]:
     """Yield what was changed of diagrams read off paper, and the limits that a cam passes."""
-    made = CAM.on(drawn)
+    made = CAM_PLAN.on(drawn)
     yield from changes(made, language)
     yield from (finding.says(language) for finding in cam_findings(drawn.reading, made))
 

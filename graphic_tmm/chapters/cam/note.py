@@ -21,6 +21,7 @@ from graphic_tmm.chapters.cam.ink_scheme import NAME as SCHEME
 from graphic_tmm.chapters.cam.names import CAM
 from graphic_tmm.chapters.cam.note_conclusions import concludes
 from graphic_tmm.chapters.cam.note_page import CamPage
+from graphic_tmm.chapters.cam.plan import CAM_PLAN
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
 from graphic_tmm.chapters.cam.table import cam_columns
 from graphic_tmm.chapters.cam.turn import CURVATURE, PRESSURE
@@ -40,7 +41,7 @@ RADII = (
 
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
     """Yield the section of a cam."""
-    made = CAM.of(drawn)
+    made = CAM_PLAN.of(drawn)
     if made is not None:
         yield from _Page(drawn, made, language).blocks()
 
@@ -169,7 +170,7 @@ class _Page(CamPage):
             yield from self.worked_out(told, *moving)
 
     def _results(self) -> Iterator[Block]:
-        own = next(one for one in chapters() if one.name == CAM.chapter)
+        own = next(one for one in chapters() if one.name == CAM)
         yield from results(self.drawn, own, self.language)
 
 

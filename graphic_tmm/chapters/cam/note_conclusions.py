@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.cam.names import CAM
+from graphic_tmm.chapters.cam.plan import CAM_PLAN
 from graphic_tmm.chapters.cam.table import cam_marks
 from graphic_tmm.drawn import Drawn, results_of
 from graphic_tmm.language.catalogue import speaking
@@ -21,7 +21,7 @@ PRESSURE = said(
 
 def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
     """Yield what the limits of the cam come to; those that are passed are warnings."""
-    made, _ = CAM.of(drawn), speaking(language)
+    made, _ = CAM_PLAN.of(drawn), speaking(language)
     if made is None:
         return
     results = results_of(drawn, cam_marks(made))

@@ -23,6 +23,7 @@ from graphic_tmm.chapters.cam.turn import TurnDiagram, draw_curvature, draw_pres
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made
 
 
 @dataclass(frozen=True)
@@ -65,15 +66,18 @@ class Cam:
         return self.centre.least
 
 
+CAM_PLAN: Made[Cam] = Made(CAM)
+
+
 def record(bench: Bench) -> Cam | None:
     """Draw the cam that the scene asks for, at a share of its usual size where there is one."""
     order = ASKED.of(bench.scene)
     if order is None:
         return None
     order = replace(order, base=order.base * bench.sizes.get(GRAPHS, 1.0))
-    share = bench.sizes.get(CAM.chapter, 1.0)
+    share = bench.sizes.get(CAM, 1.0)
     if bench.usual is not None and share != 1.0:
-        mu = float(bench.usual.reading[CAM.on(bench.usual).profile.mu][0, 0])
+        mu = float(bench.usual.reading[CAM_PLAN.on(bench.usual).profile.mu][0, 0])
         order = replace(order, mu_l=standard_length(mu / share, 1.0))
     made = draw_cam(bench.draft, order)
     turn = made.diagrams.turn

@@ -13,7 +13,7 @@ CAPS = {"cam.mu_l": 0.6, "cam.base": 0.94}
 
 
 def _depends(scene: Scene, view: str) -> tuple[str, ...]:
-    return (CAM.chapter,) if view.startswith(FIGURES) else (GRAPHS,)
+    return (CAM,) if view.startswith(FIGURES) else (GRAPHS,)
 
 
 def _size(name: str, key: str) -> Size:
@@ -27,6 +27,6 @@ def _size(name: str, key: str) -> Size:
 
 
 SIZES = Sizing(
-    sizes=(_size(CAM.chapter, "cam.mu_l"), _size(GRAPHS, "cam.base")),
+    sizes=(_size(CAM, "cam.mu_l"), _size(GRAPHS, "cam.base")),
     depends={"cam": _depends, "cam scheme": _depends},
 )

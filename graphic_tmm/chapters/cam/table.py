@@ -10,18 +10,18 @@ from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.cam.beside import BESIDE
 from graphic_tmm.chapters.cam.centre import Centre
 from graphic_tmm.chapters.cam.names import CAM
-from graphic_tmm.chapters.cam.plan import Cam
+from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
 from graphic_tmm.chapters.cam.task import RockerFollower
 from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.readers.columns import Column, empty, row_of
 from graphic_tmm.readers.measured import Tabled
 
-PLAN = CAM.chapter
+PLAN = CAM
 
 
 def cam_columns(drawn: Drawn) -> tuple[Column, ...]:
     """Return S, dS/dφ, d²S/dφ² and the pressure angle by positions; mm on the diagrams and quantities."""
-    made, reading = CAM.on(drawn), drawn.reading
+    made, reading = CAM_PLAN.on(drawn), drawn.reading
     rocks = isinstance(made.order.follower, RockerFollower)
     count = made.diagrams.turn.positions
     motion = "rad" if rocks else "m"
@@ -64,7 +64,7 @@ def _column(segment: str, unit: str, value: Reals, count: int, mm: Reals | None 
 def results(drawn: Drawn) -> Results:
     """Return the results of a cam, what is left up to its limits, and the peaks of its laws."""
     beside = BESIDE.on(drawn)
-    return results_of(drawn, {**cam_marks(CAM.on(drawn)), **beside.left, **beside.peaks})
+    return results_of(drawn, {**cam_marks(CAM_PLAN.on(drawn)), **beside.left, **beside.peaks})
 
 
 def cam_marks(made: Cam) -> Mapping[str, Mark]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.cam.findings import cam_findings
-from graphic_tmm.chapters.cam.names import CAM
+from graphic_tmm.chapters.cam.plan import CAM_PLAN
 from graphic_tmm.chapters.cam.table import results
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -31,7 +31,7 @@ NAMES = {
 
 def verdict(drawn: Drawn, language: str) -> Iterator[Runs]:
     """Yield one sentence where no limit is passed."""
-    made = CAM.on(drawn)
+    made = CAM_PLAN.on(drawn)
     if cam_findings(drawn.reading, made):
         return
     flat, found = made.roller is None, results(drawn)

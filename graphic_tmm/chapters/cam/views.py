@@ -16,8 +16,7 @@ from graphic_tmm.chapters.cam.ink_flat import draw_convexity_ink
 from graphic_tmm.chapters.cam.ink_graphs import RULES
 from graphic_tmm.chapters.cam.ink_rocker import draw_rocker_ink
 from graphic_tmm.chapters.cam.ink_scheme import SchemeNames, draw_scheme_ink, position_of
-from graphic_tmm.chapters.cam.names import CAM
-from graphic_tmm.chapters.cam.plan import Cam
+from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.table import PLAN, cam_columns, cam_marks
 from graphic_tmm.chapters.cam.turn import CURVATURE
@@ -43,7 +42,7 @@ RADII = "cam radii"
 
 def cam_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the views of a cam."""
-    made, language, names = CAM.on(drawn), drawn.scene.language, drawn.names
+    made, language, names = CAM_PLAN.on(drawn), drawn.scene.language, drawn.names
     rows = cam_columns(drawn)
     motion, *limits = _diagrams(drawn, made, names, lettered)
     return [
@@ -58,7 +57,7 @@ def cam_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 def scheme_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the mechanism's scheme in one position."""
-    made, language = CAM.on(drawn), drawn.scene.language
+    made, language = CAM_PLAN.on(drawn), drawn.scene.language
     pressure, high = "", heights(drawn.scene, PLAN)
     if made.pressure is not None and not isinstance(made.centre, Convexity):
         angle = drawn.reading.figure(made.centre.pressure)[0, position_of(drawn.reading, made)]
@@ -216,7 +215,7 @@ def _profile(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> D
 def _results(drawn: Drawn) -> Drawing:
     language = drawn.scene.language
     words, rows = captions(language), []
-    for name, (value, of) in single(results_of(drawn, cam_marks(CAM.on(drawn)))).items():
+    for name, (value, of) in single(results_of(drawn, cam_marks(CAM_PLAN.on(drawn)))).items():
         in_mm = of == "m"
         figure = fixed(1000.0 * value, 2, language) if in_mm else fixed(value, 2, language)
         rows.append([words[name], figure, unit("mm" if in_mm else of, language)])

@@ -80,7 +80,7 @@ SYMBOLS = (
 
 WORDS = Named(
     captions=CAPTIONS,
-    plans=(CAM.chapter,),
+    plans=(CAM,),
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,
 )

@@ -22,12 +22,12 @@ from graphic_tmm.chapters.cycle.task import SECTIONS
 from graphic_tmm.chapters.flywheel.names import FLYWHEEL
 from graphic_tmm.scene.chapter import Chapter, Place
 
-_NAME = CYCLE.chapter
+_NAME = CYCLE
 CHAPTER = Chapter(
     name=_NAME,
     number=12,
     board=_NAME,
-    builds_on=(FLYWHEEL.chapter,),
+    builds_on=(FLYWHEEL,),
     places=(Place(_NAME, 55), Place(f"{_NAME} given", attends=_NAME)),
     sections=SECTIONS,
 )

@@ -12,6 +12,7 @@ from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.board.charts import ScaleOrder, distances
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.cycle.names import CYCLE
+from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN
 from graphic_tmm.chapters.cycle.task import ASKED, CycleTask
 from graphic_tmm.chapters.flywheel.accuracy import BY_POSITIONS
 from graphic_tmm.chapters.flywheel.names import VIEWS
@@ -29,7 +30,7 @@ INERTIA, IRREGULARITY = "J_cycle", "delta_cycle"
 
 
 def _quantities(project: Project) -> Iterator[Quantity]:
-    made, due = CYCLE.on(project).flywheel, Reference(_converged)
+    made, due = CYCLE_PLAN.on(project).flywheel, Reference(_converged)
     if made.order.J is None:
         yield Quantity(INERTIA, "kg·m²", (Value(made.inertia),), reference=due)
     else:
@@ -71,7 +72,7 @@ def _poles(scene: Scene) -> tuple[str, ...]:
 def _farther(project: Project, times: float) -> dict[Mark, object]:
     """Return the distance of the pole of the works, or their scale."""
     work = VIEWS["work"]
-    charts = (one for one in CYCLE.on(project).flywheel.charts if one.view == work)
+    charts = (one for one in CYCLE_PLAN.on(project).flywheel.charts if one.view == work)
     moved = [*(one.mu for one in charts if one.chosen), *distances(project.given, work)]
     return {mark: np.asarray(project.given[mark]) * times for mark in moved}
 
@@ -100,7 +101,7 @@ WORDS = {
 
 ACCURACY = Accuracy(
     quantities=_quantities,
-    places=(CYCLE.chapter,),
+    places=(CYCLE,),
     axes=(
         Axis(
             "cycle parts",

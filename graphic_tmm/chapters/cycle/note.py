@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.cycle.names import CYCLE
-from graphic_tmm.chapters.cycle.plan import BESIDE
-from graphic_tmm.chapters.cycle.views import cycle_columns, cycle_results, cycle_views
+from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN
+from graphic_tmm.chapters.cycle.record import BESIDE
+from graphic_tmm.chapters.cycle.table import cycle_columns, cycle_results
+from graphic_tmm.chapters.cycle.views import cycle_views
 from graphic_tmm.chapters.flywheel.conclusions import concluded
 from graphic_tmm.chapters.flywheel.note import FlywheelPage
 from graphic_tmm.drawn import Drawn
@@ -23,19 +25,19 @@ GIVEN = said(
 
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
     """Yield the section of a cycle."""
-    made = CYCLE.of(drawn)
+    made = CYCLE_PLAN.of(drawn)
     if made is None:
         return
     views = cycle_views(in_hand(drawn), True)
     page = FlywheelPage(drawn, language, made.flywheel, BESIDE.on(drawn), views)
     turns, count = Text(str(made.order.turns)), Text(str(made.order.positions))
     yield page.says(GIVEN, turns=turns, count=count)
-    yield from page.blocks(list(cycle_columns(drawn)), CYCLE.chapter)
+    yield from page.blocks(list(cycle_columns(drawn)), CYCLE)
 
 
 def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
     """Yield what the flywheel has to be, and what the machine takes."""
-    made = CYCLE.on(drawn)
+    made = CYCLE_PLAN.on(drawn)
     yield from concluded(drawn, cycle_results(drawn), made.flywheel.order, language, "cycle")
 
 

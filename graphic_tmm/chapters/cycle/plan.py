@@ -20,7 +20,6 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.cycle.names import CYCLE
 from graphic_tmm.chapters.cycle.task import ASKED, CycleTask
-from graphic_tmm.chapters.flywheel.beside import Beside, calculate
 from graphic_tmm.chapters.flywheel.names import VIEWS
 from graphic_tmm.chapters.flywheel.plan import (
     Flywheel,
@@ -35,7 +34,7 @@ from graphic_tmm.chapters.flywheel.rim import draw_rim
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
-from graphic_tmm.scene.chapter import Made, aside
+from graphic_tmm.scene.chapter import Made
 
 
 class Cycle(NamedTuple):
@@ -46,7 +45,7 @@ class Cycle(NamedTuple):
     speed: Mark
 
 
-BESIDE: Made[Beside] = Made(aside("cycle"))
+CYCLE_PLAN: Made[Cycle] = Made(CYCLE)
 
 
 def record(bench: Bench) -> Cycle | None:
@@ -58,12 +57,6 @@ def record(bench: Bench) -> Cycle | None:
     angles = [round(step * k, 9) for k in range(order.positions)]
     bench.stand((str(k) for k in range(order.positions)), angles, order.positions)
     return draw_cycle(bench.draft, order, angles)
-
-
-def record_beside(bench: Bench) -> Beside:
-    """Calculate the mean moment and its power."""
-    made = CYCLE.on(bench)
-    return calculate(bench.draft, made.flywheel, made.speed)
 
 
 def draw_cycle(draft: Draft, order: CycleTask, angles: list[float]) -> Cycle:

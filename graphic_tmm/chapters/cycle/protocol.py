@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.cycle.names import CYCLE
+from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN
 from graphic_tmm.chapters.flywheel.names import VIEWS
 from graphic_tmm.chapters.flywheel.words import graph_title
 from graphic_tmm.language.catalogue import speaking
@@ -11,7 +11,7 @@ from graphic_tmm.scene.chapter import Holder
 
 
 def _title(holder: Holder, view: str, language: str) -> str:
-    order = CYCLE.on(holder).order.flywheel
+    order = CYCLE_PLAN.on(holder).order.flywheel
     title = graph_title(view, order.constant, speaking(language), given=True)
     return title if view == VIEWS["moment"] else ""
 

@@ -2,9 +2,20 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.cycle.plan import record, record_beside
+from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN, record
+from graphic_tmm.chapters.flywheel.beside import Beside, calculate
 from graphic_tmm.language.said import said
-from graphic_tmm.project import Plan
+from graphic_tmm.project import Bench, Plan
+from graphic_tmm.scene.chapter import Made, aside
+
+BESIDE: Made[Beside] = Made(aside("cycle"))
+
+
+def record_beside(bench: Bench) -> Beside:
+    """Calculate the mean moment and its power."""
+    made = CYCLE_PLAN.on(bench)
+    return calculate(bench.draft, made.flywheel, made.speed)
+
 
 PLAN = Plan(
     record=record,

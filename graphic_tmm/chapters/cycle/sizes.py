@@ -7,7 +7,5 @@ from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Size, Sizing
 
 SIZES = Sizing(
     sizes=(GRAPH, Size("cycle sketch", small=0.6, cap=0.4, step=1.6, seen=False)),
-    depends={
-        CYCLE.chapter: lambda scene, view: ("cycle sketch" if view == "flywheel" else GRAPHS,)
-    },
+    depends={CYCLE: lambda scene, view: ("cycle sketch" if view == "flywheel" else GRAPHS,)},
 )

@@ -6,14 +6,24 @@ from collections.abc import Iterator
 
 from graphic_tmm.chapters.cycle.names import CYCLE
 from graphic_tmm.chapters.cycle.task import ASKED
-from graphic_tmm.chapters.cycle.views import given
+from graphic_tmm.chapters.flywheel.given import given_of
 from graphic_tmm.chapters.flywheel.task_sheet import of_order
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
-from graphic_tmm.readers.given import figure
-from graphic_tmm.readers.task_sheet import Listed, TaskSheet
+from graphic_tmm.readers.given import figure, given_speed
+from graphic_tmm.readers.task_sheet import Given, Listed, TaskSheet
 from graphic_tmm.scene.records import Scene
+
+
+def given(scene: Scene) -> Iterator[Given]:
+    """Yield what a scene gives of a cycle: the speed of its shaft, its turns, its flywheel."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    yield given_speed("1", order.speed)
+    yield Given("n_t", float(order.turns))
+    yield from given_of(order.flywheel)
 
 
 def asks(scene: Scene, language: str) -> Iterator[str]:
@@ -47,5 +57,5 @@ _DRIVING = said("Driving moments over the cycle (several add up), straight betwe
 TASK_SHEET = TaskSheet(
     given=given,
     listed=listed,
-    wanted={CYCLE.chapter: asks},
+    wanted={CYCLE: asks},
 )

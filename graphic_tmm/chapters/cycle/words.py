@@ -12,6 +12,6 @@ WORDS = Named(
         "given cycle": said("Given for the cycle"),
         "table cycle": said("Flywheel, by positions"),
     },
-    plans=(CYCLE.chapter,),
+    plans=(CYCLE,),
     sources=("artobolevsky",),
 )

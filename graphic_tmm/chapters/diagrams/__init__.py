@@ -38,9 +38,9 @@ from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, POS
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
-    name=DIAGRAMS.chapter,
+    name=DIAGRAMS,
     number=3,
-    builds_on=(KINEMATICS.chapter,),
-    places=(Place(DIAGRAMS.chapter, 30, beside=(ACCELERATIONS,), follows=(POSITIONS,)),),
+    builds_on=(KINEMATICS,),
+    places=(Place(DIAGRAMS, 30, beside=(ACCELERATIONS,), follows=(POSITIONS,)),),
     sections=SECTIONS,
 )

@@ -12,9 +12,11 @@ from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.board.charts import STANDARD, ScaleOrder, distances
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.diagrams.names import DIAGRAMS, VIEWS
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
 from graphic_tmm.chapters.diagrams.standard import BASE, settled
 from graphic_tmm.chapters.diagrams.task import ASKED, KinematicTask
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, VELOCITIES
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
@@ -26,7 +28,7 @@ NAMES = {"V": "V_diagram", "a": "a_diagram"}
 
 
 def _quantities(project: Project) -> Iterator[Quantity]:
-    made, plans = DIAGRAMS.on(project), KINEMATICS.on(project)
+    made, plans = DIAGRAMS_PLAN.on(project), KINEMATICS_PLAN.on(project)
     for symbol, plan in (("V", VELOCITIES), ("a", ACCELERATIONS)):
         motion = plans.motion(plan)
         if motion is None or symbol not in made.planned:
@@ -82,7 +84,7 @@ def _finer(start: str, times: float) -> dict[str, float]:
 
 def _farther(project: Project, times: float) -> dict[Mark, object]:
     """Return the distances of the poles, or the scales that they follow from."""
-    made, given, found = DIAGRAMS.on(project), project.given, dict[Mark, object]()
+    made, given, found = DIAGRAMS_PLAN.on(project), project.given, dict[Mark, object]()
     for symbol, change in _finer(made.order.start, times).items():
         chart = made.charts.get(symbol)
         if chart is None:
@@ -155,7 +157,7 @@ WORDS = {
 
 ACCURACY = Accuracy(
     quantities=_quantities,
-    places=(DIAGRAMS.chapter,),
+    places=(DIAGRAMS,),
     axes=(
         Axis("method", _methods, tuple(NAMES.values()), free=True),
         Axis("start", _starts, tuple(NAMES.values())),

@@ -15,9 +15,8 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number, Point
 from graphic_tmm.chapters.diagrams import reasons as why
 from graphic_tmm.chapters.diagrams.names import CALCULATED, DIAGRAMS
-from graphic_tmm.chapters.diagrams.plan import Kinematic
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
-from graphic_tmm.chapters.kinematics.plan import KinematicPlans
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN, Kinematic
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Made, aside
@@ -82,12 +81,12 @@ class Beside(NamedTuple):
     places: tuple[Place, ...]
 
 
-BESIDE: Made[Beside] = Made(aside(DIAGRAMS.chapter))
+BESIDE: Made[Beside] = Made(aside(DIAGRAMS))
 
 
 def record_beside(bench: Bench) -> Beside:
     """Calculate what the diagrams do not need."""
-    made, plans, draft = DIAGRAMS.on(bench), KINEMATICS.on(bench), bench.draft
+    made, plans, draft = DIAGRAMS_PLAN.on(bench), KINEMATICS_PLAN.on(bench), bench.draft
     assert plans.velocities is not None
     assert plans.velocities.speed is not None
     draft.open(CALCULATED)

@@ -6,7 +6,8 @@ from graphic_tmm.board.operations.choice import nearest_standard
 from graphic_tmm.board.operations.formulas import time_per_mm, turn_per_mm
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapters.diagrams.names import DIAGRAMS, VIEWS
+from graphic_tmm.chapters.diagrams.names import VIEWS
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
 from graphic_tmm.chapters.diagrams.standard import chain, wanted_base
 from graphic_tmm.chapters.diagrams.task import ASKED
 from graphic_tmm.drawn import Drawn
@@ -15,7 +16,7 @@ from graphic_tmm.fitting.choice import Choice, Ledger
 
 def choose(drawn: Drawn, ledger: Ledger) -> None:
     """Record the choice where the scene asks for standard ones; else that of graphs as such is told."""
-    made, order = DIAGRAMS.on(drawn), ASKED.of(drawn.scene)
+    made, order = DIAGRAMS_PLAN.on(drawn), ASKED.of(drawn.scene)
     if order is None or not order.standard:
         return
     along = made.base.mu

@@ -2,14 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from graphic_tmm.scene.chapter import Made
-
-if TYPE_CHECKING:
-    from graphic_tmm.chapters.diagrams.plan import Kinematic
-
-DIAGRAMS: Made[Kinematic] = Made("diagrams")
+DIAGRAMS = "diagrams"
 VIEWS = {"S": "diagram S", "V": "diagram V", "a": "diagram a"}
 BASE_VIEW = "base"
 """Under which the scale of the common base is told."""

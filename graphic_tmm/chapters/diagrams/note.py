@@ -11,10 +11,10 @@ from collections.abc import Iterator, Sequence
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.chapters.diagrams import note_words as words
 from graphic_tmm.chapters.diagrams.beside import BESIDE
-from graphic_tmm.chapters.diagrams.names import CALCULATED, DIAGRAMS, VIEWS
+from graphic_tmm.chapters.diagrams.names import CALCULATED, VIEWS
 from graphic_tmm.chapters.diagrams.note_conclusions import concludes
 from graphic_tmm.chapters.diagrams.note_middles import intervals, middles_table
-from graphic_tmm.chapters.diagrams.plan import Kinematic
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN, Kinematic
 from graphic_tmm.chapters.diagrams.table import diagram_columns
 from graphic_tmm.chapters.diagrams.views import diagram_views
 from graphic_tmm.drawn import Drawn
@@ -49,7 +49,7 @@ from graphic_tmm.scene.captions import captions
 
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
     """Yield the section of kinematic diagrams."""
-    made = DIAGRAMS.of(drawn)
+    made = DIAGRAMS_PLAN.of(drawn)
     if made is not None:
         yield from _Page(drawn, made, language).blocks()
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.diagrams import note_words as words
-from graphic_tmm.chapters.diagrams.names import DIAGRAMS
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
 from graphic_tmm.chapters.diagrams.table import diagram_columns
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -16,7 +16,7 @@ from graphic_tmm.note.steps import Told
 
 def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
     """Yield how far what was found is off the plans, and how far an integral is from closing."""
-    made, _ = DIAGRAMS.of(drawn), speaking(language)
+    made, _ = DIAGRAMS_PLAN.of(drawn), speaking(language)
     if made is None:
         return
     for column in diagram_columns(drawn):

@@ -27,17 +27,18 @@ from graphic_tmm.board.operations.instruments import measure_along
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.diagrams import reasons as why
-from graphic_tmm.chapters.diagrams.names import VIEWS
+from graphic_tmm.chapters.diagrams.names import DIAGRAMS, VIEWS
 from graphic_tmm.chapters.diagrams.standard import BASE, settled
 from graphic_tmm.chapters.diagrams.task import ASKED, KinematicTask
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made
 
 UNITS = {"S": "m", "V": "m/s", "a": "m/s²"}
 """Of the diagrams over time."""
@@ -67,6 +68,9 @@ class Kinematic:
     def first(self) -> str:
         """The symbol of the diagram that is laid off from the plans."""
         return "V" if self.order.start == "velocity" else "S"
+
+
+DIAGRAMS_PLAN: Made[Kinematic] = Made(DIAGRAMS)
 
 
 class _Derived(NamedTuple):
@@ -102,7 +106,7 @@ def record(bench: Bench) -> Kinematic | None:
     order = ASKED.of(bench.scene)
     if order is None:
         return None
-    draft, plans = bench.draft, KINEMATICS.on(bench)
+    draft, plans = bench.draft, KINEMATICS_PLAN.on(bench)
     positions, velocities, accelerations = plans.positions, plans.velocities, plans.accelerations
     assert velocities is not None
     leg = sliding_leg(positions, order.point, plans.mechanism.frame.number, ASKED.section)

@@ -8,7 +8,8 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.chapters.diagrams.names import BASE_VIEW, DIAGRAMS, VIEWS
+from graphic_tmm.chapters.diagrams.names import BASE_VIEW, VIEWS
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
 from graphic_tmm.fitting.scales import ScaleFactors
 from graphic_tmm.fitting.sizes import GRAPHS
 from graphic_tmm.project import Project
@@ -16,7 +17,7 @@ from graphic_tmm.project import Project
 
 def _named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
     """Return the scale of the base."""
-    mu = DIAGRAMS.on(project).base.mu
+    mu = DIAGRAMS_PLAN.on(project).base.mu
     return {BASE_VIEW: Scale(mu.name, float(reading[mu][0, 0]), mu.unit)}
 
 

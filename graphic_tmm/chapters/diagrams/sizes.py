@@ -5,4 +5,4 @@ from __future__ import annotations
 from graphic_tmm.chapters.diagrams.names import DIAGRAMS
 from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Sizing
 
-SIZES = Sizing(sizes=(GRAPH,), depends={DIAGRAMS.chapter: lambda scene, view: (GRAPHS,)})
+SIZES = Sizing(sizes=(GRAPH,), depends={DIAGRAMS: lambda scene, view: (GRAPHS,)})

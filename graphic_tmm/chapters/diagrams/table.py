@@ -8,11 +8,12 @@ import numpy as np
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.diagrams.names import DIAGRAMS
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import Column, empty, ordinates, row_of
 from graphic_tmm.readers.measured import Tabled
 
-PLAN = DIAGRAMS.chapter
+PLAN = DIAGRAMS
 COMPARED = ("V", "a")
 """What plans give too."""
 EVEN = 1e-11
@@ -24,7 +25,7 @@ def diagram_columns(drawn: Drawn) -> Iterator[Column]:
 
     The difference is told in % of the largest that the plan gives.
     """
-    kinematic, count = DIAGRAMS.on(drawn), len(drawn.names)
+    kinematic, count = DIAGRAMS_PLAN.on(drawn), len(drawn.names)
     for symbol, chart in kinematic.charts.items():
         rows = ordinates(drawn.reading, chart.ordinates[0], chart.mu, count)
         yield Column(PLAN, symbol, symbol, chart.unit, *rows)

@@ -37,5 +37,5 @@ _ALONE = said(
 
 
 TASK_SHEET = TaskSheet(
-    wanted={DIAGRAMS.chapter: asks},
+    wanted={DIAGRAMS: asks},
 )

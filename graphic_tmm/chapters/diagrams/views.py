@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from graphic_tmm.chapters.diagrams.names import BASE_VIEW, DIAGRAMS
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
 from graphic_tmm.chapters.diagrams.table import PLAN, diagram_columns
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.views import Views
@@ -25,7 +26,7 @@ from graphic_tmm.scene.captions import captions
 
 def diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the kinematic diagrams one below the other, and their table."""
-    kinematic, language = DIAGRAMS.of(drawn), drawn.scene.language
+    kinematic, language = DIAGRAMS_PLAN.of(drawn), drawn.scene.language
     if kinematic is None:
         return []
     words, row, log = captions(language), drawn.project.count, drawn.construction
@@ -62,4 +63,4 @@ def _width(views: Sequence[Drawing]) -> float:
     return max(box[2] for box in boxes) - min(box[0] for box in boxes)
 
 
-SHOWN = Views(draw={DIAGRAMS.chapter: diagram_views})
+SHOWN = Views(draw={DIAGRAMS: diagram_views})

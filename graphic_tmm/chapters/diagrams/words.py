@@ -43,7 +43,7 @@ SYMBOLS = (
 WORDS = Named(
     captions=CAPTIONS,
     called=called,
-    plans=(DIAGRAMS.chapter,),
+    plans=(DIAGRAMS,),
     sources=("artobolevsky",),
     symbols=SYMBOLS,
 )

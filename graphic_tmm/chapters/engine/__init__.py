@@ -35,9 +35,9 @@ from graphic_tmm.chapters.kinematics.names import KINEMATICS, POSITIONS
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
-    name=ENGINE.chapter,
+    name=ENGINE,
     number=7,
-    builds_on=(KINEMATICS.chapter, INDICATOR.chapter, FORCES.chapter),
+    builds_on=(KINEMATICS, INDICATOR, FORCES),
     places=(
         Place("engine", 70, follows=(POSITIONS,)),
         Place(TRANSFER_PLACE, follows=(POSITIONS,)),

@@ -9,6 +9,7 @@ from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
 from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.names import ENGINE
+from graphic_tmm.chapters.engine.plan import ENGINE_PLAN
 from graphic_tmm.chapters.engine.task import ASKED
 from graphic_tmm.chapters.forces.accuracy import MOMENT
 from graphic_tmm.chapters.forces.names import FORCES
@@ -27,10 +28,10 @@ TURNING = "M_engine"
 
 
 def _quantities(project: Project) -> Iterator[Quantity]:
-    made = ENGINE.on(project)
+    made = ENGINE_PLAN.on(project)
     value = Value(made.values["M"], KGF if made.order.unit == "kgf" else 1.0)
     # what drives is the opposite of what balances
-    balance = Reference(_of_the_rod, 0, frozenset({POSITIONS, FORCES.chapter}), MOMENT, -1.0)
+    balance = Reference(_of_the_rod, 0, frozenset({POSITIONS, FORCES}), MOMENT, -1.0)
     yield Quantity(TURNING, "N·m", (value,), project.count, reference=balance)
 
 
@@ -88,7 +89,7 @@ WORDS = {
 
 ACCURACY = Accuracy(
     quantities=_quantities,
-    places=(ENGINE.chapter,),
+    places=(ENGINE,),
     axes=(Axis("rod", _rods, (TURNING,)), Axis("inertia", _series, (TURNING,))),
     enlarged=_enlarged,
     words=WORDS,

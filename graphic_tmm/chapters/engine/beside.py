@@ -29,10 +29,9 @@ from graphic_tmm.chapters.engine.formulas import (
     tipping_couple,
 )
 from graphic_tmm.chapters.engine.names import CALCULATED, ENGINE, MASSES, WORKS_VIEW
-from graphic_tmm.chapters.engine.plan import Engine
+from graphic_tmm.chapters.engine.plan import ENGINE_PLAN, Engine
 from graphic_tmm.chapters.engine.transfer import Transfer, draw_transfer
-from graphic_tmm.chapters.indicator.cylinder import Cylinder, Machine, machine_of
-from graphic_tmm.chapters.indicator.names import INDICATOR
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.indicator.plan import Side
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Link
@@ -168,22 +167,22 @@ class Beside(NamedTuple):
     parts: Mark | None
 
 
-BESIDE: Made[Beside] = Made(aside(ENGINE.chapter))
+BESIDE: Made[Beside] = Made(aside(ENGINE))
 
 
 def record_beside(bench: Bench) -> Beside:
     """Calculate what the drawing of an engine's forces does not need."""
-    made, draft, machine = ENGINE.on(bench), bench.draft, machine_of(bench)
+    made, draft, machine = ENGINE_PLAN.on(bench), bench.draft, machine_of(bench)
     transfer = draw_transfer(draft, made, machine)
     draft.open(CALCULATED)
     plan = _measure(draft, made, machine)
     checks = _checks(draft, made, plan)
     beta = draft.draw(slope_of_rod, "β", plan.height, plan.along)
     draft.open(MASSES)
-    slider = machine.mechanism.by_number[INDICATOR.on(bench).leg.link]
+    slider = machine.mechanism.by_number[INDICATOR_PLAN.on(bench).leg.link]
     parts = _sum_of_masses(draft, made, slider)
     draft.open(WORKS_VIEW)
-    works = _works(draft, made, INDICATOR.on(bench), machine.count)
+    works = _works(draft, made, INDICATOR_PLAN.on(bench), machine.count)
     return Beside(beta, checks, works, transfer, parts)
 
 

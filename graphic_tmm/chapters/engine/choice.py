@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from graphic_tmm.chapters.engine.beside import BESIDE
 from graphic_tmm.chapters.engine.names import ENGINE, HARMONICS, TRANSFER, VIEW
+from graphic_tmm.chapters.engine.plan import ENGINE_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Choice, Ledger
 
 
 def choose(drawn: Drawn, ledger: Ledger) -> None:
     """Record how each scale factor was chosen: by the largest force."""
-    made, known = ENGINE.on(drawn), drawn.reach[ENGINE.chapter]
+    made, known = ENGINE_PLAN.on(drawn), drawn.reach[ENGINE]
     marks = {VIEW: made.mu, HARMONICS: made.harmonics.mu, TRANSFER: BESIDE.on(drawn).transfer.mu}
     for view, mu in marks.items():
         ledger.of(view)

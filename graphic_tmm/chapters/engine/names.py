@@ -2,14 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from graphic_tmm.scene.chapter import Made
-
-if TYPE_CHECKING:
-    from graphic_tmm.chapters.engine.plan import Engine
-
-ENGINE: Made[Engine] = Made("engine")
+ENGINE = "engine"
 VIEW = "engine"
 CALCULATED = "engine-calculation"
 """The view of what is calculated beside."""

@@ -18,16 +18,16 @@ from graphic_tmm.chapters.engine.names import (
     VIEW,
     WORKS_VIEW,
 )
-from graphic_tmm.chapters.engine.plan import Engine
+from graphic_tmm.chapters.engine.plan import ENGINE_PLAN, Engine
 from graphic_tmm.chapters.engine.table import engine_columns
 from graphic_tmm.chapters.engine.views import (
     engine_diagram_views,
     engine_views,
     transfer_views,
 )
-from graphic_tmm.chapters.indicator.names import INDICATOR
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN
 from graphic_tmm.chapters.indicator.note import Worked, gas
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.note.bricks import asked, columns, heading, referred
@@ -53,7 +53,7 @@ QUARTERS = 4
 
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
     """Yield the section of an engine."""
-    made = ENGINE.of(drawn)
+    made = ENGINE_PLAN.of(drawn)
     if made is not None:
         yield from _Engine(drawn, made, language).blocks()
 
@@ -74,9 +74,9 @@ class _Engine(Worked):
     def blocks(self) -> Iterator[Block]:
         """Yield what is told, in the order of the book."""
         yield self.says(words.GAS)
-        if len(INDICATOR.on(self.drawn).indicator.sides) > 1:
+        if len(INDICATOR_PLAN.on(self.drawn).indicator.sides) > 1:
             yield self.says(words.BOTH_SIDES)
-        yield from gas(self, ENGINE.chapter)
+        yield from gas(self, ENGINE)
         yield from self._transfer()
         yield from self._acting()
         yield from self._inertia()
@@ -147,9 +147,7 @@ class _Engine(Worked):
         share = self.made.order.share
         if share is not None:
             told = words.USUAL if LEAST <= share <= MOST else words.UNUSUAL
-            yield self.says(
-                told, share=asked(self.drawn, ENGINE.chapter, "share", "", self.language)
-            )
+            yield self.says(told, share=asked(self.drawn, ENGINE, "share", "", self.language))
 
     def _newtons(self, force: Mark) -> tuple[Mark, ...]:
         """Return a force with what it was converted from, if it was."""
@@ -160,7 +158,7 @@ class _Engine(Worked):
 
     def _quarters(self) -> Iterator[Block]:
         """The inertia at the dead centres and half way between, as the book works it."""
-        count = KINEMATICS.on(self.drawn).count
+        count = KINEMATICS_PLAN.on(self.drawn).count
         if count % QUARTERS:
             return
         there = [k * count // QUARTERS for k in range(QUARTERS - 1)]

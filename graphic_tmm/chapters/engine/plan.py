@@ -37,16 +37,16 @@ from graphic_tmm.chapters.engine.formulas import (
 )
 from graphic_tmm.chapters.engine.harmonics import Harmonics, draw_harmonics
 from graphic_tmm.chapters.engine.lumping import Lumped, lump
-from graphic_tmm.chapters.engine.names import VIEW
+from graphic_tmm.chapters.engine.names import ENGINE, VIEW
 from graphic_tmm.chapters.engine.task import ASKED, EngineTask
-from graphic_tmm.chapters.indicator.cylinder import Cylinder, Machine, machine_of
-from graphic_tmm.chapters.indicator.names import INDICATOR
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made
 
 ROOM = 55.0
 """Room for the highest ordinate of a diagram, mm."""
@@ -87,12 +87,15 @@ class Engine:
     turning: tuple[Axes, Mark]
 
 
+ENGINE_PLAN: Made[Engine] = Made(ENGINE)
+
+
 def record(bench: Bench) -> Engine | None:
     """Draw what the scene asks of an engine's crank mechanism."""
-    order, cylinder = ASKED.of(bench.scene), INDICATOR.of(bench)
+    order, cylinder = ASKED.of(bench.scene), INDICATOR_PLAN.of(bench)
     if order is None:
         return None
-    accelerations = KINEMATICS.on(bench).accelerations
+    accelerations = KINEMATICS_PLAN.on(bench).accelerations
     assert accelerations is not None
     assert cylinder is not None
     return draw_engine(bench.draft, machine_of(bench), accelerations, cylinder, order)

@@ -16,8 +16,8 @@ from graphic_tmm.scene.records import Scene
 def _needs(scene: Scene) -> dict[str, object]:
     order = ASKED.of(scene)
     assert order is not None
-    wish = Wish(2, ENGINE.chapter, order.indicator)
-    return {VELOCITIES: True, ACCELERATIONS: True, INDICATOR.chapter: wish}
+    wish = Wish(2, ENGINE, order.indicator)
+    return {VELOCITIES: True, ACCELERATIONS: True, INDICATOR: wish}
 
 
 PLAN = Plan(

@@ -13,6 +13,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard
 from graphic_tmm.chapters.engine.beside import BESIDE
 from graphic_tmm.chapters.engine.names import ENGINE, HARMONICS, TRANSFER, VIEW
+from graphic_tmm.chapters.engine.plan import ENGINE_PLAN
 from graphic_tmm.fitting.scales import Fitting, ScaleFactors, unscaled
 from graphic_tmm.fitting.sizes import GRAPHS
 from graphic_tmm.project import Project
@@ -28,7 +29,7 @@ SCALE_KEYS = {VIEW: "mu_F_engine", HARMONICS: "mu_F_harmonics", TRANSFER: "mu_F_
 
 def reach(project: Project, doubts: Doubts) -> dict[str, float]:
     """Return the largest force of the triangles, of the rotating vectors (N) and of all, by view."""
-    made = ENGINE.on(project)
+    made = ENGINE_PLAN.on(project)
     force, gas, vector = made.values["P′"], made.values["P"], made.harmonics.ends[0]
     reading = unscaled(project, doubts, [force, gas, vector])
     largest = {VIEW: (force,), HARMONICS: (vector,), TRANSFER: (force, gas)}
@@ -42,8 +43,8 @@ def _most(values: np.ndarray) -> float:
 
 def engine_scales(fitting: Fitting) -> dict[Mark, object]:
     """Return μ_F of an engine's force triangles, its rotating vectors and all its forces: standard ones."""
-    made, share = ENGINE.on(fitting), fitting.sizes["engine"]
-    known: dict[str, float] = fitting.reach[ENGINE.chapter]
+    made, share = ENGINE_PLAN.on(fitting), fitting.sizes["engine"]
+    known: dict[str, float] = fitting.reach[ENGINE]
     found: dict[Mark, object] = {
         made.mu: standard(known[VIEW], TRIANGLE * share),
         made.harmonics.mu: standard(known[HARMONICS], VECTOR * share),
@@ -54,7 +55,7 @@ def engine_scales(fitting: Fitting) -> dict[Mark, object]:
 
 def named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
     """Return the scales as drawn."""
-    made = ENGINE.on(project)
+    made = ENGINE_PLAN.on(project)
     marks = {VIEW: made.mu, HARMONICS: made.harmonics.mu, TRANSFER: BESIDE.on(project).transfer.mu}
     return {view: Scale("μ_F", float(reading[mu][0, 0]), mu.unit) for view, mu in marks.items()}
 

@@ -7,28 +7,28 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.engine.beside import BESIDE, WORKS
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.names import ENGINE
-from graphic_tmm.chapters.engine.plan import Engine
-from graphic_tmm.chapters.indicator.names import INDICATOR
+from graphic_tmm.chapters.engine.plan import ENGINE_PLAN, Engine
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN
 from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.readers.columns import Column, empty, ordinates, row_of
 from graphic_tmm.readers.measured import Tabled
 
-PLAN = ENGINE.chapter
+PLAN = ENGINE
 PRESSURES = ("pk", "pv")
 """Columns for which the table on a sheet has no row: the indicator diagram beside it tells them."""
 
 
 def engine_columns(drawn: Drawn) -> tuple[Column, ...]:
     """Return the columns of the engine at the positions of the row."""
-    made = ENGINE.on(drawn)
+    made = ENGINE_PLAN.on(drawn)
     unit = made.order.unit
     found = [
         _column(drawn, "beta", BESIDE.on(drawn).beta, "°"),
         _column(drawn, "a_B", made.acceleration, "m/s²"),
         _column(drawn, "a_B_series", made.harmonics.acceleration, "m/s²"),
     ]
-    chart = INDICATOR.on(drawn).indicator.chart
-    for side in INDICATOR.on(drawn).indicator.sides:
+    chart = INDICATOR_PLAN.on(drawn).indicator.chart
+    for side in INDICATOR_PLAN.on(drawn).indicator.sides:
         letter = side.pressure.name
         both = ordinates(drawn.reading, side.ordinate, chart.mu, len(drawn.names))
         found.append(Column(PLAN, segment_name(letter), letter, "Pa", *both))
@@ -68,7 +68,7 @@ def _column(drawn: Drawn, name: str, mark: Mark, unit: str, mm: Mark | None = No
 
 def engine_results(drawn: Drawn) -> Results:
     """Return what lumping the rod's mass gives and costs, and the works over a turn."""
-    lumped = ENGINE.on(drawn).lumped
+    lumped = ENGINE_PLAN.on(drawn).lumped
     marks = {
         "m_to_and_fro": lumped.mass,
         "m_rod_at_crank": lumped.at_crank,

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from graphic_tmm.chapters.engine.ink import draw_triangles
 from graphic_tmm.chapters.engine.names import ENGINE, VIEW
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.engine.plan import ENGINE_PLAN
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.page.moving import Moving, MovingFigures
@@ -17,8 +18,8 @@ from graphic_tmm.paper.views import mu_text
 
 def moving(drawn: Drawn) -> Iterator[Moving]:
     """Yield the triangles of the forces at crosshead and pin."""
-    made, language, scale = ENGINE.on(drawn), drawn.scene.language, drawn.scales[VIEW]
-    plans, high = KINEMATICS.on(drawn), heights(drawn.scene, ENGINE.chapter)
+    made, language, scale = ENGINE_PLAN.on(drawn), drawn.scene.language, drawn.scales[VIEW]
+    plans, high = KINEMATICS_PLAN.on(drawn), heights(drawn.scene, ENGINE)
     pivot = plans.positions.point(plans.structure.pivot)
 
     def at(place: int) -> Drawing:

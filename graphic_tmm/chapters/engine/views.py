@@ -7,11 +7,12 @@ from graphic_tmm.chapters.engine.beside import BESIDE, WORKS
 from graphic_tmm.chapters.engine.ink import draw_rotating, draw_triangles
 from graphic_tmm.chapters.engine.ink_transfer import Shown, draw_all_forces
 from graphic_tmm.chapters.engine.names import ENGINE, TRANSFER, TRANSFER_PLACE, VIEW
-from graphic_tmm.chapters.engine.plan import Engine
+from graphic_tmm.chapters.engine.plan import ENGINE_PLAN, Engine
 from graphic_tmm.chapters.engine.table import PRESSURES, engine_columns, engine_results
 from graphic_tmm.chapters.forces.ink_polygons import bar
 from graphic_tmm.chapters.indicator.views import indicator_views
-from graphic_tmm.chapters.kinematics.names import KINEMATICS, POSITIONS
+from graphic_tmm.chapters.kinematics.names import POSITIONS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
@@ -42,11 +43,11 @@ COUPLES = "M = T·R = Q·h, M′ = N·OB"
 
 def engine_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the indicator diagram, the force triangles and the rotating vectors of an engine."""
-    made = ENGINE.of(drawn)
+    made = ENGINE_PLAN.of(drawn)
     if made is None:
         return []
     return [
-        *indicator_views(drawn, lettered, ENGINE.chapter),
+        *indicator_views(drawn, lettered, ENGINE),
         *_triangles(drawn, made, lettered),
         _rotating(drawn, made, lettered),
     ]
@@ -54,10 +55,10 @@ def engine_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 def transfer_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the figure of all forces of the crank mechanism, in the position that is worked."""
-    made, language = ENGINE.of(drawn), drawn.scene.language
+    made, language = ENGINE_PLAN.of(drawn), drawn.scene.language
     if made is None:
         return []
-    plans, place = KINEMATICS.on(drawn), _worked(drawn)
+    plans, place = KINEMATICS_PLAN.on(drawn), _worked(drawn)
     scale, high = drawn.scales[TRANSFER], heights(drawn.scene, TRANSFER_PLACE)
     title = f"{captions(language)[TRANSFER]}, {captions(language)['position']} {drawn.names[place]}"
     shown = Shown(TRANSFER, title, place, scale.value, made.order.unit, plans.sense)
@@ -72,13 +73,13 @@ def transfer_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 def _worked(drawn: Drawn) -> int:
     """Return the position (index) that is drawn alone: the first that has a plan of accelerations."""
     there = _shown(drawn)
-    first = [k for k in KINEMATICS.on(drawn).accelerated if k in there]
+    first = [k for k in KINEMATICS_PLAN.on(drawn).accelerated if k in there]
     return first[0] if first else there[min(1, len(there) - 1)]
 
 
 def engine_diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the diagrams of an engine's forces over the turn, and their tables."""
-    made, project, language = ENGINE.of(drawn), drawn.project, drawn.scene.language
+    made, project, language = ENGINE_PLAN.of(drawn), drawn.project, drawn.scene.language
     if made is None:
         return []
     _ = speaking(language)
@@ -103,8 +104,8 @@ def _shown(drawn: Drawn) -> list[int]:
 def _triangles(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
     project, language = drawn.project, drawn.scene.language
     _, words, scale = speaking(language), captions(language), drawn.scales[VIEW]
-    plans = KINEMATICS.on(drawn)
-    pivot, high = plans.positions.point(plans.structure.pivot), heights(drawn.scene, ENGINE.chapter)
+    plans = KINEMATICS_PLAN.on(drawn)
+    pivot, high = plans.positions.point(plans.structure.pivot), heights(drawn.scene, ENGINE)
     views = [
         finished(
             draw_triangles(
@@ -137,7 +138,7 @@ def _rotating(drawn: Drawn, made: Engine, lettered: bool) -> Drawing:
     place = _worked(drawn)
     at = f"{words['position']} {escape(project.names[place])}"
     title = f"{_('Inertia forces of first and second order')}, {at}"
-    high = heights(drawn.scene, ENGINE.chapter)
+    high = heights(drawn.scene, ENGINE)
     log, reading = drawn.construction, drawn.reading
     view = draw_rotating(log, reading, made, place, "rotating", title, scale.value, high)
     return captioned(finished(view, lettered), title, mu_text(scale, language), heights=high)

@@ -61,7 +61,7 @@ SYMBOLS = (
 
 WORDS = Named(
     captions=CAPTIONS,
-    plans=(ENGINE.chapter,),
+    plans=(ENGINE,),
     rank=26,
     sources=("artobolevsky",),
     symbols=SYMBOLS,

@@ -42,9 +42,9 @@ from graphic_tmm.chapters.kinematics.names import KINEMATICS, POSITIONS
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
-    name=FLYWHEEL.chapter,
+    name=FLYWHEEL,
     number=5,
-    builds_on=(KINEMATICS.chapter, INDICATOR.chapter, FORCES.chapter),
-    places=(Place(FLYWHEEL.chapter, 50, follows=(POSITIONS,)),),
+    builds_on=(KINEMATICS, INDICATOR, FORCES),
+    places=(Place(FLYWHEEL, 50, follows=(POSITIONS,)),),
     sections=SECTIONS,
 )

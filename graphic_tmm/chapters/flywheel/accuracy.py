@@ -12,6 +12,7 @@ from graphic_tmm.accuracy.question import Accuracy
 from graphic_tmm.board.charts import ScaleOrder, distances
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.flywheel.names import FLYWHEEL, VIEWS
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
 from graphic_tmm.chapters.flywheel.task import ASKED
 from graphic_tmm.chapters.forces.task import ASKED as FORCES
 from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged, sampled
@@ -27,7 +28,7 @@ INERTIA, ENERGY_MASS, IRREGULARITY = "J_fly", "J_fly_energy_mass", "delta"
 
 
 def _quantities(project: Project) -> Iterator[Quantity]:
-    made, due = FLYWHEEL.on(project), Reference(_exactly, FINE)
+    made, due = FLYWHEEL_PLAN.on(project), Reference(_exactly, FINE)
     if made.order.J is None:
         yield Quantity(INERTIA, "kg·m²", (Value(made.inertia),), reference=due)
     else:
@@ -86,7 +87,7 @@ def _poles(scene: Scene) -> tuple[str, ...]:
 
 def _farther(project: Project, times: float) -> dict[Mark, object]:
     """Return the distance of the pole of the works, or their scale; ΔT has that of the works."""
-    charts = (one for one in FLYWHEEL.on(project).charts if one.view == VIEWS["work"])
+    charts = (one for one in FLYWHEEL_PLAN.on(project).charts if one.view == VIEWS["work"])
     scales = [one.mu for one in charts if one.chosen]
     moved = [*scales, *distances(project.given, VIEWS["work"])]
     return {mark: np.asarray(project.given[mark]) * times for mark in moved}
@@ -118,7 +119,7 @@ WORDS = {
 
 ACCURACY = Accuracy(
     quantities=_quantities,
-    places=(FLYWHEEL.chapter,),
+    places=(FLYWHEEL,),
     enlarged=_enlarged,
     poles=_poles,
     farther=_farther,

@@ -15,7 +15,7 @@ from graphic_tmm.board.operations.instruments import measure_along
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.flywheel.names import CALCULATED, FLYWHEEL
-from graphic_tmm.chapters.flywheel.plan import Flywheel
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
 from graphic_tmm.chapters.indicator.cylinder import machine_of
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
@@ -101,14 +101,14 @@ class Beside(NamedTuple):
     rim: tuple[Mark, Mark, Mark] | None
 
 
-BESIDE: Made[Beside] = Made(aside(FLYWHEEL.chapter))
+BESIDE: Made[Beside] = Made(aside(FLYWHEEL))
 
 
 def record_beside(bench: Bench) -> Beside:
     """Calculate what the drawing of a flywheel does not need."""
     speed = machine_of(bench).velocities.speed
     assert speed is not None
-    return calculate(bench.draft, FLYWHEEL.on(bench), speed)
+    return calculate(bench.draft, FLYWHEEL_PLAN.on(bench), speed)
 
 
 def calculate(draft: Draft, made: Flywheel, speed: Mark) -> Beside:

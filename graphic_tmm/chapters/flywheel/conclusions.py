@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
 from graphic_tmm.chapters.flywheel.table import flywheel_results
 from graphic_tmm.chapters.flywheel.task import FlywheelTask
 from graphic_tmm.drawn import Drawn, Results, single
@@ -40,7 +40,7 @@ NEAR = 0.01
 
 def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
     """Yield what the flywheel has to be, by both methods, and what its rim does."""
-    order = FLYWHEEL.on(drawn).order
+    order = FLYWHEEL_PLAN.on(drawn).order
     yield from concluded(drawn, flywheel_results(drawn), order, language)
 
 

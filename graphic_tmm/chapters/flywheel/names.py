@@ -2,14 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from graphic_tmm.scene.chapter import Made
-
-if TYPE_CHECKING:
-    from graphic_tmm.chapters.flywheel.plan import Flywheel
-
-FLYWHEEL: Made[Flywheel] = Made("flywheel")
+FLYWHEEL = "flywheel"
 VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
 CALCULATED = "flywheel-calculation"
 """The view of what is calculated beside."""

@@ -8,11 +8,12 @@ from graphic_tmm.chapters.flywheel import note_words as words
 from graphic_tmm.chapters.flywheel.beside import BESIDE, Beside
 from graphic_tmm.chapters.flywheel.conclusions import concludes
 from graphic_tmm.chapters.flywheel.names import ENERGY_MASS, FLYWHEEL, VIEWS
-from graphic_tmm.chapters.flywheel.plan import Flywheel
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
 from graphic_tmm.chapters.flywheel.table import flywheel_columns
 from graphic_tmm.chapters.flywheel.views import flywheel_views
 from graphic_tmm.chapters.indicator.note import Worked, gas
-from graphic_tmm.chapters.kinematics.names import KINEMATICS, VELOCITIES
+from graphic_tmm.chapters.kinematics.names import VELOCITIES
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.table import kinematic_columns
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.note.bricks import columns, heading, referred, results
@@ -26,11 +27,11 @@ from graphic_tmm.scene.chapter import chapters
 
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
     """Yield the section of a flywheel."""
-    made = FLYWHEEL.of(drawn)
+    made = FLYWHEEL_PLAN.of(drawn)
     if made is not None:
         views = flywheel_views(in_hand(drawn), True)
         page = FlywheelPage(drawn, language, made, BESIDE.on(drawn), views)
-        yield from page.blocks(list(flywheel_columns(drawn)), FLYWHEEL.chapter)
+        yield from page.blocks(list(flywheel_columns(drawn)), FLYWHEEL)
 
 
 class FlywheelPage(Worked):
@@ -78,11 +79,11 @@ class FlywheelPage(Worked):
         if self.made.indicator is None:
             yield self.says(words.BY_LOADS)
             return
-        velocities = KINEMATICS.on(self.drawn).velocities
+        velocities = KINEMATICS_PLAN.on(self.drawn).velocities
         assert velocities is not None
-        ratio = f"v_{{{self.made.indicator.order.point}}}/v_{{{KINEMATICS.on(self.drawn).structure.pin}}}"
+        ratio = f"v_{{{self.made.indicator.order.point}}}/v_{{{KINEMATICS_PLAN.on(self.drawn).structure.pin}}}"
         yield self.says(words.BY_GAS, mu=Symbol(velocities.mu.name), ratio=Symbol(ratio))
-        yield from gas(self, FLYWHEEL.chapter)
+        yield from gas(self, FLYWHEEL)
         yield from self._readings()
 
     def _readings(self) -> Iterator[Block]:
@@ -105,7 +106,7 @@ class FlywheelPage(Worked):
         if signs is not None:
             drives, resists = signs
             yield self.says(words.SIGNS, drives=Text(drives), resists=Text(resists))
-        turns = KINEMATICS.of(self.drawn)
+        turns = KINEMATICS_PLAN.of(self.drawn)
         if turns is not None and turns.turns > 1:
             yield self.says(words.CYCLE, turns=Text(str(turns.turns)))
 

@@ -38,17 +38,16 @@ from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.flywheel import reasons as why
 from graphic_tmm.chapters.flywheel.energy import Energies, draw_energies
 from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass, Surplus, draw_energy_mass
-from graphic_tmm.chapters.flywheel.names import VIEWS
+from graphic_tmm.chapters.flywheel.names import FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.rim import DrawnRim, draw_rim
 from graphic_tmm.chapters.flywheel.task import ASKED, FlywheelTask
-from graphic_tmm.chapters.forces.names import FORCES
-from graphic_tmm.chapters.forces.plan import Forces
-from graphic_tmm.chapters.indicator.cylinder import Cylinder, Machine, machine_of
-from graphic_tmm.chapters.indicator.names import INDICATOR
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.indicator.plan import Indicator
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made
 from graphic_tmm.scene.declare import bound_of
 
 
@@ -79,13 +78,16 @@ class Flywheel:
     rim: DrawnRim | None
 
 
+FLYWHEEL_PLAN: Made[Flywheel] = Made(FLYWHEEL)
+
+
 def record(bench: Bench) -> Flywheel | None:
     """Draw what the scene asks of a flywheel: by the gas of its cylinder, else by the loads of the links."""
     order = ASKED.of(bench.scene)
     if order is None:
         return None
-    cylinder = INDICATOR.of(bench) if order.indicator is not None else None
-    return draw_flywheel(bench.draft, machine_of(bench), order, cylinder, FORCES.of(bench))
+    cylinder = INDICATOR_PLAN.of(bench) if order.indicator is not None else None
+    return draw_flywheel(bench.draft, machine_of(bench), order, cylinder, FORCES_PLAN.of(bench))
 
 
 def draw_flywheel(

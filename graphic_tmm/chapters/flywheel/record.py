@@ -18,9 +18,9 @@ def _needs(scene: Scene) -> dict[str, object]:
     order = ASKED.of(scene)
     gas = order.indicator if order is not None else None
     if gas is None:
-        return {VELOCITIES: True, FORCES.chapter: True}
-    wish = Wish(3, FLYWHEEL.chapter, gas)
-    return {VELOCITIES: True, INDICATOR.chapter: wish, TURNS: gas.turns}
+        return {VELOCITIES: True, FORCES: True}
+    wish = Wish(3, FLYWHEEL, gas)
+    return {VELOCITIES: True, INDICATOR: wish, TURNS: gas.turns}
 
 
 PLAN = Plan(

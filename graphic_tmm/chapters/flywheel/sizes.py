@@ -7,7 +7,5 @@ from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Size, Sizing
 
 SIZES = Sizing(
     sizes=(GRAPH, Size("sketch", small=0.6, cap=0.4, step=1.6, seen=False)),
-    depends={
-        FLYWHEEL.chapter: lambda scene, view: ("sketch" if view == FLYWHEEL.chapter else GRAPHS,)
-    },
+    depends={FLYWHEEL: lambda scene, view: ("sketch" if view == FLYWHEEL else GRAPHS,)},
 )

@@ -11,7 +11,7 @@ from graphic_tmm.board.naming import (
 )
 from graphic_tmm.chapters.flywheel.beside import BESIDE, Beside
 from graphic_tmm.chapters.flywheel.names import FLYWHEEL, VIEWS
-from graphic_tmm.chapters.flywheel.plan import Flywheel
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
 from graphic_tmm.drawn import Drawn, Results, results_of, single
 from graphic_tmm.language.catalogue import speaking
@@ -20,7 +20,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.readers.columns import Column, ordinates
 from graphic_tmm.readers.measured import Tabled
 
-PLAN = FLYWHEEL.chapter
+PLAN = FLYWHEEL
 OFF_SHEET = ("M_mean", "power", "A_excess", "J_made", "delta_made")
 """Results for which the table on a sheet has no row: they would take room from the graphs they are read off."""
 _TOO_WIDE = said(
@@ -34,7 +34,7 @@ _TOO_WIDE_AND_SLOW = said(
 
 def flywheel_columns(drawn: Drawn) -> Iterator[Column]:
     """Yield the columns of the flywheel: pressures, reduced moment, works and energies by positions."""
-    yield from columns_of(drawn, FLYWHEEL.on(drawn), PLAN)
+    yield from columns_of(drawn, FLYWHEEL_PLAN.on(drawn), PLAN)
 
 
 def columns_of(drawn: Drawn, made: Flywheel, plan: str) -> Iterator[Column]:
@@ -52,7 +52,7 @@ def columns_of(drawn: Drawn, made: Flywheel, plan: str) -> Iterator[Column]:
 
 def flywheel_results(drawn: Drawn) -> Results:
     """Return the results of the flywheel; those that no drawing gives are left out."""
-    return results_for(drawn, FLYWHEEL.on(drawn), BESIDE.on(drawn))
+    return results_for(drawn, FLYWHEEL_PLAN.on(drawn), BESIDE.on(drawn))
 
 
 def results_for(drawn: Drawn, made: Flywheel, beside: Beside) -> Results:

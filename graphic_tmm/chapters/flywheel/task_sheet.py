@@ -73,5 +73,5 @@ TASK_SHEET = TaskSheet(
     given=given,
     listed=listed,
     acting=acting,
-    wanted={FLYWHEEL.chapter: asks},
+    wanted={FLYWHEEL: asks},
 )

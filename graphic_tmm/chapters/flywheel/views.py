@@ -14,7 +14,7 @@ from graphic_tmm.chapters.flywheel.ink_energy import (
 )
 from graphic_tmm.chapters.flywheel.ink_sketch import Sizes, draw_flywheel
 from graphic_tmm.chapters.flywheel.names import FLYWHEEL, VIEWS
-from graphic_tmm.chapters.flywheel.plan import Flywheel
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
 from graphic_tmm.chapters.flywheel.rim import DrawnRim
 from graphic_tmm.chapters.flywheel.table import (
     OFF_SHEET,
@@ -50,10 +50,10 @@ SKETCH = 110.0
 
 def _graph_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the diagrams and graphs of the flywheel, none if the scene asks for none."""
-    made = FLYWHEEL.of(drawn)
+    made = FLYWHEEL_PLAN.of(drawn)
     if made is None:
         return []
-    views = indicator_views(drawn, lettered, FLYWHEEL.chapter)
+    views = indicator_views(drawn, lettered, FLYWHEEL)
     views.append(stacked("flywheel-graphs", graphs(drawn, made, lettered)))
     if made.energy_mass is not None:
         views.append(_energy_mass(drawn, made.energy_mass, lettered))
@@ -62,7 +62,7 @@ def _graph_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 def _sketch_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the sketch of the flywheel, if it has a rim."""
-    made = FLYWHEEL.of(drawn)
+    made = FLYWHEEL_PLAN.of(drawn)
     if made is None or made.rim is None or not math.isfinite(_value(drawn, made.rim.width)):
         return []
     return [sketch(drawn, made.rim, rim_too_wide(drawn, drawn.scene.language))]
@@ -70,7 +70,7 @@ def _sketch_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 def _tables(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the tables of the flywheel."""
-    if FLYWHEEL.of(drawn) is None:
+    if FLYWHEEL_PLAN.of(drawn) is None:
         return []
     language, high = drawn.scene.language, heights(drawn.scene, PLAN)
     rows = tuple(flywheel_columns(drawn))
@@ -192,4 +192,4 @@ def results_of(drawn: Drawn, found: Mapping[str, tuple[float, str]], place: str 
     return captioned(made, *off, heights=high) if (off := told_off(drawn, language)) else made
 
 
-SHOWN = Views(draw={FLYWHEEL.chapter: flywheel_views})
+SHOWN = Views(draw={FLYWHEEL: flywheel_views})

@@ -71,7 +71,7 @@ SYMBOLS = (
 
 WORDS = Named(
     captions=CAPTIONS,
-    plans=(FLYWHEEL.chapter,),
+    plans=(FLYWHEEL,),
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,
 )

@@ -41,9 +41,9 @@ from graphic_tmm.chapters.kinematics.names import KINEMATICS, POSITIONS, VELOCIT
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
-    name=FORCES.chapter,
+    name=FORCES,
     number=6,
-    builds_on=(KINEMATICS.chapter, DIAGRAMS.chapter, INDICATOR.chapter),
+    builds_on=(KINEMATICS, DIAGRAMS, INDICATOR),
     places=(
         Place("forces", 60, follows=(POSITIONS,)),
         Place("lever", 61, follows=(POSITIONS, VELOCITIES)),

@@ -9,6 +9,7 @@ from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
 from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.task import ASKED
 from graphic_tmm.chapters.indicator.accuracy import at_count
 from graphic_tmm.chapters.kinematics.accuracy import renamed, resampled
@@ -27,7 +28,7 @@ FORCE, MOMENT = "P_bal", "M_bal"
 
 
 def _quantities(project: Project) -> Iterator[Quantity]:
-    made = FORCES.on(project)
+    made = FORCES_PLAN.on(project)
     name, unit = (MOMENT, "N·m") if made.order.balance == "moment" else (FORCE, "N")
     # of the last pass of friction, whether passes have settled or not: a hand that slips scatters more
     value = (Value(made.driven.balance),)
@@ -51,7 +52,7 @@ def _by_passes(scene: Scene, passes: tuple[int, ...] = PASSES) -> Iterator[tuple
 
 def _kept(project: Project) -> tuple[Mark, ...]:
     """Return how many times the lever is larger than the plan, and to what scale groups are drawn."""
-    made = FORCES.on(project)
+    made = FORCES_PLAN.on(project)
     return (made.lever.times, *(figure.mu for figure in made.figures))
 
 
@@ -91,7 +92,7 @@ WORDS = {
 
 ACCURACY = Accuracy(
     quantities=_quantities,
-    places=(FORCES.chapter,),
+    places=(FORCES,),
     axes=(Axis("passes", _by_passes, (FORCE, MOMENT)),),
     kept=_kept,
     enlarged=_enlarged,

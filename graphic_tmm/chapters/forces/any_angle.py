@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from graphic_tmm.any_angles.turn import Told
 from graphic_tmm.board.naming import segment_name
-from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.table import balance_segments
 from graphic_tmm.chapters.forces.task import ASKED
 from graphic_tmm.errors import StructureError
@@ -46,7 +46,7 @@ def free(scene: Scene) -> Scene:
 
 def told(project: Project) -> Iterator[Told]:
     """Yield the reactions as vectors, N, then the balancing force or moment by groups and by the lever."""
-    made = FORCES.on(project)
+    made = FORCES_PLAN.on(project)
     # passes of friction that do not settle leave no force known
     known = made.balance if made.open is not None else None
     for one in made.reactions:

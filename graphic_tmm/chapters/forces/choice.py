@@ -8,6 +8,7 @@ from graphic_tmm.board.operations.choice import next_ratio, times_larger
 from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.pictured import ACROSS, UP, pictured
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.scales import Reaches, polygon_scales
 from graphic_tmm.chapters.kinematics.names import POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
@@ -24,7 +25,7 @@ _POINT = said(
 
 def choose(drawn: Drawn, ledger: Ledger) -> None:
     """Record how the scale factors of the forces were chosen."""
-    made, reach = FORCES.on(drawn), drawn.reach[FORCES.chapter]
+    made, reach = FORCES_PLAN.on(drawn), drawn.reach[FORCES]
     known: Reaches = reach
     for figure in made.figures:
         ledger.of(figure.view)
@@ -56,7 +57,7 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
 
 def _lever(drawn: Drawn, ledger: Ledger, longest: float) -> None:
     """Record how many times larger than the plan of velocities the lever is drawn."""
-    lever = FORCES.on(drawn).lever
+    lever = FORCES_PLAN.on(drawn).lever
     plan = ledger.chosen[drawn.project.scale(VELOCITIES).slot]
     ledger.of(lever.mu.view)
     times = ledger.value_of(drawn, lever.times)

@@ -11,7 +11,7 @@ from graphic_tmm.board.execute import needed
 from graphic_tmm.board.findings import Finding, step_number
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.kinematics.assumed import assumed
 from graphic_tmm.drawn import Drawn, Findings
 from graphic_tmm.project import Project
@@ -23,7 +23,7 @@ def balanced(project: Project, doubts: Doubts) -> dict[int, np.ndarray]:
 
     There is nothing to compare then.
     """
-    made = FORCES.on(project)
+    made = FORCES_PLAN.on(project)
     none = doubts.nothing(made.balance) & doubts.nothing(made.lever.balance)
     return {made.difference.slot: np.broadcast_to(none, (1, len(project.names)))}
 
@@ -32,14 +32,14 @@ def ruled(project: Project, given: Mapping[Mark, object], hand: Hand) -> dict[in
     """Return what the ruler leaves of the difference of the two methods: its digits follow from readings."""
     if hand.ruler is None:
         return {}
-    difference = FORCES.on(project).difference
+    difference = FORCES_PLAN.on(project).difference
     steps = needed(project.construction, [difference])
     return {difference.slot: Doubts(steps, given, ruler=hand.ruler)}
 
 
 def compared(drawn: Drawn, one: Finding, places: set[int]) -> Finding:
     """Return a finding without what it says of comparing nothing with nothing; its places are cut down."""
-    made, doubts = FORCES.on(drawn), drawn.doubts
+    made, doubts = FORCES_PLAN.on(drawn), drawn.doubts
     if not made.owns(one.step.it.view):
         return one
     difference = made.difference
@@ -56,7 +56,7 @@ def compared(drawn: Drawn, one: Finding, places: set[int]) -> Finding:
 
 def idle(drawn: Drawn) -> Iterator[Finding]:
     """Yield the polygons that have no scale, for all their forces are nothing."""
-    made, log = FORCES.on(drawn), drawn.construction
+    made, log = FORCES_PLAN.on(drawn), drawn.construction
     for polygon in made.polygons:
         if polygon.view not in drawn.scales:
             step = next(step for step in log.steps if step.it.view == polygon.view)
@@ -67,7 +67,7 @@ FINDINGS = Findings(nothing=balanced, coarse=ruled, compared=compared, findings=
 
 
 def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
-    if FORCES.on(drawn).order.inertia:
+    if FORCES_PLAN.on(drawn).order.inertia:
         yield from assumed(drawn)
 
 

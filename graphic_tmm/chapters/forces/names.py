@@ -2,13 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from graphic_tmm.scene.chapter import Made
-
-if TYPE_CHECKING:
-    from graphic_tmm.chapters.forces.plan import Forces
-
-FORCES: Made[Forces] = Made("forces")
+FORCES = "forces"
 LOADS = "load diagram"
 """The place of the diagrams of loads."""

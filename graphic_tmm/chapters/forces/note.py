@@ -7,16 +7,15 @@ from collections.abc import Iterator
 from graphic_tmm.chapters.forces.ink_balances import driver_rows, group_rows, lever_rows
 from graphic_tmm.chapters.forces.lever import VIEW as LEVER
 from graphic_tmm.chapters.forces.loads import VIEW as LOADS
-from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.note_lever import applied, compared
 from graphic_tmm.chapters.forces.note_sums import Kept, sums
 from graphic_tmm.chapters.forces.pins import told as pins_told
-from graphic_tmm.chapters.forces.plan import Forces
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.polygons import Polygon
 from graphic_tmm.chapters.forces.table import DIFFERENCE, force_columns
 from graphic_tmm.chapters.forces.views import EXACTLY, force_views, lever_views, vectors_of
 from graphic_tmm.chapters.forces.words import called
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
@@ -67,14 +66,14 @@ APART = said(
 
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
     """Yield the section of forces."""
-    made = FORCES.of(drawn)
+    made = FORCES_PLAN.of(drawn)
     if made is None:
         return
     page = _Page(drawn, made, language)
     yield paragraph(speaking(language)(WORKED, position=drawn.names[page.at]))
     yield from (Paragraph(text(plain(pin))) for pin in pins_told(drawn, language))
     yield from listed(drawn, LOADS, page.at, language)
-    plans = KINEMATICS.on(drawn)
+    plans = KINEMATICS_PLAN.on(drawn)
     crank = plans.structure.driver
     pivot = plans.positions.bodies[crank].marks[plans.structure.pivot]
     for solved in made.groups:
@@ -153,7 +152,7 @@ class _Page:
 
 def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
     """Yield, for each position that is asked for, whether the lever agrees with the force plans."""
-    made, _ = FORCES.of(drawn), speaking(language)
+    made, _ = FORCES_PLAN.of(drawn), speaking(language)
     if made is None:
         return
     column = next(one for one in force_columns(drawn) if one.segment.endswith(DIFFERENCE))

@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.given import braced, letters, sizes_of, varies
-from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.task import Load
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 
 ACROSS, UP = 70.0, 40.0
@@ -48,7 +48,7 @@ class Pictured(NamedTuple):
 
 def pictured(drawn: Drawn) -> Iterator[Pictured]:
     """Yield the loads that are given by the travel of a slider, the turn or the position, in order."""
-    made = FORCES.on(drawn)
+    made = FORCES_PLAN.on(drawn)
     loads = made.order.loads
     for k, (letter, load, size) in enumerate(
         zip(letters(loads), loads, made.loads.given, strict=True)
@@ -78,4 +78,4 @@ def travelled(drawn: Drawn, size: Mark) -> tuple[Mark, Mark]:
 
 def mu_l(drawn: Drawn) -> float:
     """Return the scale factor of lengths, m a mm."""
-    return float(drawn.reading[KINEMATICS.on(drawn).mu_l][0, 0])
+    return float(drawn.reading[KINEMATICS_PLAN.on(drawn).mu_l][0, 0])

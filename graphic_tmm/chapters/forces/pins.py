@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from graphic_tmm.chapters.forces.friction import joints
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import joined, said
@@ -35,7 +35,7 @@ class SharedPin(NamedTuple):
 
 def shared_pins(drawn: Drawn) -> Iterator[SharedPin]:
     """Yield the pins in which more than two links meet, in the order of attachment."""
-    plans = KINEMATICS.on(drawn)
+    plans = KINEMATICS_PLAN.on(drawn)
     structure, frame = plans.structure, plans.mechanism.frame.number
     on: dict[tuple[str, int], list[int]] = {}
     for joint in joints(plans.positions.closings, (structure.driver, frame, structure.pivot)):

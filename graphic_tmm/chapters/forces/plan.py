@@ -17,15 +17,16 @@ from graphic_tmm.chapters.forces.driving import Driven, Driver, solve_driver
 from graphic_tmm.chapters.forces.friction import Joint, Rub, Rubbing, joints
 from graphic_tmm.chapters.forces.lever import Lever, draw_lever
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force, Ground, Loads, draw_loads
+from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction, Views
 from graphic_tmm.chapters.forces.statics import Solved, hand_on, solve_group
 from graphic_tmm.chapters.forces.task import ASKED, ForcesTask
-from graphic_tmm.chapters.indicator.cylinder import Cylinder, Machine, machine_of
-from graphic_tmm.chapters.indicator.names import INDICATOR
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS
-from graphic_tmm.chapters.kinematics.plan import chosen
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, chosen
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made
 
 VIEW = "forces"
 """Polygons are views "forces 4-5"; figures of detached groups "group 4-5", of the driving link "group 1"."""
@@ -77,13 +78,16 @@ class Forces:
         return (*found, self.driven.reaction)
 
 
+FORCES_PLAN: Made[Forces] = Made(FORCES)
+
+
 def record(bench: Bench) -> Forces | None:
     """Draw the forces that the scene asks for; they are told at the positions that it names."""
-    order, plans = ASKED.of(bench.scene), KINEMATICS.on(bench)
+    order, plans = ASKED.of(bench.scene), KINEMATICS_PLAN.on(bench)
     if order is None:
         return None
     machine = machine_of(bench)
-    cylinder = INDICATOR.of(bench) if order.gas is not None else None
+    cylinder = INDICATOR_PLAN.of(bench) if order.gas is not None else None
     ground = _ground(bench, machine, plans.accelerations)
     made = draw_forces(ground, _driver(bench.draft, machine), order, machine.arm, cylinder)
     places = chosen(order.positions, bench.names, ASKED.section)

@@ -18,7 +18,7 @@ def _needs(scene: Scene) -> dict[str, object]:
     if order is not None and order.inertia:
         needs[ACCELERATIONS] = True
     if order is not None and order.gas is not None:
-        needs[INDICATOR.chapter] = Wish(1, FORCES.chapter, order.gas)
+        needs[INDICATOR] = Wish(1, FORCES, order.gas)
         needs[TURNS] = order.gas.turns
     return needs
 

@@ -16,7 +16,7 @@ from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.forces.detached import Detached
 from graphic_tmm.chapters.forces.names import FORCES
-from graphic_tmm.chapters.forces.plan import VIEW
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN, VIEW
 from graphic_tmm.chapters.kinematics.names import POSITIONS, VELOCITIES
 from graphic_tmm.fitting.scales import Fitting, ScaleFactors, extent, unscaled
 from graphic_tmm.paper.formats import narrowest
@@ -50,7 +50,7 @@ class Reaches(NamedTuple):
 
 def reach(project: Project, doubts: Doubts) -> Reaches:
     """Return what the scales of forces go by: positions whose forces are asked for, with all scales 1."""
-    made, scales = FORCES.on(project), polygon_scales(project)
+    made, scales = FORCES_PLAN.on(project), polygon_scales(project)
     views = {mu.view for mu in scales}
     log, lever = project.construction, made.lever
     marks = [step.it for step in log.steps if step.it.view in views and step.it.kind is Point]
@@ -80,8 +80,8 @@ def force_scales(fitting: Fitting) -> dict[Mark, object]:
     The largest side of a polygon in any position whose forces are asked for takes its share of `POLYGON` mm at
     most. A polygon whose forces are all nothing has no μ but the scene's.
     """
-    project, made = fitting.project, FORCES.on(fitting)
-    known: Reaches = fitting.reach[FORCES.chapter]
+    project, made = fitting.project, FORCES_PLAN.on(fitting)
+    known: Reaches = fitting.reach[FORCES]
     found: dict[Mark, object] = {}
     for mu in polygon_scales(project):
         far = known.polygons[mu.view]
@@ -102,7 +102,7 @@ def _detached(fitting: Fitting, known: Reaches) -> dict[Mark, object]:
     room = narrowest(sheet.format for sheet in fitting.scene.sheets).room
     room *= DETACHED * fitting.sizes["groups"]
     plan = fitting.given[fitting.project.scale(POSITIONS)]
-    far = {figure.mu: known.detached[figure.view] for figure in FORCES.on(fitting).figures}
+    far = {figure.mu: known.detached[figure.view] for figure in FORCES_PLAN.on(fitting).figures}
     return {mu: standard_length(reach, room) if reach else plan for mu, reach in far.items()}
 
 
@@ -117,7 +117,7 @@ def _at(values: np.ndarray, places: tuple[int, ...]) -> np.ndarray:
 
 def named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
     """Return the scales of the lever, and of the polygons and detached groups that have one ``given``."""
-    made = FORCES.on(project)
+    made = FORCES_PLAN.on(project)
     mu = made.lever.mu
     found = {mu.view: Scale(mu.name, float(reading[mu][0, 0]), mu.unit)}
     for polygon in made.polygons:

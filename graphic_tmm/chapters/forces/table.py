@@ -12,13 +12,13 @@ from graphic_tmm.board.naming import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.forces.names import FORCES
-from graphic_tmm.chapters.forces.plan import Forces
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.polygons import Reaction
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import Column, empty, row_of
 from graphic_tmm.readers.measured import Tabled
 
-PLAN = FORCES.chapter
+PLAN = FORCES
 
 BALANCES = ("_bal_forces", "_bal_lever")
 DIFFERENCE = "bal_difference"
@@ -42,7 +42,7 @@ class _Row(NamedTuple):
 
 def force_columns(drawn: Drawn, everywhere: bool = False) -> tuple[Column, ...]:
     """Return the columns of forces at the positions whose forces are asked for, or ``everywhere``."""
-    made, count, reading = FORCES.on(drawn), len(drawn.names), drawn.reading
+    made, count, reading = FORCES_PLAN.on(drawn), len(drawn.names), drawn.reading
     there = drawn.all if everywhere else made.places
     rows = [*_loads(made), *_reactions(made), *_balance(made)]
     found = []

@@ -14,16 +14,15 @@ from graphic_tmm.chapters.forces.given import varies
 from graphic_tmm.chapters.forces.ink_groups import Shown, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import draw_polygon, whole
-from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.pictured import travelled
-from graphic_tmm.chapters.forces.plan import Forces
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.forces.task import Load
 from graphic_tmm.chapters.forces.travel import TURN, parts_of_strokes, size_at_turn
 from graphic_tmm.chapters.forces.views import decimals_told, driver_shown, group_shown
 from graphic_tmm.chapters.forces.words import called
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -36,8 +35,8 @@ from graphic_tmm.scene.captions import captions
 
 def between(drawn: Drawn, turn: Turn) -> Between:
     """Return the loads that vary, read off their diagrams: by travel, by the turn, by the position."""
-    made, found = FORCES.on(drawn), dict[Mark, object]()
-    in_turn = KINEMATICS.on(drawn).in_turn
+    made, found = FORCES_PLAN.on(drawn), dict[Mark, object]()
+    in_turn = KINEMATICS_PLAN.on(drawn).in_turn
     at = turn.numbers % in_turn
     for load, size in zip(made.order.loads, made.loads.given, strict=True):
         if not varies(load):
@@ -59,7 +58,7 @@ def _by_travel(drawn: Drawn, turn: Turn, load: Load, size: Mark, at: Reals) -> d
     """
     way, stroke = travelled(drawn, size)
     given = next(step.uses[:4] for step in drawn.construction.steps if step.it == size)
-    sheet, plans = drawn.numbers.drawn[way][0], KINEMATICS.on(drawn)
+    sheet, plans = drawn.numbers.drawn[way][0], KINEMATICS_PLAN.on(drawn)
     reading = turn.read([way, stroke])
     shares = reading[way][0] / reading[stroke][0, 0]
     far = plans.numbers[int(np.argmax(sheet))] % plans.in_turn if np.isfinite(sheet).all() else 0
@@ -71,7 +70,7 @@ def _by_travel(drawn: Drawn, turn: Turn, load: Load, size: Mark, at: Reals) -> d
 
 def moving(drawn: Drawn) -> Iterator[Moving]:
     """Yield every detached group with its polygon, the driving link with its own, the lever."""
-    made = FORCES.on(drawn)
+    made = FORCES_PLAN.on(drawn)
     columns = force_columns(drawn, everywhere=True)
     for solved in made.groups:
         yield from _pair(
@@ -152,7 +151,7 @@ def _group(
     drawn: Drawn, shown: Shown, polygon: Polygon, reactions: tuple[Reaction, ...]
 ) -> Callable[[int], Drawing]:
     language, high = drawn.scene.language, heights(drawn.scene, "forces")
-    factors = (KINEMATICS.on(drawn).mu_l, decimals_told(drawn))
+    factors = (KINEMATICS_PLAN.on(drawn).mu_l, decimals_told(drawn))
 
     def at(place: int) -> Drawing:
         if not whole(drawn.reading, polygon, reactions, place):

@@ -25,7 +25,7 @@ from graphic_tmm.chapters.forces.loads import Couple
 from graphic_tmm.chapters.forces.names import FORCES, LOADS
 from graphic_tmm.chapters.forces.pins import below
 from graphic_tmm.chapters.forces.pins import told as pins_told
-from graphic_tmm.chapters.forces.plan import Forces
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.chapters.forces.statics import Solved
 from graphic_tmm.chapters.forces.table import BALANCES, DIFFERENCE, force_columns
@@ -33,12 +33,11 @@ from graphic_tmm.chapters.forces.views_loads import load_views
 from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.bodies import PinLeg
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import decimals_of, fixed, number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
@@ -62,11 +61,11 @@ EXACTLY = 2
 
 def force_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return every detached group with its polygon and its equations, then the driving link, by positions."""
-    made = FORCES.of(drawn)
+    made = FORCES_PLAN.of(drawn)
     if made is None:
         return []
-    views = indicator_views(drawn, lettered, FORCES.chapter)
-    plans = KINEMATICS.on(drawn)
+    views = indicator_views(drawn, lettered, FORCES)
+    plans = KINEMATICS_PLAN.on(drawn)
     crank = plans.structure.driver
     for place in _places(drawn):
         writer = _writer(drawn, place)
@@ -90,7 +89,7 @@ def force_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 
 def _places(drawn: Drawn) -> list[int]:
-    return [k for k in FORCES.on(drawn).places if k not in drawn.undrawn]
+    return [k for k in FORCES_PLAN.on(drawn).places if k not in drawn.undrawn]
 
 
 def decimals_told(drawn: Drawn) -> int:
@@ -128,7 +127,7 @@ def _three(
         place,
         f"group-{name}-{position}",
         title,
-        (KINEMATICS.on(drawn).mu_l, decimals_told(drawn)),
+        (KINEMATICS_PLAN.on(drawn).mu_l, decimals_told(drawn)),
         language,
         high,
     )
@@ -208,7 +207,7 @@ def group_shown(drawn: Drawn, made: Forces, solved: Solved) -> Shown:
 
 def _rubbed(drawn: Drawn, made: Forces, links: tuple[int, ...]) -> list[Rubbed]:
     """Return the friction in the pins of some links."""
-    place, found = KINEMATICS.on(drawn).positions.point, list[Rubbed]()
+    place, found = KINEMATICS_PLAN.on(drawn).positions.point, list[Rubbed]()
     between = {frozenset(one.links): one for one in made.reactions}
     for couple in (one for link in links for one in made.acting.couples.get(link, [])):
         if couple.rubs is None:
@@ -224,7 +223,7 @@ def _rubbed(drawn: Drawn, made: Forces, links: tuple[int, ...]) -> list[Rubbed]:
 
 def driver_shown(drawn: Drawn, made: Forces) -> Shown:
     """Return what the figure of the driving link shows."""
-    plans, driven = KINEMATICS.on(drawn), made.driven
+    plans, driven = KINEMATICS_PLAN.on(drawn), made.driven
     crank, reaction = plans.structure.driver, made.driven.reaction
     body = plans.positions.bodies[crank]
     forces = [*made.acting.forces.get(crank, []), *([driven.force] if driven.force else [])]
@@ -241,7 +240,7 @@ def driver_shown(drawn: Drawn, made: Forces) -> Shown:
 
 def lever_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the lever and its equations in every position whose forces are asked for."""
-    made, language = FORCES.of(drawn), drawn.scene.language
+    made, language = FORCES_PLAN.of(drawn), drawn.scene.language
     if made is None:
         return []
     _, words, views = speaking(language), captions(language), list[Drawing]()
@@ -305,7 +304,7 @@ def _verdict(drawn: Drawn, made: Forces, place: int) -> list[str]:
 
 def force_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the table of forces."""
-    columns = force_columns(drawn) if FORCES.of(drawn) is not None else ()
+    columns = force_columns(drawn) if FORCES_PLAN.of(drawn) is not None else ()
     rows = [_as_printed(drawn, column.without(drawn.undrawn)) for column in columns]
     if not rows:
         return []
@@ -322,7 +321,7 @@ def _as_printed(drawn: Drawn, column: Column) -> Column:
     Where both methods found opposite senses, their signs stay. Their difference is that of the two sizes as
     they are printed.
     """
-    made = FORCES.on(drawn)
+    made = FORCES_PLAN.on(drawn)
     apart, *sizes = (
         np.broadcast_to(drawn.reading[mark][:1], (1, len(drawn.names)))[0]
         for mark in (made.difference, made.balance, made.lever.balance)
@@ -336,17 +335,6 @@ def _as_printed(drawn: Drawn, column: Column) -> Column:
         for k in np.flatnonzero(np.isfinite(value[0])):
             value[0, k] = round(float(apart[k]), drawn.percent_decimals)
     return replace(column, value=value)
-
-
-def polygon_equation(drawn: Drawn, view: str, language: str) -> list[str]:
-    """Return the vector equation of a polygon, in plain text; before it, in the first view, the shared pins."""
-    equations = [
-        " + ".join(plain(symbol(letter, language)) for letter, _, _ in polygon.sides) + " = 0"
-        for polygon in FORCES.on(drawn).polygons
-        if polygon.view == view
-    ]
-    first = view == FORCES.on(drawn).polygons[0].view
-    return [*(map(plain, pins_told(drawn, language)) if first else ()), *equations]
 
 
 SHOWN = Views(

@@ -10,9 +10,9 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard
 from graphic_tmm.chapters.forces.given import sizes_of
 from graphic_tmm.chapters.forces.ink_loads import At, Diagram, Part, draw_load
-from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.names import LOADS as PLACE
 from graphic_tmm.chapters.forces.pictured import ACROSS, Pictured, mu_l, pictured, travelled
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.task import Load
 from graphic_tmm.chapters.forces.words import LOAD
 from graphic_tmm.drawn import Drawn
@@ -29,7 +29,7 @@ from graphic_tmm.scene.captions import captions
 
 def load_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the diagram of each load that is given by the travel of a slider, the turn or the position."""
-    if FORCES.of(drawn) is None:
+    if FORCES_PLAN.of(drawn) is None:
         return []
     language, high = drawn.scene.language, heights(drawn.scene, PLACE)
     views = list[Drawing]()

@@ -37,9 +37,9 @@ from graphic_tmm.chapters.gears.task import SECTIONS
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
-    name=GEARS.chapter,
+    name=GEARS,
     number=9,
-    board=GEARS.chapter,
+    board=GEARS,
     places=(Place("gears", 110), Place("gears given", attends="gears")),
     sections=SECTIONS,
 )

@@ -9,6 +9,7 @@ from math import pi
 from graphic_tmm.accuracy.quantity import Quantity, Value
 from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.chapters.gears.names import GEARS
+from graphic_tmm.chapters.gears.plan import GEARS_PLAN
 from graphic_tmm.chapters.gears.task import ASKED
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
@@ -21,7 +22,7 @@ STEPS = (4, 6, 8, 12, 16, 24, 48)
 
 def _quantities(project: Project) -> Iterator[Quantity]:
     """Yield the contact ratio as drawn on the line of action, and by the arc that a tooth goes through."""
-    made = GEARS.on(project)
+    made = GEARS_PLAN.on(project)
     due = Value(made.sizes.contact_ratio)
     wheel, size = made.contact.wheels[0], made.sizes.wheels[0]
     pitch = 2.0 * pi / made.order.z1
@@ -48,7 +49,7 @@ def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     order = ASKED.of(scene)
     if order is None:
         return scene
-    mu = drawn.scales[GEARS.on(drawn).line.mu.view].value
+    mu = drawn.scales[GEARS_PLAN.on(drawn).line.mu.view].value
     return ASKED.put(scene, replace(order, mu=mu / times, axes=None))
 
 
@@ -61,7 +62,7 @@ WORDS = {
 
 ACCURACY = Accuracy(
     quantities=_quantities,
-    places=(GEARS.chapter,),
+    places=(GEARS,),
     axes=(Axis("steps", _rolled, parts=_own, counted=said("{n} step", "{n} steps")),),
     enlarged=_enlarged,
     words=WORDS,

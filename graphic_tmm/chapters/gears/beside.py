@@ -10,7 +10,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.gears import formulas as g
 from graphic_tmm.chapters.gears.names import GEARS
-from graphic_tmm.chapters.gears.plan import Gear
+from graphic_tmm.chapters.gears.plan import GEARS_PLAN, Gear
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Made, aside
 
@@ -34,12 +34,12 @@ class Beside(NamedTuple):
     limits: tuple[Mark, Mark]
 
 
-BESIDE: Made[Beside] = Made(aside(GEARS.chapter))
+BESIDE: Made[Beside] = Made(aside(GEARS))
 
 
 def record_beside(bench: Bench) -> Beside:
     """Calculate what the drawing of a pair does not need."""
-    gear, draft = GEARS.on(bench), bench.draft
+    gear, draft = GEARS_PLAN.on(bench), bench.draft
     drawn = _laid_off(bench, gear)
     sizes, line = gear.sizes, gear.line
     one, other = sizes.wheels

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.gears.names import GEARS
+from graphic_tmm.chapters.gears.plan import GEARS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Choice, Ledger
 
 
 def choose(drawn: Drawn, ledger: Ledger) -> None:
     """Record how both scale factors were chosen: by the distance of the axes, by the largest sliding."""
-    gear = GEARS.on(drawn)
+    gear = GEARS_PLAN.on(drawn)
     line, chart = gear.line.mu, gear.sliding.chart
     ledger.of(line.view)
     axes = ledger.quantity("a_{w}", ledger.value_of(drawn, gear.sizes.a_w), "m")

@@ -2,11 +2,4 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from graphic_tmm.scene.chapter import Made
-
-if TYPE_CHECKING:
-    from graphic_tmm.chapters.gears.plan import Gear
-
-GEARS: Made[Gear] = Made("gears")
+GEARS = "gears"

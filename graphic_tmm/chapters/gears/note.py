@@ -23,7 +23,7 @@ RATIO = said("The contact ratio is {due} by the formula and {drawn} as drawn, {a
 
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
     """Yield the section of the gear pair."""
-    own = next(one for one in chapters() if one.name == GEARS.chapter)
+    own = next(one for one in chapters() if one.name == GEARS)
     yield from from_log(drawn, own, language, (MESHING,), tables=False)
 
 

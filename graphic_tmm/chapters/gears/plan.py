@@ -21,6 +21,7 @@ from graphic_tmm.chapters.gears.task import ASKED, GearTask
 from graphic_tmm.chapters.gears.teeth import Wheel, draw_wheel
 from graphic_tmm.fitting.scales import Fitting
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made
 
 ROOM = 430.0
 """Room for the centre distance, mm."""
@@ -40,6 +41,9 @@ class Gear:
     contact: Contact
     sliding: Sliding
     checks: tuple[Check, ...]
+
+
+GEARS_PLAN: Made[Gear] = Made(GEARS)
 
 
 def record(bench: Bench) -> Gear | None:
@@ -78,13 +82,13 @@ def gear_scales(fitting: Fitting) -> dict[Mark, object]:
     Both centres shall stand on the drawing; where the teeth would be too small for that, a larger scale is
     taken, as far as the line of action has room.
     """
-    gear = GEARS.on(fitting)
+    gear = GEARS_PLAN.on(fitting)
     sizes, free = gear.sizes, {gear.line.mu: 1.0}
     wanted = (sizes.a_w, sizes.h, gear.line.length)
     exact = execute(fitting.project.construction, {**fitting.given, **free}, wanted)
     distance, height, action = (float(exact[mark][0, 0]) for mark in wanted)
     larger = max(standard_length(height, TOOTH), standard_length(action, ACTION))
-    usual, share = min(standard_length(distance, ROOM), larger), fitting.sizes[GEARS.chapter]
+    usual, share = min(standard_length(distance, ROOM), larger), fitting.sizes[GEARS]
     told = distance / gear.order.axes if gear.order.axes else gear.order.mu
     mu = told or (usual if share == 1.0 else standard_length(usual / share, 1.0))
     chart, floor = gear.sliding.chart, gear.sliding.floor

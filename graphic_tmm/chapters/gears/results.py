@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.gears.beside import BESIDE
-from graphic_tmm.chapters.gears.names import GEARS
+from graphic_tmm.chapters.gears.plan import GEARS_PLAN
 from graphic_tmm.drawn import Drawn, Results
 
 
@@ -13,7 +13,7 @@ def gear_results(drawn: Drawn) -> Results:
 
     ``contact_ratio`` is that of the formula, ``contact_ratio_drawn`` ab over the base pitch as measured.
     """
-    gear, reading = GEARS.on(drawn), drawn.reading
+    gear, reading = GEARS_PLAN.on(drawn), drawn.reading
     sizes, contact, beside = gear.sizes, gear.contact, BESIDE.on(drawn)
     marks: dict[str, Mark] = {
         "gear_ratio": beside.ratio,

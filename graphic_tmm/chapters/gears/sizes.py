@@ -12,6 +12,6 @@ def _fixed(scene: Scene) -> str:
 
 
 SIZES = Sizing(
-    sizes=(Size(GEARS.chapter, small=0.75, cap=0.9, step=1.25, fixed=_fixed),),
-    depends={"gears": lambda scene, view: (GEARS.chapter,)},
+    sizes=(Size(GEARS, small=0.75, cap=0.9, step=1.25, fixed=_fixed),),
+    depends={"gears": lambda scene, view: (GEARS,)},
 )

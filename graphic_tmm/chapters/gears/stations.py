@@ -9,7 +9,7 @@ import numpy as np
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.gears.beside import BESIDE
-from graphic_tmm.chapters.gears.names import GEARS
+from graphic_tmm.chapters.gears.plan import GEARS_PLAN
 from graphic_tmm.drawn import Drawn
 
 
@@ -27,7 +27,7 @@ def stations(drawn: Drawn) -> list[Station]:
 
 
 def _places(drawn: Drawn) -> Iterator[Station]:
-    gear, beside, reading = GEARS.on(drawn), BESIDE.on(drawn), drawn.reading
+    gear, beside, reading = GEARS_PLAN.on(drawn), BESIDE.on(drawn), drawn.reading
     sliding, (at_first, at_second) = gear.sliding, beside.limits
 
     def falls(end: Reals) -> Reals:

@@ -8,7 +8,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle
 from graphic_tmm.chapters.gears.beside import BESIDE
 from graphic_tmm.chapters.gears.dimensions import VIEW
-from graphic_tmm.chapters.gears.names import GEARS
+from graphic_tmm.chapters.gears.plan import GEARS_PLAN
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.stations import stations
 from graphic_tmm.chapters.gears.tables import WHEEL, pair_sizes, size_of
@@ -28,7 +28,7 @@ def gear_columns(drawn: Drawn) -> tuple[Column, ...]:
 
 
 def _dimensions(drawn: Drawn) -> Iterator[Column]:
-    made, reading, laid = GEARS.on(drawn), drawn.reading, BESIDE.on(drawn).drawn
+    made, reading, laid = GEARS_PLAN.on(drawn), drawn.reading, BESIDE.on(drawn).drawn
 
     def column(symbol: str, key: str, heads: tuple[str, ...], *marks: Mark) -> Column:
         figures = [reading.figure(mark)[:, 0] for mark in marks]

@@ -9,7 +9,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle
 from graphic_tmm.chapters.gears.beside import BESIDE
 from graphic_tmm.chapters.gears.dimensions import WheelSizes
-from graphic_tmm.chapters.gears.names import GEARS
+from graphic_tmm.chapters.gears.plan import GEARS_PLAN
 from graphic_tmm.chapters.gears.stations import stations
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -28,7 +28,7 @@ DIGITS = 4
 
 def dimension_table(drawn: Drawn, language: str, title: str, heights: Heights) -> Drawing:
     """Return the dimensions: those of the wheels side by side, then those of the pair; and as drawn."""
-    words, made, beside = captions(language), GEARS.on(drawn), BESIDE.on(drawn)
+    words, made, beside = captions(language), GEARS_PLAN.on(drawn), BESIDE.on(drawn)
     sizes, reading = made.sizes, drawn.reading
 
     def row(symbol: str, own: Mark, *mates: Mark) -> list[str]:
@@ -66,7 +66,7 @@ WHEEL = (
 
 def pair_sizes(drawn: Drawn) -> tuple[tuple[str, str, Mark], ...]:
     """Return what the table tells of the pair: the symbol, the name that machines read, the mark."""
-    made, beside = GEARS.on(drawn), BESIDE.on(drawn)
+    made, beside = GEARS_PLAN.on(drawn), BESIDE.on(drawn)
     sizes = made.sizes
     return (
         ("u_{12}", "gear_ratio", beside.ratio), ("m", "m", sizes.m),
@@ -81,7 +81,7 @@ def pair_sizes(drawn: Drawn) -> tuple[tuple[str, str, Mark], ...]:
 
 def working(drawn: Drawn) -> str:
     """Return what the working part of the line of action is called: ab, or N₁b where a is the limit N₁."""
-    return "".join(end.letter for end in GEARS.on(drawn).line.ends)
+    return "".join(end.letter for end in GEARS_PLAN.on(drawn).line.ends)
 
 
 def size_of(wheel: WheelSizes, key: str) -> Mark:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.gears.checks import verdicts
-from graphic_tmm.chapters.gears.names import GEARS
+from graphic_tmm.chapters.gears.plan import GEARS_PLAN
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -50,7 +50,7 @@ NAMES = {"first": "s_a1", "second": "s_a2", "ratio": "contact_ratio"}
 
 def verdict(drawn: Drawn, language: str) -> Iterator[Runs]:
     """Yield one sentence where every check holds; those that fail stand in the table of checks."""
-    if not all(one.holds for one in verdicts(GEARS.on(drawn).checks, drawn.reading)):
+    if not all(one.holds for one in verdicts(GEARS_PLAN.on(drawn).checks, drawn.reading)):
         return
     found = gear_results(drawn)
     put = {key: result_number(drawn, found, name, language) for key, name in NAMES.items()}
@@ -59,7 +59,7 @@ def verdict(drawn: Drawn, language: str) -> Iterator[Runs]:
 
 def failures(drawn: Drawn, language: str) -> Iterator[str]:
     """Yield each check that fails, a sentence each; of a pointed tooth its thickness is none to tell."""
-    made, _ = GEARS.on(drawn), speaking(language)
+    made, _ = GEARS_PLAN.on(drawn), speaking(language)
     fails = [one for one in verdicts(made.checks, drawn.reading) if not one.holds]
     pointed = {one.wheel for one in fails if one.name == "pointed tooth"}
     ratio = float(drawn.reading[made.sizes.contact_ratio][0, 0])

@@ -7,8 +7,7 @@ from graphic_tmm.chapters.gears.ink import draw_gear_ink
 from graphic_tmm.chapters.gears.ink_rolling import NAME as ROLLING
 from graphic_tmm.chapters.gears.ink_rolling import draw_rolling_ink
 from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
-from graphic_tmm.chapters.gears.names import GEARS
-from graphic_tmm.chapters.gears.plan import Gear
+from graphic_tmm.chapters.gears.plan import GEARS_PLAN, Gear
 from graphic_tmm.chapters.gears.results import gear_results
 from graphic_tmm.chapters.gears.tables import dimension_table, sliding_table, working
 from graphic_tmm.drawn import Drawn, single
@@ -41,7 +40,7 @@ CHECKS = Tongues(
 
 def gear_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the meshing above its diagram of sliding, the rolled flanks, the tables."""
-    made, language, reading = GEARS.on(drawn), drawn.scene.language, drawn.reading
+    made, language, reading = GEARS_PLAN.on(drawn), drawn.scene.language, drawn.reading
     words, scales = captions(language), drawn.scales
     mu_l = mu_text(scales["gear"], language)
     log, high = drawn.construction, heights(drawn.scene, "gears")

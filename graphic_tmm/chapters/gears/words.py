@@ -42,7 +42,7 @@ SYMBOLS = (
 
 WORDS = Named(
     captions=CAPTIONS,
-    plans=(GEARS.chapter,),
+    plans=(GEARS,),
     sources=("artobolevsky", "popov", "contour", "geometry"),
     symbols=SYMBOLS,
 )

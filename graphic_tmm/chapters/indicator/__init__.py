@@ -31,8 +31,8 @@ from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.scene.chapter import Chapter
 
 CHAPTER = Chapter(
-    name=INDICATOR.chapter,
+    name=INDICATOR,
     number=4,
-    builds_on=(KINEMATICS.chapter, DIAGRAMS.chapter),
+    builds_on=(KINEMATICS, DIAGRAMS),
     sections=SECTIONS,
 )

@@ -7,6 +7,7 @@ from typing import NamedTuple
 from graphic_tmm.board.operations.choice import scale_of
 from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN
 from graphic_tmm.chapters.indicator.names import CALCULATED, INDICATOR
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Made, aside
@@ -19,12 +20,12 @@ class Beside(NamedTuple):
     mu: Mark
 
 
-BESIDE: Made[Beside] = Made(aside(INDICATOR.chapter))
+BESIDE: Made[Beside] = Made(aside(INDICATOR))
 
 
 def record_beside(bench: Bench) -> Beside:
     """Calculate the scale of the base: the stroke, as read on the plan of positions, by its length."""
-    made, draft = INDICATOR.on(bench).indicator, bench.draft
+    made, draft = INDICATOR_PLAN.on(bench).indicator, bench.draft
     draft.open(CALCULATED)
     stroke = draft.draw(in_si, "S", made.stroke, draft.mu_l, unit="m")
     length = draft.uses(made.end)[1]

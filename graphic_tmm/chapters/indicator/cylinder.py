@@ -18,14 +18,14 @@ from graphic_tmm.chapters.indicator.stretches import Row
 from graphic_tmm.chapters.indicator.task import IndicatorTask, Wish
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
-from graphic_tmm.chapters.kinematics.plan import crank_length
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, crank_length
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made
 
 STANDS = 1e-6
 """A piston slower than this share of its fastest stands."""
@@ -62,9 +62,12 @@ class Cylinder:
     shown_by: str = ""
 
 
+INDICATOR_PLAN: Made[Cylinder] = Made(INDICATOR)
+
+
 def machine_of(bench: Bench) -> Machine:
     """Return the machine on a board, once its plans are drawn."""
-    plans = KINEMATICS.on(bench)
+    plans = KINEMATICS_PLAN.on(bench)
     assert plans.velocities is not None
     pivot, pin = plans.structure.pivot, plans.structure.pin
     arm = crank_length(bench, plans)
@@ -76,10 +79,10 @@ def machine_of(bench: Bench) -> Machine:
 
 def record(bench: Bench) -> Cylinder | None:
     """Draw the indicator diagram that another chapter needs."""
-    wish: Wish | None = bench.needed.get(INDICATOR.chapter)
+    wish: Wish | None = bench.needed.get(INDICATOR)
     if wish is None:
         return None
-    drawn = draw_cylinder(bench.draft, machine_of(bench), wish.order, INDICATOR.chapter)
+    drawn = draw_cylinder(bench.draft, machine_of(bench), wish.order, INDICATOR)
     return replace(drawn, shown_by=wish.by)
 
 

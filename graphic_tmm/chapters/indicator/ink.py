@@ -75,7 +75,7 @@ def draw_indicator_ink(
     ]
     numbers = position_numbers((), shared(feet, TOGETHER), strokes, heights.number)
     return Drawing(
-        INDICATOR.chapter,
+        INDICATOR,
         title,
         tuple(strokes),
         numbers,

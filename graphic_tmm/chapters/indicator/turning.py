@@ -5,13 +5,13 @@ from __future__ import annotations
 from graphic_tmm.any_angles.turn import Between, Turn, Turning
 from graphic_tmm.board.operations.curve import over
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.indicator.names import INDICATOR
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN
 from graphic_tmm.drawn import Drawn
 
 
 def between(drawn: Drawn, turn: Turn) -> Between:
     """Return the pressure of each side at every angle; at the positions it is that which was laid off."""
-    made, found = INDICATOR.on(drawn).indicator, dict[Mark, object]()
+    made, found = INDICATOR_PLAN.on(drawn).indicator, dict[Mark, object]()
     by_mark = {step.it: step for step in drawn.construction.steps}
     feet = turn.read([made.feet])[made.feet][0].real
     mu = float(drawn.numbers.drawn[made.chart.mu][0, 0])

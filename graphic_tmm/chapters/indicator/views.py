@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapters.indicator.beside import BESIDE
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN
 from graphic_tmm.chapters.indicator.ink import draw_indicator_ink
-from graphic_tmm.chapters.indicator.names import INDICATOR, VIEW
+from graphic_tmm.chapters.indicator.names import VIEW
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
@@ -22,7 +23,7 @@ from graphic_tmm.scene.captions import captions
 
 def indicator_views(drawn: Drawn, lettered: bool, by: str) -> list[Drawing]:
     """Return the indicator diagram, captioned, if it stands with the views of the chapter ``by``."""
-    cylinder, language = INDICATOR.of(drawn), drawn.scene.language
+    cylinder, language = INDICATOR_PLAN.of(drawn), drawn.scene.language
     if cylinder is None or cylinder.shown_by != by:
         return []
     title = captions(language)[VIEW]

@@ -53,7 +53,7 @@ _BOTH = (VELOCITIES, ACCELERATIONS)
 _AT = (POSITIONS,)
 
 CHAPTER = Chapter(
-    name=KINEMATICS.chapter,
+    name=KINEMATICS,
     number=2,
     places=(
         Place(GIVEN, 20, attends=POSITIONS),

@@ -12,8 +12,8 @@ from graphic_tmm.accuracy.question import Accuracy, Trial
 from graphic_tmm.board.operations.locus import REFINE
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
-from graphic_tmm.chapters.kinematics.plan import ALL
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Extreme, Row
@@ -23,7 +23,7 @@ from graphic_tmm.scene.records import Scales, Scene
 
 
 def _quantities(project: Project) -> Iterator[Quantity]:
-    made = KINEMATICS.on(project)
+    made = KINEMATICS_PLAN.on(project)
     for name, unit, plan in (("v", "m/s", VELOCITIES), ("a", "m/s²", ACCELERATIONS)):
         motion = made.motion(plan)
         if motion is None:
@@ -81,7 +81,7 @@ def _tried(project: Project) -> dict[Mark, Trial]:
     steps = [step.it for step in project.construction.steps if step.op.name == REFINE]
     if not steps or not isinstance(zero, Extreme):
         return {}
-    small = KINEMATICS.on(project).tried
+    small = KINEMATICS_PLAN.on(project).tried
     along = "x" if zero.at in ("left", "right") else "y"
     trial = Trial(small.construction, small.positions.phi, small.axes[zero.point, along])
     return dict.fromkeys(steps, trial)

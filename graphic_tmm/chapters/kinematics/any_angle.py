@@ -7,8 +7,7 @@ from dataclasses import replace
 
 from graphic_tmm.any_angles.turn import Plan, Quantity, Told
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
-from graphic_tmm.chapters.kinematics.plan import ALL
+from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
@@ -27,7 +26,7 @@ def free(scene: Scene) -> Scene:
 
 def told(project: Project) -> Iterator[Told]:
     """Yield places, velocities and accelerations of all points, then ω and ε of links that turn."""
-    made = KINEMATICS.on(project)
+    made = KINEMATICS_PLAN.on(project)
     bodies = made.positions.bodies
     names = [(letter, n) for n, body in bodies.items() for letter in body.link.points]
     origin = made.mechanism.frame.points[made.structure.pivot]

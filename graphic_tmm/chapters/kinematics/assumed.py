@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 
 
 def assumed(drawn: Drawn) -> Iterator[str]:
     """Yield, for people, that links with a mass have no J, where they turn unevenly."""
-    plans = KINEMATICS.on(drawn)
+    plans = KINEMATICS_PLAN.on(drawn)
     drive, velocities = plans.mechanism.drive, plans.velocities
     if velocities is None:
         return

@@ -7,6 +7,7 @@ from graphic_tmm.board.operations.formulas import product, product_of_squares
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics.images import image_letter
 from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import Extents, crank_sizes
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Choice, Ledger
@@ -14,8 +15,8 @@ from graphic_tmm.fitting.choice import Choice, Ledger
 
 def choose(drawn: Drawn, ledger: Ledger) -> None:
     """Record how the scale factors of the three plans were chosen."""
-    made, wanted = KINEMATICS.on(drawn), drawn.scene.scales
-    reach: Extents = drawn.reach[KINEMATICS.chapter]
+    made, wanted = KINEMATICS_PLAN.on(drawn), drawn.scene.scales
+    reach: Extents = drawn.reach[KINEMATICS]
     pivot, pin, driver = made.structure.pivot, made.structure.pin, made.structure.driver
     small = image_letter(pin)
     ledger.of(POSITIONS)

@@ -2,15 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from graphic_tmm.language.said import said
-from graphic_tmm.scene.chapter import Made
 
-if TYPE_CHECKING:
-    from graphic_tmm.chapters.kinematics.plan import KinematicPlans
-
-KINEMATICS: Made[KinematicPlans] = Made("kinematics")
+KINEMATICS = "kinematics"
 POSITIONS, VELOCITIES, ACCELERATIONS = "positions", "velocities", "accelerations"
 """The plans: places of sheets, views of the board, and what other chapters need."""
 PLANS = (POSITIONS, VELOCITIES, ACCELERATIONS)

@@ -14,11 +14,7 @@ from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.assembly import Assembly, check_assembly
 from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.names import (
-    ACCELERATIONS,
-    TURNS,
-    VELOCITIES,
-)
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, TURNS, VELOCITIES
 from graphic_tmm.chapters.kinematics.positions import (
     Positions,
     draw_frame,
@@ -38,6 +34,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Drive, Mechanism, Row, Side
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made
 
 LAST = 12
 """Decimals of an angle in degrees that are not rounding."""
@@ -100,6 +97,9 @@ class KinematicPlans:
     def motion(self, plan: str) -> Motion | None:
         """Return the plan of velocities or of accelerations, if there is one."""
         return {VELOCITIES: self.velocities, ACCELERATIONS: self.accelerations}.get(plan)
+
+
+KINEMATICS_PLAN: Made[KinematicPlans] = Made(KINEMATICS)
 
 
 def record(bench: Bench) -> KinematicPlans:

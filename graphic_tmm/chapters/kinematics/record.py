@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, VELOCITIES
-from graphic_tmm.chapters.kinematics.plan import record
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, record
 from graphic_tmm.chapters.kinematics.task import ASKED
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.project import Plan, Project
@@ -26,7 +26,7 @@ def _needs(scene: Scene) -> dict[str, object]:
 
 def _ranges(project: Project) -> tuple[str, str]:
     """Return, as the end of a sentence, where the mechanism assembles; and how to draw it there."""
-    assembly = KINEMATICS.on(project).assembly
+    assembly = KINEMATICS_PLAN.on(project).assembly
     if not assembly.said:
         return "", ""
     inside = (

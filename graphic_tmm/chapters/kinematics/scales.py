@@ -14,13 +14,8 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Figure
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Curve, Point
-from graphic_tmm.chapters.kinematics.names import (
-    ACCELERATIONS,
-    KINEMATICS,
-    POSITIONS,
-    VELOCITIES,
-)
-from graphic_tmm.chapters.kinematics.plan import KinematicPlans
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.reaches import Reach, reach_of
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.scales import Fitting, ScaleFactors, extent, unscaled
@@ -59,7 +54,7 @@ def extents(project: Project, doubts: Doubts) -> Extents:
     The plan of positions reaches as far as what is inked on it: its points in all positions, the circle of the
     crank pin, the paths of points. What is lost by ``doubts`` has no part in it.
     """
-    made = KINEMATICS.on(project)
+    made = KINEMATICS_PLAN.on(project)
     marks = [m for m in project.marks(POSITIONS) if m.kind in (Point, Curve)]
     pivot, _ = made.crank
     reading = unscaled(project, doubts, [*marks, pivot])
@@ -116,8 +111,8 @@ def plan_scales(fitting: Fitting) -> dict[str, Scale]:
 
     A segment fixed in mm (OA, pa, πa) gives its μ.
     """
-    made, wanted, sizes = KINEMATICS.on(fitting), fitting.scene.scales, fitting.sizes
-    reach: Extents = fitting.reach[KINEMATICS.chapter]
+    made, wanted, sizes = KINEMATICS_PLAN.on(fitting), fitting.scene.scales, fitting.sizes
+    reach: Extents = fitting.reach[KINEMATICS]
     arm, pin_speed, pin_acceleration = crank_sizes(made)
     mu_l = wanted.mu_l or (
         arm / wanted.OA if wanted.OA else standard_length(reach.positions, sizes[POSITIONS])
@@ -152,7 +147,7 @@ def _longest(project: Project, plan: str, at: Sequence[int], doubts: Doubts) -> 
 def outlying(drawn: Drawn, language: str) -> Iterator[str]:
     """Yield, as sentences, the positions whose vectors are much longer than those of the others."""
     _ = speaking(language)
-    reach: Extents = drawn.reach[KINEMATICS.chapter]
+    reach: Extents = drawn.reach[KINEMATICS]
     for plan, found in reach.outliers.items():
         shown = {k: times for k, times in found.items() if k in drawn.row(plan)}
         if shown and plan in drawn.scales:
@@ -167,7 +162,7 @@ def outlying(drawn: Drawn, language: str) -> Iterator[str]:
 
 def reaches(drawn: Drawn) -> dict[Figure, Reach]:
     """Return how far every guide is used over the turn, mm on the sheet; found once for a drawing."""
-    key = f"{KINEMATICS.chapter} reaches"
+    key = f"{KINEMATICS} reaches"
     if key not in drawn.cache:
         drawn.cache[key] = _reaches(drawn)
     found: dict[Figure, Reach] = drawn.cache[key]
@@ -175,7 +170,7 @@ def reaches(drawn: Drawn) -> dict[Figure, Reach]:
 
 
 def _reaches(drawn: Drawn) -> dict[Figure, Reach]:
-    made, mu = KINEMATICS.on(drawn), drawn.scales[POSITIONS].value
+    made, mu = KINEMATICS_PLAN.on(drawn), drawn.scales[POSITIONS].value
     return reaches_at(made, drawn.construction, drawn.reading, mu)
 
 

@@ -15,8 +15,8 @@ from graphic_tmm.board.values import Reals, undefined
 from graphic_tmm.chapters.kinematics.given import frame_sizes
 from graphic_tmm.chapters.kinematics.ink_numbers import guide_names, link_numbers
 from graphic_tmm.chapters.kinematics.ink_positions import SWEEP, PositionsInk
-from graphic_tmm.chapters.kinematics.names import KINEMATICS, POSITIONS
-from graphic_tmm.chapters.kinematics.plan import KinematicPlans
+from graphic_tmm.chapters.kinematics.names import POSITIONS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.scales import reaches_at
 from graphic_tmm.chapters.kinematics.transmission import transmission
 from graphic_tmm.errors import StructureError
@@ -64,7 +64,7 @@ class Pose(NamedTuple):
     @property
     def made(self) -> KinematicPlans:
         """Its plan of positions."""
-        return KINEMATICS.on(self.project)
+        return KINEMATICS_PLAN.on(self.project)
 
 
 def scheme(scene: Scene, room: complex) -> Scheme | None:
@@ -119,7 +119,7 @@ def _posed(scene: Scene) -> Pose:
         main=None,
     )
     whole = record(bare, wanted={POSITIONS})
-    made = KINEMATICS.on(whole)
+    made = KINEMATICS_PLAN.on(whole)
     there = np.array([angle for angle in whole.angles if angle is not None])
     between = _assembled(scene, made, there)
     passed = np.nan_to_num(transmission(made.tried, between), nan=-1.0)

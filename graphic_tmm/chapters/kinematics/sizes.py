@@ -14,6 +14,7 @@ from graphic_tmm.chapters.kinematics.names import (
     POSITIONS,
     VELOCITIES,
 )
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import KEYS, SMALL, UNITS, UNSEEN, VECTORS, crank_sizes
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.sizes import Size, Sizing
@@ -41,7 +42,7 @@ def _size(plan: str, usual: Callable[[Scene], float], cap: float, small: float =
 
     def remedy(drawn: Drawn, key: str) -> str:
         mu = drawn.scales[plan].value
-        crank = crank_sizes(KINEMATICS.on(drawn))[PLANS.index(plan)] / mu
+        crank = crank_sizes(KINEMATICS_PLAN.on(drawn))[PLANS.index(plan)] / mu
         return (
             f"{mu:g} {unit_name(UNITS[key], drawn.scene.language)}"
             if key in UNITS
@@ -49,7 +50,7 @@ def _size(plan: str, usual: Callable[[Scene], float], cap: float, small: float =
         )
 
     def own(reach: Mapping[str, Any]) -> float:
-        return float(getattr(reach[KINEMATICS.chapter], plan))
+        return float(getattr(reach[KINEMATICS], plan))
 
     return Size(
         plan,

@@ -9,13 +9,8 @@ import numpy as np
 from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapters.kinematics.names import (
-    ACCELERATIONS,
-    KINEMATICS,
-    PLANS,
-    POSITIONS,
-    VELOCITIES,
-)
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, PLANS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, empty, row_of
@@ -34,7 +29,11 @@ def plan_columns(drawn: Drawn, plan: str, *, read: bool = False) -> tuple[Column
 
     ``read``: only the segments that are measured, not those that were calculated before they were laid off.
     """
-    motion, reading, log = KINEMATICS.on(drawn).motion(plan), drawn.of(plan), drawn.construction
+    motion, reading, log = (
+        KINEMATICS_PLAN.on(drawn).motion(plan),
+        drawn.of(plan),
+        drawn.construction,
+    )
     view = log.view(plan)
     if reading is None or view is None or view.scale is None:
         return ()
@@ -59,7 +58,7 @@ def plan_columns(drawn: Drawn, plan: str, *, read: bool = False) -> tuple[Column
         letter = f"{RATE_LETTERS[plan]}_{link}"
         row = row_of(reading.figure(mark), places, count)
         found.append(Column(plan, segment_name(letter), letter, mark.unit, empty(count), row))
-    for one in KINEMATICS.on(drawn).rows if not read else ():
+    for one in KINEMATICS_PLAN.on(drawn).rows if not read else ():
         if one.plan == plan:
             row = row_of(reading.figure(one.mark), places, count)
             found.append(Column(plan, one.name, one.letter, one.unit, empty(count), row))
@@ -80,7 +79,7 @@ def measured_vectors(drawn: Drawn) -> Iterator[Column]:
 
 def rate_marks(project: Project) -> dict[tuple[str, str], Mark]:
     """Return the rates of links, and further rows, by plan and the name that machines read."""
-    plans, found = KINEMATICS.on(project), {}
+    plans, found = KINEMATICS_PLAN.on(project), {}
     for plan, sign in RATE_NAMES.items():
         motion = plans.motion(plan)
         for link, mark in motion.rates.items() if motion is not None else ():
@@ -90,7 +89,7 @@ def rate_marks(project: Project) -> dict[tuple[str, str], Mark]:
 
 def speed_marks(project: Project) -> list[Mark]:
     """Return the marks that tell how fast the mechanism runs."""
-    velocities = KINEMATICS.on(project).velocities
+    velocities = KINEMATICS_PLAN.on(project).velocities
     if velocities is None:
         return []
     speed = [velocities.speed] if velocities.speed is not None else []

@@ -6,14 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from graphic_tmm.any_angles.turn import Passed
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
 from graphic_tmm.chapters.kinematics.survey import Survey
-from graphic_tmm.project import Project
 
 POOR = 0.35
 """Where motion is passed on worse than this at all of some positions, another is looked for."""
@@ -33,22 +30,19 @@ def best(tried: Survey, angles: Reals, wanted: Sequence[int], all: Sequence[int]
     return found[0] if rows[found[0]] >= POOR else found[-1]
 
 
-def passed(project: Project) -> Passed:
-    """Return how a mechanism passes its motion on over a turn.
+def least_angle(tried: Survey) -> float:
+    """Return the least transmission angle of a mechanism over a turn, degrees; NaN where there is none.
 
     The transmission angle of a group is the acute one of both lines of its velocities at its closing point: of
     a four-bar that between coupler and rocker, of a slider that between its rod and what is square to its
     guide, of a stone that between its guide and what is square to the arm of the link that it slides on.
     """
-    plans = KINEMATICS.on(project)
-    closings = plans.tried.positions.closings
-    lines = [leg.line for closing in closings for leg in closing.legs]
-    _, reading = plans.tried.turn(lines)
+    closings = tried.positions.closings
+    _, reading = tried.turn([leg.line for closing in closings for leg in closing.legs])
     with np.errstate(all="ignore"):
         sines = [float(np.nanmin(_sine(reading, one), initial=np.inf)) for one in closings]
     least = min(sines, default=1.0)
-    angle = np.degrees(np.arcsin(min(least, 1.0))) if np.isfinite(least) else np.nan
-    return Passed(not plans.assembly.ranges, float(angle))
+    return float(np.degrees(np.arcsin(min(least, 1.0)))) if np.isfinite(least) else np.nan
 
 
 def transmission(tried: Survey, angles: Reals) -> Reals:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from graphic_tmm.any_angles.turn import Between, Turn, Turning
+from graphic_tmm.any_angles.turn import Between, Passed, Turn, Turning
 from graphic_tmm.board import roles
 from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.operations.instruments import stand
@@ -20,24 +20,25 @@ from graphic_tmm.chapters.kinematics.ink_positions import (
     drawn_path,
     path_stays,
 )
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
-from graphic_tmm.chapters.kinematics.plan import KinematicPlans, sides_at
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, sides_at
 from graphic_tmm.chapters.kinematics.positions import side_record, side_values
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
-from graphic_tmm.chapters.kinematics.transmission import passed
+from graphic_tmm.chapters.kinematics.transmission import least_angle
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.page.moving import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing, Ink
 from graphic_tmm.paper.figure import Manner, figure
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import mu_text
+from graphic_tmm.project import Project
 from graphic_tmm.scene.captions import captions
 
 
 def between(drawn: Drawn, turn: Turn) -> Between:
     """Return how far the crank has turned, that no angle is an extra one, on which side each group stands."""
-    made, log = KINEMATICS.on(drawn), drawn.construction
+    made, log = KINEMATICS_PLAN.on(drawn), drawn.construction
     if turn.angles is not None:
         return _standing(made, turn.angles)
     found: dict[Mark, object] = {
@@ -66,7 +67,7 @@ def _standing(made: KinematicPlans, angles: Reals) -> dict[Mark, object]:
 
 def moving(drawn: Drawn) -> Iterator[Moving]:
     """Yield the mechanism in one position, and its plans of velocities and accelerations there."""
-    made, language = KINEMATICS.on(drawn), drawn.scene.language
+    made, language = KINEMATICS_PLAN.on(drawn), drawn.scene.language
     words = captions(language)
     yield Moving(
         POSITIONS,
@@ -140,5 +141,10 @@ def _plan(drawn: Drawn, plan: str, title: str) -> Moving:
     )
 
 
-TURNING = Turning(between=between, passed=passed, told=told, free=free)
+def _passed(project: Project) -> Passed:
+    plans = KINEMATICS_PLAN.on(project)
+    return Passed(not plans.assembly.ranges, least_angle(plans.tried))
+
+
+TURNING = Turning(between=between, passed=_passed, told=told, free=free)
 FIGURES = MovingFigures(moving)

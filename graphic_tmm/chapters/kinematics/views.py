@@ -13,14 +13,8 @@ from graphic_tmm.chapters.kinematics.ink_plans import (
     draw_plan,
 )
 from graphic_tmm.chapters.kinematics.ink_positions import draw_position_ink, draw_positions_ink
-from graphic_tmm.chapters.kinematics.names import (
-    ACCELERATIONS,
-    GIVEN,
-    KINEMATICS,
-    POSITIONS,
-    VELOCITIES,
-)
-from graphic_tmm.chapters.kinematics.plan import KinematicPlans
+from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, GIVEN, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.scales import outlying, reaches
 from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
 from graphic_tmm.chapters.kinematics.task import ASKED
@@ -53,7 +47,7 @@ BEHIND = said(
 
 def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the plan of positions."""
-    made, words = KINEMATICS.on(drawn), captions(drawn.scene.language)
+    made, words = KINEMATICS_PLAN.on(drawn), captions(drawn.scene.language)
     view = draw_positions_ink(
         drawn.construction,
         drawn.reading,
@@ -134,7 +128,7 @@ def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawin
         return []
     scale, size = drawn.scales[plan], heights(drawn.scene, plan)
     places = enumerate(drawn.row(plan))
-    left_out = {*drawn.undrawn, *KINEMATICS.on(drawn).repeated}
+    left_out = {*drawn.undrawn, *KINEMATICS_PLAN.on(drawn).repeated}
     shown = [(k, drawn.names[p]) for k, p in places if p not in left_out]
     if plan == VELOCITIES and drawn.scene.common_pole and len(shown) > 1:
         orders = [(plan, f"{caption}, {_('all positions')}", [Place(*one) for one in shown])]
@@ -218,7 +212,7 @@ def both_tables(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 def _table(plan: str, drawn: Drawn, place: str) -> list[Drawing]:
     """Return the table of a plan, lettered as on the sheets of its ``place`` or of both."""
-    rows = [one.without(KINEMATICS.on(drawn).repeated) for one in plan_columns(drawn, plan)]
+    rows = [one.without(KINEMATICS_PLAN.on(drawn).repeated) for one in plan_columns(drawn, plan)]
     if not rows or drawn.of(plan) is None:
         return []
     high = heights(drawn.scene, place, "results")

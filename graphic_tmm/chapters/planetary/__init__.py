@@ -33,7 +33,7 @@ from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
 from graphic_tmm.chapters.planetary.task import SECTIONS
 from graphic_tmm.scene.chapter import Chapter, Place
 
-_NAME = PLANETARY_TRAIN.chapter
+_NAME = PLANETARY_TRAIN
 CHAPTER = Chapter(
     name=_NAME,
     number=10,

@@ -13,7 +13,7 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.planetary import formulas as t
 from graphic_tmm.chapters.planetary.dimensions import rings_of
 from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
-from graphic_tmm.chapters.planetary.plan import Planetary
+from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Made, aside
 
@@ -37,12 +37,12 @@ class Beside(NamedTuple):
     speed: Mark | None
 
 
-BESIDE: Made[Beside] = Made(aside(PLANETARY_TRAIN.chapter))
+BESIDE: Made[Beside] = Made(aside(PLANETARY_TRAIN))
 
 
 def record_beside(bench: Bench) -> Beside:
     """Calculate what a train's drawing does not need."""
-    made = PLANETARY_TRAIN.on(bench)
+    made = PLANETARY_PLAN.on(bench)
     bench.draft.open(CALCULATED)
     ring, satellite = _asked(bench, made)
     return Beside(_stopped(bench, made), ring, satellite, _most(bench, made), _speed(bench, made))

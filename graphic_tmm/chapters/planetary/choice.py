@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
-from graphic_tmm.chapters.planetary.plan import Planetary
+from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Choice, Ledger
 
 
 def choose_steps(drawn: Drawn, ledger: Ledger) -> None:
     """Record how both were chosen: by the diameter that the train takes, by the largest velocity."""
-    train = PLANETARY_TRAIN.on(drawn)
+    train = PLANETARY_PLAN.on(drawn)
     order, mu_l, mu_v = train.order, train.mu, train.picture.mu
     ledger.of(mu_l.view)
     value = ledger.value_of(drawn, mu_l)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
+from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
 from graphic_tmm.chapters.planetary.verdict import verdict
 from graphic_tmm.drawn import Drawn, results_of
 from graphic_tmm.language.catalogue import speaking
@@ -25,14 +26,14 @@ NAMES = {
 
 def note(drawn: Drawn, language: str) -> Iterator[Block]:
     """Yield the section of the train: what is measured on it stands where it is measured."""
-    own = next(one for one in chapters() if one.name == PLANETARY_TRAIN.chapter)
+    own = next(one for one in chapters() if one.name == PLANETARY_TRAIN)
     yield from from_log(drawn, own, language, tables=False)
     yield from results(drawn, own, language)
 
 
 def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
     """Yield how near the drawn ratio comes to that of the teeth."""
-    results = results_of(drawn, PLANETARY_TRAIN.on(drawn).results)
+    results = results_of(drawn, PLANETARY_PLAN.on(drawn).results)
     if set(NAMES.values()) <= set(results):
         put = {key: result_number(drawn, results, name, language) for key, name in NAMES.items()}
         yield filled(speaking(language)(RATIO), put)

@@ -23,6 +23,7 @@ from graphic_tmm.chapters.planetary.reach import Drawn, choose_scales
 from graphic_tmm.chapters.planetary.task import ASKED, PlanetaryTask, Train
 from graphic_tmm.chapters.planetary.tooth_search import choose
 from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Made
 
 
 @dataclass(frozen=True)
@@ -46,12 +47,15 @@ class Planetary:
     pair: PairView | None = None
 
 
+PLANETARY_PLAN: Made[Planetary] = Made(PLANETARY_TRAIN)
+
+
 def record(bench: Bench) -> Planetary | None:
     """Draw the train that the scene asks for, at a share of its usual size where there is one."""
     order = ASKED.of(bench.scene)
     if order is None:
         return None
-    share = bench.sizes.get(PLANETARY_TRAIN.chapter, 1.0)
+    share = bench.sizes.get(PLANETARY_TRAIN, 1.0)
     return draw_planetary(bench.draft, order, share)
 
 

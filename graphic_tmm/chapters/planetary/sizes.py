@@ -12,6 +12,6 @@ def _fixed(scene: Scene) -> str:
 
 
 SIZES = Sizing(
-    sizes=(Size(PLANETARY_TRAIN.chapter, small=0.75, cap=0.65, step=1.25, fixed=_fixed),),
-    depends={"planetary": lambda scene, view: (PLANETARY_TRAIN.chapter,)},
+    sizes=(Size(PLANETARY_TRAIN, small=0.75, cap=0.65, step=1.25, fixed=_fixed),),
+    depends={"planetary": lambda scene, view: (PLANETARY_TRAIN,)},
 )

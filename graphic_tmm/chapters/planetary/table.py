@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle
-from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
+from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
 from graphic_tmm.chapters.planetary.tables import CHOICE, trains_wanted
 from graphic_tmm.chapters.planetary.verdict import train_results
 from graphic_tmm.drawn import Drawn
@@ -29,7 +29,7 @@ def planetary_columns(drawn: Drawn) -> tuple[Column, ...]:
 
 def _conditions(drawn: Drawn) -> Iterator[Column]:
     found: dict[str, Mark] = {}
-    for condition in PLANETARY_TRAIN.on(drawn).sizes.conditions:
+    for condition in PLANETARY_PLAN.on(drawn).sizes.conditions:
         for mark in (condition.left, condition.right):
             if mark is not None:
                 found.setdefault(plain(mark.name), mark)
@@ -39,7 +39,7 @@ def _conditions(drawn: Drawn) -> Iterator[Column]:
 
 
 def _trains(drawn: Drawn) -> Iterator[Column]:
-    trains = trains_wanted(PLANETARY_TRAIN.on(drawn))
+    trains = trains_wanted(PLANETARY_PLAN.on(drawn))
     if trains is None:
         return
     most = min(CHOICE, len(trains))

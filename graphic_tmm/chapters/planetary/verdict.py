@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.planetary.beside import BESIDE
-from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
+from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
 from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -22,7 +22,7 @@ ONE = said("All conditions of the train hold: its wheels have a common axis, no 
 def train_results(drawn: Drawn) -> Results:
     """Return the results of a train, with the ratios of its meshes and how many satellites have room."""
     beside = BESIDE.on(drawn)
-    found = dict(PLANETARY_TRAIN.on(drawn).results)
+    found = dict(PLANETARY_PLAN.on(drawn).results)
     found |= {f"planetary_mesh_{k}": mark for k, mark in enumerate(beside.stopped, 1)}
     if beside.most is not None:
         found["planetary_most"] = beside.most

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graphic_tmm.chapters.planetary.beside import BESIDE
 from graphic_tmm.chapters.planetary.ink import Captions, draw_planetary_ink
-from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
+from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
 from graphic_tmm.chapters.planetary.tables import (
     condition_table,
     rate_table,
@@ -26,7 +26,7 @@ from graphic_tmm.scene.captions import captions
 
 def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the train in two views with its velocities, the tables of conditions, rates and trains."""
-    made, language, reading = PLANETARY_TRAIN.on(drawn), drawn.scene.language, drawn.reading
+    made, language, reading = PLANETARY_PLAN.on(drawn), drawn.scene.language, drawn.reading
     words, scales, log = captions(language), drawn.scales, drawn.construction
     lines = ratio_lines(log, reading, made, language)
     texts = {name: mu_text(scale, language) for name, scale in scales.items()}
@@ -47,7 +47,7 @@ def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 def _overall(drawn: Drawn) -> list[str]:
     """Return the overall ratio and the speed of the last wheel."""
-    made = PLANETARY_TRAIN.on(drawn)
+    made = PLANETARY_PLAN.on(drawn)
     if made.pair is None:
         return []
     language = drawn.scene.language

@@ -35,7 +35,7 @@ SYMBOLS = (
 
 WORDS = Named(
     captions=CAPTIONS,
-    plans=(PLANETARY_TRAIN.chapter,),
+    plans=(PLANETARY_TRAIN,),
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,
 )

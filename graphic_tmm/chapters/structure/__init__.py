@@ -32,7 +32,7 @@ from graphic_tmm.chapters.structure.names import PARTS, STRUCTURE
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
-    name=STRUCTURE.chapter,
+    name=STRUCTURE,
     number=1,
     builds_on=("kinematics",),
     places=(Place("structure", 90), Place(PARTS, follows=("positions",))),

@@ -9,7 +9,8 @@ from graphic_tmm.scene.chapter import Made
 if TYPE_CHECKING:
     from graphic_tmm.mechanism.structure import Structure
 
-STRUCTURE: Made[Structure] = Made("structure")
+STRUCTURE = "structure"
+STRUCTURE_PLAN: Made[Structure] = Made(STRUCTURE)
 
 VIEW = "structure"
 PARTS = "groups of structure"

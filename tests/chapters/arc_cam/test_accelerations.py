@@ -17,6 +17,7 @@ import graphic_tmm
 from graphic_tmm.board.execute import execute
 from graphic_tmm.chapters.arc_cam.beside import BESIDE
 from graphic_tmm.chapters.arc_cam.names import ARC_CAM
+from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN
 from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER, ArcTask, Flank
 from graphic_tmm.project import record
 from graphic_tmm.scene.records import Scene
@@ -118,8 +119,8 @@ CASES = [
 @pytest.mark.parametrize(("kind", "flank"), CASES)
 def test_on_both_sides_of_every_change_it_is_the_second_derivative(kind: str, flank: str) -> None:
     order = random_order(random.Random(f"second {kind} {flank}"), kind, flank)
-    project = record(Scene("", "T", "en").asking(arc_cam=order), ARC_CAM.chapter)
-    made, pair = ARC_CAM.on(project), BESIDE.on(project).second
+    project = record(Scene("", "T", "en").asking(arc_cam=order), ARC_CAM)
+    made, pair = ARC_CAM_PLAN.on(project), BESIDE.on(project).second
     given = {**project.given, **{chart.mu: 0.001 for chart in made.charts.values()}}
     reading = execute(project.construction, given)
     travel = reading[made.follower.travel][0]

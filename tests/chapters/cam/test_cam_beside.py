@@ -13,7 +13,7 @@ from support.gallery import SHEETS
 from support.scenes import edited
 
 from graphic_tmm.chapters.cam.beside import BESIDE, VIEW
-from graphic_tmm.chapters.cam.names import CAM
+from graphic_tmm.chapters.cam.plan import CAM_PLAN
 from graphic_tmm.chapters.cam.table import results
 from graphic_tmm.chapters.cam.verdict import verdict
 from graphic_tmm.drawn import Drawn, single
@@ -63,7 +63,7 @@ def test_dwells_are_told_in_radians() -> None:
 def test_what_is_left_up_to_the_limits_is_what_a_dense_turn_leaves() -> None:
     """Pressure angle and curvature of the closed form at every 0.02° of the cam."""
     drawn = part(SHEETS / "cam" / "scene.toml")
-    order, found = CAM.on(drawn).order, single(results(drawn))
+    order, found = CAM_PLAN.on(drawn).order, single(results(drawn))
     dense = np.arange(0.0, 360.0, 0.02)
     alpha = pressure_angles(order, 0.0521, dense)
     assert found["left_rise"] == (pytest.approx(30.0 - alpha.max(), abs=0.05), "°")
@@ -97,7 +97,7 @@ def plain(told: Runs) -> str:
 def test_the_followers_speeds_are_those_of_its_way_in_time(rocker: bool, tmp_path: Path) -> None:
     """Differences of the closed form S(ω·t) over milliseconds; where the acceleration jumps, none."""
     drawn = fast(tmp_path, rocker=rocker)
-    made, omega = CAM.on(drawn), 120.0 * math.pi / 30.0
+    made, omega = CAM_PLAN.on(drawn), 120.0 * math.pi / 30.0
     columns = {one.segment: one for one in columns_of(drawn)}
     names, units = (("omega", "eps"), ("1/s", "1/s²")) if rocker else (("v", "a"), ("m/s", "m/s²"))
     assert tuple(columns[name].unit for name in names) == units
@@ -115,7 +115,7 @@ def test_the_followers_speeds_are_those_of_its_way_in_time(rocker: bool, tmp_pat
 
 def test_the_derivatives_may_have_scales_of_their_own(tmp_path: Path) -> None:
     drawn = fast(tmp_path, 'mu_dS = "0.001 m/mm"\nmu_ddS = 0.002\n')
-    made, found = CAM.on(drawn), choices(drawn)
+    made, found = CAM_PLAN.on(drawn), choices(drawn)
     for view, diagram, due in (("cam dS", "V", 0.001), ("cam ddS", "A", 0.002)):
         assert drawn.scales[view].value == due
         assert found.value(getattr(made.diagrams, diagram).chart.mu) == due

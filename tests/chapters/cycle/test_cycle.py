@@ -13,10 +13,11 @@ from support.flywheels import along, graphs, taut
 from support.graphs import assert_read_off_the_log
 from support.scenes import written
 
-from graphic_tmm.chapters.cycle.names import CYCLE
-from graphic_tmm.chapters.cycle.plan import BESIDE
+from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN
+from graphic_tmm.chapters.cycle.record import BESIDE
+from graphic_tmm.chapters.cycle.table import cycle_results
 from graphic_tmm.chapters.cycle.task import Moment
-from graphic_tmm.chapters.cycle.views import cycle_results, cycle_views
+from graphic_tmm.chapters.cycle.views import cycle_views
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.errors import SceneError
 from graphic_tmm.paper.finish import finished
@@ -123,7 +124,8 @@ def test_a_compressor_is_driven_by_a_constant_moment(tmp_path: Path) -> None:
     )
     assert results(resist)["J_fly"] == pytest.approx(results(drive)["J_fly"], rel=1e-9)
     one, other = (
-        made.reading[CYCLE.on(made).flywheel.charts[2].ordinates[0]] for made in (drive, resist)
+        made.reading[CYCLE_PLAN.on(made).flywheel.charts[2].ordinates[0]]
+        for made in (drive, resist)
     )
     np.testing.assert_allclose(
         one * drive.scales["energy"].value, -other * resist.scales["energy"].value, atol=1e-9

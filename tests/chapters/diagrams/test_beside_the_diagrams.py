@@ -9,8 +9,9 @@ import pytest
 from support.gallery import asking, drawn, in_usual
 
 from graphic_tmm.chapters.diagrams.beside import BESIDE
-from graphic_tmm.chapters.diagrams.names import CALCULATED, DIAGRAMS
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.diagrams.names import CALCULATED
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.readers.protocol import protocol
 
 
@@ -36,11 +37,11 @@ def test_extra_positions_stand_as_the_chords_of_the_crank_circle_divide_their_in
 ) -> None:
     """Chords are as the sines of half the angles; the angle itself divides the base nearly so."""
     made = in_usual(name)
-    plans, found = KINEMATICS.on(made), BESIDE.on(made)
+    plans, found = KINEMATICS_PLAN.on(made), BESIDE.on(made)
     numbers = np.ravel(plans.numbers)
     extra = [k for k in range(plans.count, numbers.size) if abs(numbers[k] % 1.0) > 1e-9]
     assert [one.extra for one in found.places] == extra
-    base = made.reading[DIAGRAMS.on(made).base.length].item()
+    base = made.reading[DIAGRAMS_PLAN.on(made).base.length].item()
     step = math.pi / plans.count
     for one in found.places:
         share = numbers[one.extra] - one.before

@@ -12,10 +12,9 @@ from support.each import each
 from support.gallery import SHEETS
 
 from graphic_tmm.board.charts import ScaleOrder
-from graphic_tmm.chapters.diagrams.names import DIAGRAMS
-from graphic_tmm.chapters.diagrams.plan import Kinematic
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN, Kinematic
 from graphic_tmm.chapters.diagrams.task import KinematicTask
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
@@ -48,8 +47,8 @@ def drawn(name: str, count: int = 0, **order: object) -> Drawn:
 
 
 def kinematic(made: Drawn) -> Kinematic:
-    assert DIAGRAMS.of(made) is not None
-    return DIAGRAMS.on(made)
+    assert DIAGRAMS_PLAN.of(made) is not None
+    return DIAGRAMS_PLAN.on(made)
 
 
 def values(made: Drawn, symbol: str) -> np.ndarray:
@@ -70,7 +69,7 @@ def harmonics(name: str) -> np.ndarray:
 
 def derivative(name: str, order: int, count: int) -> np.ndarray:
     """The exact ``order``-th derivative of the velocity over time at the row's positions."""
-    omega = abs(KINEMATICS.on(drawn(name)).mechanism.drive.speed)
+    omega = abs(KINEMATICS_PLAN.on(drawn(name)).mechanism.drive.speed)
     k = np.fft.fftfreq(720, 1 / 720)
     row = np.fft.ifft(harmonics(name) * 720 * (1j * k * omega) ** order).real
     return row[:: 720 // count]
@@ -78,7 +77,7 @@ def derivative(name: str, order: int, count: int) -> np.ndarray:
 
 def bound(name: str, count: int, order: int) -> float:
     """What N positions cost a derivative: two chords' truncation h²/24 each, a spline's h⁴ beside it, in SI."""
-    omega = abs(KINEMATICS.on(drawn(name)).mechanism.drive.speed)
+    omega = abs(KINEMATICS_PLAN.on(drawn(name)).mechanism.drive.speed)
     h = 2 * np.pi / count / omega
     second = np.abs(derivative(name, order + 2, 720)).max()
     fourth = np.abs(derivative(name, order + 4, 720)).max()
@@ -115,7 +114,7 @@ def test_accelerations_agree_with_the_exact_motion_and_the_plans(
             * made.scales["accelerations"].value
         )
         np.testing.assert_allclose(
-            plan, exact[list(KINEMATICS.on(made).accelerated)], atol=1e-6 * np.abs(exact).max()
+            plan, exact[list(KINEMATICS_PLAN.on(made).accelerated)], atol=1e-6 * np.abs(exact).max()
         )
 
 

@@ -14,7 +14,7 @@ from support.gallery import SHEETS
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.engine.task import EngineTask
-from graphic_tmm.chapters.indicator.names import INDICATOR
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
@@ -100,8 +100,8 @@ def test_n_and_m_vanish_at_the_dead_centres_and_m_is_largest_early() -> None:
 
 def test_p_is_the_difference_of_the_two_sides() -> None:
     made = drawn()
-    assert INDICATOR.of(made) is not None
-    cover, shaft = INDICATOR.on(made).indicator.sides
+    assert INDICATOR_PLAN.of(made) is not None
+    cover, shaft = INDICATOR_PLAN.on(made).indicator.sides
     forces = made.reading[cover.force] - made.reading[shaft.force]
     np.testing.assert_allclose(column(made, "P"), forces[0] / KGF, rtol=1e-12)
     faces = [math.pi * 0.17**2 / 4, math.pi * (0.17**2 - 0.036**2) / 4]
@@ -111,8 +111,8 @@ def test_p_is_the_difference_of_the_two_sides() -> None:
 
 def test_steam_expands_on_the_side_of_the_shaft_by_its_own_volume() -> None:
     made = drawn()
-    assert INDICATOR.of(made) is not None
-    shaft = INDICATOR.on(made).indicator.sides[1]
+    assert INDICATOR_PLAN.of(made) is not None
+    shaft = INDICATOR_PLAN.on(made).indicator.sides[1]
     x = 0.5 * (1 - math.cos(math.radians(300)))  # position 10, rod of any length to a few per cent
     ordinate = made.reading[shaft.ordinate][0, 10] * made.scales["indicator"].value
     rod = 1 / LAMBDA

@@ -12,8 +12,8 @@ from support.gallery import asking, drawn
 from support.graphs import assert_read_off_the_log
 
 from graphic_tmm.chapters.engine.ink import TRACELESS, draw_rotating, draw_triangles
-from graphic_tmm.chapters.engine.names import ENGINE
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.engine.plan import ENGINE_PLAN
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.finish import finished
@@ -23,14 +23,14 @@ ENGINES = asking("engine")
 
 
 def triangles(work: Drawn) -> list[Drawing]:
-    made, plans = ENGINE.on(work), KINEMATICS.on(work)
+    made, plans = ENGINE_PLAN.on(work), KINEMATICS_PLAN.on(work)
     pivot = plans.positions.point(plans.structure.pivot)
     log, reading, rows = work.construction, work.reading, range(work.project.count)
     return [finished(draw_triangles(log, reading, made, pivot, k, str(k), "X", 40.0)) for k in rows]
 
 
 def rotating(work: Drawn) -> list[Drawing]:
-    made, log, reading = ENGINE.on(work), work.construction, work.reading
+    made, log, reading = ENGINE_PLAN.on(work), work.construction, work.reading
     rows = range(work.project.count)
     return [finished(draw_rotating(log, reading, made, k, str(k), "X", 40.0)) for k in rows]
 

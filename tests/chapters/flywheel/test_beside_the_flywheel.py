@@ -17,7 +17,8 @@ from support.scenes import edited
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.flywheel.beside import BESIDE
-from graphic_tmm.chapters.flywheel.names import CALCULATED, FLYWHEEL
+from graphic_tmm.chapters.flywheel.names import CALCULATED
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
 from graphic_tmm.chapters.flywheel.table import flywheel_results
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.errors import SceneError, StructureError
@@ -84,7 +85,7 @@ def test_the_reduced_force_has_the_power_of_the_force_on_the_piston() -> None:
 
 
 def test_both_methods_are_compared_in_a_step_and_the_table_tells_it() -> None:
-    made, found = drawn(), FLYWHEEL.on(drawn())
+    made, found = drawn(), FLYWHEEL_PLAN.on(drawn())
     assert found.energy_mass is not None
     first, second = value(made, found.inertia), value(made, found.energy_mass.inertia)
     told = single(flywheel_results(made))
@@ -101,9 +102,9 @@ def test_both_methods_are_compared_in_a_step_and_the_table_tells_it() -> None:
 def test_what_a_given_delta_asks_for_keeps_that_delta(delta: float) -> None:
     """J of δ, and δ of that J, by either method."""
     asked = drawn_of(scene(delta=delta), exact=True)
-    inertia = value(asked, FLYWHEEL.on(asked).inertia)
+    inertia = value(asked, FLYWHEEL_PLAN.on(asked).inertia)
     back = drawn_of(scene(delta=None, J=inertia), exact=True)
-    made = FLYWHEEL.on(back)
+    made = FLYWHEEL_PLAN.on(back)
     assert value(back, made.delta) == pytest.approx(delta, rel=1e-9)
     assert value(back, made.inertia) == inertia
     assert value(back, BESIDE.on(back).apart) == pytest.approx(
@@ -117,7 +118,7 @@ def test_what_a_given_delta_asks_for_keeps_that_delta(delta: float) -> None:
 def test_a_rim_is_made_as_round_as_the_task_says() -> None:
     """Document 000: 0.85·0.45 = 0.3825 m, made 0.38 m."""
     made = drawn_of(read(SHEETS / "engine"), exact=True)
-    rim, inertia = FLYWHEEL.on(made).rim, value(made, FLYWHEEL.on(made).inertia)
+    rim, inertia = FLYWHEEL_PLAN.on(made).rim, value(made, FLYWHEEL_PLAN.on(made).inertia)
     assert rim is not None
     assert value(made, rim.inner) == 0.38
     assert value(made, rim.mean) == pytest.approx(0.415)
@@ -153,7 +154,7 @@ def test_an_inertia_that_is_none_is_refused_off_files_too() -> None:
 def test_the_excess_work_and_what_the_rim_keeps() -> None:
     """A = J·δ·ω²; a rim in whole millimetres has the J of its ring and keeps δ in the inverse ratio."""
     made = drawn()
-    found, order = BESIDE.on(made), FLYWHEEL.on(made)
+    found, order = BESIDE.on(made), FLYWHEEL_PLAN.on(made)
     inertia = value(made, order.inertia)
     assert value(made, found.excess) == pytest.approx(inertia * 0.23 * W**2, rel=1e-9)
     assert found.rim is not None

@@ -10,7 +10,7 @@ from support.boards import drawn_of
 from support.gallery import SHEETS
 
 from graphic_tmm.chapters.flywheel.energy import Energies
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Link
@@ -34,8 +34,8 @@ def scene(**links: dict[str, object]) -> Scene:
 
 
 def energies(made: Drawn) -> Energies:
-    assert FLYWHEEL.of(made) is not None
-    return FLYWHEEL.on(made).energies
+    assert FLYWHEEL_PLAN.of(made) is not None
+    return FLYWHEEL_PLAN.on(made).energies
 
 
 def test_a_link_without_mass_or_inertia_has_no_part() -> None:

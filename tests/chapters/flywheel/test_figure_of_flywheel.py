@@ -13,7 +13,8 @@ from support.graphs import assert_read_off_the_log
 
 from graphic_tmm.chapters.flywheel.ink_energy import draw_energy_mass_ink
 from graphic_tmm.chapters.flywheel.ink_sketch import Sizes, draw_flywheel
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL, VIEWS
+from graphic_tmm.chapters.flywheel.names import VIEWS
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.finish import finished
@@ -25,7 +26,7 @@ WHEELS = asking("flywheel")
 
 
 def energy_mass(work: Drawn) -> Drawing:
-    second, names = FLYWHEEL.on(work).energy_mass, work.project.names[: work.project.count]
+    second, names = FLYWHEEL_PLAN.on(work).energy_mass, work.project.names[: work.project.count]
     assert second is not None
     log, figures = work.construction, ("ab", "ψ1", "ψ2")
     return finished(draw_energy_mass_ink(log, work.reading, second, names, "X", figures))
@@ -69,7 +70,7 @@ def test_the_energy_mass_curve_of_machines_drawn_at_random(seed: int, tmp_path: 
 
 
 def test_the_sketch_stands_on_the_sizes_of_the_rim() -> None:
-    rim = FLYWHEEL.on(drawn("engine", exact=True)).rim
+    rim = FLYWHEEL_PLAN.on(drawn("engine", exact=True)).rim
     assert rim is not None
     marks = (rim.outer, rim.inner, rim.width)
     view = draw_flywheel(Sizes(0.45, 0.3825, 0.115, 0.055), 5.0, "x", "ru", marks)

@@ -14,8 +14,7 @@ from support.flywheels import along, graphs, slopes
 from support.gallery import SHEETS
 
 from graphic_tmm.board.charts import ScaleOrder
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL
-from graphic_tmm.chapters.flywheel.plan import Flywheel
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
 from graphic_tmm.chapters.flywheel.task import FlywheelTask
 from graphic_tmm.chapters.indicator.task import Gas
@@ -51,8 +50,8 @@ def drawn(**changes: object) -> Drawn:
 
 
 def fly(made: Drawn) -> Flywheel:
-    assert FLYWHEEL.of(made) is not None
-    return FLYWHEEL.on(made)
+    assert FLYWHEEL_PLAN.of(made) is not None
+    return FLYWHEEL_PLAN.on(made)
 
 
 def inertia(made: Drawn) -> float:
@@ -147,9 +146,9 @@ def test_the_example_from_published_readings(mode: str, cd: float, due: float) -
     bare = Construction(given, steps, log.views, log.figures, log.size)
     values = {**made.given, **typed}
     reading = execute(bare, values, [fly(made).segment, fly(made).inertia])
-    assert FLYWHEEL.of(project) is not None
-    assert reading[FLYWHEEL.on(project).segment][0, 0] == pytest.approx(cd, abs=0.005)
-    assert reading[FLYWHEEL.on(project).inertia][0, 0] == pytest.approx(due, abs=0.001)
+    assert FLYWHEEL_PLAN.of(project) is not None
+    assert reading[FLYWHEEL_PLAN.on(project).segment][0, 0] == pytest.approx(cd, abs=0.005)
+    assert reading[FLYWHEEL_PLAN.on(project).inertia][0, 0] == pytest.approx(due, abs=0.001)
 
 
 def wittenbauer(surplus: np.ndarray, links: np.ndarray) -> float:
@@ -334,7 +333,7 @@ def test_an_order_without_a_part_records_no_step_of_it() -> None:
     assert "energy-mass" not in views
     assert not any(step.it.letter == "D_{max}" for step in lean.project.construction.steps)
     without = drawn_of(scene().asking(flywheel=None))
-    assert FLYWHEEL.of(without) is None
+    assert FLYWHEEL_PLAN.of(without) is None
     assert not {"indicator", "moment"} & {s.it.view for s in without.project.construction.steps}
 
 

@@ -13,7 +13,7 @@ from support.flywheels import at_positions, crank, graphs, scene_of, truth
 
 import graphic_tmm as tmm
 from graphic_tmm.board.hand import HANDS
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
 from graphic_tmm.chapters.flywheel.table import (
     flywheel_results,
 )
@@ -38,8 +38,8 @@ def scene(folder: Path, seed: int, count: int = 12, **choice: str) -> Scene:
 
 
 def segment(made: Drawn) -> float:
-    assert FLYWHEEL.of(made) is not None
-    return float(made.reading[FLYWHEEL.on(made).segment][0, 0])
+    assert FLYWHEEL_PLAN.of(made) is not None
+    return float(made.reading[FLYWHEEL_PLAN.on(made).segment][0, 0])
 
 
 @cache

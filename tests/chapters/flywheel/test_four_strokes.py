@@ -15,11 +15,11 @@ from support.gallery import SHEETS
 from support.graphs import assert_read_off_the_log
 from support.scenes import edited, written
 
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
 from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_results
 from graphic_tmm.chapters.flywheel.views import flywheel_views
-from graphic_tmm.chapters.indicator.names import INDICATOR
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.table import plan_columns
 from graphic_tmm.chapters.kinematics.views import position_views, velocity_views
 from graphic_tmm.drawn import Drawn, single
@@ -163,7 +163,7 @@ def test_random_machines_with_pressures_by_positions(tmp_path: Path, seed: int) 
     moment, energy = both(phi)
     np.testing.assert_allclose(column(made, "M"), moment, atol=1e-8 * np.abs(moment).max())
     due = np.ptp(graphs(moment, energy, turns=2).own)
-    found = made.reading[FLYWHEEL.on(made).segment][0, 0] * made.scales["energy"].value
+    found = made.reading[FLYWHEEL_PLAN.on(made).segment][0, 0] * made.scales["energy"].value
     assert found == pytest.approx(due, rel=1e-6)
 
 
@@ -173,10 +173,10 @@ def _twice(once: Callable[[np.ndarray], np.ndarray]) -> Callable[[np.ndarray], n
 
 def test_the_base_stands_for_4_pi_and_the_mechanism_is_drawn_once() -> None:
     made = exact()
-    mu = made.reading[FLYWHEEL.on(made).base.mu].item()
+    mu = made.reading[FLYWHEEL_PLAN.on(made).base.mu].item()
     assert mu == pytest.approx(4 * np.pi / 240.0)
     assert made.names == tuple(map(str, range(24)))
-    plans = KINEMATICS.on(made)
+    plans = KINEMATICS_PLAN.on(made)
     assert plans.repeated == tuple(range(12, 24))
     assert len(velocity_views(made, False)) == 12
     (positions,) = position_views(made, True)
@@ -220,7 +220,7 @@ def test_diagrams_by_points_of_four_strokes(tmp_path: Path) -> None:
     told = ", ".join(f"{name} = {json.dumps(value)}" for name, value in points.items())
     new = text[:start] + f"cover_points = {{ {told} }}\n\n" + text[end:]
     made = drawn_of(read(written(tmp_path, new)), exact=True)
-    side = INDICATOR.on(made).indicator.sides[0]
+    side = INDICATOR_PLAN.on(made).indicator.sides[0]
     found = (made.reading[side.ordinate] * made.scales["indicator"].value)[0]
     ways = [np.array(points[name]) for name in ("out", "back", "out_2", "back_2")]
     for k, phi in enumerate(PHI):
@@ -239,7 +239,7 @@ def test_forces_feel_the_gas_of_their_own_turn(tmp_path: Path) -> None:
         name="four-stroke",
     )
     made = drawn_of(read(path), exact=True)
-    force = made.reading[INDICATOR.on(made).indicator.force][0]
+    force = made.reading[INDICATOR_PLAN.on(made).indicator.force][0]
     face = np.pi * BORE**2 / 4
     for k in (2, 14):
         due = (pressure(PHI[k : k + 1])[0] - AIR) * face

@@ -12,8 +12,7 @@ from support.gallery import drawn, paper
 from graphic_tmm.chapters.flywheel.ink_energy import (
     draw_energy_mass_ink,
 )
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL
-from graphic_tmm.chapters.flywheel.plan import Flywheel
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
 from graphic_tmm.chapters.indicator.ink import (
     draw_indicator_ink,
 )
@@ -23,7 +22,7 @@ from graphic_tmm.paper.shapes import box, flat, shape
 
 
 def flywheel() -> Flywheel:
-    made = FLYWHEEL.on(drawn("engine", exact=True))
+    made = FLYWHEEL_PLAN.on(drawn("engine", exact=True))
     assert made is not None
     return made
 

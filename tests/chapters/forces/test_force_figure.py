@@ -16,7 +16,7 @@ from support.mechanisms import sample
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.ink_arrows import Arrows, Told
-from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.forces.views import force_table
 from graphic_tmm.drawn import Drawn
@@ -53,7 +53,7 @@ def is_there(work: Drawn, mark: Mark, place: int) -> bool:
 @pytest.mark.parametrize("name", LOADED)
 def test_steps_of_the_forces_of_a_scene_are_their_ink(name: str) -> None:
     work = drawn(name, exact=True)
-    for place in FORCES.on(work).places[:2]:
+    for place in FORCES_PLAN.on(work).places[:2]:
         held(work, place)
 
 
@@ -70,7 +70,7 @@ def test_steps_of_the_forces_of_random_mechanisms_are_their_ink(
 
 def test_the_lever_shows_all_points_of_the_plan_and_the_couples() -> None:
     work = in_usual("lever")
-    made = FORCES.on(work)
+    made = FORCES_PLAN.on(work)
     (place, *_) = made.places
     view = next(one for one in views_of(work, place) if one.name.startswith("lever"))
     letters = {name for label in view.labels for name in label.text.split(", ")}
@@ -84,7 +84,7 @@ def test_the_lever_shows_all_points_of_the_plan_and_the_couples() -> None:
 def test_arrows_on_a_detached_group_are_of_conventional_length() -> None:
     for name in ("windrower", "lever"):
         work = in_usual(name)
-        for view in views_of(work, FORCES.on(work).places[0]):
+        for view in views_of(work, FORCES_PLAN.on(work).places[0]):
             if view.name.startswith("group"):
                 lengths = [
                     abs(complex(*s.path[0][:2]) - complex(*s.path[-1][:2]))
@@ -98,7 +98,7 @@ def test_arrows_on_a_detached_group_are_of_conventional_length() -> None:
 def test_couples_stand_in_the_printed_table_by_their_sizes() -> None:
     """Their senses are drawn; machines are told them by signs."""
     work = drawn("lever")
-    couples = {one.letter for one in FORCES.on(work).loads.couples_on_lever}
+    couples = {one.letter for one in FORCES_PLAN.on(work).loads.couples_on_lever}
     told = [c.value for c in force_columns(work) if c.letter in couples]
     assert any((row < 0.0).any() for row in told)
     (table,) = force_table(work, True)
@@ -115,7 +115,7 @@ def test_couples_of_friction_stand_about_their_pins_and_forces_touch_the_circles
         mark.slot: mark
         for mark in (*work.construction.given, *(s.it for s in work.construction.steps))
     }
-    place, touching, rounds = FORCES.on(work).places[0], set(), set()
+    place, touching, rounds = FORCES_PLAN.on(work).places[0], set(), set()
 
     def value(slot: int) -> complex:
         row = work.reading[marks[slot]]
@@ -140,7 +140,7 @@ def test_couples_of_friction_stand_about_their_pins_and_forces_touch_the_circles
                 turns = (arm.conjugate() * force).imag / abs(force)
                 mu = next(
                     f.mu
-                    for f in FORCES.on(work).figures
+                    for f in FORCES_PLAN.on(work).figures
                     if f"{f.view} ".replace(" ", "-") in view.name
                 )
                 rho = value(radius).real / value(mu.slot).real
@@ -171,7 +171,7 @@ def test_a_reaction_along_a_link_stands_off_the_line_of_the_link(point: complex,
 @each("name", ["crank-press"])
 def test_no_reaction_to_be_found_lies_on_a_link(name: str) -> None:
     work = drawn(name, exact=True)
-    for view in views_of(work, FORCES.on(work).places[0]):
+    for view in views_of(work, FORCES_PLAN.on(work).places[0]):
         bars = shapely.union_all([shape(one) for one in view.strokes if one.part == "link"])
         for one in view.strokes:
             if one.pen == "thin" and dict(one.data).get("segment", "").startswith("R"):

@@ -18,7 +18,7 @@ from support.mechanisms import Sampled, sample
 from support.wrenches import StaticsError
 
 from graphic_tmm.board.record import Construction
-from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.task import ForcesTask, Friction, Load
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.structure import dissect
@@ -190,8 +190,8 @@ def test_an_effect_that_is_switched_on_changes_what_it_should(effect: str) -> No
 
 def balance(scene: Scene, exact: bool = True) -> float:
     made = drawn_of(scene, exact=exact)
-    assert FORCES.of(made) is not None
-    return float(made.reading[FORCES.on(made).balance][0, 8])
+    assert FORCES_PLAN.of(made) is not None
+    return float(made.reading[FORCES_PLAN.on(made).balance][0, 8])
 
 
 # the windrower
@@ -229,8 +229,8 @@ def test_with_the_documents_lengths_it_takes_1786() -> None:
 
 def test_with_a_ruler_of_half_a_millimetre_both_methods_agree_within_five_percent() -> None:
     made = drawn_of(replace(WINDROWER, ruler=0.5))
-    assert FORCES.of(made) is not None
-    apart = float(made.reading[FORCES.on(made).difference][0, 8])
+    assert FORCES_PLAN.of(made) is not None
+    apart = float(made.reading[FORCES_PLAN.on(made).difference][0, 8])
     assert 0.0 < apart < 5.0
 
 
@@ -247,8 +247,8 @@ def test_couples_as_pairs_of_forces_change_no_answer() -> None:
     found = []
     for one in (scene, pairs):
         made = drawn_of(one, exact=True)
-        assert FORCES.of(made) is not None
-        found.append(made.reading[FORCES.on(made).lever.balance])
+        assert FORCES_PLAN.of(made) is not None
+        found.append(made.reading[FORCES_PLAN.on(made).lever.balance])
     np.testing.assert_allclose(*found, rtol=1e-11)
 
 
@@ -279,8 +279,8 @@ def test_parallel_unknown_forces_are_a_finding() -> None:
     order = ForcesTask(("all",), (Load(scene.mechanism.links[-1].number, _last(scene), 100.0),))  # type: ignore[union-attr]
     places = replace(scene.sheets[0], place=(*scene.sheets[0].place, "forces"))
     made = drawn_of(replace(scene, sheets=(places,)).asking(forces=order), exact=True)
-    assert FORCES.of(made) is not None
-    values = made.reading[FORCES.on(made).balance]
+    assert FORCES_PLAN.of(made) is not None
+    values = made.reading[FORCES_PLAN.on(made).balance]
     for k in range(values.shape[1]):
         named = [f for f in made.findings() if k in f.positions]
         assert np.isfinite(values[0, k]) or named

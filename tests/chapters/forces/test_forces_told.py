@@ -12,7 +12,7 @@ from support.boards import drawn_of
 from support.command import invoke
 from support.scenes import written
 
-from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.scene.read import read
 
 SLIDER = """
@@ -217,6 +217,6 @@ def test_a_J_of_zero_and_one_left_out_are_drawn_alike(tmp_path: Path) -> None:
     for text in (SLIDER, SLIDER.replace("J = 0\n", "")):
         path.write_text(text, encoding="utf-8")
         made = drawn_of(read(path), exact=True)
-        assert FORCES.of(made) is not None
+        assert FORCES_PLAN.of(made) is not None
         found.append([step.it.letter for step in made.project.construction.steps])
     assert found[0] == found[1]

@@ -11,7 +11,7 @@ from support.boards import drawn_of
 from support.scenes import slider_crank, written
 
 import graphic_tmm
-from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.travel import part_of_travel, size_at_turn
 from graphic_tmm.chapters.forces.views_loads import load_views
 from graphic_tmm.drawn import Drawn
@@ -38,7 +38,7 @@ def scene(
 
 def sizes(made: Drawn) -> np.ndarray:
     """|F| at the positions, as the log has it."""
-    return np.asarray(made.reading[FORCES.on(made).loads.given[0]][0])
+    return np.asarray(made.reading[FORCES_PLAN.on(made).loads.given[0]][0])
 
 
 def share(phi: np.ndarray) -> np.ndarray:

@@ -9,10 +9,10 @@ import pytest
 from support.boards import drawn_of
 from support.gallery import SHEETS
 
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL
-from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.task import ForcesTask, Load, Travel
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read
@@ -33,16 +33,16 @@ def loaded(*loads: Load, scene: Scene = ENGINE, **options: object) -> Drawn:
 
 def force(made: Drawn, letter: str) -> np.ndarray:
     """The force as a vector, N, at every position."""
-    assert FORCES.of(made) is not None
-    found = next(f for f in FORCES.on(made).loads.on_lever if f.letter == letter)
+    assert FORCES_PLAN.of(made) is not None
+    found = next(f for f in FORCES_PLAN.on(made).loads.on_lever if f.letter == letter)
     return np.broadcast_to(
         (made.reading[found.line].along * made.reading[found.value])[0], (len(made.project.names),)
     )
 
 
 def balance(made: Drawn) -> np.ndarray:
-    assert FORCES.of(made) is not None
-    return made.reading[FORCES.on(made).balance][0]
+    assert FORCES_PLAN.of(made) is not None
+    return made.reading[FORCES_PLAN.on(made).balance][0]
 
 
 def test_against_the_velocity_of_a_slider() -> None:
@@ -57,7 +57,7 @@ def test_against_the_velocity_of_a_slider() -> None:
 def test_against_the_velocity_of_any_point(turned: bool) -> None:
     made = loaded(Load(2, "S2", 50.0), scene=replace(ENGINE, turned=turned))
     found = force(made, "F_2")
-    image = KINEMATICS.on(made).velocities.images.by_letter[2]["S2"]  # type: ignore[union-attr]
+    image = KINEMATICS_PLAN.on(made).velocities.images.by_letter[2]["S2"]  # type: ignore[union-attr]
     velocity = made.reading[image][0] * (1j if turned else 1.0)
     np.testing.assert_allclose(found, -50.0 * velocity / np.abs(velocity), atol=1e-10)
 
@@ -78,8 +78,8 @@ def test_by_position_and_by_angle() -> None:
 
 def test_a_moment_against_the_rotation() -> None:
     made = loaded(Load(2, None, 7.0))
-    rate = made.reading[KINEMATICS.on(made).velocities.rates[2]][0]  # type: ignore[union-attr]
-    couple = made.reading[FORCES.on(made).loads.couples[0].value][0]  # type: ignore[union-attr]
+    rate = made.reading[KINEMATICS_PLAN.on(made).velocities.rates[2]][0]  # type: ignore[union-attr]
+    couple = made.reading[FORCES_PLAN.on(made).loads.couples[0].value][0]  # type: ignore[union-attr]
     moving = np.abs(rate) > 1e-6
     np.testing.assert_allclose(couple[moving], -7.0 * np.sign(rate[moving]))
     with pytest.raises(StructureError, match="does not turn"):
@@ -92,7 +92,7 @@ def test_by_travel_of_the_knife() -> None:
     )
     made = loaded(Load(5, "D", travel=travel), scene=WINDROWER)
     found = np.abs(force(made, "F_5"))
-    place = made.reading[KINEMATICS.on(made).positions.point("D")][0]
+    place = made.reading[KINEMATICS_PLAN.on(made).positions.point("D")][0]
     share = np.abs(place - place[0]) / np.abs(place[-1] - place[0])
     out = np.interp(share[1:8], (0.0, 0.5, 1.0), (0.0, 200.0, 100.0))
     np.testing.assert_allclose(found[1:8], out, rtol=1e-9)
@@ -115,7 +115,7 @@ def test_the_gas_pushes_the_piston() -> None:
     pressures = np.array(ENGINE.tasks["flywheel"].indicator.cover.pressures)
     np.testing.assert_allclose(force(made, "P"), -pressures * area, rtol=1e-9)
     # the reduced moment of the flywheel's first step, reversed: P_b·OA
-    speed = made.reading[KINEMATICS.on(made).velocities.readings[3]][0]  # type: ignore[union-attr]
+    speed = made.reading[KINEMATICS_PLAN.on(made).velocities.readings[3]][0]  # type: ignore[union-attr]
     due = pressures * area * speed / 60.0 if made.scales["velocities"].value == 0.25 else None
     if due is not None:
         np.testing.assert_allclose(balance(made), due, atol=1e-6)
@@ -125,7 +125,7 @@ def test_the_gas_balances_what_the_flywheel_is_driven_by() -> None:
     """The reduced moment of A2 is minus the balancing moment of the gas alone."""
     engine = drawn_of(ENGINE, exact=True)
     made = loaded(gas=ENGINE.tasks["flywheel"].indicator, balance="moment")  # type: ignore[union-attr]
-    chart = next(c for c in FLYWHEEL.on(engine).charts if c.view == "moment")  # type: ignore[union-attr]
+    chart = next(c for c in FLYWHEEL_PLAN.on(engine).charts if c.view == "moment")  # type: ignore[union-attr]
     moment = engine.reading[chart.ordinates[0]] * engine.reading[chart.mu]
     np.testing.assert_allclose(balance(made), -moment[0], atol=1e-8)
 
@@ -146,17 +146,17 @@ def test_a_load_on_what_is_not_there_is_refused(load: Load, says: str) -> None:
 def test_the_windrowers_reduced_moment_is_its_power_over_omega() -> None:
     """The lever against forces times velocities, of the loads that are not inertia's."""
     made = drawn_of(WINDROWER, exact=True)
-    assert FORCES.of(made) is not None
-    assert FLYWHEEL.of(made) is not None
-    assert KINEMATICS.on(made).velocities is not None
+    assert FORCES_PLAN.of(made) is not None
+    assert FLYWHEEL_PLAN.of(made) is not None
+    assert KINEMATICS_PLAN.on(made).velocities is not None
     power = np.zeros(len(made.project.names))
     mu = made.scales["velocities"].value
-    for one in FORCES.on(made).loads.on_lever:
+    for one in FORCES_PLAN.on(made).loads.on_lever:
         if not one.letter.startswith("P_{i"):
             assert one.image is not None
             velocity = made.reading[one.image] * mu
             acting = made.reading[one.line].along * made.reading[one.value]
             power = power + (acting * velocity.conj()).real[0]
-    chart = next(c for c in FLYWHEEL.on(made).charts if c.view == "moment")
+    chart = next(c for c in FLYWHEEL_PLAN.on(made).charts if c.view == "moment")
     found = made.reading[chart.ordinates[0]][0] * made.reading[chart.mu][0, 0]
     np.testing.assert_allclose(found, -power / WINDROWER.mechanism.drive.speed, atol=1e-9)  # type: ignore[union-attr]

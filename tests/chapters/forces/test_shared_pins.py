@@ -15,8 +15,8 @@ import pytest
 from support.boards import drawn_of
 
 import graphic_tmm
-from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.pins import shared_pins, told
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.views import force_table, force_views, polygon_equation
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.scene.read import read
@@ -139,7 +139,7 @@ def judged(path: Path, load: complex, loaded: int) -> dict[str, complex]:
 def vectors(drawn: Drawn) -> dict[str, complex]:
     """Return the reactions as they stand in the polygons, N."""
     found = {}
-    for one in FORCES.on(drawn).reactions:
+    for one in FORCES_PLAN.on(drawn).reactions:
         mu = drawn.scales[one.tail.view].value
         found[one.letter] = (
             complex(drawn.reading[one.head].item() - drawn.reading[one.tail].item()) * mu
@@ -171,7 +171,7 @@ def test_it_is_told_below_figures_and_table_and_in_the_protocol(tmp_path: Path) 
     (says,) = told(drawn, "en")
     assert "Links 2, 3, 4 meet in pin B" in says
     assert "R_{23}, R_{24}" in says
-    first = FORCES.on(drawn).polygons[0].view
+    first = FORCES_PLAN.on(drawn).polygons[0].view
     assert "R23, R24" in polygon_equation(drawn, first, "en")[0].replace("_", "")
     (table,) = force_table(drawn, lettered=True)
     words = " ".join(label.text for label in table.labels)

@@ -12,7 +12,7 @@ from graphic_tmm.chapters.gears.names import GEARS
 
 @pytest.mark.parametrize("name", ["gear-pair", "project"])
 def test_lengths_of_the_meshing_are_told_as_they_were_drawn(name: str) -> None:
-    drawn = next(one for one in made(name).boards if one.board == GEARS.chapter)
+    drawn = next(one for one in made(name).boards if one.board == GEARS)
     marks = [
         step.it
         for step in drawn.construction.steps

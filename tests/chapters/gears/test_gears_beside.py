@@ -15,7 +15,7 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.bounds import TaskError
 from graphic_tmm.chapters.gears.beside import BESIDE, VIEW
 from graphic_tmm.chapters.gears.dimensions import VIEW as DIMENSIONS
-from graphic_tmm.chapters.gears.names import GEARS
+from graphic_tmm.chapters.gears.plan import GEARS_PLAN
 from graphic_tmm.chapters.gears.refusals import refuse_order
 from graphic_tmm.chapters.gears.table import SLIDING
 from graphic_tmm.chapters.gears.task import GearTask
@@ -78,7 +78,7 @@ def test_ratio_and_arc_of_engagement_are_those_of_unwound_strings(order: GearTas
     beside, due = BESIDE.on(project), own(order)
     wanted = (beside.ratio, beside.arc, beside.path)
     reading = execute(
-        project.construction, {**project.given, GEARS.on(project).line.mu: 1.0}, wanted
+        project.construction, {**project.given, GEARS_PLAN.on(project).line.mu: 1.0}, wanted
     )
     ratio, arc, path = (float(reading[mark].item()) for mark in wanted)
     assert ratio == order.z2 / order.z1
@@ -96,10 +96,10 @@ def test_the_arc_that_is_drawn_is_the_one_that_is_calculated() -> None:
 def test_drawn_sizes_are_the_real_ones_in_the_scale_of_the_book() -> None:
     """Document 003: μ = 168.68/400 = 0.4217, r = 142 and 237, r_w = 150 and 250, a_w = 400 mm."""
     drawn = part(read(SHEETS / "gear-pair"))
-    found, due = single(_results(drawn)), own(GEARS.on(drawn).order)
+    found, due = single(_results(drawn)), own(GEARS_PLAN.on(drawn).order)
     mu = drawn.scales["gear"].value
     assert mu == pytest.approx(float(due["axes"]) / 400.0, rel=SAME)
-    assert choices(drawn).value(GEARS.on(drawn).line.mu) == pytest.approx(mu, rel=SAME)
+    assert choices(drawn).value(GEARS_PLAN.on(drawn).line.mu) == pytest.approx(mu, rel=SAME)
     sizes = {one.segment: one for one in _columns(drawn) if one.plan == DIMENSIONS}
     rounded = {k: np.round(sizes[k].mm[0]).tolist() for k in ("r", "r_w", "s", "a_w")}
     assert rounded == {"r": [142, 237], "r_w": [150, 250], "s": [41, 36], "a_w": [400]}
@@ -119,7 +119,7 @@ def test_mu_and_the_drawn_distance_are_not_both_given() -> None:
 def test_the_table_of_sliding_has_its_limits_the_pole_and_the_stations_of_the_task() -> None:
     """Sliding from the speeds along the flanks: ω₁·x against ω₂·(N₁N₂ − x), with z instead of ω."""
     drawn = part(read(SCENE))
-    gear = GEARS.on(drawn)
+    gear = GEARS_PLAN.on(drawn)
     columns = {one.segment: one for one in _columns(drawn) if one.plan == SLIDING}
     x, first, second = (columns[name].value[0] for name in ("x", "theta1", "theta2"))
     names = [name for name, _ in columns["x"].at]

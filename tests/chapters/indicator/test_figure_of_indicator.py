@@ -11,8 +11,8 @@ from support.flywheels import crank, scene_of
 from support.gallery import asking, drawn
 from support.graphs import assert_read_off_the_log
 
+from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN
 from graphic_tmm.chapters.indicator.ink import draw_indicator_ink
-from graphic_tmm.chapters.indicator.names import INDICATOR
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.scene.read import read
@@ -21,7 +21,7 @@ CYLINDERS = asking("indicator")
 
 
 def assert_indicator(work: Drawn) -> None:
-    made, project = INDICATOR.on(work).indicator, work.project
+    made, project = INDICATOR_PLAN.on(work).indicator, work.project
     means = {side.mean: side.name for side in made.sides if side.mean is not None}
     names, log = project.names[: project.count], work.construction
     view = draw_indicator_ink(log, work.reading, made, names, "X", means=means)

@@ -12,7 +12,7 @@ from support.boards import drawn_of
 from support.gallery import SHEETS
 
 from graphic_tmm.board.operations.curve import bezier
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
 from graphic_tmm.chapters.indicator.plan import Indicator
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask
 from graphic_tmm.drawn import Drawn
@@ -42,8 +42,8 @@ def drawn(double: bool = False, extra: tuple[float, ...] = ()) -> Drawn:
 
 
 def made(of: Drawn) -> Indicator:
-    assert FLYWHEEL.of(of) is not None
-    return FLYWHEEL.on(of).indicator
+    assert FLYWHEEL_PLAN.of(of) is not None
+    return FLYWHEEL_PLAN.on(of).indicator
 
 
 def travel() -> np.ndarray:

@@ -9,7 +9,7 @@ import pytest
 from support.boards import drawn_of
 from support.gallery import SHEETS
 
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask, Stretch
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
@@ -42,8 +42,8 @@ def drawn(*stretches: Stretch, count: int = 12, extra: tuple[float, ...] = ()) -
 
 
 def pressures(made: Drawn) -> np.ndarray:
-    assert FLYWHEEL.of(made) is not None
-    (side,) = FLYWHEEL.on(made).indicator.sides
+    assert FLYWHEEL_PLAN.of(made) is not None
+    (side,) = FLYWHEEL_PLAN.on(made).indicator.sides
     return np.asarray(made.reading[side.ordinate][0] * 2000.0)
 
 
@@ -85,8 +85,8 @@ def test_at_a_jump_the_pressure_behind_it_holds() -> None:
 
 def test_the_mean_pressure_of_many_positions_is_that_of_the_strokes() -> None:
     made = drawn(*STEAM, count=360)
-    assert FLYWHEEL.of(made) is not None
-    (side,) = FLYWHEEL.on(made).indicator.sides
+    assert FLYWHEEL_PLAN.of(made) is not None
+    (side,) = FLYWHEEL_PLAN.on(made).indicator.sides
     out = 600e3 * (0.3 + (C + 0.3) * np.log((C + 1) / (C + 0.3)))
     compressed = 110e3 * (C + 0.25) / 0.2 * (((C + 0.25) / C) ** 0.2 - 1)
     due = out - 110e3 * 0.75 - compressed

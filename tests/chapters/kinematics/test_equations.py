@@ -15,7 +15,7 @@ from graphic_tmm.board.naming import (
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.kinematics.ink_equations import draw_equations
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.readers.equations import Equation, components, ends_of, equations, quantity
 
 
@@ -71,7 +71,7 @@ def test_a_plan_without_a_pole_or_not_drawn_has_none() -> None:
 def test_every_group_has_its_equation_and_two_vectors_known_in_direction_only(
     name: str, plan: str
 ) -> None:
-    groups = [f"II({g.name})" for g in KINEMATICS.on(in_usual(name)).structure.groups]
+    groups = [f"II({g.name})" for g in KINEMATICS_PLAN.on(in_usual(name)).structure.groups]
     assert [e.group for e in found(name, plan)] == groups
     for equation in found(name, plan):
         assert equation.markup.count(r"\u{") == 2  # as many unknowns as a plane equation solves
@@ -166,7 +166,7 @@ def test_no_heading_of_a_group_can_be_read_as_a_parallel(
 ) -> None:
     view = lettered(name, plan, language)
     assert not any(text.startswith("II") for text in view)
-    groups = [g.name for g in KINEMATICS.on(in_usual(name)).structure.groups]
+    groups = [g.name for g in KINEMATICS_PLAN.on(in_usual(name)).structure.groups]
     heads = {"en": "group {} of class II:", "ru": "группа {} II класса:"}
     assert [text for text in view if text.endswith(":")] == [
         heads[language].format(g) for g in groups

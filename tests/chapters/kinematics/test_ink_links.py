@@ -19,7 +19,7 @@ from support.scenes import written
 from support.seen import CLOSE, Seen, judge
 
 from graphic_tmm.chapters.kinematics.ink_links import HELD, THROUGH, LinksInk
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Stroke
@@ -176,7 +176,7 @@ def test_the_point_of_the_driving_link_under_a_stone_has_its_vector_and_its_row(
 def test_a_helping_point_never_takes_a_letter_of_the_scene() -> None:
     seen = look_at(YOKE)
     judge(seen)
-    body = KINEMATICS.on(seen.work).positions.bodies[3]
+    body = KINEMATICS_PLAN.on(seen.work).positions.bodies[3]
     apart = seen.work.reading[body.marks["B′"]] - seen.work.reading[body.marks["B"]]
     assert np.abs(apart) * seen.mu == pytest.approx(0.05, rel=1e-9)
 

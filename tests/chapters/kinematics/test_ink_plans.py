@@ -18,7 +18,7 @@ from graphic_tmm.chapters.kinematics.ink_plans import (
     draw_plan,
     vectors,
 )
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.table import kinematic_columns
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.finish import finished
@@ -249,7 +249,7 @@ def test_the_number_of_a_position_follows_in_the_index() -> None:
 def test_the_rockers_point_under_the_pin_has_its_vector(name: str) -> None:
     """Its acceleration is that of a point of a link turning about a fixed pivot: r·√(ω⁴ + ε²)."""
     work = drawn(name, exact=True)
-    made = KINEMATICS.on(work)
+    made = KINEMATICS_PLAN.on(work)
     pivot = work.reading[made.positions.closings[0].legs[1].pivot][0]
     reach = np.abs(work.reading[made.crank[1]] - pivot)[0] * work.scales["positions"].value
     rows = {(c.plan, c.segment): c.value[0] for c in kinematic_columns(work)}

@@ -18,7 +18,7 @@ from graphic_tmm.chapters.kinematics.ink_positions import (
     clear_start,
     draw_positions_ink,
 )
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke
 from graphic_tmm.paper.finish import finished
@@ -31,7 +31,7 @@ ROOM = 14.0
 
 
 def crank(name: str) -> tuple[Mark, Mark]:
-    return KINEMATICS.on(drawn(name, exact=True)).crank
+    return KINEMATICS_PLAN.on(drawn(name, exact=True)).crank
 
 
 @cache
@@ -76,7 +76,7 @@ def spots(stroke: Stroke) -> list[complex]:
 @pytest.mark.parametrize("main", [0, 1, 5])
 def test_the_main_position_is_drawn_with_rods_and_the_others_thin(main: int) -> None:
     view = plan("engine", main)
-    body = KINEMATICS.on(drawn("engine")).positions.bodies
+    body = KINEMATICS_PLAN.on(drawn("engine")).positions.bodies
     o, a = crank("engine")
     rods = [{(round(z.real, 6), round(z.imag, 6)) for z in spots(s)} for s in strokes(view, "rod")]
     b = body[2].marks["B"]
@@ -117,7 +117,7 @@ def test_every_position_has_its_number_outside_the_crank_circle(name: str) -> No
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_letter_of_the_mechanism_stands_once(name: str) -> None:
-    mechanism = KINEMATICS.on(drawn(name, exact=True)).mechanism
+    mechanism = KINEMATICS_PLAN.on(drawn(name, exact=True)).mechanism
     texts = [label.text for label in plan(name).labels if label.size == 5.0]
     found = [part.replace("_{", "").replace("}", "") for t in texts for part in t.split(", ")]
     due = {letter for link in mechanism.links for letter in link.points}
@@ -151,14 +151,14 @@ def test_trajectories_are_smooth_curves_through_their_points() -> None:
     assert curves
     assert all(curve.title.startswith("(S2") for curve in curves)
     controls = [z for curve in curves for z in curve.controls]
-    mark = KINEMATICS.on(drawn("engine")).positions.bodies[2].marks["S2"]
+    mark = KINEMATICS_PLAN.on(drawn("engine")).positions.bodies[2].marks["S2"]
     for index in range(12):
         assert min(abs(z - at("engine", mark, index)) for z in controls) < 1e-6
     assert not [s for s in plan("windrower").strokes if isinstance(s, Bezier)]
 
 
 def test_a_guide_is_hatched_over_the_travel_of_its_slider() -> None:
-    view, mark = plan("engine"), KINEMATICS.on(drawn("engine")).positions.bodies[2].marks["B"]
+    view, mark = plan("engine"), KINEMATICS_PLAN.on(drawn("engine")).positions.bodies[2].marks["B"]
     travel = [at("engine", mark, k).real for k in range(12)]
     level = [
         s
@@ -177,7 +177,7 @@ def test_a_guide_is_hatched_over_the_travel_of_its_slider() -> None:
 
 
 def test_a_rocker_runs_through_its_stone() -> None:
-    body = KINEMATICS.on(drawn("windrower")).positions.bodies
+    body = KINEMATICS_PLAN.on(drawn("windrower")).positions.bodies
     pivot, pin = body[3].marks["B"], crank("windrower")[1]
     a, b = at("windrower", pin, 1), at("windrower", pivot, 1)
     rods = [
@@ -190,7 +190,7 @@ def test_a_rocker_runs_through_its_stone() -> None:
 
 
 def test_a_mass_centre_is_a_small_circle() -> None:
-    mark = KINEMATICS.on(drawn("engine")).positions.bodies[2].marks["S2"]
+    mark = KINEMATICS_PLAN.on(drawn("engine")).positions.bodies[2].marks["S2"]
     centre = at("engine", mark, 1)
     round_ones = [
         s

@@ -20,7 +20,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics import views
 from graphic_tmm.chapters.kinematics.figures import CONTENTS
 from graphic_tmm.chapters.kinematics.ink_numbers import CLOSE, together
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke
 from graphic_tmm.paper.shapes import box, shape
@@ -80,7 +80,7 @@ def centre(ring: Stroke) -> complex:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_link_bears_its_number_in_a_circle_that_nothing_crosses(name: str) -> None:
-    view, mechanism = plan(name), KINEMATICS.on(drawn(name)).mechanism
+    view, mechanism = plan(name), KINEMATICS_PLAN.on(drawn(name)).mechanism
     found = [ring for ring in rings(view) if ring.pen == "thin"]
     labels = [
         next(one for one in view.labels if abs(middle(one) - centre(ring)) < 0.3) for ring in found
@@ -99,7 +99,7 @@ def test_every_link_bears_its_number_in_a_circle_that_nothing_crosses(name: str)
 @pytest.mark.parametrize("name", NAMES)
 def test_the_line_from_a_number_ends_on_its_link(name: str) -> None:
     work, view = drawn(name), plan(name)
-    main, frame = work.main, KINEMATICS.on(work).mechanism.frame.number
+    main, frame = work.main, KINEMATICS_PLAN.on(work).mechanism.frame.number
     lines = [s for s in view.strokes if s.part == "number" and not s.closed]
     for ring in (one for one in rings(view) if one.pen == "thin"):
         label = next(one for one in view.labels if abs(middle(one) - centre(ring)) < 0.3)
@@ -120,7 +120,7 @@ def test_the_line_from_a_number_ends_on_its_link(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_arrow_of_the_crank_bears_its_letter(name: str) -> None:
-    made = KINEMATICS.on(drawn(name))
+    made = KINEMATICS_PLAN.on(drawn(name))
     (label,) = [one for one in plan(name).labels if one.text.startswith("ω")]
     assert label.text == f"ω_{made.structure.driver}"
     pivot = spot(drawn(name), made.crank[0], 0)
@@ -169,7 +169,7 @@ def test_every_slider_bears_the_numbers_of_its_positions_where_it_stands(name: s
         told = [one for one in view.labels if one.of == (mark.slot,) and one.text[0].isdigit()]
         numbers = [part for label in told for part in told_by(label.text)]
         assert len(numbers) == len(set(numbers))
-        pin = KINEMATICS.on(work).crank[1]
+        pin = KINEMATICS_PLAN.on(work).crank[1]
         for k, number in enumerate(work.names):
             at = spot(work, mark, k)
             lone = all(

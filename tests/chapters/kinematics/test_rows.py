@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from support.boards import drawn_of
 
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.readers.table import columns_of
@@ -179,7 +179,7 @@ def test_a_row_that_is_not_asked_for_records_no_step(tmp_path: Path) -> None:
 def test_a_straight_path_has_no_radius_and_says_so(tmp_path: Path) -> None:
     drawn = Case(1, rows='[rows]\npaths = ["D"]\n').drawn(tmp_path)
     assert np.isnan(next(c for c in columns_of(drawn) if c.segment == "rhoD").value).all()
-    (row,) = KINEMATICS.on(drawn).rows
+    (row,) = KINEMATICS_PLAN.on(drawn).rows
     said = [f for f in drawn.findings() if row.mark in (f.step.it, *f.marks)]
     assert {place for one in said for place in one.positions} == set(range(5))
 

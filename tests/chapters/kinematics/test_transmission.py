@@ -9,7 +9,7 @@ import pytest
 from support.linkages import four_bar, slider_crank
 from support.rows import project_of
 
-from graphic_tmm.chapters.kinematics.transmission import passed
+from graphic_tmm.chapters.kinematics.turning import TURNING
 from graphic_tmm.mechanism.records import Mechanism
 
 GRID = 0.02
@@ -17,7 +17,7 @@ GRID = 0.02
 
 
 def least(mechanism: Mechanism) -> float:
-    found = passed(project_of(mechanism, "B", "right"))
+    found = TURNING.passed(project_of(mechanism, "B", "right"))
     assert found.whole
     return found.least
 

@@ -9,7 +9,7 @@ import numpy as np
 from support.boards import in_usual_size, usual_part
 
 from graphic_tmm.board.execute import execute
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.scene.read import read
 
@@ -39,7 +39,7 @@ def test_no_step_of_a_mechanism_lays_off_nothing() -> None:
     drawn = in_usual_size(read(CASE), exact=True).mechanism
     assert drawn is not None
     assert nothing(drawn) == []
-    made = KINEMATICS.on(drawn)
+    made = KINEMATICS_PLAN.on(drawn)
     mm = 1.0 / drawn.scales["positions"].value
     own = {n: body for n, body in made.positions.bodies.items()}
     at = {

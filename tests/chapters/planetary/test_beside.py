@@ -12,7 +12,7 @@ from support.gallery import SHEETS
 from support.scenes import edited, written
 
 from graphic_tmm.chapters.planetary.beside import BEHIND, BESIDE, CALCULATED
-from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
+from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
 from graphic_tmm.chapters.planetary.verdict import train_results, verdict
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.note.document import Number as Figure
@@ -87,7 +87,7 @@ satellites = 2
 place = ["planetary"]
 """
     drawn = part(read(written(tmp_path, text)))
-    made = PLANETARY_TRAIN.on(drawn)
+    made = PLANETARY_PLAN.on(drawn)
     axes = drawn.reading[made.sizes.axes].item()
     tips = [drawn.reading[tip].item() for tip in made.sizes.tips.values()]
     spots = ((k, axes * abs(cmath.rect(1, 2 * math.pi / k) - 1)) for k in range(2, 400))
