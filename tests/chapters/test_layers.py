@@ -14,13 +14,13 @@ from support.gallery import ROOT
 BOOK = ROOT / "graphic_tmm" / "chapters"
 CHAPTERS = sorted(path.parent.name for path in BOOK.glob("*/__init__.py"))
 LAYERS = (
-    ("names", "task", "kinds", "words"),
-    ("sections", "formulas", "law_formulas", "rack", "operations", "rolling"),
+    ("task", "kinds"),
+    ("sections", "formulas", "rack", "operations", "rolling", "words"),
     (),  # plans: what no other layer names
-    ("results", "tables", "scales", "assumed"),
-    ("ink", "outline", "accuracy", "choice"),
-    ("any", "views", "turning", "scheme", "record", "sizes", "table", "findings", "verdict"),
-    ("note", "conclusions", "protocol", "readings", "task_sheet"),
+    ("record",),
+    ("scales", "outline", "ink", "accuracy"),
+    ("table", "views", "turning", "scheme", "findings"),
+    ("note", "task_sheet"),
     ("__init__",),
 )
 
@@ -39,7 +39,9 @@ def imports(path: Path, chapter: str) -> set[str]:
     for node in ast.parse(path.read_text(encoding="utf-8")).body:
         if isinstance(node, ast.ImportFrom) and node.module:
             if node.module == home:
-                found |= {alias.name for alias in node.names}
+                found |= {
+                    one.name for one in node.names if (path.parent / f"{one.name}.py").exists()
+                }
             elif node.module.startswith(f"{home}."):
                 found.add(node.module.removeprefix(f"{home}."))
     return found

@@ -17,7 +17,7 @@ from support.scenes import written
 
 from graphic_tmm.board.execute import Program
 from graphic_tmm.board.hand import EXACT
-from graphic_tmm.chapters.kinematics.names import POSITIONS
+from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.mechanism.records import Row
 from graphic_tmm.scene import read as reading
 from graphic_tmm.scene.records import Scene, SheetOrder

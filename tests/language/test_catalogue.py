@@ -29,7 +29,7 @@ RUSSIAN_BY_NATURE = {
     "paper/lettering/cyrillic.py": "the Cyrillic alphabet's own strokes",
     "paper/lettering/latin.py": "letters that have the strokes of Cyrillic ones",
     "paper/lettering/greek.py": "letters that have the strokes of Cyrillic ones",
-    "chapters/lettering/specimen.py": "a specimen shows Cyrillic letters, and puts Ё behind Е",
+    "chapters/lettering/views.py": "a specimen shows Cyrillic letters, and puts Ё behind Е",
     "checking/readings/csv_cells.py": "input: titles typed with Cyrillic letters that look like x and y, мм",
     "checking/readings/figures.py": "input: мм behind a figure",
     "checking/readings/names.py": "input: words and endings of names of plans",

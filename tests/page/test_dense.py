@@ -16,8 +16,8 @@ from support.oracle import OracleError, solve_fast
 from support.scenes import calling
 
 from graphic_tmm.board.values import Curve, arrays
-from graphic_tmm.chapters.kinematics.names import PLANS
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.chapters.kinematics.task import PLANS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Mechanism, Row
 from graphic_tmm.page.dense import Dense, dense

@@ -17,7 +17,7 @@ from support.gallery import SHEETS
 from support.linkages import four_bar, slider_crank
 from support.scenes import written
 
-from graphic_tmm.chapters.kinematics.names import PLANS
+from graphic_tmm.chapters.kinematics.task import PLANS
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Mechanism, Row
 from graphic_tmm.page.crank import Turned, crank, fine, on_paper

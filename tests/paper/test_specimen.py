@@ -7,7 +7,7 @@ from itertools import pairwise
 import pytest
 import shapely
 
-from graphic_tmm.chapters.lettering.specimen import LARGE, SHOWN, kinds, specimen
+from graphic_tmm.chapters.lettering.views import CAPITALS, LARGE, kinds, specimen
 from graphic_tmm.paper.lettering.glyphs import characters
 from graphic_tmm.paper.lettering.letters import (
     SIZES,
@@ -20,14 +20,14 @@ VIEWS = {view.name: view for view in specimen("ru", 7.0)}
 
 @pytest.mark.parametrize(("name", "inclined"), [("upright", False), ("inclined", True)])
 def test_every_character_of_the_alphabet_is_shown(name: str, inclined: bool) -> None:
-    labels = [k for k in VIEWS[f"lettering-{name}"].labels if k.size == SHOWN]
+    labels = [k for k in VIEWS[f"lettering-{name}"].labels if k.size == CAPITALS]
     assert {plain(label.text) for label in labels} == {c for c in characters() if c.strip()}
     assert {label.inclined for label in labels} == {inclined}
 
 
 def test_characters_do_not_touch_each_other() -> None:
     for name in ("upright", "inclined"):
-        labels = [k for k in VIEWS[f"lettering-{name}"].labels if k.size == SHOWN]
+        labels = [k for k in VIEWS[f"lettering-{name}"].labels if k.size == CAPITALS]
         for first, second in pairwise(labels):
             if first.at.imag == second.at.imag:
                 assert box(first).disjoint(box(second))

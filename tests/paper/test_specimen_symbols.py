@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
-from graphic_tmm.chapters.lettering.specimen_symbols import specimen_symbols
+from graphic_tmm.chapters.lettering.views import specimen_symbols
 from graphic_tmm.paper.drawing import Bezier, Stroke
 from graphic_tmm.paper.lettering.heights import HEIGHTS
 from graphic_tmm.paper.pens import pens

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from support.gallery import paper
 
-from graphic_tmm.chapters.diagrams.names import VIEWS
+from graphic_tmm.chapters.diagrams.task import VIEWS
 from graphic_tmm.paper.drawing import Drawing, Within, line
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.views import stacked

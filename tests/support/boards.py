@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from graphic_tmm.chapters.kinematics.names import PLANS
+from graphic_tmm.chapters.kinematics.task import PLANS
 from graphic_tmm.drawn import Drawn, DrawnScene, doubted
 from graphic_tmm.fitting.given import drawn_as
 from graphic_tmm.fitting.scales import executed, reach_of

@@ -14,9 +14,9 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle
-from graphic_tmm.chapters.forces.driving import Driver
 from graphic_tmm.chapters.forces.loads import Ground
 from graphic_tmm.chapters.forces.plan import Forces, draw_forces
+from graphic_tmm.chapters.forces.statics import Driver
 from graphic_tmm.chapters.forces.task import ForcesTask, Friction, Load
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.positions import Positions, draw_frame, draw_positions

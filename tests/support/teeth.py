@@ -14,11 +14,10 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Curve
-from graphic_tmm.chapters.gears.checks import Verdict, verdicts
-from graphic_tmm.chapters.gears.names import GEARS
+from graphic_tmm.chapters.gears.contact import Verdict, verdicts
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN, Gear, gear_scales
-from graphic_tmm.chapters.gears.results import gear_results
-from graphic_tmm.chapters.gears.task import GearTask
+from graphic_tmm.chapters.gears.table import gear_results
+from graphic_tmm.chapters.gears.task import GEARS, GearTask
 from graphic_tmm.chapters.gears.teeth import Flank
 from graphic_tmm.drawn import Drawn, Numbers, single, view_scales
 from graphic_tmm.fitting.scales import Fitting

@@ -28,8 +28,7 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.arc_cam.names import ARC_CAM
-from graphic_tmm.chapters.arc_cam.task import SECTIONS
+from graphic_tmm.chapters.arc_cam.task import ARC_CAM, SECTIONS
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(

@@ -29,10 +29,10 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Reals
 from graphic_tmm.chapters.arc_cam import formulas as f
-from graphic_tmm.chapters.arc_cam import reasons as why
+from graphic_tmm.chapters.arc_cam import words as why
 from graphic_tmm.chapters.arc_cam.contour import Arc
+from graphic_tmm.chapters.arc_cam.formulas import on_arc, while_on
 from graphic_tmm.chapters.arc_cam.geometry import ARCS, SAME
-from graphic_tmm.chapters.arc_cam.operations import on_arc, while_on
 from graphic_tmm.chapters.arc_cam.plan import ArcCam
 from graphic_tmm.chapters.arc_cam.task import FLAT
 

@@ -19,7 +19,7 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point, Side
 from graphic_tmm.chapters.arc_cam import formulas as f
-from graphic_tmm.chapters.arc_cam import reasons as why
+from graphic_tmm.chapters.arc_cam import words as why
 from graphic_tmm.chapters.arc_cam.task import ArcTask, Flank
 
 VIEW = "arc cam profile"

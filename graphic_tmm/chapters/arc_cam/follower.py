@@ -24,10 +24,10 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Reals, Side
 from graphic_tmm.chapters.arc_cam import formulas as f
-from graphic_tmm.chapters.arc_cam import reasons as why
+from graphic_tmm.chapters.arc_cam import words as why
 from graphic_tmm.chapters.arc_cam.contour import Arc, Contour, End
+from graphic_tmm.chapters.arc_cam.formulas import line_on_arc, on_arc, turn_between
 from graphic_tmm.chapters.arc_cam.geometry import ARCS, Lie, side_on_straight
-from graphic_tmm.chapters.arc_cam.operations import line_on_arc, on_arc, turn_between
 from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER, ArcTask
 from graphic_tmm.chapters.cam.operations import slant, slew
 

@@ -16,7 +16,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Complexes
 from graphic_tmm.chapters.arc_cam.contour import VIEW, Arc
-from graphic_tmm.chapters.arc_cam.operations import line_on_arc, on_arc, turn_between
+from graphic_tmm.chapters.arc_cam.formulas import line_on_arc, on_arc, turn_between
 from graphic_tmm.chapters.arc_cam.plan import ArcCam
 from graphic_tmm.chapters.arc_cam.task import FLAT
 from graphic_tmm.chapters.cam.operations import slant

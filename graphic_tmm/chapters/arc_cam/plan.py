@@ -18,8 +18,7 @@ from graphic_tmm.chapters.arc_cam import formulas as f
 from graphic_tmm.chapters.arc_cam.contour import Contour, draw_contour
 from graphic_tmm.chapters.arc_cam.follower import Follower, draw_follower
 from graphic_tmm.chapters.arc_cam.geometry import SAME, Lie, lie
-from graphic_tmm.chapters.arc_cam.names import ARC_CAM
-from graphic_tmm.chapters.arc_cam.task import ASKED, ROCKER, ArcTask
+from graphic_tmm.chapters.arc_cam.task import ARC_CAM, ASKED, ROCKER, ArcTask
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Made
 

@@ -1,9 +1,81 @@
-"""What is recorded of a cam of arcs."""
+"""What is recorded of a cam of arcs: its plan, and aside its accelerations and where its centres stand."""
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.arc_cam.beside import record_beside
-from graphic_tmm.chapters.arc_cam.plan import record
-from graphic_tmm.project import Plan
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.instruments import measure
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.arc_cam import formulas as f
+from graphic_tmm.chapters.arc_cam import words as why
+from graphic_tmm.chapters.arc_cam.acceleration import second_derivatives
+from graphic_tmm.chapters.arc_cam.contour import Contour
+from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, record
+from graphic_tmm.chapters.arc_cam.task import ARC_CAM, ROCKER
+from graphic_tmm.project import Bench, Plan
+from graphic_tmm.scene.chapter import Made, aside
+
+VIEW = "arc_cam-calculation"
+"""The view of what is calculated."""
+
+
+class Beside(NamedTuple):
+    """What the follower does, found without differentiation.
+
+    ``second``: d²S/dφ² (m; of a lever 1) on the arc before a change, and on that behind it. ``velocity`` and
+    ``acceleration``, on both sides, at all positions (m/s, m/s²; of a lever 1/s, 1/s²); None without a speed.
+    ``centres``: of each flank with a centre, by its number, how far this stands from the cam's centre and from
+    the nose's (Number, m).
+    """
+
+    second: tuple[Mark, Mark]
+    centres: Mapping[str, tuple[Mark, Mark]]
+    velocity: Mark | None = None
+    acceleration: tuple[Mark, Mark] | None = None
+
+
+BESIDE: Made[Beside] = Made(aside(ARC_CAM))
+
+
+def record_beside(bench: Bench) -> Beside:
+    """Find the second derivative by the arcs' centres; with a speed, velocity and acceleration."""
+    made, draft = ARC_CAM_PLAN.on(bench), bench.draft
+    draft.open(VIEW)
+    centres = _centres(draft, made.contour)
+    second = second_derivatives(draft, made)
+    if made.order.speed is None:
+        return Beside(second, centres)
+    rocks = made.order.follower == ROCKER
+    omega = draft.take(Number, "ω_1", made.order.speed, "1/s")
+    letters, unit = (("ω_{B}", "ε_{B}"), "1/s") if rocks else (("v_{B}", "a_{B}"), "m/s")
+    velocity = draft.draw(f.velocity, letters[0], omega, made.follower.rate, unit=unit)
+    after = letters[1].replace("}", "+}")
+    before, behind = (
+        draft.draw(f.acceleration, letter, omega, mark, unit=f"{unit}²")
+        for letter, mark in zip((letters[1], after), second, strict=True)
+    )
+    return Beside(second, centres, velocity, (before, behind))
+
+
+def _centres(draft: Draft, contour: Contour) -> dict[str, tuple[Mark, Mark]]:
+    """Read how far the centres of the flanks stand from those of the cam and of the nose."""
+    found = {}
+    for number, name in (("1", "rise"), ("2", "return")):
+        centre = contour.arcs[name].centre
+        if centre is not None:
+            lengths = [
+                draft.draw(measure, f"{one.name}F_{number}", one, centre, why=why.CENTRE)
+                for one in (contour.origin, contour.nose)
+            ]
+            near, far = (
+                draft.draw(f.transfer, f"l_{{{long.name}}}", long, contour.mu, unit="m")
+                for long in lengths
+            )
+            found[number] = (near, far)
+    return found
+
 
 PLAN = Plan(record=record, aside=record_beside, charts=lambda made: made.charts.values())

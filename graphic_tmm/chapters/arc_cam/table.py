@@ -7,10 +7,9 @@ from dataclasses import replace
 import numpy as np
 
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.arc_cam.beside import BESIDE
-from graphic_tmm.chapters.arc_cam.names import ARC_CAM
 from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, marks
-from graphic_tmm.chapters.arc_cam.task import ROCKER
+from graphic_tmm.chapters.arc_cam.record import BESIDE
+from graphic_tmm.chapters.arc_cam.task import ARC_CAM, ROCKER
 from graphic_tmm.drawn import Drawn, Results
 from graphic_tmm.readers.columns import Column, empty, row_of
 from graphic_tmm.readers.measured import Tabled

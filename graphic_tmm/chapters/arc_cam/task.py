@@ -18,6 +18,10 @@ from graphic_tmm.scene.tasks import SectionKey
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
 
+
+ARC_CAM = "arc_cam"
+
+
 STRAIGHT = "straight"
 """The flank of infinite radius: a tangent to both circles."""
 ROLLER, FLAT, ROCKER = "roller", "flat", "rocker"

@@ -1,16 +1,59 @@
-"""What a task asks of a cam of arcs, a sentence each."""
+"""What a task gives of a cam of arcs, and what it asks, a sentence each."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.arc_cam.given import given
 from graphic_tmm.chapters.arc_cam.scheme import scheme
-from graphic_tmm.chapters.arc_cam.task import ASKED
+from graphic_tmm.chapters.arc_cam.task import ASKED, FLAT, ROCKER, ArcTask, Flank
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.readers.task_sheet import TaskSheet
+from graphic_tmm.readers.given import given_speed
+from graphic_tmm.readers.task_sheet import SIZE, Given, TaskSheet
 from graphic_tmm.scene.records import Scene
+
+
+def given(scene: Scene) -> Iterator[Given]:
+    """Yield what a scene gives of its cam, lengths in mm."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    yield Given("r_1", order.base, SIZE)
+    yield Given("r_2", order.nose, SIZE)
+    yield Given("d", order.distance, SIZE)
+    if order.rise == order.fall:
+        yield _flank("given flank", "r_3", order.rise)
+    else:
+        yield _flank("given flank of the rise", "r_3", order.rise)
+        yield _flank("given flank of the return", "r_4", order.fall)
+    if order.rise.hollow:
+        yield Given("given flank", "given hollow")
+    yield from _follower(order)
+    if order.speed is not None:
+        yield given_speed("1", order.speed)
+
+
+def _flank(name: str, letter: str, flank: Flank) -> Given:
+    if flank.radius is None:
+        return Given(name, "given straight")
+    return Given(letter, flank.radius, SIZE)
+
+
+def _follower(order: ArcTask) -> Iterator[Given]:
+    if order.follower == FLAT:
+        yield Given("given follower", "given face")
+        return
+    if order.roller:
+        yield Given("r", order.roller, SIZE)
+    else:
+        yield Given("given follower", "given edge")
+    if order.follower == ROCKER:
+        assert order.lever is not None
+        assert order.centres is not None
+        yield Given("l", order.lever, SIZE)
+        yield Given("a", order.centres, SIZE)
+    elif order.offset:
+        yield Given("e", order.offset, SIZE)
 
 
 def asks(scene: Scene, language: str) -> Iterator[str]:

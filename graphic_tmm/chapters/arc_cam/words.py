@@ -1,8 +1,8 @@
-"""What people call the views of a cam given by arcs, its table, its columns and results."""
+"""What people call the views, columns and results of a cam given by arcs; why it is drawn as it is."""
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.arc_cam.names import ARC_CAM
+from graphic_tmm.chapters.arc_cam.task import ARC_CAM
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
 
@@ -62,4 +62,76 @@ WORDS = Named(
     rank=81,
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,
+)
+
+
+NOSE = said(
+    "The nose's centre stands at its distance from the cam's; the cam stands so that the follower begins to "
+    "rise upright."
+)
+FIRST = said(
+    "There the follower begins to rise, or comes to rest: base circle and flank touch where it touches them."
+)
+FLANK = said(
+    "The centre of the flank is as far from either circle's centre as touching them asks for: it stands where "
+    "two arcs meet."
+)
+TANGENT = said(
+    "A line that touches both circles is parallel to the one from the nose's centre to the circle of the "
+    "difference of their radii, a nose's radius farther out."
+)
+TOUCH = said(
+    "Two circles touch in the line of their centres: there one arc goes over into the next."
+)
+INVERTED = said(
+    "Instead of the cam the frame is turned, the other way: the follower goes round the cam that stands."
+)
+OFFSET = said(
+    "The guide passes the cam's centre at its offset: it touches the circle of that radius."
+)
+REPLACED = said(
+    "As long as the roller rolls on an arc, its centre keeps its distance from the arc's centre: a link of "
+    "that length in place of cam and roller moves the follower alike."
+)
+ON_STRAIGHT = said(
+    "On a straight flank the roller's centre goes along the parallel at the roller's radius."
+)
+FACE = said(
+    "A flat face touches an arc where the arc's normal is its own: on the parallel to the rod through the "
+    "arc's centre."
+)
+LOWEST = said("On the base circle the follower is at its lowest.")
+TRAVEL = said("What the follower has risen by is measured from its lowest place, along its way.")
+SWING = said("What the lever has swung by is the angle from its lowest place.")
+NORMAL = said(
+    "The force between cam and follower acts along the common normal: through the arc's centre."
+)
+ACROSS = said(
+    "The instant centre of cam and follower stands on the line through the cam's centre square to the "
+    "follower's way, for the follower's own centre lies at infinity square to it."
+)
+PIVOTS = said(
+    "The instant centre of cam and lever stands on the line of their pivots: three instant centres lie in one "
+    "line."
+)
+INSTANT = said(
+    "It stands on the common normal, too: across it, at the contact, the bodies move alike."
+)
+PRESSURE = said("The pressure angle is that between the normal and the follower's way.")
+WAY = said(
+    "The follower's acceleration goes along its way: on the line through O along it the polygon closes."
+)
+WAY_OF_LEVER = said(
+    "The lever's end has a normal acceleration along the lever; square to it, from there, the polygon closes."
+)
+TRIANGLE = said(
+    "The cam turns the arc's centre, the rod goes from there along the normal, the follower's velocity has "
+    "its line: the triangle of velocities, turned by a right angle."
+)
+NORMAL_PART = said(
+    "Behind the acceleration of the arc's centre comes the normal one of the rod, along it."
+)
+CLOSES = said("The tangential acceleration of the rod is square to it: it closes the polygon.")
+CENTRE = said(
+    "How far the centre of a flank stands from the other centres is read off the contour."
 )

@@ -34,8 +34,7 @@ windrower (scene ``windrower``).
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.cam.names import CAM
-from graphic_tmm.chapters.cam.task import SECTIONS
+from graphic_tmm.chapters.cam.task import CAM, SECTIONS
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(

@@ -7,9 +7,8 @@ from dataclasses import replace
 
 from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
 from graphic_tmm.accuracy.question import Accuracy, Axis
-from graphic_tmm.chapters.cam.names import CAM
 from graphic_tmm.chapters.cam.plan import CAM_PLAN
-from graphic_tmm.chapters.cam.task import ASKED
+from graphic_tmm.chapters.cam.task import ASKED, CAM
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project

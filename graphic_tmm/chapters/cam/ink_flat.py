@@ -8,11 +8,18 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.chapters.cam.centre import VIEW
-from graphic_tmm.chapters.cam.flat import Convexity
+from graphic_tmm.chapters.cam.centre import VIEW, Convexity
 from graphic_tmm.chapters.cam.ink_centre import CentreNames
-from graphic_tmm.chapters.cam.ink_letters import OVER, arrow_axis, numbered
-from graphic_tmm.chapters.cam.ink_rules import CamInk, curve, picture, reached, straight
+from graphic_tmm.chapters.cam.ink_rules import (
+    OVER,
+    CamInk,
+    arrow_axis,
+    curve,
+    numbered,
+    picture,
+    reached,
+    straight,
+)
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing

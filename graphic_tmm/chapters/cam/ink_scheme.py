@@ -17,7 +17,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.record import Construction, Figure
 from graphic_tmm.board.values import Arc
-from graphic_tmm.chapters.cam.ink_bodies import GUIDE, PIN, ROD, TURN, WIDTH, dwells
+from graphic_tmm.chapters.cam.ink import GUIDE, PIN, ROD, TURN, WIDTH, dwells
 from graphic_tmm.chapters.cam.ink_rules import CamInk
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import THEORETICAL, VIEW

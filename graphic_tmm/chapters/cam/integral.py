@@ -30,12 +30,11 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number, Reals
 from graphic_tmm.chapters.cam import formulas as f
-from graphic_tmm.chapters.cam import law_formulas as law
+from graphic_tmm.chapters.cam import formulas as law
 from graphic_tmm.chapters.cam.laws.ground import Ground, uprights
 from graphic_tmm.chapters.cam.operations import in_turn
 from graphic_tmm.chapters.cam.phases import Phase, Turn
-from graphic_tmm.chapters.cam.read_off import HIGH
-from graphic_tmm.chapters.cam.refusals import SLACK
+from graphic_tmm.chapters.cam.refusals import HIGH, SLACK
 
 NAMES = {"A": "acceleration", "V": "velocity", "S": "displacement"}
 

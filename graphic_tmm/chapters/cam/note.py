@@ -1,8 +1,4 @@
-"""The section of a cam in a note: law of motion, region of centres, limits, profile, what is left up to limits.
-
-One position is worked in full, the table holds all. What is drawn for a lever or a flat face, and for a law
-given by its diagram, is told step by step from the log.
-"""
+"""The section of a cam in a note: law of motion, region of centres, limits, profile; what follows."""
 
 from __future__ import annotations
 
@@ -10,27 +6,56 @@ from collections.abc import Iterator
 
 from graphic_tmm.board.operations.formulas import to_board, total
 from graphic_tmm.chapters.cam import formulas as f
-from graphic_tmm.chapters.cam import law_formulas as law
-from graphic_tmm.chapters.cam import note_words as words
-from graphic_tmm.chapters.cam.beside import BESIDE
-from graphic_tmm.chapters.cam.beside import VIEW as CALCULATED
+from graphic_tmm.chapters.cam import formulas as law
+from graphic_tmm.chapters.cam import note_page as words
 from graphic_tmm.chapters.cam.centre import VIEW as CENTRE
 from graphic_tmm.chapters.cam.centre import Centre, Path
 from graphic_tmm.chapters.cam.diagrams import VIEWS
+from graphic_tmm.chapters.cam.findings import verdict
 from graphic_tmm.chapters.cam.ink_scheme import NAME as SCHEME
-from graphic_tmm.chapters.cam.names import CAM
-from graphic_tmm.chapters.cam.note_conclusions import concludes
 from graphic_tmm.chapters.cam.note_page import CamPage
 from graphic_tmm.chapters.cam.plan import CAM_PLAN
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
-from graphic_tmm.chapters.cam.table import cam_columns
+from graphic_tmm.chapters.cam.record import BESIDE
+from graphic_tmm.chapters.cam.record import VIEW as CALCULATED
+from graphic_tmm.chapters.cam.table import cam_columns, cam_marks
+from graphic_tmm.chapters.cam.task import CAM
 from graphic_tmm.chapters.cam.turn import CURVATURE, PRESSURE
-from graphic_tmm.chapters.cam.verdict import verdict
-from graphic_tmm.drawn import Drawn
-from graphic_tmm.note.bricks import columns, heading, results
+from graphic_tmm.drawn import Drawn, results_of
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.note.bricks import asked, columns, filled, heading, result_number, results
 from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, Paragraph, Run, Runs, Text
 from graphic_tmm.scene.chapter import chapters
+
+RADIUS = said("The least radius of the cam is {least}; taken is {taken}.")
+PRESSURE_KEPT = said(
+    "The pressure angle reaches {rise} on the rise and {back} on the return; allowed are {allowed} and "
+    "{behind}."
+)
+
+
+def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
+    """Yield what the limits of the cam come to; those that are passed are warnings."""
+    made, _ = CAM_PLAN.of(drawn), speaking(language)
+    if made is None:
+        return
+    results = results_of(drawn, cam_marks(made))
+
+    def told(name: str) -> Run:
+        return result_number(drawn, results, name, language)
+
+    yield filled(_(RADIUS), {"least": told("r0_min"), "taken": told("r0")})
+    if "pressure_rise" in results:
+        back = "pressure" if made.order.pressure_return is None else "pressure_return"
+        limits = {
+            "allowed": asked(drawn, "cam", "pressure", "°", language),
+            "behind": asked(drawn, "cam", back, "°", language),
+        }
+        both = {"rise": told("pressure_rise"), "back": told("pressure_return")}
+        yield filled(_(PRESSURE_KEPT), {**both, **limits})
+
 
 RADII = (
     law.sine_radius, law.sine_radius_V, law.sine_radius_A, law.cosine_radius, law.cosine_radius_V,

@@ -9,8 +9,17 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.cam.read_off import WHOLE, Changed, balanced, jumps, moved, plain
-from graphic_tmm.chapters.cam.refusals import SLACK, TURN, refuse
+from graphic_tmm.chapters.cam.refusals import (
+    SLACK,
+    TURN,
+    WHOLE,
+    Changed,
+    balanced,
+    jumps,
+    moved,
+    plain,
+    refuse,
+)
 from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CamTask, Law
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said

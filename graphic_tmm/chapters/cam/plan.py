@@ -10,15 +10,13 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard_length
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.cam import formulas as f
-from graphic_tmm.chapters.cam.centre import Centre, Path, draw_centre
+from graphic_tmm.chapters.cam.centre import Centre, Convexity, Path, draw_centre, draw_convexity
 from graphic_tmm.chapters.cam.diagrams import Diagrams, draw_diagrams
-from graphic_tmm.chapters.cam.flat import Convexity, draw_convexity
-from graphic_tmm.chapters.cam.names import CAM, GRAPHS
 from graphic_tmm.chapters.cam.phases import divide
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
 from graphic_tmm.chapters.cam.profile import Profile, draw_flat_profile, draw_profile
 from graphic_tmm.chapters.cam.rocker import Lever, draw_rocker_centre
-from graphic_tmm.chapters.cam.task import ASKED, CamTask, FlatFollower, RockerFollower
+from graphic_tmm.chapters.cam.task import ASKED, CAM, GRAPHS, CamTask, FlatFollower, RockerFollower
 from graphic_tmm.chapters.cam.turn import TurnDiagram, draw_curvature, draw_pressure, draw_radii
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said

@@ -16,10 +16,9 @@ from graphic_tmm.board.operations.instruments import lay_off, measure, parallel,
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.cam import formulas as f
-from graphic_tmm.chapters.cam import reasons as why
-from graphic_tmm.chapters.cam.centre import Centre, Path
+from graphic_tmm.chapters.cam import words as why
+from graphic_tmm.chapters.cam.centre import Centre, Convexity, Path
 from graphic_tmm.chapters.cam.diagrams import Diagrams
-from graphic_tmm.chapters.cam.flat import Convexity
 from graphic_tmm.chapters.cam.operations import inward_normal, phase_end, slew, swept_profile
 from graphic_tmm.chapters.cam.rocker import Lever
 

@@ -1,11 +1,131 @@
-"""What is recorded of a cam, and why there may be no result."""
+"""What is recorded of a cam: its plan; aside dwells in radians, what its limits leave, its follower's speed."""
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.cam.beside import record_beside
-from graphic_tmm.chapters.cam.plan import record
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Angle, Number
+from graphic_tmm.chapters.cam import formulas as f
+from graphic_tmm.chapters.cam.laws import laws
+from graphic_tmm.chapters.cam.phases import Phase
+from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam, record
+from graphic_tmm.chapters.cam.refusals import risen
+from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CAM, CamTask, FlatFollower, RockerFollower
 from graphic_tmm.language.said import said
-from graphic_tmm.project import Plan
+from graphic_tmm.project import Bench, Plan
+from graphic_tmm.scene.chapter import Made, aside
+
+VIEW = "cam-calculation"
+"""The view of what is calculated."""
+
+
+class Beside(NamedTuple):
+    """Marks (Number).
+
+    ``along``: what a mm of the diagrams' base stands for, °/mm. ``dwells``: of those that there are, rad, by
+    the number of the phase. ``left``: what is left up to each limit (Angle, or Number, m), by the name of a
+    result. ``velocity`` and ``acceleration`` of the follower at all positions (m/s, m/s²; of a lever 1/s,
+    1/s²); None of a cam without a speed. ``peaks``: the largest dS/dφ and d²S/dφ² in size of each phase, by the
+    name of a result.
+    """
+
+    along: Mark
+    dwells: dict[int, Mark]
+    left: dict[str, Mark]
+    velocity: Mark | None
+    acceleration: Mark | None
+    peaks: dict[str, Mark]
+
+
+BESIDE: Made[Beside] = Made(aside(CAM))
+
+
+def record_beside(bench: Bench) -> Beside:
+    """Calculate what the drawing of a cam does not need."""
+    cam, draft = CAM_PLAN.on(bench), bench.draft
+    draft.open(VIEW)
+    along = draft.draw(f.degrees_per_mm, "μ_φ", cam.diagrams.base.length, unit="°/mm")
+    dwells = _dwells(draft, cam.order)
+    left, motion = _left(draft, cam, cam.order), _motion(draft, cam, cam.order)
+    return Beside(along, dwells, left, *motion, _peaks(draft, cam))
+
+
+def _peaks(draft: Draft, cam: Cam) -> dict[str, Mark]:
+    """Calculate the largest dS/dφ and d²S/dφ² of both phases by their laws: no position need stand there."""
+    found, diagrams = {}, cam.diagrams
+    unit = "rad" if isinstance(cam.order.follower, RockerFollower) else "m"
+    for phase, extent in zip(diagrams.turn.phases, diagrams.phases, strict=True):
+        ops = (f.peak_velocity, f.peak_acceleration)
+        for op, name, letter, factor in zip(
+            ops, ("dS", "ddS"), ("S′", "S″"), _factors(phase), strict=True
+        ):
+            own = draft.take(Number, f"k_{letter}", factor)
+            largest = f"{letter}_{{max}}"
+            found[f"{name}_max_{phase.name}"] = draft.draw(
+                op, largest, own, diagrams.stroke, extent, unit=unit, free=True
+            )
+    return found
+
+
+def _factors(phase: Phase) -> tuple[float, float]:
+    """Return the largest dS/dφ and d²S/dφ² of a law, of h/Φ and h/Φ²."""
+    if phase.law.name != BY_DIAGRAM:
+        return laws()[phase.law.name].peaks
+    lift, speed = risen(phase.law.points)
+    return speed / lift, max(abs(value) for _, value in phase.law.points) / lift
+
+
+def _dwells(draft: Draft, order: CamTask) -> dict[int, Mark]:
+    dwells = {}
+    for number, angle in ((2, order.upper_dwell), (4, order.lower_dwell)):
+        if angle:
+            extent = draft.take(Angle, f"φ_{number}", angle, "°")
+            dwells[number] = draft.draw(f.radians_of, f"Φ_{number}", extent, unit="rad")
+    return dwells
+
+
+def _left(draft: Draft, cam: Cam, order: CamTask) -> dict[str, Mark]:
+    """Calculate how far a cam is from each of its limits: negative where it passes one."""
+    if isinstance(order.follower, FlatFollower):
+        least = draft.take(Number, "[ρ]", order.follower.least, "m")
+        (flattest,) = cam.curvature.extremes
+        return {"left_curvature": draft.draw(f.above, "Δρ", flattest.value, least, unit="m")}
+    assert cam.pressure is not None
+    assert cam.roller is not None
+    found = {}
+    limits = (order.pressure, order.pressure_return or order.pressure)
+    names = (("rise", "α_{r}"), ("return", "α_{f}"))
+    for (name, letter), limit, extreme in zip(names, limits, cam.pressure.extremes, strict=True):
+        allowed = draft.take(Angle, f"[{letter}]", limit, "°")
+        found[f"left_{name}"] = draft.draw(
+            f.angle_left, f"Δ{letter}", allowed, extreme.value, unit="°"
+        )
+    radius = cam.roller.radius
+    for name, letter, limit_of in (
+        ("r0", "Δr_{r}", cam.roller.by_r0),
+        ("profile", "Δr_{ρ}", cam.roller.by_curvature),
+    ):
+        found[f"left_roller_{name}"] = draft.draw(f.left, letter, limit_of, radius, unit="m")
+    return found
+
+
+def _motion(draft: Draft, cam: Cam, order: CamTask) -> tuple[Mark | None, Mark | None]:
+    """Calculate velocity and acceleration from the ordinates of dS/dφ and d²S/dφ²."""
+    if order.speed is None:
+        return None, None
+    rocks = isinstance(order.follower, RockerFollower)
+    letters = ("ω_{B}", "ε_{B}") if rocks else ("v_{B}", "a_{B}")
+    units = ("1/s", "1/s²") if rocks else ("m/s", "m/s²")
+    omega = draft.take(Number, "ω_1", order.speed, "1/s")
+    ops, diagrams = (f.follower_velocity, f.follower_acceleration), cam.diagrams
+    velocity, acceleration = (
+        draft.draw(op, letter, omega, one.reading, one.chart.mu, unit=unit)
+        for op, letter, one, unit in zip(ops, letters, (diagrams.V, diagrams.A), units, strict=True)
+    )
+    return velocity, acceleration
+
 
 PLAN = Plan(
     record=record,

@@ -7,11 +7,10 @@ from dataclasses import replace
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.cam.beside import BESIDE
 from graphic_tmm.chapters.cam.centre import Centre
-from graphic_tmm.chapters.cam.names import CAM
 from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
-from graphic_tmm.chapters.cam.task import RockerFollower
+from graphic_tmm.chapters.cam.record import BESIDE
+from graphic_tmm.chapters.cam.task import CAM, RockerFollower
 from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.readers.columns import Column, empty, row_of
 from graphic_tmm.readers.measured import Tabled

@@ -18,6 +18,12 @@ from graphic_tmm.scene.tasks import SectionKey
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
 
+
+CAM = "cam"
+GRAPHS = "cam graphs"
+"""The size of a cam's diagrams; that of its other views is called as the chapter is."""
+
+
 BY_DIAGRAM = "diagram"
 """The law that is given by points of its acceleration diagram."""
 RETURN, MIRRORED, AS_GIVEN = "return", "mirrored", "given"

@@ -1,17 +1,159 @@
-"""What a task asks of a cam, a sentence each; the diagram of a law that it gives by points."""
+"""What a task gives of a cam, its phases as a scheme, and what it asks, a sentence each."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+from itertools import accumulate, pairwise
 
-from graphic_tmm.chapters.cam.given import given, stated
-from graphic_tmm.chapters.cam.scheme import scheme as drawn_scheme
-from graphic_tmm.chapters.cam.task import ASKED, FlatFollower
+from graphic_tmm.chapters.cam.task import (
+    ASKED,
+    CamTask,
+    FlatFollower,
+    RockerFollower,
+    RollerFollower,
+)
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.readers.given import figure
-from graphic_tmm.readers.task_sheet import Listed, TaskSheet
+from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Wanted, line
+from graphic_tmm.paper.figure import added
+from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.lettering.heights import HEIGHTS
+from graphic_tmm.paper.symbols.dimensions import ARROW, Dimension, dimension
+from graphic_tmm.paper.symbols.kinematic import arrowhead
+from graphic_tmm.readers.given import figure, given_speed
+from graphic_tmm.readers.task_sheet import SIZE, Given, Listed, Scheme, TaskSheet
 from graphic_tmm.scene.records import Scene
+
+
+def given(scene: Scene) -> Iterator[Given]:
+    """Yield what a scene gives of its cam, lengths in mm; phases by their numbers, as the profile has them."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    rocks = isinstance(order.follower, RockerFollower)
+    yield (Given("β", math.degrees(order.stroke), "°") if rocks else Given("h", order.stroke, SIZE))
+    phases = (order.rise, order.upper_dwell, order.fall, order.lower_dwell)
+    for number, angle in enumerate(phases, 1):
+        if angle:
+            yield Given(f"φ_{number}", angle, "°")
+    if order.speed is not None:
+        yield given_speed("1", order.speed)
+    yield from _laws(order)
+    yield from _follower(order)
+    if not isinstance(order.follower, FlatFollower):
+        yield Given("[α]", order.pressure, "°")
+        if order.pressure_return is not None and order.pressure_return != order.pressure:
+            yield Given("[α_f]", order.pressure_return, "°")
+
+
+def stated(scene: Scene, language: str) -> Iterator[str]:
+    """Tell the kind of follower."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    follower = order.follower
+    if isinstance(follower, RollerFollower):
+        kind = _OFFSET if follower.offset else _CENTRAL
+    else:
+        kind = _ROCKER if isinstance(follower, RockerFollower) else _FLAT
+    yield speaking(language)(kind)
+
+
+_CENTRAL = said("The follower is central, with a roller.")
+_OFFSET = said("The follower is offset, with a roller.")
+_ROCKER = said("The follower is a lever with a roller.")
+_FLAT = said("The follower has a flat face.")
+
+
+def _laws(order: CamTask) -> Iterator[Given]:
+    laws = (order.rise_law.name, order.return_law.name)
+    if laws[0] == laws[1]:
+        yield Given("given law", f"law {laws[0]}")
+    else:
+        yield Given("given law of the rise", f"law {laws[0]}")
+        yield Given("given law of the return", f"law {laws[1]}")
+
+
+def _follower(order: CamTask) -> Iterator[Given]:
+    """The sizes of the follower that the task fixes."""
+    follower = order.follower
+    if isinstance(follower, RockerFollower):
+        yield Given("l", follower.lever, SIZE)
+        yield Given("a_w", follower.centres, SIZE)
+    elif isinstance(follower, RollerFollower) and follower.offset:
+        yield Given("e", follower.offset, SIZE)
+    elif isinstance(follower, FlatFollower) and follower.least:
+        yield Given("[ρ]", follower.least, SIZE)
+
+
+LETTERS_SIZE = HEIGHTS["A4"].point
+TURN, WIDEST, BESIDE = 360.0, 130.0, 26.0
+"""A turn, degrees; how wide it is drawn at most; what stands beside it, mm."""
+HIGH, OVER = 26.0, 9.0
+"""How high the stroke is drawn, how far axes go on, mm."""
+ROWS = (8.0, 16.0)
+"""How far below the axis the dimensions of wide phases and of narrow ones stand, mm."""
+TITLE = said("Phases of the follower's motion", context="task")
+LAW = said("the law of motion is given in the table")
+
+
+def scheme(scene: Scene, room: complex) -> Scheme | None:
+    """Return the phases of the cam within a width (of ``room``, complex, mm); None if there is no cam."""
+    order = ASKED.of(scene)
+    if order is None:
+        return None
+    wide = min(WIDEST, room.real - BESIDE)
+    parts = list(_lines(order, wide))
+    axes = (line("thin", 0j, complex(wide + OVER)), line("thin", 0j, 1j * (HIGH + OVER)))
+    tips = ((complex(wide + OVER), 1 + 0j), (1j * (HIGH + OVER), 1j))
+    strokes = [*added(axes, "axis")]
+    for tip, way in tips:
+        strokes += added(arrowhead(tip, way, pen="thin", length=ARROW), "axis")
+    strokes += added(parts, "contour")
+    labels = []
+    for one in _sizes(order, wide):
+        strokes += added(one.strokes, "dimension")
+        labels.append(one.label)
+    letters = ("ψ" if isinstance(order.follower, RockerFollower) else "S", "φ")
+    wanted = (
+        Wanted(letters[0], tips[1][0], LETTERS_SIZE, 1.0, -1 + 0j),
+        Wanted(letters[1], tips[0][0], LETTERS_SIZE, 1.0, 1j),
+    )
+    _ = speaking(scene.language)
+    view = Drawing("scheme", _(TITLE), tuple(strokes), tuple(labels), wanted=wanted)
+    return Scheme(finished(view), 0.0, (_(LAW),))
+
+
+def _ends(order: CamTask, wide: float) -> list[float]:
+    """Return where the phases begin and end, mm."""
+    phases = (order.rise, order.upper_dwell, order.fall, order.lower_dwell)
+    return [0.0, *(wide * angle / TURN for angle in accumulate(phases))]
+
+
+def _lines(order: CamTask, wide: float) -> Iterator[Ink]:
+    """Yield the follower at rest above and below, and a bow of no law between."""
+    levels = (0.0, HIGH, HIGH, 0.0, 0.0)
+    spots = [complex(x, y) for x, y in zip(_ends(order, wide), levels, strict=True)]
+    for start, end in pairwise(spots):
+        if start.imag == end.imag:
+            if start != end:
+                yield line("main", start, end)
+            continue
+        half = complex((end - start).real / 2.0)
+        yield Bezier("main", (start, start + half, end - half, end))
+
+
+def _sizes(order: CamTask, wide: float) -> Iterator[Dimension]:
+    """Yield the dimensions: the phases below the axis, the stroke beside it."""
+    for number, (start, end) in enumerate(pairwise(_ends(order, wide)), 1):
+        if end - start < 1e-6:
+            continue
+        narrow = end - start < 4.0 * ARROW
+        below = -ROWS[1 if narrow else 0]
+        yield dimension(complex(start), complex(end), below, f"φ_{{{number}}}", LETTERS_SIZE)
+    letter = "β" if isinstance(order.follower, RockerFollower) else "h"
+    yield dimension(0j, 1j * HIGH, OVER, letter, LETTERS_SIZE)
 
 
 def asks(scene: Scene, language: str) -> Iterator[str]:
@@ -26,7 +168,7 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
     yield _(_FACE if flat else _PROFILE)
 
 
-def scheme(scene: Scene, language: str) -> Iterator[str]:
+def scheme_sentence(scene: Scene, language: str) -> Iterator[str]:
     """Ask for the scheme of the mechanism."""
     yield speaking(language)(_SCHEME)
 
@@ -68,6 +210,6 @@ TASK_SHEET = TaskSheet(
     given=given,
     stated=stated,
     listed=listed,
-    scheme=drawn_scheme,
-    wanted={"cam": asks, "cam scheme": scheme},
+    scheme=scheme,
+    wanted={"cam": asks, "cam scheme": scheme_sentence},
 )

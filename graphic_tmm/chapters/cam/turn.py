@@ -21,10 +21,9 @@ from graphic_tmm.board.operations.instruments import lay_off, measure_along, mee
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.cam import formulas as f
-from graphic_tmm.chapters.cam import reasons as why
-from graphic_tmm.chapters.cam.centre import Centre
+from graphic_tmm.chapters.cam import words as why
+from graphic_tmm.chapters.cam.centre import Centre, Convexity
 from graphic_tmm.chapters.cam.diagrams import Diagrams
-from graphic_tmm.chapters.cam.flat import Convexity
 from graphic_tmm.chapters.cam.operations import crest_of_curve, extreme_of_two, phase_end
 
 PRESSURE, CURVATURE = "cam pressure", "cam curvature"

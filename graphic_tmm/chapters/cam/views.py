@@ -7,16 +7,15 @@ from itertools import accumulate
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.chapters.cam.beside import BESIDE
+from graphic_tmm.chapters.cam.centre import Convexity
 from graphic_tmm.chapters.cam.diagrams import LETTERS, VIEWS
-from graphic_tmm.chapters.cam.flat import Convexity
 from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
-from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink
+from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink, draw_rocker_ink
 from graphic_tmm.chapters.cam.ink_flat import draw_convexity_ink
-from graphic_tmm.chapters.cam.ink_graphs import RULES
-from graphic_tmm.chapters.cam.ink_rocker import draw_rocker_ink
+from graphic_tmm.chapters.cam.ink_rules import DIAGRAM_RULES
 from graphic_tmm.chapters.cam.ink_scheme import SchemeNames, draw_scheme_ink, position_of
 from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
+from graphic_tmm.chapters.cam.record import BESIDE
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.table import PLAN, cam_columns, cam_marks
 from graphic_tmm.chapters.cam.turn import CURVATURE
@@ -95,7 +94,7 @@ def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> 
             at=() if view == "cam S" else _bounds(drawn, made),
         )
         graph = draw_graph(
-            log, reading, view, reading.positions, told, title, heights=high, rules=RULES
+            log, reading, view, reading.positions, told, title, heights=high, rules=DIAGRAM_RULES
         )
         shown = captioned(finished(graph, lettered), title, _scale(drawn, made, view), heights=high)
         (first if view in ("cam S", "cam dS", "cam ddS") else second).append(shown)

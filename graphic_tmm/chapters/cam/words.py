@@ -1,8 +1,8 @@
-"""What people call a cam's views, table, columns, phases and results."""
+"""What people call a cam's views, columns, phases and results; why it is drawn as it is."""
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.cam.names import CAM
+from graphic_tmm.chapters.cam.task import CAM
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
 
@@ -83,4 +83,71 @@ WORDS = Named(
     plans=(CAM,),
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,
+)
+
+
+FOLLOWER_LINE = said("The follower moves along this line; its lowest place is where it begins.")
+ROLLER_AT = said(
+    "The displacement of this position, to the scale of this figure, stands on the way of the roller's "
+    "centre."
+)
+SPEED_LINE = said(
+    "The derivative dS/dφ is laid off square to the displacement, on the side to which the velocity turned "
+    "by 90° with the cam points."
+)
+SPEED_AT = said(
+    "Seen from the centre of the cam the end of dS/dφ lies in the direction of the normal: so the pressure "
+    "angle can be read off."
+)
+CENTRE_LINE = said(
+    "The centre of the cam stands on the line of the follower, or beside it by the offset."
+)
+LIMIT_MET = said(
+    "Above this point of the line the pressure angle would be too large in this phase."
+)
+APEX = said(
+    "Below both tangents lies the region of all centres allowed; its vertex has the least radius of all."
+)
+LEAST_READ = said(
+    "From the centre to the lowest place of the roller there is the least radius of the profile."
+)
+CHOSEN_CIRCLE = said("The centre stands at the chosen radius from the lowest place of the roller.")
+CENTRE = said("The centre is on its line, at the chosen radius, and so within the region allowed.")
+INVERTED = said(
+    "Instead of the cam everything else is turned about it, the other way: so the follower goes round the "
+    "cam that stands still."
+)
+REACH = said(
+    "The roller's centre stands above that of the cam by what it has at the lowest place and its "
+    "displacement."
+)
+PROFILE_POINT = said(
+    "In this place of the follower the centre of its roller is a point of the theoretical profile."
+)
+CONTACT = said("The roller touches the cam on the normal, by its radius nearer to the cam.")
+DWELL = said("While the follower rests the profile is an arc about the centre of the cam.")
+PHASE_FOOT = said("The phase takes its share of the base.")
+PHASE_PART = said("The phase is divided into equal parts of the angle.")
+DIAGRAM_READ = said("The ordinate of the diagram is what this law gives in this position.")
+ANGLE_AT = said("Over each place on the base stands what belongs to this angle of the cam.")
+EXTREME_READ = said("The extreme is what is judged; where it stands tells the angle of the cam.")
+SHARE_OF_CENTRE = said(
+    "The components of the vector from the centre, along the way and square to it, go into the curvature "
+    "of the profile."
+)
+WAVE_CENTRE = said("The circle of the wave stands on the ordinate of the phase's beginning.")
+WAVE_CIRCLE = said(
+    "A circle with the amplitude of the wave as its radius gives all heights of the wave."
+)
+WAVE_LEVEL = said("The height of the point on the circle is carried across to the positions.")
+WAVE_AT = said(
+    "The level of its part of the circle and the place of the position on the base meet in a point of the "
+    "diagram."
+)
+OVER_POSITION = said("Over each part of the phase stands its ordinate.")
+STROKE_TOP = said("At the inner end of the phase the whole stroke is done.")
+MIDDLE = said("In the middle of the phase the acceleration changes its sign.")
+PARABOLA_RAY = said("Rays to equal parts of the middle ordinate cut the ordinates of the parabola.")
+TRIANGLE_SIDE = said(
+    "Under constant acceleration the velocity changes evenly: along a straight line."
 )

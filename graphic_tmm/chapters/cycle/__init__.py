@@ -17,9 +17,8 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.cycle.names import CYCLE
-from graphic_tmm.chapters.cycle.task import SECTIONS
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL
+from graphic_tmm.chapters.cycle.task import CYCLE, SECTIONS
+from graphic_tmm.chapters.flywheel.task import FLYWHEEL
 from graphic_tmm.scene.chapter import Chapter, Place
 
 _NAME = CYCLE

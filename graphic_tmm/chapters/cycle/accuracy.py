@@ -11,11 +11,10 @@ from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
 from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.board.charts import ScaleOrder, distances
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.cycle.names import CYCLE
 from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN
-from graphic_tmm.chapters.cycle.task import ASKED, CycleTask
+from graphic_tmm.chapters.cycle.task import ASKED, CYCLE, CycleTask
 from graphic_tmm.chapters.flywheel.accuracy import BY_POSITIONS
-from graphic_tmm.chapters.flywheel.names import VIEWS
+from graphic_tmm.chapters.flywheel.task import VIEWS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.cycle.names import CYCLE
 from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN
 from graphic_tmm.chapters.cycle.record import BESIDE
 from graphic_tmm.chapters.cycle.table import cycle_columns, cycle_results
+from graphic_tmm.chapters.cycle.task import CYCLE
 from graphic_tmm.chapters.cycle.views import cycle_views
-from graphic_tmm.chapters.flywheel.conclusions import concluded
-from graphic_tmm.chapters.flywheel.note import FlywheelPage
+from graphic_tmm.chapters.flywheel.note import FlywheelPage, concluded
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.note.chapter import Noted

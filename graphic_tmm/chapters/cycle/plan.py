@@ -18,9 +18,7 @@ from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.chapters.cycle.names import CYCLE
-from graphic_tmm.chapters.cycle.task import ASKED, CycleTask
-from graphic_tmm.chapters.flywheel.names import VIEWS
+from graphic_tmm.chapters.cycle.task import ASKED, CYCLE, CycleTask
 from graphic_tmm.chapters.flywheel.plan import (
     Flywheel,
     Works,
@@ -31,6 +29,7 @@ from graphic_tmm.chapters.flywheel.plan import (
     refuse,
 )
 from graphic_tmm.chapters.flywheel.rim import draw_rim
+from graphic_tmm.chapters.flywheel.task import VIEWS
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN, record
-from graphic_tmm.chapters.flywheel.beside import Beside, calculate
+from graphic_tmm.chapters.flywheel.record import Beside, calculate
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene.chapter import Made, aside

@@ -1,11 +1,18 @@
-"""The scale factors of the diagrams of a flywheel for a cycle."""
+"""How large the views of a flywheel for a cycle may be, and the scale factors of its diagrams."""
 
 from __future__ import annotations
 
 from graphic_tmm.board import roles
-from graphic_tmm.chapters.flywheel.names import VIEWS
+from graphic_tmm.chapters.cycle.task import CYCLE
+from graphic_tmm.chapters.flywheel.task import VIEWS
 from graphic_tmm.fitting.scales import ScaleFactors
-from graphic_tmm.fitting.sizes import GRAPHS
+from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Size, Sizing
+
+SIZES = Sizing(
+    sizes=(GRAPH, Size("cycle sketch", small=0.6, cap=0.4, step=1.6, seen=False)),
+    depends={CYCLE: lambda scene, view: ("cycle sketch" if view == "flywheel" else GRAPHS,)},
+)
+
 
 SCALE_KEYS = {
     VIEWS["moment"]: "mu_M_cycle",

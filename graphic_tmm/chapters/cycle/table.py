@@ -1,16 +1,21 @@
-"""What tables tell of a flywheel for a cycle."""
+"""The columns and results of a flywheel for a cycle; what protocols call its graphs."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.cycle.names import CYCLE
 from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN
 from graphic_tmm.chapters.cycle.record import BESIDE
+from graphic_tmm.chapters.cycle.task import CYCLE
 from graphic_tmm.chapters.flywheel.table import columns_of, results_for
+from graphic_tmm.chapters.flywheel.task import VIEWS
+from graphic_tmm.chapters.flywheel.words import graph_title
 from graphic_tmm.drawn import Drawn, Results
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.measured import Tabled
+from graphic_tmm.readers.titles import Protocols
+from graphic_tmm.scene.chapter import Holder
 
 
 def cycle_columns(drawn: Drawn) -> Iterator[Column]:
@@ -24,3 +29,12 @@ def cycle_results(drawn: Drawn) -> Results:
 
 
 TABLE = Tabled(columns=cycle_columns, results=cycle_results)
+
+
+def _title(holder: Holder, view: str, language: str) -> str:
+    order = CYCLE_PLAN.on(holder).order.flywheel
+    title = graph_title(view, order.constant, speaking(language), given=True)
+    return title if view == VIEWS["moment"] else ""
+
+
+PROTOCOL = Protocols(titles=_title)

@@ -19,6 +19,10 @@ from graphic_tmm.scene.tasks import SectionKey
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
 
+
+CYCLE = "cycle"
+
+
 EXAMPLE = [[0, "0 N*m"], [90, "400 N*m"], [360, "0 N*m"]]
 NEEDLESS = ("tangents", "turns")
 """Keys of a flywheel that ask for the energies of links, or are its own here."""

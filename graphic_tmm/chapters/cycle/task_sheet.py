@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.cycle.names import CYCLE
-from graphic_tmm.chapters.cycle.task import ASKED
-from graphic_tmm.chapters.flywheel.given import given_of
-from graphic_tmm.chapters.flywheel.task_sheet import of_order
+from graphic_tmm.chapters.cycle.task import ASKED, CYCLE
+from graphic_tmm.chapters.flywheel.task_sheet import given_of, of_order
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from graphic_tmm.chapters.cycle.names import CYCLE
 from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN
 from graphic_tmm.chapters.cycle.table import cycle_columns, cycle_results
+from graphic_tmm.chapters.cycle.task import CYCLE
 from graphic_tmm.chapters.flywheel.table import too_wide
 from graphic_tmm.chapters.flywheel.views import graphs, results_of, sketch
 from graphic_tmm.drawn import Drawn, single

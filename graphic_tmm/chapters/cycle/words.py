@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.cycle.names import CYCLE
+from graphic_tmm.chapters.cycle.task import CYCLE
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
 

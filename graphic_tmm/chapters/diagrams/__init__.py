@@ -32,9 +32,8 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.diagrams.names import DIAGRAMS
-from graphic_tmm.chapters.diagrams.task import SECTIONS
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, POSITIONS
+from graphic_tmm.chapters.diagrams.task import DIAGRAMS, SECTIONS
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, KINEMATICS, POSITIONS
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(

@@ -11,12 +11,10 @@ from graphic_tmm.accuracy.quantity import Quantity, Value
 from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.board.charts import STANDARD, ScaleOrder, distances
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.diagrams.names import DIAGRAMS, VIEWS
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
-from graphic_tmm.chapters.diagrams.standard import BASE, settled
-from graphic_tmm.chapters.diagrams.task import ASKED, KinematicTask
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, VELOCITIES
+from graphic_tmm.chapters.diagrams.task import ASKED, BASE, DIAGRAMS, VIEWS, KinematicTask, settled
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project

@@ -1,8 +1,4 @@
-"""The section of kinematic diagrams in a note: base, ordinates, chords or tangents against a pole, results.
-
-It follows a student's hand: what is calculated for the base and the poles, one interval and one position worked
-in full, tables of all, what it comes to.
-"""
+"""The section of kinematic diagrams in a note: ordinates, chords or tangents against a pole; what follows."""
 
 from __future__ import annotations
 
@@ -10,23 +6,17 @@ from collections.abc import Iterator, Sequence
 
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.chapters.diagrams import note_words as words
-from graphic_tmm.chapters.diagrams.beside import BESIDE
-from graphic_tmm.chapters.diagrams.names import CALCULATED, VIEWS
-from graphic_tmm.chapters.diagrams.note_conclusions import concludes
-from graphic_tmm.chapters.diagrams.note_middles import intervals, middles_table
+from graphic_tmm.chapters.diagrams.note_words import intervals, middles_table
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN, Kinematic
+from graphic_tmm.chapters.diagrams.record import BESIDE
 from graphic_tmm.chapters.diagrams.table import diagram_columns
+from graphic_tmm.chapters.diagrams.task import CALCULATED, VIEWS
 from graphic_tmm.chapters.diagrams.views import diagram_views
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol as lettered
-from graphic_tmm.note.bricks import (
-    columns,
-    greatest,
-    heading,
-    referred,
-    worked,
-)
+from graphic_tmm.note.bricks import columns, filled, greatest, heading, referred, worked
 from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import (
     Block,
@@ -36,6 +26,7 @@ from graphic_tmm.note.document import (
     Picture,
     Ref,
     Run,
+    Runs,
     Source,
     Symbol,
     Text,
@@ -45,6 +36,33 @@ from graphic_tmm.note.page import Page
 from graphic_tmm.note.steps import Told
 from graphic_tmm.readers.told import told as as_told
 from graphic_tmm.scene.captions import captions
+
+
+def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
+    """Yield how far what was found is off the plans, and how far an integral is from closing."""
+    made, _ = DIAGRAMS_PLAN.of(drawn), speaking(language)
+    if made is None:
+        return
+    for column in diagram_columns(drawn):
+        symbol, _sign, kind = column.segment.partition("_")
+        if kind not in ("", "difference") or symbol == made.first:
+            continue
+        found = greatest(drawn, column, language)
+        if found is not None and not kind:
+            yield filled(_(words.EXTREME[symbol]), {"value": found[0], "position": Text(found[1])})
+        elif found is not None:
+            apart, position = found
+            put: dict[str, Run] = {
+                "symbol": Symbol(symbol),
+                "apart": apart,
+                "position": Text(position),
+            }
+            yield filled(_(words.APART), put)
+    end = made.charts["S"].end if "S" in made.charts else None
+    if end is not None:
+        view = made.charts["S"].view
+        told = Told(drawn.board, drawn.construction, drawn.reading, view, 0, language)
+        yield filled(_(words.CLOSED), {"end": told.number(end, unit=True)})
 
 
 def note(drawn: Drawn, language: str) -> Iterator[Block]:

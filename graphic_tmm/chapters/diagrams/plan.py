@@ -26,10 +26,8 @@ from graphic_tmm.board.operations.graphs import at_zero
 from graphic_tmm.board.operations.instruments import measure_along
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.chapters.diagrams import reasons as why
-from graphic_tmm.chapters.diagrams.names import DIAGRAMS, VIEWS
-from graphic_tmm.chapters.diagrams.standard import BASE, settled
-from graphic_tmm.chapters.diagrams.task import ASKED, KinematicTask
+from graphic_tmm.chapters.diagrams import words as why
+from graphic_tmm.chapters.diagrams.task import ASKED, BASE, DIAGRAMS, VIEWS, KinematicTask, settled
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN

@@ -1,4 +1,4 @@
-"""The scale factors of kinematic diagrams: of their base and their graphs."""
+"""How large kinematic diagrams may be; the scale factors of their base and graphs, and how they were chosen."""
 
 from __future__ import annotations
 
@@ -6,13 +6,20 @@ from collections.abc import Container
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.operations.choice import nearest_standard
+from graphic_tmm.board.operations.formulas import time_per_mm, turn_per_mm
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.chapters.diagrams.names import BASE_VIEW, VIEWS
+from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
+from graphic_tmm.chapters.diagrams.task import ASKED, BASE_VIEW, DIAGRAMS, VIEWS, chain, wanted_base
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.choice import Choice, Ledger
 from graphic_tmm.fitting.scales import ScaleFactors
-from graphic_tmm.fitting.sizes import GRAPHS
+from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Sizing
 from graphic_tmm.project import Project
+
+SIZES = Sizing(sizes=(GRAPH,), depends={DIAGRAMS: lambda scene, view: (GRAPHS,)})
 
 
 def _named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
@@ -28,3 +35,42 @@ SCALES = ScaleFactors(
     named=_named,
     key=lambda view: f"mu_{view.replace(' ', '_')}" if view in VIEWS.values() else "",
 )
+
+
+def choose(drawn: Drawn, ledger: Ledger) -> None:
+    """Record the choice where the scene asks for standard ones; else that of graphs as such is told."""
+    made, order = DIAGRAMS_PLAN.on(drawn), ASKED.of(drawn.scene)
+    if order is None or not order.standard:
+        return
+    along = made.base.mu
+    length = wanted_base(order)
+    if length is not None:
+        ledger.of(along.view)
+        wanted = ledger.draft.take(Length, "[L]", length)
+        if order.over == "time":
+            assert drawn.scene.mechanism is not None
+            drive = drawn.scene.mechanism.drive
+            uses = (ledger.speed(str(drive.link), drive.speed), wanted)
+            exact = ledger.draft.draw(time_per_mm, f"{along.name}′", *uses, unit=along.unit)
+        else:
+            exact = ledger.draft.draw(turn_per_mm, f"{along.name}′", wanted, unit=along.unit)
+        _nearest(ledger, along, exact)
+    for one in chain(order):
+        mu, source = (made.charts[symbol].mu for symbol in (one.symbol, one.source))
+        if source.slot not in ledger.chosen:
+            ledger.of(VIEWS[one.source])
+            ledger.told(source, ledger.value_of(drawn, source))
+        ledger.of(VIEWS[one.symbol])
+        pole = getattr(order, one.symbol).pole
+        wanted = ledger.draft.take(Length, f"[H_{one.symbol}]", pole)
+        known = ledger.chosen[source.slot], ledger.chosen[along.slot]
+        exact = ledger.draft.draw(one.formula, f"{mu.name}′", *known, wanted, unit=mu.unit)
+        _nearest(ledger, mu, exact)
+
+
+def _nearest(ledger: Ledger, mu: Mark, exact: Mark) -> None:
+    found = ledger.draft.draw(nearest_standard, mu.name, exact, unit=mu.unit)
+    ledger.enter(mu, found)
+
+
+CHOICE = Choice(choose)

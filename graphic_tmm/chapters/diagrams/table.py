@@ -1,4 +1,4 @@
-"""The columns of kinematic diagrams, beside what the plans give."""
+"""The columns of kinematic diagrams, and what protocols call them."""
 
 from __future__ import annotations
 
@@ -7,11 +7,16 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.diagrams.names import DIAGRAMS
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
+from graphic_tmm.chapters.diagrams.task import CALCULATED, DIAGRAMS
+from graphic_tmm.chapters.diagrams.words import called
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, empty, ordinates, row_of
 from graphic_tmm.readers.measured import Tabled
+from graphic_tmm.readers.titles import Protocols
+from graphic_tmm.scene.chapter import Holder
 
 PLAN = DIAGRAMS
 COMPARED = ("V", "a")
@@ -54,3 +59,17 @@ def _difference(letter: str, found: Reals, due: Reals, places: int) -> Column:
 
 
 TABLE = Tabled(columns=diagram_columns)
+
+
+def _views(project: Project) -> dict[str, list[str]]:
+    charts = DIAGRAMS_PLAN.on(project).charts.values()
+    return {DIAGRAMS: [*(chart.view for chart in charts), CALCULATED]}
+
+
+def _title(holder: Holder, view: str, language: str) -> str:
+    made = DIAGRAMS_PLAN.on(holder)
+    own = any(chart.view == view for chart in made.charts.values())
+    return called(view, speaking(language), made.order.point) if own else ""
+
+
+PROTOCOL = Protocols(views=_views, titles=_title)

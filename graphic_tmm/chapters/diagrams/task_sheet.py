@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.diagrams.names import DIAGRAMS
-from graphic_tmm.chapters.diagrams.task import ASKED
+from graphic_tmm.chapters.diagrams.task import ASKED, DIAGRAMS
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.task_sheet import TaskSheet

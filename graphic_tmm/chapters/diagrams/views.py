@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from graphic_tmm.chapters.diagrams.names import BASE_VIEW, DIAGRAMS
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
 from graphic_tmm.chapters.diagrams.table import PLAN, diagram_columns
+from graphic_tmm.chapters.diagrams.task import BASE_VIEW, DIAGRAMS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.units import unit

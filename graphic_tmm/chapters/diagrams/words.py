@@ -1,8 +1,8 @@
-"""What people call kinematic diagrams, their table and its columns."""
+"""What people call kinematic diagrams, their table and its columns; why they are begun as they are."""
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.diagrams.names import DIAGRAMS
+from graphic_tmm.chapters.diagrams.task import DIAGRAMS
 from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.names import plain
 from graphic_tmm.language.said import said
@@ -46,4 +46,14 @@ WORDS = Named(
     plans=(DIAGRAMS,),
     sources=("artobolevsky",),
     symbols=SYMBOLS,
+)
+
+
+TRAVEL = said("The displacement is counted from the zero position, along the guide.")
+END_OF_INTEGRAL = said(
+    "After a turn the point is back, so the integral of its velocity ends at 0; what is left is the error "
+    "of the drawing."
+)
+MEAN_READ = said(
+    "The mean derivative over an interval stands over its middle, from where the smooth curve goes on."
 )

@@ -27,11 +27,10 @@ Sources: the book chapter on the forces in the crank mechanism of a steam engine
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.engine.names import ENGINE, TRANSFER_PLACE
-from graphic_tmm.chapters.engine.task import SECTIONS
-from graphic_tmm.chapters.forces.names import FORCES
-from graphic_tmm.chapters.indicator.names import INDICATOR
-from graphic_tmm.chapters.kinematics.names import KINEMATICS, POSITIONS
+from graphic_tmm.chapters.engine.task import ENGINE, SECTIONS, TRANSFER_PLACE
+from graphic_tmm.chapters.forces.task import FORCES
+from graphic_tmm.chapters.indicator.task import INDICATOR
+from graphic_tmm.chapters.kinematics.task import KINEMATICS, POSITIONS
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(

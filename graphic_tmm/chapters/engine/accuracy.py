@@ -8,16 +8,14 @@ from dataclasses import replace
 from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
 from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.chapters.engine.formulas import KGF
-from graphic_tmm.chapters.engine.names import ENGINE
 from graphic_tmm.chapters.engine.plan import ENGINE_PLAN
-from graphic_tmm.chapters.engine.task import ASKED
+from graphic_tmm.chapters.engine.task import ASKED, ENGINE
 from graphic_tmm.chapters.forces.accuracy import MOMENT
-from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.task import ASKED as FORCES_ASKED
-from graphic_tmm.chapters.forces.task import ForcesTask
+from graphic_tmm.chapters.forces.task import FORCES, ForcesTask
 from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged, sampled
-from graphic_tmm.chapters.kinematics.names import POSITIONS
 from graphic_tmm.chapters.kinematics.plan import ALL
+from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project

@@ -10,8 +10,8 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import lay_off, measure_along
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Line
-from graphic_tmm.chapters.engine.names import HARMONICS, VIEW
 from graphic_tmm.chapters.engine.plan import Engine
+from graphic_tmm.chapters.engine.task import HARMONICS, VIEW
 from graphic_tmm.chapters.forces.ink_polygons import LEAST
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.figure import Manner, body, figure

@@ -11,7 +11,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import lay_off, meet
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.chapters.engine.ink import outwards
-from graphic_tmm.chapters.engine.names import TRANSFER as VIEW
+from graphic_tmm.chapters.engine.task import TRANSFER as VIEW
 from graphic_tmm.chapters.engine.transfer import Transfer
 from graphic_tmm.chapters.forces.ink_polygons import LEAST
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, line

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.engine import note_words as words
-from graphic_tmm.chapters.engine.beside import BESIDE
-from graphic_tmm.chapters.engine.conclusions import concludes
-from graphic_tmm.chapters.engine.names import (
+from graphic_tmm.chapters.engine.note_conclusions import concludes
+from graphic_tmm.chapters.engine.plan import ENGINE_PLAN, Engine
+from graphic_tmm.chapters.engine.record import BESIDE
+from graphic_tmm.chapters.engine.table import engine_columns
+from graphic_tmm.chapters.engine.task import (
     CALCULATED,
     ENGINE,
     HARMONICS,
@@ -18,32 +19,96 @@ from graphic_tmm.chapters.engine.names import (
     VIEW,
     WORKS_VIEW,
 )
-from graphic_tmm.chapters.engine.plan import ENGINE_PLAN, Engine
-from graphic_tmm.chapters.engine.table import engine_columns
-from graphic_tmm.chapters.engine.views import (
-    engine_diagram_views,
-    engine_views,
-    transfer_views,
-)
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN
+from graphic_tmm.chapters.engine.views import engine_diagram_views, engine_views, transfer_views
 from graphic_tmm.chapters.indicator.note import Worked, gas
+from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.note.bricks import asked, columns, heading, referred
 from graphic_tmm.note.chapter import Noted
-from graphic_tmm.note.document import (
-    Block,
-    Item,
-    Listed,
-    Paragraph,
-    Picture,
-    Run,
-    Symbol,
-    Text,
-)
+from graphic_tmm.note.document import Block, Item, Listed, Paragraph, Picture, Run, Symbol, Text
 from graphic_tmm.note.figures import in_hand, picture, readable
 from graphic_tmm.readers.columns import Column
+
+GAS = said(
+    "The motion to and fro of the piston becomes an even turning of the shaft through the forces that the "
+    "mechanism passes on; what drives it is the pressure on the piston."
+)
+BOTH_SIDES = said(
+    "Its force is the difference of the forces on both sides, each the pressure from the indicator diagram "
+    "times its area, formula (338); it is positive towards the crank."
+)
+TRANSFER_HEADING, FIVE = said("Transfer of forces"), said("What acts on the machine")
+PASSED = said(
+    "In position {position} the force {force} acts along the cylinder on the crosshead. It slides between "
+    "guides and is hinged to the rod, so that this force can go to the rod and to the guides only."
+)
+AT_B = said(
+    "The rod, hinged at both ends, takes a force along itself only; the guide, without friction, presses "
+    "square to itself. So P′ is resolved into Q along the rod and N square to the guide, the pressure on it. "
+    "N = P′·tan β is nought where β is, and grows with λ = R/l, as β does."
+)
+AT_A = said(
+    "Q may be carried along its line from B to A, to the crank pin. There it is resolved into T square to the"
+    " crank, which turns it and is tangential to the circle of A, and K along the crank, which only stretches"
+    " or presses it. The angle between rod and crank is φ + β, an outer angle of the triangle OAB."
+)
+AT_O = said(
+    "At the bearing O two forces are added that balance one another, Q and −Q. −Q and the force Q on the "
+    "crank pin are a couple with the arm h = R·sin(φ + β). The force Q that is left is resolved into P′ along"
+    " the cylinder and −N across it; −N and N on the guide are a couple with the arm OB."
+)
+WITH_INERTIA = said("P′ is the force of the gas with that of the inertia, which is found below.")
+ON_COVER = said("on the cylinder acts the pressure on its cover, −P = {force};")
+ON_BEARING = said(
+    "on the bearings of the shaft, along the cylinder, acts P′ = {force}, the force on the crosshead;"
+)
+TURNED = said("the crank is turned by the couple Q, −Q with Q = {force}: M = {moment};")
+ON_GUIDE = said("on the guide acts the pressure N = {force};")
+BACK = said("on the bearings, across the cylinder, acts −N, equal to it and opposite.")
+FRAME = said(
+    "P and −P are in balance where one frame joins cylinder and bearings; they do not reach the foundation "
+    "then. N and −N are a couple with the arm OB = {arm} that tips the frame against the turning of the "
+    "crank: M′ = −M. M is balanced by the moment of the machine that is driven, M′ by that of the base. All "
+    "this holds for a level cylinder, an upright one and an inclined one."
+)
+INERTIA = said("Inertia of the moving parts")
+METHOD = said(
+    "The parts do not move evenly. In dynamics the acceleration of a mass centre is the sum of the forces "
+    "divided by the mass, formula (345). The other way is that of kinetostatics: the parts are stopped in "
+    "thought, and to the real forces is added {P_in} = −m·a, formula (346), so that their sum is nought, "
+    "formula (347)."
+)
+TWO_MASSES = said(
+    "The rod moves in both ways at once, so its mass is replaced by two: one on the crank pin, one on the "
+    "crosshead. The big end is the heavier one: usually 0.67 … 0.75 of the mass belong to the crank pin."
+)
+BY_PLAN = said("By the plan of accelerations in position {position}:")
+BY_SERIES = said(
+    "By the book a = ω²·R·(cos φ + λ·cos 2φ) and {P_in} = −m·a, formula (349), which is the sum of two "
+    "orders, formulas (350) and (351): projections of vectors that turn once and twice as fast as the crank, "
+    "with periods of a turn and of half a turn. The minus holds as φ is counted from the dead centre at the "
+    "cover."
+)
+USUAL = said("Here {share} of it is counted at the crosshead, as is usual.")
+UNUSUAL = said(
+    "Here {share} of it is counted at the crosshead, which is out of the usual 0.25 … 0.33."
+)
+WORKED = said("Inertia at the dead centres and at right angles")
+RESULTING = said("Force on the crosshead with inertia; triangles of forces")
+INSTEAD = said(
+    "In formulas (339)–(344) P′ = P + {P_in} stands for P, formula (352); forces are positive towards the "
+    "crank."
+)
+BASE_TAKES = said(
+    "The cylinder carries −P, the bearings P′: the base takes the difference, the inertia force {force} in "
+    "position {position}."
+)
+OVER_A_TURN = said("Forces over a turn")
+GRAPHS = said("Forces over a turn of the crank: {letters}")
+
 
 LEAST, MOST = 0.25, 0.33
 """What share of a rod's mass is usually counted at the crosshead, by the book."""
@@ -73,9 +138,9 @@ class _Engine(Worked):
 
     def blocks(self) -> Iterator[Block]:
         """Yield what is told, in the order of the book."""
-        yield self.says(words.GAS)
+        yield self.says(GAS)
         if len(INDICATOR_PLAN.on(self.drawn).indicator.sides) > 1:
-            yield self.says(words.BOTH_SIDES)
+            yield self.says(BOTH_SIDES)
         yield from gas(self, ENGINE)
         yield from self._transfer()
         yield from self._acting()
@@ -85,17 +150,17 @@ class _Engine(Worked):
 
     def _transfer(self) -> Iterator[Block]:
         """What goes on to rod and guide, pin and bearing: formulas (339) to (344)."""
-        yield heading(self.speech(words.TRANSFER))
+        yield heading(self.speech(TRANSFER_HEADING))
         shown = self.figures(TRANSFER)
         put: dict[str, Run] = {
             "position": self.position,
             "force": self.number(self.made.values["P′"], size=True),
         }
-        yield self.says(words.PASSED, **put)
-        yield self.says(words.WITH_INERTIA)
+        yield self.says(PASSED, **put)
+        yield self.says(WITH_INERTIA)
         if shown:
             yield referred(shown, self.language)
-        for told in (words.AT_B, words.AT_A, words.AT_O):
+        for told in (AT_B, AT_A, AT_O):
             yield self.says(told)
         yield from shown
         yield from self.alone(TRANSFER, bare=True)
@@ -103,14 +168,14 @@ class _Engine(Worked):
 
     def _acting(self) -> Iterator[Block]:
         """The five forces on cylinder, bearings, crank and guide; what closes in the frame."""
-        yield heading(self.speech(words.FIVE))
+        yield heading(self.speech(FIVE))
         values, moment = self.made.values, self.made.values["M"]
         items: tuple[tuple[str, dict[str, Mark]], ...] = (
-            (words.ON_COVER, {"force": values["P"]}),
-            (words.ON_BEARING, {"force": values["P′"]}),
-            (words.TURNED, {"force": values["Q"], "moment": moment}),
-            (words.ON_GUIDE, {"force": values["N"]}),
-            (words.BACK, {}),
+            (ON_COVER, {"force": values["P"]}),
+            (ON_BEARING, {"force": values["P′"]}),
+            (TURNED, {"force": values["Q"], "moment": moment}),
+            (ON_GUIDE, {"force": values["N"]}),
+            (BACK, {}),
         )
         yield Listed(
             tuple(
@@ -119,26 +184,26 @@ class _Engine(Worked):
         )
         arm = self.drawn.construction.step(values["NOB"])
         assert arm is not None
-        yield self._told(words.FRAME, {"arm": arm.uses[1]})
+        yield self._told(FRAME, {"arm": arm.uses[1]})
 
     def _told(self, told: str, marks: Mapping[str, Mark]) -> Paragraph:
         return self.says(told, {k: self.number(mark, size=True) for k, mark in marks.items()})
 
     def _inertia(self) -> Iterator[Block]:
         """Masses, accelerations, inertia forces of both orders: formulas (345) to (351)."""
-        yield heading(self.speech(words.INERTIA))
-        yield self.says(words.METHOD, P_in=self.inertia)
+        yield heading(self.speech(INERTIA))
+        yield self.says(METHOD, P_in=self.inertia)
         lumped, values = self.made.lumped, self.made.values
         if lumped.at_crank is not None:
-            yield self.says(words.TWO_MASSES)
+            yield self.says(TWO_MASSES)
             yield from self._share()
             yield from self.calculation(lumped.at_slider, lumped.at_crank, lumped.mass)
             yield from self.calculation(lumped.inertia, lumped.lost)
         if self.beside.parts is not None:
             yield from self.alone(MASSES)
-        yield self.says(words.BY_PLAN, position=self.position)
+        yield self.says(BY_PLAN, position=self.position)
         yield from self.calculation(self.made.acceleration, *self._newtons(values["P_in"]))
-        yield self.says(words.BY_SERIES, P_in=self.inertia)
+        yield self.says(BY_SERIES, P_in=self.inertia)
         yield from self.view(HARMONICS, self.figures("rotating"))
         yield from self._quarters()
 
@@ -146,7 +211,7 @@ class _Engine(Worked):
         """Whether the share of the rod's mass that goes to and fro is a usual one, where it is given."""
         share = self.made.order.share
         if share is not None:
-            told = words.USUAL if LEAST <= share <= MOST else words.UNUSUAL
+            told = USUAL if LEAST <= share <= MOST else UNUSUAL
             yield self.says(told, share=asked(self.drawn, ENGINE, "share", "", self.language))
 
     def _newtons(self, force: Mark) -> tuple[Mark, ...]:
@@ -164,12 +229,12 @@ class _Engine(Worked):
         there = [k * count // QUARTERS for k in range(QUARTERS - 1)]
         wanted = ("a_B", "a_B_series", "P_in", "P_in_series", "P_in1", "P_in2")
         some = [(self.found[name], False) for name in wanted]
-        yield self.upright("table-engine-quarters", words.WORKED, some, there)
+        yield self.upright("table-engine-quarters", WORKED, some, there)
 
     def _resulting(self) -> Iterator[Block]:
         """The force with inertia, and the triangles of the worked position: formula (352)."""
-        yield heading(self.speech(words.RESULTING))
-        yield self.says(words.INSTEAD, P_in=self.inertia)
+        yield heading(self.speech(RESULTING))
+        yield self.says(INSTEAD, P_in=self.inertia)
         yield from self.calculation(self.made.values["P"], self.made.values["P′"])
         shown = self.figures(f"{VIEW}-{self.drawn.names[self.at]}")
         if shown:
@@ -179,11 +244,11 @@ class _Engine(Worked):
         yield from self.alone(VIEW)
         yield from shown
         force = self.number(self.made.values["P_in"])
-        yield self.says(words.BASE_TAKES, force=force, position=self.position)
+        yield self.says(BASE_TAKES, force=force, position=self.position)
 
     def _turn(self) -> Iterator[Block]:
         """The graphs over a turn, the table of all positions, the works of T and P."""
-        yield heading(self.speech(words.OVER_A_TURN))
+        yield heading(self.speech(OVER_A_TURN))
         yield from self.again(self.made.turning[0].base.mu)
         views = [
             view
@@ -194,7 +259,7 @@ class _Engine(Worked):
         half = (len(charts) + 1) // 2
         shown = []
         for view, some in zip(views, (charts[:half], charts[half:]), strict=True):
-            caption = self.says(words.GRAPHS, letters=Symbol(", ".join(some))).runs
+            caption = self.says(GRAPHS, letters=Symbol(", ".join(some))).runs
             shown.append(picture(view, self.language)._replace(caption=caption))
         if shown:
             yield referred(shown, self.language)

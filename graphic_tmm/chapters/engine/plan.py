@@ -27,7 +27,7 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.operations.statics import moment_on_arm
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.chapters.engine import reasons as why
+from graphic_tmm.chapters.engine import words as why
 from graphic_tmm.chapters.engine.formulas import (
     KGF,
     against_acceleration,
@@ -35,11 +35,9 @@ from graphic_tmm.chapters.engine.formulas import (
     in_kgf,
     towards_crank,
 )
-from graphic_tmm.chapters.engine.harmonics import Harmonics, draw_harmonics
-from graphic_tmm.chapters.engine.lumping import Lumped, lump
-from graphic_tmm.chapters.engine.names import ENGINE, VIEW
-from graphic_tmm.chapters.engine.task import ASKED, EngineTask
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN, Cylinder, Machine, machine_of
+from graphic_tmm.chapters.engine.masses import Harmonics, Lumped, draw_harmonics, lump
+from graphic_tmm.chapters.engine.task import ASKED, ENGINE, VIEW, EngineTask
+from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN

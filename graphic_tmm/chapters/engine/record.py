@@ -1,16 +1,271 @@
-"""What is recorded of an engine, what it needs, and why there may be no result."""
+"""What is recorded of an engine: its plan; aside β, the book's formulas as a check, the works of T and of P."""
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.engine.beside import record_beside
-from graphic_tmm.chapters.engine.names import ENGINE
-from graphic_tmm.chapters.engine.plan import record
-from graphic_tmm.chapters.engine.task import ASKED
-from graphic_tmm.chapters.indicator.names import INDICATOR
-from graphic_tmm.chapters.indicator.task import Wish
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, FULL_TURN, VELOCITIES
-from graphic_tmm.project import Plan
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.formula import formula
+from graphic_tmm.board.grammar import WHOLE_ROW, operation
+from graphic_tmm.board.operations.energetics import added
+from graphic_tmm.board.operations.formulas import in_si
+from graphic_tmm.board.operations.graphs import level_off
+from graphic_tmm.board.operations.instruments import measure, measure_along, square
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Angle, Length, Number
+from graphic_tmm.chapters.engine.formulas import (
+    KGF,
+    in_kgf,
+    mass_by_weight,
+    moment_of_rod,
+    tipping_couple,
+)
+from graphic_tmm.chapters.engine.plan import ENGINE_PLAN, Engine, record
+from graphic_tmm.chapters.engine.task import ASKED, CALCULATED, ENGINE, MASSES, WORKS_VIEW
+from graphic_tmm.chapters.engine.transfer import Transfer, draw_transfer
+from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder, Machine, Side, machine_of
+from graphic_tmm.chapters.indicator.task import INDICATOR, Wish
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, FULL_TURN, VELOCITIES
+from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.records import Link
+from graphic_tmm.project import Bench, Plan
+from graphic_tmm.scene.chapter import Made, aside
 from graphic_tmm.scene.records import Scene
+
+_SQUARE = "the rod stands square to the guide"
+WORKS = ("work_T", "work_P", "work_apart")
+"""What the results of the works are called."""
+
+
+@operation(
+    across=True,
+    fails=WHOLE_ROW,
+    why=said("The intervals are equal, so the mean of the turn is that of their means."),
+)
+def mean_of_row(values: Number, *, row: int) -> Number:
+    """Find the mean {it} of {values} over the turn."""
+    return Number(np.mean(values[:, :row], axis=1, keepdims=True))
+
+
+@formula(
+    holds="{along} ≠ 0",
+    fails=_SQUARE,
+    why=said(
+        "The crank pin stands {height} off the guide's line and {along} along it from the crosshead: their "
+        "ratio is tan β."
+    ),
+)
+def slope_of_rod(height: Length, along: Length) -> Angle:
+    """arctan({height}/{along})"""
+
+
+@formula(
+    holds="{along} ≠ 0",
+    fails=_SQUARE,
+    why=said(
+        "In the triangle at the crosshead N is opposite to β, P′ beside it: N = P′·tan β, and tan β is "
+        "{height}/{along}; formula (339)."
+    ),
+)
+def guide_pressure(force: Number, height: Length, along: Length) -> Number:
+    """{force}·{height}/{along}"""
+
+
+@formula(
+    holds="{along} ≠ 0",
+    fails=_SQUARE,
+    why=said(
+        "Q is the longest side of the triangle at the crosshead: Q = P′/cos β, and cos β is {along}/{rod}; "
+        "formula (340)."
+    ),
+)
+def rod_force(force: Number, rod: Length, along: Length) -> Number:
+    """{force}·{rod}/{along}"""
+
+
+@formula(
+    holds="{crank}·{along} ≠ 0",
+    fails=_SQUARE,
+    why=said(
+        "The rod makes the angle φ + β with the crank, an outer angle of the triangle OAB. T = "
+        "P′·sin(φ + β)/cos β is the part of Q square to the crank, and sin(φ + β) is {arm}/{crank}; "
+        "formula (341)."
+    ),
+)
+def tangential_force(
+    force: Number, arm: Length, crank: Length, rod: Length, along: Length
+) -> Number:
+    """{force}·{arm}/{crank}·{rod}/{along}"""
+
+
+@formula(
+    holds="{crank}·{along} ≠ 0",
+    fails=_SQUARE,
+    why=said(
+        "K = P′·cos(φ + β)/cos β is the part of Q along the crank, and cos(φ + β) is {part}/{crank}; "
+        "formula (342)."
+    ),
+)
+def radial_force(force: Number, part: Length, crank: Length, rod: Length, along: Length) -> Number:
+    """{force}·{part}/{crank}·{rod}/{along}"""
+
+
+@formula(why=said("The mean moment times the angle of a turn, 2π, is the work of the turn."))
+def work_of_turn(moment: Number) -> Number:
+    """2π·{moment}"""
+
+
+@formula(
+    why=said(
+        "The mean pressure is what, constant over one stroke, does the work of the whole turn: times the "
+        "area it is a force, times the stroke that work. The sign tells whether the gas drives or resists."
+    )
+)
+def work_of_gas(sign: Number, pressure: Number, area: Number, stroke: Number) -> Number:
+    """{sign}·{pressure}·{area}·{stroke}"""
+
+
+@formula(
+    holds="{due} ≠ 0",
+    fails="the gas does no work",
+    why=said("So much of the steam's work does the work of the tangential force differ from it."),
+)
+def works_apart(found: Number, due: Number) -> Number:
+    """100·({found} − {due})/{due}"""
+
+
+class _Plan(NamedTuple):
+    """What is measured on the plan (Length): A off and along the guide, rod, crank, A off and along Q at O."""
+
+    height: Mark
+    along: Mark
+    rod: Mark
+    crank: Mark
+    arm: Mark
+    part: Mark
+
+
+class Beside(NamedTuple):
+    """Marks (Number; angles in degrees).
+
+    ``beta``: of the rod with the guide; ``checks``: N, Q, T, K and M by the formulas, by what they check;
+    ``works``: of T and of P over a turn (J, or kgf·m) and by how much they differ, %. ``transfer``: the figure
+    of all forces. ``parts``: what the masses of crosshead and rod come to where the whole is given (unit of the
+    task), None where it is calculated of them anyway.
+    """
+
+    beta: Mark
+    checks: Mapping[str, Mark]
+    works: tuple[Mark, Mark, Mark]
+    transfer: Transfer
+    parts: Mark | None
+
+
+BESIDE: Made[Beside] = Made(aside(ENGINE))
+
+
+def record_beside(bench: Bench) -> Beside:
+    """Calculate what the drawing of an engine's forces does not need."""
+    made, draft, machine = ENGINE_PLAN.on(bench), bench.draft, machine_of(bench)
+    transfer = draw_transfer(draft, made, machine)
+    draft.open(CALCULATED)
+    plan = _measure(draft, made, machine)
+    checks = _checks(draft, made, plan)
+    beta = draft.draw(slope_of_rod, "β", plan.height, plan.along)
+    draft.open(MASSES)
+    slider = machine.mechanism.by_number[INDICATOR_PLAN.on(bench).leg.link]
+    parts = _sum_of_masses(draft, made, slider)
+    draft.open(WORKS_VIEW)
+    works = _works(draft, made, INDICATOR_PLAN.on(bench), machine.count)
+    return Beside(beta, checks, works, transfer, parts)
+
+
+def _measure(draft: Draft, made: Engine, machine: Machine) -> _Plan:
+    """Measure the plan of positions; lengths are positive in the first half of a turn."""
+    t, pivot = made.triangles, machine.positions.point(machine.pivot)
+    sense = 1 if machine.mechanism.drive.speed > 0 else -1
+    across, rod = draft.uses(t.end_q)
+    off = draft.draw(square, "(e)", pivot, rod, sense=-sense)
+    return _Plan(
+        draft.draw(measure_along, "h_A", t.at_a, t.at_b, across),
+        draft.draw(measure_along, "x", t.at_b, t.at_a, draft.uses(t.end_p)[0]),
+        draft.draw(measure, "AB", t.at_a, t.at_b),
+        draft.draw(measure, "OA", pivot, t.at_a),
+        draft.draw(measure_along, "e", pivot, t.at_a, off),
+        draft.draw(measure_along, "k", t.at_a, pivot, rod),
+    )
+
+
+def _checks(draft: Draft, made: Engine, plan: _Plan) -> dict[str, Mark]:
+    """Calculate by the formulas what the triangles gave."""
+    force, of = made.values["P′"], made.order.unit
+    height, along, rod, crank, arm, part = plan
+    return {
+        "N": draft.draw(guide_pressure, "N′", force, height, along, unit=of),
+        "Q": draft.draw(rod_force, "Q′", force, rod, along, unit=of),
+        "T": draft.draw(tangential_force, "T′", force, arm, crank, rod, along, unit=of),
+        "K": draft.draw(radial_force, "K′", force, part, crank, rod, along, unit=of),
+        "M": draft.draw(moment_of_rod, "M_Q", made.values["Q"], arm, draft.mu_l, unit=f"{of}·m"),
+        "M′": draft.draw(tipping_couple, "M′", force, arm, rod, along, draft.mu_l, unit=f"{of}·m"),
+    }
+
+
+def _sum_of_masses(draft: Draft, made: Engine, slider: Link) -> Mark | None:
+    """Add up the masses that go to and fro where their sum is given."""
+    lumped = made.lumped
+    if made.order.mass is None or slider.mass is None or lumped.at_slider is None:
+        return None
+    own = draft.take(Number, f"m_{slider.number}", slider.mass, "kg")
+    whole = draft.draw(added, "m_Σ", own, lumped.at_slider, unit="kg")
+    if made.order.unit != "kgf":
+        return whole
+    unit = draft.take(Number, "", KGF, "N/kgf")
+    return draft.draw(mass_by_weight, "m′", whole, unit, unit="kgf·s²/m")
+
+
+def _works(draft: Draft, made: Engine, cylinder: Cylinder, count: int) -> tuple[Mark, Mark, Mark]:
+    """Calculate the work of T by the area below the graph of M, that of P by the indicator diagrams."""
+    axes, curve = made.turning
+    top = draft.draw(level_off, "h", curve, axes.feet, axes.after)
+    height = draft.draw(measure_along, "y_h", axes.feet, top, axes.up)
+    of = axes.mu.unit.removesuffix("/mm").strip("()")
+    part = draft.draw(in_si, "M_h", height, axes.mu, unit=of)
+    mean = draft.draw(mean_of_row, "M_m", part, unit=of, row=count)
+    turning = draft.draw(work_of_turn, "A_T", mean, unit=of)
+    stroke = draft.draw(in_si, "S", cylinder.indicator.stroke, draft.mu_l, unit="m")
+    found = (_work(draft, cylinder, side, stroke) for side in cylinder.indicator.sides)
+    gas, *others = (work for work in found if work is not None)
+    for one in others:
+        gas = draft.draw(added, "A_P" if made.order.unit == "N" else "A_P′", gas, one, unit="J")
+    if made.order.unit == "kgf":
+        gas = draft.draw(in_kgf, "A_P", gas, draft.take(Number, "", KGF, "N/kgf"), unit=of)
+    return turning, gas, draft.draw(works_apart, "Δ_A", turning, gas, unit="%")
+
+
+def _work(draft: Draft, cylinder: Cylinder, side: Side, stroke: Mark) -> Mark | None:
+    """Calculate the work that the gas of one side does in a turn, by its mean pressure; None if none."""
+    if side.mean is None:
+        return None
+    letter = side.force.letter[-1]
+    sign = draft.take(Number, f"σ_{letter}", _sense(draft, cylinder, side))
+    uses = (sign, side.mean, draft.uses(side.force)[1], stroke)
+    return draft.draw(work_of_gas, f"A_{letter}", *uses, unit="J")
+
+
+def _sense(draft: Draft, cylinder: Cylinder, side: Side) -> float:
+    """Return +1 where the gas of a side drives over a turn, −1 where it resists.
+
+    The planimeter tells no sign, so it is by how the diagram is gone round, chosen before the log is run:
+    driving gas is high on the way out on the side of the cover, on the way back on that of the shaft.
+    """
+    given = {**draft.given, draft.mu_l: 1.0, cylinder.indicator.chart.mu: 1.0}
+    knots = execute(draft.board.construction(), given, [side.curve])[side.curve].knots[0]
+    around = float(np.sum((np.conj(knots) * np.roll(knots, -1)).imag))
+    return float(np.sign(-around if side.name == "cover" else around))
 
 
 def _needs(scene: Scene) -> dict[str, object]:

@@ -1,4 +1,4 @@
-"""μ_F of an engine's force triangles, of the figure of all its forces, of its rotating vectors."""
+"""How large an engine's figures may be; μ_F of its triangles, of all its forces, of its vectors, and why."""
 
 from __future__ import annotations
 
@@ -11,12 +11,35 @@ from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard
-from graphic_tmm.chapters.engine.beside import BESIDE
-from graphic_tmm.chapters.engine.names import ENGINE, HARMONICS, TRANSFER, VIEW
 from graphic_tmm.chapters.engine.plan import ENGINE_PLAN
+from graphic_tmm.chapters.engine.record import BESIDE
+from graphic_tmm.chapters.engine.task import ENGINE, HARMONICS, TRANSFER, TRANSFER_PLACE, VIEW
+from graphic_tmm.chapters.kinematics.task import POSITIONS
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.choice import Choice, Ledger
 from graphic_tmm.fitting.scales import Fitting, ScaleFactors, unscaled
-from graphic_tmm.fitting.sizes import GRAPHS
+from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Size, Sizing
 from graphic_tmm.project import Project
+from graphic_tmm.scene.records import Scene
+
+
+def _plan(scene: Scene, view: str) -> tuple[str, ...]:
+    return (GRAPHS,) if view.startswith("indicator") else ("engine", POSITIONS)
+
+
+SIZES = Sizing(
+    sizes=(
+        GRAPH,
+        Size("engine", least=0.5, small=0.7, cap=0.4),
+        Size(TRANSFER, least=0.5, small=0.7),
+    ),
+    depends={
+        "engine": _plan,
+        TRANSFER_PLACE: lambda scene, view: (TRANSFER, POSITIONS),
+        "engine diagrams": lambda scene, view: (GRAPHS,),
+    },
+)
+
 
 TRIANGLE, VECTOR, FORCE = 60.0, 70.0, 55.0
 """Room for the largest force of an engine's triangles, for its rotating vectors, for the largest force of the
@@ -63,3 +86,16 @@ def named(project: Project, reading: Reading, given: Container[Mark]) -> dict[st
 SCALES = ScaleFactors(
     reach=reach, scales=engine_scales, named=named, key=lambda view: SCALE_KEYS.get(view, "")
 )
+
+
+def choose(drawn: Drawn, ledger: Ledger) -> None:
+    """Record how each scale factor was chosen: by the largest force."""
+    made, known = ENGINE_PLAN.on(drawn), drawn.reach[ENGINE]
+    marks = {VIEW: made.mu, HARMONICS: made.harmonics.mu, TRANSFER: BESIDE.on(drawn).transfer.mu}
+    for view, mu in marks.items():
+        ledger.of(view)
+        most = ledger.quantity("F_{max}", known[view], mu.unit.removesuffix("/mm"))
+        ledger.fitting(mu, most, ledger.value_of(drawn, mu))
+
+
+CHOICE = Choice(choose)

@@ -1,17 +1,28 @@
-"""The columns of an engine's forces, in the unit of the task and in SI beside it, and its results."""
+"""The columns of an engine's forces, in the unit of the task and in SI, its results; the views of its plans."""
 
 from __future__ import annotations
 
 from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.engine.beside import BESIDE, WORKS
 from graphic_tmm.chapters.engine.formulas import KGF
-from graphic_tmm.chapters.engine.names import ENGINE
 from graphic_tmm.chapters.engine.plan import ENGINE_PLAN, Engine
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN
+from graphic_tmm.chapters.engine.record import BESIDE, WORKS
+from graphic_tmm.chapters.engine.task import (
+    CALCULATED,
+    ENGINE,
+    HARMONICS,
+    MASSES,
+    TRANSFER,
+    VIEW,
+    WORKS_VIEW,
+)
+from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN
+from graphic_tmm.chapters.indicator.task import CALCULATED as STROKE
 from graphic_tmm.drawn import Drawn, Results, results_of
+from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, empty, ordinates, row_of
 from graphic_tmm.readers.measured import Tabled
+from graphic_tmm.readers.titles import Protocols
 
 PLAN = ENGINE
 PRESSURES = ("pk", "pv")
@@ -81,3 +92,13 @@ def engine_results(drawn: Drawn) -> Results:
 
 
 TABLE = Tabled(columns=engine_columns, results=engine_results)
+
+
+def _views(project: Project) -> dict[str, list[str]]:
+    charts = [chart.view for chart in ENGINE_PLAN.on(project).charts]
+    cylinder = INDICATOR_PLAN.on(project)
+    own = [cylinder.indicator.chart.view, STROKE] if cylinder.shown_by == ENGINE else []
+    return {ENGINE: [*own, VIEW, TRANSFER, HARMONICS, *charts, CALCULATED, MASSES, WORKS_VIEW]}
+
+
+PROTOCOL = Protocols(views=_views)

@@ -1,4 +1,4 @@
-"""What is asked of an engine's crank mechanism (SI; drawn lengths in mm)."""
+"""What is asked of an engine: its forces position by position, the masses of its rod (SI, degrees)."""
 
 from __future__ import annotations
 
@@ -17,6 +17,20 @@ from graphic_tmm.scene.units import SI
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
+
+
+ENGINE = "engine"
+VIEW = "engine"
+CALCULATED = "engine-calculation"
+"""The view of what is calculated beside."""
+MASSES = "engine-masses"
+"""The view of the sum of the masses that go to and fro."""
+WORKS_VIEW = "engine-works"
+"""The view of the works over a turn."""
+HARMONICS = "harmonics"
+TRANSFER = "engine-148"
+TRANSFER_PLACE = "engine forces"
+"""The place of the figure of all forces."""
 
 
 @dataclass(frozen=True)

@@ -1,17 +1,30 @@
-"""What a task asks of the forces of a crank mechanism, a sentence each."""
+"""What a task gives of an engine's crank mechanism, and what it asks, a sentence each."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.engine.given import given
-from graphic_tmm.chapters.engine.names import TRANSFER_PLACE
-from graphic_tmm.chapters.engine.task import ASKED
-from graphic_tmm.chapters.indicator import asks as gas
+from graphic_tmm.chapters.engine.formulas import KGF
+from graphic_tmm.chapters.engine.task import ASKED, TRANSFER_PLACE
+from graphic_tmm.chapters.indicator import given as gas
+from graphic_tmm.chapters.indicator.given import given_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.readers.task_sheet import Acting, Listed, Posed, TaskSheet
+from graphic_tmm.readers.task_sheet import Acting, Given, Listed, Posed, TaskSheet
 from graphic_tmm.scene.records import Scene
+
+
+def given(scene: Scene) -> Iterator[Given]:
+    """Yield what a scene gives; the mass in kgf·s²/m where forces are counted in kgf."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    yield from given_of(order.indicator)
+    if order.share is not None:
+        yield Given("k", order.share)
+    if order.mass is not None:
+        kgf = order.unit == "kgf"
+        yield Given("m", order.mass / KGF if kgf else order.mass, "kgf·s²/m" if kgf else "kg")
 
 
 def plan(scene: Scene, language: str) -> Iterator[str]:

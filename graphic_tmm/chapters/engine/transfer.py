@@ -24,11 +24,11 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapters.engine import reasons as why
+from graphic_tmm.chapters.engine import words as why
 from graphic_tmm.chapters.engine.formulas import couple_of, moment_of_rod
-from graphic_tmm.chapters.engine.names import TRANSFER as VIEW
 from graphic_tmm.chapters.engine.plan import Engine
-from graphic_tmm.chapters.indicator.cylinder import Machine
+from graphic_tmm.chapters.engine.task import TRANSFER as VIEW
+from graphic_tmm.chapters.indicator.plan import Machine
 
 PISTON_ROD, CLEARANCE = 70.0, 12.0
 """How long the piston rod is drawn, and how far the cover stands off the piston at the dead centre, mm:

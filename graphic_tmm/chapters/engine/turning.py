@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.engine.ink import draw_triangles
-from graphic_tmm.chapters.engine.names import ENGINE, VIEW
 from graphic_tmm.chapters.engine.plan import ENGINE_PLAN
+from graphic_tmm.chapters.engine.task import ENGINE, VIEW
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.chapters.engine.beside import BESIDE, WORKS
 from graphic_tmm.chapters.engine.ink import draw_rotating, draw_triangles
 from graphic_tmm.chapters.engine.ink_transfer import Shown, draw_all_forces
-from graphic_tmm.chapters.engine.names import ENGINE, TRANSFER, TRANSFER_PLACE, VIEW
 from graphic_tmm.chapters.engine.plan import ENGINE_PLAN, Engine
+from graphic_tmm.chapters.engine.record import BESIDE, WORKS
 from graphic_tmm.chapters.engine.table import PRESSURES, engine_columns, engine_results
+from graphic_tmm.chapters.engine.task import ENGINE, TRANSFER, TRANSFER_PLACE, VIEW
 from graphic_tmm.chapters.forces.ink_polygons import bar
 from graphic_tmm.chapters.indicator.views import indicator_views
-from graphic_tmm.chapters.kinematics.names import POSITIONS
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking

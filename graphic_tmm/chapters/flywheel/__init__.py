@@ -34,11 +34,10 @@ single-cylinder engine (scene ``engine``).
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL
-from graphic_tmm.chapters.flywheel.task import SECTIONS
-from graphic_tmm.chapters.forces.names import FORCES
-from graphic_tmm.chapters.indicator.names import INDICATOR
-from graphic_tmm.chapters.kinematics.names import KINEMATICS, POSITIONS
+from graphic_tmm.chapters.flywheel.task import FLYWHEEL, SECTIONS
+from graphic_tmm.chapters.forces.task import FORCES
+from graphic_tmm.chapters.indicator.task import INDICATOR
+from graphic_tmm.chapters.kinematics.task import KINEMATICS, POSITIONS
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(

@@ -11,9 +11,8 @@ from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
 from graphic_tmm.accuracy.question import Accuracy
 from graphic_tmm.board.charts import ScaleOrder, distances
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
-from graphic_tmm.chapters.flywheel.task import ASKED
+from graphic_tmm.chapters.flywheel.task import ASKED, FLYWHEEL, VIEWS
 from graphic_tmm.chapters.forces.task import ASKED as FORCES
 from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged, sampled
 from graphic_tmm.drawn import Drawn

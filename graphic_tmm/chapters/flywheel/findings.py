@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.flywheel.table import rim_too_wide
-from graphic_tmm.chapters.kinematics.assumed import assumed
+from graphic_tmm.chapters.kinematics.findings import assumed
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.names import plain
 from graphic_tmm.readers.warnings import Warned

@@ -13,8 +13,8 @@ from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Line
-from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass
-from graphic_tmm.chapters.flywheel.names import ENERGY_MASS
+from graphic_tmm.chapters.flywheel.energy import EnergyMass
+from graphic_tmm.chapters.flywheel.task import ENERGY_MASS
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.graph import ASIDE

@@ -35,15 +35,24 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.chapters.flywheel import reasons as why
-from graphic_tmm.chapters.flywheel.energy import Energies, draw_energies
-from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass, Surplus, draw_energy_mass
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL, VIEWS
+from graphic_tmm.chapters.flywheel import words as why
+from graphic_tmm.chapters.flywheel.energy import (
+    Energies,
+    EnergyMass,
+    Surplus,
+    draw_energies,
+    draw_energy_mass,
+)
 from graphic_tmm.chapters.flywheel.rim import DrawnRim, draw_rim
-from graphic_tmm.chapters.flywheel.task import ASKED, FlywheelTask
+from graphic_tmm.chapters.flywheel.task import ASKED, FLYWHEEL, VIEWS, FlywheelTask
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN, Cylinder, Machine, machine_of
-from graphic_tmm.chapters.indicator.plan import Indicator
+from graphic_tmm.chapters.indicator.plan import (
+    INDICATOR_PLAN,
+    Cylinder,
+    Indicator,
+    Machine,
+    machine_of,
+)
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench

@@ -1,11 +1,17 @@
-"""The scale factors of the diagrams of a flywheel."""
+"""How large the views of a flywheel may be, and the scale factors of its diagrams."""
 
 from __future__ import annotations
 
 from graphic_tmm.board import roles
-from graphic_tmm.chapters.flywheel.names import ENERGY_MASS, VIEWS
+from graphic_tmm.chapters.flywheel.task import ENERGY_MASS, FLYWHEEL, VIEWS
 from graphic_tmm.fitting.scales import ScaleFactors
-from graphic_tmm.fitting.sizes import GRAPHS
+from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Size, Sizing
+
+SIZES = Sizing(
+    sizes=(GRAPH, Size("sketch", small=0.6, cap=0.4, step=1.6, seen=False)),
+    depends={FLYWHEEL: lambda scene, view: ("sketch" if view == FLYWHEEL else GRAPHS,)},
+)
+
 
 SCALE_KEYS = {
     VIEWS["moment"]: "mu_M",

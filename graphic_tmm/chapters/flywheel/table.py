@@ -1,4 +1,4 @@
-"""The columns and the results of a flywheel."""
+"""The columns and the results of a flywheel; what protocols call its graphs."""
 
 from __future__ import annotations
 
@@ -6,19 +6,22 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from graphic_tmm.board.naming import (
-    segment_name,
-)
-from graphic_tmm.chapters.flywheel.beside import BESIDE, Beside
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL, VIEWS
+from graphic_tmm.board.naming import segment_name
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
+from graphic_tmm.chapters.flywheel.record import BESIDE, Beside
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
+from graphic_tmm.chapters.flywheel.task import CALCULATED, FLYWHEEL, VIEWS
+from graphic_tmm.chapters.flywheel.words import graph_title
+from graphic_tmm.chapters.indicator.task import CALCULATED as STROKE
 from graphic_tmm.drawn import Drawn, Results, results_of, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
+from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, ordinates
 from graphic_tmm.readers.measured import Tabled
+from graphic_tmm.readers.titles import Protocols
+from graphic_tmm.scene.chapter import Holder
 
 PLAN = FLYWHEEL
 OFF_SHEET = ("M_mean", "power", "A_excess", "J_made", "delta_made")
@@ -98,3 +101,17 @@ def too_wide(results: Mapping[str, tuple[float, str]], language: str) -> str:
 
 
 TABLE = Tabled(columns=flywheel_columns, results=flywheel_results)
+
+
+def _views(project: Project) -> dict[str, list[str]]:
+    charts = FLYWHEEL_PLAN.on(project).charts
+    return {FLYWHEEL: [*(chart.view for chart in charts), STROKE, CALCULATED]}
+
+
+def _title(holder: Holder, view: str, language: str) -> str:
+    made = FLYWHEEL_PLAN.on(holder)
+    varying = view == VIEWS["moment"]
+    return graph_title(view, made.order.constant, speaking(language)) if varying else ""
+
+
+PROTOCOL = Protocols(views=_views, titles=_title)

@@ -18,6 +18,14 @@ from graphic_tmm.scene.tasks import SectionKey
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
 
+
+FLYWHEEL = "flywheel"
+VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
+CALCULATED = "flywheel-calculation"
+"""The view of what is calculated beside."""
+ENERGY_MASS = "energy-mass"
+
+
 MATERIALS = {"steel": (110.0, 7800.0), "cast iron": (35.0, 7200.0)}
 """Limit of the rim's speed (m/s) and density (kg/m³) by material."""
 SHAFT, STUD = 8.0, 28.0

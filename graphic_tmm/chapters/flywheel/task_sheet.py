@@ -1,17 +1,38 @@
-"""What a task asks of a flywheel, a sentence each."""
+"""What a task gives of a flywheel, and what it asks, a sentence each."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.flywheel.given import given
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL
-from graphic_tmm.chapters.flywheel.task import ASKED, FlywheelTask
-from graphic_tmm.chapters.indicator import asks as gas
+from graphic_tmm.chapters.flywheel.task import ASKED, FLYWHEEL, FlywheelTask
+from graphic_tmm.chapters.indicator import given as gas
+from graphic_tmm.chapters.indicator.given import given_of as given_of_cylinder
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.readers.task_sheet import Acting, Listed, Posed, TaskSheet
+from graphic_tmm.readers.task_sheet import SIZE, Acting, Given, Listed, Posed, TaskSheet
 from graphic_tmm.scene.records import Scene
+
+
+def given(scene: Scene) -> Iterator[Given]:
+    """Yield what a scene gives of its flywheel, the diameter in mm."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    if order.indicator is not None:
+        yield from given_of_cylinder(order.indicator)
+    yield from given_of(order)
+
+
+def given_of(order: FlywheelTask) -> Iterator[Given]:
+    """Yield it of what is asked of a flywheel."""
+    if order.delta is not None:
+        yield Given("δ", order.delta)
+    if order.J is not None:
+        yield Given("J_F", order.J, "kg·m²")
+    if order.rim is not None:
+        yield Given("D_e", order.rim.outer, SIZE)
+        if order.rim.inner is not None:
+            yield Given("D_i", order.rim.inner, SIZE)
 
 
 def asks(scene: Scene, language: str) -> Iterator[str]:

@@ -8,12 +8,11 @@ from collections.abc import Mapping
 from graphic_tmm.board import roles
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import REDUCTIONS
-from graphic_tmm.chapters.flywheel.energy_mass import EnergyMass
+from graphic_tmm.chapters.flywheel.energy import EnergyMass
 from graphic_tmm.chapters.flywheel.ink_energy import (
     draw_energy_mass_ink,
 )
 from graphic_tmm.chapters.flywheel.ink_sketch import Sizes, draw_flywheel
-from graphic_tmm.chapters.flywheel.names import FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
 from graphic_tmm.chapters.flywheel.rim import DrawnRim
 from graphic_tmm.chapters.flywheel.table import (
@@ -23,6 +22,7 @@ from graphic_tmm.chapters.flywheel.table import (
     flywheel_results,
     rim_too_wide,
 )
+from graphic_tmm.chapters.flywheel.task import FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.words import graph_title
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.drawn import Drawn, single

@@ -33,11 +33,11 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.diagrams.names import DIAGRAMS
-from graphic_tmm.chapters.forces.names import FORCES, LOADS
+from graphic_tmm.chapters.diagrams.task import DIAGRAMS
 from graphic_tmm.chapters.forces.sections import SECTIONS
-from graphic_tmm.chapters.indicator.names import INDICATOR
-from graphic_tmm.chapters.kinematics.names import KINEMATICS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.forces.task import FORCES, LOADS
+from graphic_tmm.chapters.indicator.task import INDICATOR
+from graphic_tmm.chapters.kinematics.task import KINEMATICS, POSITIONS, VELOCITIES
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(

@@ -8,9 +8,8 @@ from dataclasses import replace
 from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
 from graphic_tmm.accuracy.question import Accuracy, Axis
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
-from graphic_tmm.chapters.forces.task import ASKED
+from graphic_tmm.chapters.forces.task import ASKED, FORCES
 from graphic_tmm.chapters.indicator.accuracy import at_count
 from graphic_tmm.chapters.kinematics.accuracy import renamed, resampled
 from graphic_tmm.chapters.kinematics.plan import ALL

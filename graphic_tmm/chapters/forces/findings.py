@@ -12,7 +12,7 @@ from graphic_tmm.board.findings import Finding, step_number
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
-from graphic_tmm.chapters.kinematics.assumed import assumed
+from graphic_tmm.chapters.kinematics.findings import assumed
 from graphic_tmm.drawn import Drawn, Findings
 from graphic_tmm.project import Project
 from graphic_tmm.readers.warnings import Warned

@@ -1,11 +1,8 @@
-"""Friction from the reactions of the pass before: the angle of friction on guides, the friction circle in pins.
-
-The sense comes from the relative velocities. Both links of a pair get the friction of that pair, so the lever
-carries it like any other load.
-"""
+"""Friction from the reactions of the pass before; to which link a pin is counted where more than two meet."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -20,13 +17,18 @@ from graphic_tmm.board.operations.statics import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
-from graphic_tmm.chapters.forces import reasons as why
+from graphic_tmm.chapters.forces import words as why
+from graphic_tmm.chapters.forces.detached import Reaction
 from graphic_tmm.chapters.forces.loads import Couple, Force
-from graphic_tmm.chapters.forces.polygons import Reaction
 from graphic_tmm.chapters.forces.statics import Slope
 from graphic_tmm.chapters.forces.task import Friction
 from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg
 from graphic_tmm.chapters.kinematics.motion import Motion, known_image
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import joined, said
+from graphic_tmm.language.symbols import symbol
 from graphic_tmm.mechanism.structure import Pair
 
 VIEW = "friction"
@@ -184,3 +186,61 @@ class Rub:
                 found = draft.draw(difference_of, letter, own, other, unit="1/s")
             self._relative[link, body] = found
         return self._relative[link, body]
+
+
+SHORT = said("pin {letter} is counted to link {link}")
+"""What stands below a figure."""
+WHOLE = said(
+    "Links {links} meet in pin {letter}, which is counted to link {link}: {reactions}, the forces of link "
+    "{link} with the pin on each of the others; a load at {letter} acts on the link that it is given on."
+)
+"""What stands below the table, in the protocol and in the note."""
+
+
+class SharedPin(NamedTuple):
+    """A pin of more than two links: its letter, the link that bears it, the others as they are attached."""
+
+    letter: str
+    bearer: int
+    others: tuple[int, ...]
+
+
+def shared_pins(drawn: Drawn) -> Iterator[SharedPin]:
+    """Yield the pins in which more than two links meet, in the order of attachment."""
+    plans = KINEMATICS_PLAN.on(drawn)
+    structure, frame = plans.structure, plans.mechanism.frame.number
+    on: dict[tuple[str, int], list[int]] = {}
+    for joint in joints(plans.positions.closings, (structure.driver, frame, structure.pivot)):
+        if joint.pair.kind == "R":
+            link, bearer = joint.links
+            on.setdefault((joint.pair.name, bearer), []).append(link)
+    for (letter, bearer), others in on.items():
+        if len(others) > 1:
+            yield SharedPin(letter, bearer, tuple(others))
+
+
+def below(drawn: Drawn, links: tuple[int, ...], language: str) -> list[str]:
+    """Return the lines that stand below the figure of some links."""
+    _ = speaking(language)
+    return [
+        _(SHORT, letter=symbol(pin.letter, language), link=pin.bearer)
+        for pin in shared_pins(drawn)
+        if {pin.bearer, *pin.others} & set(links)
+    ]
+
+
+def pin_sentences(drawn: Drawn, language: str) -> list[str]:
+    """Return a sentence on each shared pin (mark-up)."""
+    _ = speaking(language)
+    return [
+        _(
+            WHOLE,
+            links=joined(", ", map(str, (pin.bearer, *pin.others))),
+            letter=symbol(pin.letter, language),
+            link=pin.bearer,
+            reactions=", ".join(
+                symbol(f"R_{{{pin.bearer}{other}}}", language) for other in pin.others
+            ),
+        )
+        for pin in shared_pins(drawn)
+    ]

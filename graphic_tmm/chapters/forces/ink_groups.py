@@ -22,6 +22,7 @@ from graphic_tmm.chapters.forces.ink_arrows import (
     LEAST,
     ROUNDS,
     Arrows,
+    Bodies,
     Told,
     arm_shows,
     drawn_arm,
@@ -30,7 +31,6 @@ from graphic_tmm.chapters.forces.ink_arrows import (
     pricks,
     turning,
 )
-from graphic_tmm.chapters.forces.ink_bodies import Bodies
 from graphic_tmm.chapters.forces.ink_polygons import bar
 from graphic_tmm.chapters.forces.loads import VIEW as LOADS
 from graphic_tmm.chapters.forces.loads import Couple, Force

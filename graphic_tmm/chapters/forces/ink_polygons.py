@@ -11,8 +11,8 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import lay_off, measure, meet
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Line
+from graphic_tmm.chapters.forces.detached import Polygon, Reaction
 from graphic_tmm.chapters.forces.ink_arrows import LEAST, pricks
-from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import Manner, figure

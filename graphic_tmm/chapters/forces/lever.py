@@ -26,10 +26,10 @@ from graphic_tmm.board.operations.statics import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point
-from graphic_tmm.chapters.forces import reasons as why
-from graphic_tmm.chapters.forces.driving import Driver
+from graphic_tmm.chapters.forces import words as why
+from graphic_tmm.chapters.forces.detached import bare
 from graphic_tmm.chapters.forces.loads import Couple, Force
-from graphic_tmm.chapters.forces.polygons import bare
+from graphic_tmm.chapters.forces.statics import Driver
 from graphic_tmm.chapters.kinematics.bodies import PinLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.positions import Positions

@@ -28,10 +28,10 @@ from graphic_tmm.board.operations.statics import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
-from graphic_tmm.chapters.forces import reasons as why
+from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.task import AGAINST, ForcesTask, Load
 from graphic_tmm.chapters.forces.travel import TURN, by_travel, size_at_turn
-from graphic_tmm.chapters.indicator.cylinder import Cylinder
+from graphic_tmm.chapters.indicator.plan import Cylinder
 from graphic_tmm.chapters.kinematics.motion import Motion, is_signed, reading_of
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError

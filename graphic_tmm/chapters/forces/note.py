@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from graphic_tmm.chapters.forces.detached import Polygon
+from graphic_tmm.chapters.forces.friction import pin_sentences
 from graphic_tmm.chapters.forces.ink_balances import driver_rows, group_rows, lever_rows
 from graphic_tmm.chapters.forces.lever import VIEW as LEVER
 from graphic_tmm.chapters.forces.loads import VIEW as LOADS
-from graphic_tmm.chapters.forces.note_lever import applied, compared
-from graphic_tmm.chapters.forces.note_sums import Kept, sums
-from graphic_tmm.chapters.forces.pins import told as pins_told
+from graphic_tmm.chapters.forces.note_sums import Kept, applied, compared, sums
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
-from graphic_tmm.chapters.forces.polygons import Polygon
 from graphic_tmm.chapters.forces.table import DIFFERENCE, force_columns
 from graphic_tmm.chapters.forces.views import EXACTLY, force_views, lever_views, vectors_of
 from graphic_tmm.chapters.forces.words import called
@@ -71,7 +70,7 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
         return
     page = _Page(drawn, made, language)
     yield paragraph(speaking(language)(WORKED, position=drawn.names[page.at]))
-    yield from (Paragraph(text(plain(pin))) for pin in pins_told(drawn, language))
+    yield from (Paragraph(text(plain(pin))) for pin in pin_sentences(drawn, language))
     yield from listed(drawn, LOADS, page.at, language)
     plans = KINEMATICS_PLAN.on(drawn)
     crank = plans.structure.driver

@@ -12,19 +12,23 @@ from typing import NamedTuple
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.statics import apart_percent, efficiency, settled, still_open
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.forces.detached import Detached
-from graphic_tmm.chapters.forces.driving import Driven, Driver, solve_driver
+from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Views
 from graphic_tmm.chapters.forces.friction import Joint, Rub, Rubbing, joints
 from graphic_tmm.chapters.forces.lever import Lever, draw_lever
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force, Ground, Loads, draw_loads
-from graphic_tmm.chapters.forces.names import FORCES
-from graphic_tmm.chapters.forces.polygons import Polygon, Reaction, Views
-from graphic_tmm.chapters.forces.statics import Solved, hand_on, solve_group
-from graphic_tmm.chapters.forces.task import ASKED, ForcesTask
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN, Cylinder, Machine, machine_of
+from graphic_tmm.chapters.forces.statics import (
+    Driven,
+    Driver,
+    Solved,
+    hand_on,
+    solve_driver,
+    solve_group,
+)
+from graphic_tmm.chapters.forces.task import ASKED, FORCES, ForcesTask
+from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, chosen
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Made
 

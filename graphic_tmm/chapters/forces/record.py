@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.forces.names import FORCES
 from graphic_tmm.chapters.forces.plan import record
-from graphic_tmm.chapters.forces.task import ASKED
-from graphic_tmm.chapters.indicator.names import INDICATOR
-from graphic_tmm.chapters.indicator.task import Wish
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, TURNS, VELOCITIES
+from graphic_tmm.chapters.forces.task import ASKED, FORCES
+from graphic_tmm.chapters.indicator.task import INDICATOR, Wish
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, TURNS, VELOCITIES
 from graphic_tmm.project import Plan
 from graphic_tmm.scene.records import Scene
 

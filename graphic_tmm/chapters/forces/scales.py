@@ -1,7 +1,8 @@
-"""μ_F of the polygons, μ_l of what is detached, how much larger than the velocity plan the lever is."""
+"""How large figures of forces may be; μ_F of polygons, μ_l of what is detached, the lever's size, and why."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Container, Mapping
 from typing import NamedTuple
 
@@ -10,17 +11,47 @@ import numpy as np
 from graphic_tmm.board import roles
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.choice import ENLARGED
+from graphic_tmm.board.operations.choice import ENLARGED, next_ratio, times_larger
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard, standard_length
-from graphic_tmm.board.values import Point
+from graphic_tmm.board.values import Length, Point
 from graphic_tmm.chapters.forces.detached import Detached
-from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.load_diagrams import ACROSS, UP, pictured
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, VIEW
-from graphic_tmm.chapters.kinematics.names import POSITIONS, VELOCITIES
+from graphic_tmm.chapters.forces.task import ASKED, FORCES
+from graphic_tmm.chapters.kinematics.task import POSITIONS, VELOCITIES
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.choice import Choice, Ledger
 from graphic_tmm.fitting.scales import Fitting, ScaleFactors, extent, unscaled
+from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Size, Sizing
+from graphic_tmm.language.said import said
 from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
+from graphic_tmm.scene.records import Scene
+
+
+def _fixed(scene: Scene) -> str:
+    order = ASKED.of(scene)
+    return "forces.mu_F" if order is not None and order.mu is not None else ""
+
+
+def _polygons(scene: Scene, view: str) -> tuple[str, ...]:
+    if view.startswith("indicator"):
+        return (GRAPHS,)
+    return ("groups",) if view.startswith("group") else ("forces",)
+
+
+SIZES = Sizing(
+    sizes=(
+        GRAPH,
+        Size("forces", least=0.1, small=0.5, cap=0.42, fixed=_fixed),
+        Size("groups", least=0.05, small=0.6, cap=0.42),
+        Size("lever", least=0.05, small=0.6, cap=0.45),
+    ),
+    depends={"forces": _polygons, "lever": lambda scene, view: ("lever",)},
+)
+"""Of polygons, of detached groups, of the lever: shares of the usual room."""
+
 
 LEVER = 150.0
 """Room for the lever, mm."""
@@ -141,3 +172,63 @@ def scale_key(view: str) -> str:
 
 
 SCALES = ScaleFactors(reach=reach, scales=force_scales, named=named, key=scale_key)
+
+
+GRAIN = 10.0
+"""What is meant for the lever is told in multiples of this, mm."""
+_POINT = said(
+    "All points of what is detached lie in one: no length tells how large to draw it, so it keeps the scale of "
+    "the plan of positions."
+)
+
+
+def choose(drawn: Drawn, ledger: Ledger) -> None:
+    """Record how the scale factors of the forces were chosen."""
+    made, reach = FORCES_PLAN.on(drawn), drawn.reach[FORCES]
+    known: Reaches = reach
+    for figure in made.figures:
+        ledger.of(figure.view)
+        if known.detached[figure.view] > 0.0:
+            far = ledger.quantity("l_{max}", known.detached[figure.view], "m")
+            ledger.fitting(figure.mu, far, ledger.value_of(drawn, figure.mu), lengths=True)
+        else:
+            ledger.same(figure.mu, drawn.project.scale(POSITIONS), figure.mu.name, why=_POINT)
+    for mu in polygon_scales(drawn.project):
+        if mu not in drawn.given or not (made.order.mu or known.polygons[mu.view] > 0.0):
+            continue
+        ledger.of(mu.view)
+        if made.order.mu:
+            ledger.told(mu, made.order.mu)
+            continue
+        most = ledger.quantity("F_{max}", known.polygons[mu.view], "N")
+        ledger.fitting(mu, most, ledger.value_of(drawn, mu))
+    _lever(drawn, ledger, known.lever)
+    for one in pictured(drawn):
+        ledger.of(one.view)
+        along, up = one.scales
+        if along:
+            base = ledger.quantity(f"{along[2:]}_{{max}}", one.reach, one.base.removesuffix("/mm"))
+            ledger.pictured(along, one.base, base, ACROSS)
+        of = one.unit.removesuffix("/mm")
+        largest = ledger.quantity(f"{one.letter[:-1]}max}}", one.largest, of)
+        ledger.pictured(up, one.unit, largest, UP)
+
+
+def _lever(drawn: Drawn, ledger: Ledger, longest: float) -> None:
+    """Record how many times larger than the plan of velocities the lever is drawn."""
+    lever = FORCES_PLAN.on(drawn).lever
+    plan = ledger.chosen[drawn.project.scale(VELOCITIES).slot]
+    ledger.of(lever.mu.view)
+    times = ledger.value_of(drawn, lever.times)
+    if not longest > 0.0:
+        ledger.quantity(lever.times.name, times, "")
+        return
+    mu_v = ledger.value_of(drawn, drawn.project.scale(VELOCITIES))
+    most = ledger.quantity("v_{max}", longest, "m/s")
+    room = GRAIN * math.ceil(times * longest / mu_v / GRAIN)
+    wanted = ledger.draft.take(Length, f"[{most.name}]", room)
+    exact = ledger.draft.draw(times_larger, f"{lever.times.name}′", wanted, plan, most)
+    ledger.enter(lever.times, ledger.draft.draw(next_ratio, lever.times.name, exact))
+
+
+CHOICE = Choice(choose)

@@ -1,22 +1,26 @@
-"""The columns of forces: loads, reactions, what balances the crank by both methods, friction."""
+"""The columns of forces: loads, reactions, what balances the crank; what protocols tell of polygons."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.naming import (
-    segment_name,
-)
+from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.forces.names import FORCES
+from graphic_tmm.chapters.forces.detached import Reaction
+from graphic_tmm.chapters.forces.friction import pin_sentences
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
-from graphic_tmm.chapters.forces.polygons import Reaction
+from graphic_tmm.chapters.forces.task import FORCES
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.names import plain
+from graphic_tmm.language.symbols import symbol
+from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, empty, row_of
 from graphic_tmm.readers.measured import Tabled
+from graphic_tmm.readers.titles import Protocols
 
 PLAN = FORCES
 
@@ -110,3 +114,24 @@ def _balance(made: Forces) -> list[_Row]:
 
 
 TABLE = Tabled(columns=force_columns)
+
+
+def _views(project: Project) -> Mapping[str, list[str]]:
+    """Return the views that forces are drawn in, in the order of the log."""
+    made = FORCES_PLAN.on(project)
+    there = dict.fromkeys(step.it.view for step in project.construction.steps)
+    return {FORCES: [view for view in there if made.owns(view)]}
+
+
+def polygon_equation(drawn: Drawn, view: str, language: str) -> list[str]:
+    """Return the vector equation of a polygon, in plain text; before it, in the first view, the shared pins."""
+    equations = [
+        " + ".join(plain(symbol(letter, language)) for letter, _, _ in polygon.sides) + " = 0"
+        for polygon in FORCES_PLAN.on(drawn).polygons
+        if polygon.view == view
+    ]
+    first = view == FORCES_PLAN.on(drawn).polygons[0].view
+    return [*(map(plain, pin_sentences(drawn, language)) if first else ()), *equations]
+
+
+PROTOCOL = Protocols(views=_views, equations=polygon_equation)

@@ -15,6 +15,11 @@ from graphic_tmm.scene.tables import Named
 from graphic_tmm.scene.tasks import SectionKey
 from graphic_tmm.scene.units import GRAVITY, KGF
 
+FORCES = "forces"
+LOADS = "load diagram"
+"""The place of the diagrams of loads."""
+
+
 AGAINST = w.AGAINST
 _BY_SHARES = [[0, "0 N"], [1, "190 N"]]
 

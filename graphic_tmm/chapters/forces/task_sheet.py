@@ -6,9 +6,15 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 
-from graphic_tmm.chapters.forces.given import given, letters, stated, varies, wanted_positions
+from graphic_tmm.chapters.forces.load_diagrams import (
+    given,
+    letters,
+    stated,
+    varies,
+    wanted_positions,
+)
 from graphic_tmm.chapters.forces.task import AGAINST, ASKED, Load
-from graphic_tmm.chapters.indicator import asks as gas
+from graphic_tmm.chapters.indicator import given as gas
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol

@@ -20,7 +20,7 @@ from graphic_tmm.board.operations.supports import farthest
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Reals
 from graphic_tmm.chapters.diagrams.plan import sliding_leg
-from graphic_tmm.chapters.forces import reasons as why
+from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.task import Travel
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError

@@ -1,36 +1,80 @@
-"""Forces at any angle of the crank: what loads are there, and the figures that move with it."""
+"""Forces at any angle of the crank: the loads there, reactions, what balances the crank; figures that move."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 import numpy as np
 
-from graphic_tmm.any_angles.turn import Between, Turn, Turning
+from graphic_tmm.any_angles.turn import Between, Told, Turn, Turning
+from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.forces.any_angle import free, told
-from graphic_tmm.chapters.forces.given import varies
+from graphic_tmm.chapters.forces.detached import Polygon, Reaction
 from graphic_tmm.chapters.forces.ink_groups import Shown, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import draw_polygon, whole
-from graphic_tmm.chapters.forces.pictured import travelled
+from graphic_tmm.chapters.forces.load_diagrams import travelled, varies
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
-from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
-from graphic_tmm.chapters.forces.table import force_columns
-from graphic_tmm.chapters.forces.task import Load
+from graphic_tmm.chapters.forces.table import balance_segments, force_columns
+from graphic_tmm.chapters.forces.task import ASKED, Load
 from graphic_tmm.chapters.forces.travel import TURN, parts_of_strokes, size_at_turn
 from graphic_tmm.chapters.forces.views import decimals_told, driver_shown, group_shown
 from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.errors import StructureError
 from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.page.moving import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import mu_text
+from graphic_tmm.project import Project
 from graphic_tmm.scene.captions import captions
+from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.values import OTHER_EXTREME
+
+
+def free(scene: Scene) -> Scene:
+    """Return the scene with both ends of the travel, by which a load is given, among its positions.
+
+    Raises
+    ------
+    StructureError
+        If the row does not begin at an extreme position of the point that travels: its stroke would be that of
+        the positions drawn, and it would turn round at one of them.
+    """
+    order = ASKED.of(scene)
+    points = [load.travel.of for load in order.loads if load.travel] if order else []
+    if not points:
+        return scene
+    zero = scene.row.zero
+    if not isinstance(zero, Extreme) or {zero.point} != set(points):
+        says = said(
+            "a load by the travel of {point} is known at any angle where the row begins at an extreme position "
+            'of that point: zero = {{ point = "{point}", at = "left" }}',
+            point=points[0],
+        )
+        raise scene.located(StructureError(says, "drive.zero", head="load"))
+    extra = scene.row.extra
+    row = replace(scene.row, extra=extra if OTHER_EXTREME in extra else (*extra, OTHER_EXTREME))
+    return replace(scene, row=row)
+
+
+def told(project: Project) -> Iterator[Told]:
+    """Yield the reactions as vectors, N, then the balancing force or moment by groups and by the lever."""
+    made = FORCES_PLAN.on(project)
+    # passes of friction that do not settle leave no force known
+    known = made.balance if made.open is not None else None
+    for one in made.reactions:
+        key, mu = segment_name(one.letter), project.scale(one.tail.view)
+        yield Told("forces", "forces", key, one.head, mu, one.tail, known=known)
+    for name, mark in balance_segments(made).items():
+        yield Told("forces", "balance", name, mark, known=known)
 
 
 def between(drawn: Drawn, turn: Turn) -> Between:

@@ -10,9 +10,11 @@ from functools import partial
 import numpy as np
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.forces.balances import Writer
+from graphic_tmm.chapters.forces.detached import Polygon, Reaction
+from graphic_tmm.chapters.forces.friction import below, pin_sentences
 from graphic_tmm.chapters.forces.ink_balances import (
     Row,
+    Writer,
     draw_balances,
     driver_rows,
     group_rows,
@@ -21,15 +23,12 @@ from graphic_tmm.chapters.forces.ink_balances import (
 from graphic_tmm.chapters.forces.ink_groups import Reactive, Rubbed, Shown, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
+from graphic_tmm.chapters.forces.load_diagrams import load_views
 from graphic_tmm.chapters.forces.loads import Couple
-from graphic_tmm.chapters.forces.names import FORCES, LOADS
-from graphic_tmm.chapters.forces.pins import below
-from graphic_tmm.chapters.forces.pins import told as pins_told
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
-from graphic_tmm.chapters.forces.polygons import Polygon, Reaction
 from graphic_tmm.chapters.forces.statics import Solved
 from graphic_tmm.chapters.forces.table import BALANCES, DIFFERENCE, force_columns
-from graphic_tmm.chapters.forces.views_loads import load_views
+from graphic_tmm.chapters.forces.task import FORCES, LOADS
 from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.bodies import PinLeg
@@ -311,7 +310,7 @@ def force_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
     high = heights(drawn.scene, "force table")
     language = drawn.scene.language
     table = result_table("forces", rows, drawn.names, language, heights=high)
-    lines = pins_told(drawn, language)
+    lines = pin_sentences(drawn, language)
     return [captioned(table, *lines, heights=high) if lines else table]
 
 

@@ -32,8 +32,7 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.gears.names import GEARS
-from graphic_tmm.chapters.gears.task import SECTIONS
+from graphic_tmm.chapters.gears.task import GEARS, SECTIONS
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(

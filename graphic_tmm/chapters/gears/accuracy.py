@@ -8,9 +8,8 @@ from math import pi
 
 from graphic_tmm.accuracy.quantity import Quantity, Value
 from graphic_tmm.accuracy.question import Accuracy, Axis
-from graphic_tmm.chapters.gears.names import GEARS
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN
-from graphic_tmm.chapters.gears.task import ASKED
+from graphic_tmm.chapters.gears.task import ASKED, GEARS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project

@@ -1,8 +1,85 @@
-"""What fails of a pair of gears."""
+"""That a gear pair passes all checks of its meshing, or which it fails, in words."""
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.gears.verdict import failures
+import math
+from collections.abc import Iterator
+
+from graphic_tmm.chapters.gears.contact import verdicts
+from graphic_tmm.chapters.gears.plan import GEARS_PLAN
+from graphic_tmm.chapters.gears.table import gear_results
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.note.bricks import filled, result_number
+from graphic_tmm.note.document import Runs
 from graphic_tmm.readers.warnings import Warned
+
+ALL = said(
+    "All conditions of the meshing hold: no tooth is pointed ({first} and {second} at the tips) or undercut, "
+    "the flanks do not interfere, the clearance is kept, and the contact ratio {ratio} is above 1."
+)
+FAILS = {
+    "pointed tooth": said(
+        "the teeth of wheel {wheel} are pointed: their flanks meet at the radius {top:.4g} mm, and there they "
+        "end and the contact with them; take a smaller x{wheel}"
+    ),
+    "tip thickness": said(
+        "the teeth of wheel {wheel} are {value:.3g} mm thick at the tip, {least:.3g} mm are usual: take a "
+        "smaller x{wheel}"
+    ),
+    "undercut": said(
+        "wheel {wheel} is undercut: x{wheel} = {value:.4g} is too little; take {enough:.4f} at least, or more "
+        "teeth"
+    ),
+    "interference": said(
+        "interference: the tips of wheel {other} reach a point of wheel {wheel} where the radius of curvature "
+        "is {value:.3g} mm, its involute begins at {least:.3g} mm; the contact ratio {ratio:.4g} is the most "
+        "that the line of action leaves; take a greater x{wheel}"
+    ),
+    "clearance": said(
+        "the tips of wheel {other} cut {depth:.3g} mm into the roots of wheel {wheel}: leave delta_y out, or "
+        "take a greater one"
+    ),
+    "contact ratio": said(
+        "the contact ratio {ratio:.4g} is below 1: a pair of teeth leaves before the next one touches"
+    ),
+}
+"""By check; ``value`` and ``least`` in mm, or coefficients; ``enough``: the least, rounded up."""
+NAMES = {"first": "s_a1", "second": "s_a2", "ratio": "contact_ratio"}
+
+
+def verdict(drawn: Drawn, language: str) -> Iterator[Runs]:
+    """Yield one sentence where every check holds; those that fail stand in the table of checks."""
+    if not all(one.holds for one in verdicts(GEARS_PLAN.on(drawn).checks, drawn.reading)):
+        return
+    found = gear_results(drawn)
+    put = {key: result_number(drawn, found, name, language) for key, name in NAMES.items()}
+    yield filled(speaking(language)(ALL), put)
+
+
+def failures(drawn: Drawn, language: str) -> Iterator[str]:
+    """Yield each check that fails, a sentence each; of a pointed tooth its thickness is none to tell."""
+    made, _ = GEARS_PLAN.on(drawn), speaking(language)
+    fails = [one for one in verdicts(made.checks, drawn.reading) if not one.holds]
+    pointed = {one.wheel for one in fails if one.name == "pointed tooth"}
+    ratio = float(drawn.reading[made.sizes.contact_ratio][0, 0])
+    for one in fails:
+        if one.name == "tip thickness" and one.wheel in pointed:
+            continue
+        mm = 1000.0 if one.unit == "m" else 1.0
+        top = made.sizes.wheels[one.wheel - 1].top
+        yield _(
+            FAILS[one.name],
+            wheel=one.wheel,
+            other=3 - one.wheel,
+            value=mm * one.value,
+            least=mm * one.least,
+            enough=math.ceil(1e4 * one.least) / 1e4,
+            depth=-mm * one.value,
+            top=1000.0 * float(drawn.reading[top][0, 0]),
+            ratio=ratio,
+        )
+
 
 WARNINGS = Warned(failures)

@@ -13,9 +13,15 @@ from itertools import pairwise
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.chapters.gears.line import VIEW
-from graphic_tmm.chapters.gears.outline import spot, tooth_outline
+from graphic_tmm.chapters.gears.outline import (
+    RULES,
+    dotted,
+    reached,
+    spot,
+    thin_curve,
+    tooth_outline,
+)
 from graphic_tmm.chapters.gears.plan import Gear
-from graphic_tmm.chapters.gears.rules import RULES, dotted, reached, thin_curve
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, line
 from graphic_tmm.paper.figure import body, figure, showing
 from graphic_tmm.paper.lettering.heights import Heights

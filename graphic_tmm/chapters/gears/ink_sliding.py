@@ -7,11 +7,10 @@ from collections.abc import Iterator
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.chapters.gears.outline import controls, spot
+from graphic_tmm.chapters.gears.outline import RULES, controls, spot
 from graphic_tmm.chapters.gears.plan import Gear
-from graphic_tmm.chapters.gears.rows import STATIONS
-from graphic_tmm.chapters.gears.rules import RULES
 from graphic_tmm.chapters.gears.sliding import VIEW, Stations
+from graphic_tmm.chapters.gears.teeth import STATIONS
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.axes import tick_figures

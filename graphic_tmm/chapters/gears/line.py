@@ -19,7 +19,7 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point, Side
-from graphic_tmm.chapters.gears import reasons as why
+from graphic_tmm.chapters.gears import words as why
 from graphic_tmm.chapters.gears.dimensions import GearSizes, WheelSizes
 
 VIEW = "gear"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.gears.names import GEARS
-from graphic_tmm.chapters.gears.results import gear_results
-from graphic_tmm.chapters.gears.verdict import verdict
+from graphic_tmm.chapters.gears.findings import verdict
+from graphic_tmm.chapters.gears.table import gear_results
+from graphic_tmm.chapters.gears.task import GEARS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said

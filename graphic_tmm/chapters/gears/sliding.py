@@ -21,12 +21,12 @@ from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, ray, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number, Point, Reals
-from graphic_tmm.chapters.gears import reasons as why
+from graphic_tmm.chapters.gears import words as why
 from graphic_tmm.chapters.gears.dimensions import GearSizes
 from graphic_tmm.chapters.gears.formulas import part_of, remainder, specific_sliding
 from graphic_tmm.chapters.gears.line import ActionLine
 from graphic_tmm.chapters.gears.rolling import smooth_through
-from graphic_tmm.chapters.gears.rows import STATIONS, Rows
+from graphic_tmm.chapters.gears.teeth import STATIONS, Rows
 
 VIEW = "sliding"
 ROOM = 80.0

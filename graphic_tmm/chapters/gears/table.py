@@ -1,20 +1,231 @@
-"""The columns of a gear pair: what was measured; the tables of its sheet, by wheels and by places."""
+"""The columns, results and tables of a gear pair: dimensions wheel by wheel, sliding on the line of action."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+from typing import NamedTuple
 
+import numpy as np
+
+from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle
-from graphic_tmm.chapters.gears.beside import BESIDE
-from graphic_tmm.chapters.gears.dimensions import VIEW
+from graphic_tmm.board.values import Angle, Reals
+from graphic_tmm.chapters.gears.dimensions import VIEW, WheelSizes
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN
-from graphic_tmm.chapters.gears.results import gear_results
-from graphic_tmm.chapters.gears.stations import stations
-from graphic_tmm.chapters.gears.tables import WHEEL, pair_sizes, size_of
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.chapters.gears.record import BESIDE
+from graphic_tmm.drawn import Drawn, Results
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import fixed, number
+from graphic_tmm.language.units import unit
+from graphic_tmm.paper.blocks import breakable
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.readers.columns import Column, listed
 from graphic_tmm.readers.measured import Tabled, measured_columns
+from graphic_tmm.scene.captions import captions
+
+
+def gear_results(drawn: Drawn) -> Results:
+    """Return each result with its unit: those of the pair, those of each wheel with its number behind them.
+
+    ``contact_ratio`` is that of the formula, ``contact_ratio_drawn`` ab over the base pitch as measured.
+    """
+    gear, reading = GEARS_PLAN.on(drawn), drawn.reading
+    sizes, contact, beside = gear.sizes, gear.contact, BESIDE.on(drawn)
+    marks: dict[str, Mark] = {
+        "gear_ratio": beside.ratio,
+        "alpha_w": sizes.alpha_w,
+        "a": sizes.a,
+        "a_w": sizes.a_w,
+        "y": sizes.y,
+        "delta_y": sizes.dy,
+        "h": sizes.h,
+        "h_w": sizes.h_w,
+        "p": sizes.p,
+        "p_b": sizes.p_b,
+        "arc_of_engagement": beside.arc,
+        "contact_ratio": sizes.contact_ratio,
+        "contact_ratio_drawn": contact.drawn,
+        "contact_ratio_difference": contact.difference,
+    }
+    for wheel, engaged in zip(sizes.wheels, contact.wheels, strict=True):
+        own = {
+            "r": wheel.r,
+            "r_b": wheel.r_b,
+            "r_w": wheel.r_w,
+            "r_f": wheel.r_f,
+            "r_a": wheel.r_a,
+            "s": wheel.s,
+            "s_a": wheel.s_a,
+            "x_min": wheel.x_min,
+            "arc_of_engagement": engaged.real,
+        }
+        marks |= {f"{name}{wheel.number}": mark for name, mark in own.items()}
+    units = {"alpha_w": "°"}
+    return {
+        name: (reading[mark][:, 0].copy(), units.get(name, mark.unit))
+        for name, mark in marks.items()
+    }
+
+
+class Station(NamedTuple):
+    """A place: its name; x from N1 (mm on the sheet), ϑ of both wheels, (trial,), −∞ at the own limit."""
+
+    name: str
+    x: Reals
+    sliding: tuple[Reals, Reals]
+
+
+def stations(drawn: Drawn) -> list[Station]:
+    """Return the places from N1 to N2."""
+    return sorted(_places(drawn), key=lambda one: float(one.x[0]))
+
+
+def _places(drawn: Drawn) -> Iterator[Station]:
+    gear, beside, reading = GEARS_PLAN.on(drawn), BESIDE.on(drawn), drawn.reading
+    sliding, (at_first, at_second) = gear.sliding, beside.limits
+
+    def falls(end: Reals) -> Reals:
+        return np.full_like(end, -np.inf)
+
+    first, second = reading[at_first][:, 0], reading[at_second][:, 0]
+    at_limits = (
+        Station("N_{1}", reading[beside.start][:, 0], (falls(first), first)),
+        Station("N_{2}", reading[gear.line.length][:, 0], (second, falls(second))),
+    )
+    yield from at_limits
+    for name, end in zip("ab", gear.line.ends, strict=True):
+        if end in gear.line.limits:
+            yield at_limits[gear.line.limits.index(end)]._replace(name=name)
+    for name, one in (*sliding.ends.items(), ("P", sliding.pole)):
+        x, *found = (reading[mark][:, 0] for mark in (one.x, *one.sliding))
+        if one is sliding.pole:  # neither slides there, whatever the ruler makes of x
+            found = [np.zeros_like(row) for row in found]
+        yield Station(name, x, (found[0], found[1]))
+    if sliding.further is not None:
+        marks = (sliding.further.x, *sliding.further.sliding)
+        for k in range(len(gear.order.stations)):
+            x, *found = (reading[mark][:, k] for mark in marks)
+            yield Station(str(k + 1), x, (found[0], found[1]))
+
+
+PLACES = 3
+"""Decimals of lengths in mm and of coefficients."""
+DIGITS = 4
+"""Figures of an angle, of a contact ratio and of a sliding."""
+
+
+def dimension_table(drawn: Drawn, language: str, title: str, heights: Heights) -> Drawing:
+    """Return the dimensions: those of the wheels side by side, then those of the pair; and as drawn."""
+    words, made, beside = captions(language), GEARS_PLAN.on(drawn), BESIDE.on(drawn)
+    sizes, reading = made.sizes, drawn.reading
+
+    def row(symbol: str, own: Mark, *mates: Mark) -> list[str]:
+        real = [_cell(reading, mark, language) for mark in (own, *mates)]
+        laid = [_drawn(reading, beside.drawn.get(mark), language) for mark in (own, *mates)]
+        gap = [""] * (1 - len(mates))
+        return [symbol, *real, *gap, _unit(own, language), *laid, *gap]
+
+    rows = [row(symbol, *(size_of(one, key) for one in sizes.wheels)) for symbol, key in WHEEL]
+    one, other = made.contact.wheels
+    rows.append(row("cd", one.real, other.real))
+    rows += [row(symbol, mark) for symbol, _, mark in pair_sizes(drawn)]
+    _ = speaking(language)
+    laid = [_("{wheel}, drawn,\nmm", wheel=k) for k in (1, 2)]
+    heads = [words["value"], "1", "2", words["unit"], *laid]
+    align = ["left", "centre", "centre", "left", "centre", "centre"]
+    return breakable(
+        "table-gear",
+        title,
+        heads,
+        rows,
+        again=words["continued"],
+        size=heights.number,
+        title_size=heights.title,
+        align=align,
+    )
+
+
+WHEEL = (
+    ("z", "z"), ("x", "x"), ("r", "r"), ("r_{b}", "r_b"), ("r_{w}", "r_w"), ("r_{f}", "r_f"),
+    ("r_{a}", "r_a"), ("s", "s"), ("s_{a}", "s_a"), ("x_{min}", "x_min"),
+)  # fmt: skip
+"""What the table tells of a wheel: the symbol, the name in its sizes."""
+
+
+def pair_sizes(drawn: Drawn) -> tuple[tuple[str, str, Mark], ...]:
+    """Return what the table tells of the pair: the symbol, the name that machines read, the mark."""
+    made, beside = GEARS_PLAN.on(drawn), BESIDE.on(drawn)
+    sizes = made.sizes
+    return (
+        ("u_{12}", "gear_ratio", beside.ratio), ("m", "m", sizes.m),
+        ("α_{w}", "alpha_w", sizes.alpha_w), ("a_{w}", "a_w", sizes.a_w), ("y", "y", sizes.y),
+        ("Δy", "delta_y", sizes.dy), ("h", "h", sizes.h), ("h_{w}", "h_w", sizes.h_w),
+        ("p", "p", sizes.p), ("p_{b}", "p_b", sizes.p_b),
+        ("s_{cd}", "arc_of_engagement", beside.arc),
+        ("ε_{α}", "contact_ratio", sizes.contact_ratio),
+        (f"{working(drawn)}/p_{{b}}", "contact_ratio_drawn", made.contact.drawn),
+    )  # fmt: skip
+
+
+def working(drawn: Drawn) -> str:
+    """Return what the working part of the line of action is called: ab, or N₁b where a is the limit N₁."""
+    return "".join(end.letter for end in GEARS_PLAN.on(drawn).line.ends)
+
+
+def size_of(wheel: WheelSizes, key: str) -> Mark:
+    """Return a dimension of a wheel by its name among them."""
+    mark = getattr(wheel, key)
+    assert isinstance(mark, Mark)
+    return mark
+
+
+def _cell(reading: Reading, mark: Mark, language: str) -> str:
+    value = float(reading[mark][0, 0])
+    if mark.unit == "m":
+        return fixed(1000.0 * value, PLACES, language)
+    return number(value, language, DIGITS)
+
+
+def _drawn(reading: Reading, mark: Mark | None, language: str) -> str:
+    return "" if mark is None else fixed(float(reading[mark][0, 0]), 1, language)
+
+
+def _unit(mark: Mark, language: str) -> str:
+    if mark.kind is Angle:
+        return unit("°", language)
+    return unit("mm" if mark.unit == "m" else mark.unit, language)
+
+
+def sliding_table(drawn: Drawn, language: str, title: str, heights: Heights) -> Drawing:
+    """Return x (mm on the drawing) and both slidings at N1, a, P, b, N2, and at the stations of the task."""
+    words, places = captions(language), stations(drawn)
+    cells = [fixed(float(one.x[0]), 1, language) for one in places]
+    rows = [["x", unit("mm", language), *cells]]
+    for k in (0, 1):
+        cells = [_sliding(float(one.sliding[k][0]), language) for one in places]
+        rows.append([f"ϑ_{{{k + 1}}}", "", *cells])
+    heads = [words["value"], words["unit"], *(one.name for one in places)]
+    align = ["left", "left", *["centre"] * len(places)]
+    return breakable(
+        "table-sliding",
+        title,
+        heads,
+        rows,
+        again=words["continued"],
+        size=heights.number,
+        title_size=heights.title,
+        lead=2,
+        align=align,
+    )
+
+
+def _sliding(value: float, language: str) -> str:
+    if value in (0.0, -math.inf):
+        return "−∞" if value else "0"
+    return fixed(value, 2 if abs(value) > 4.0 else 3, language)
+
 
 SLIDING = "sliding-table"
 """The plan of the table of specific sliding; the diagram is another."""
@@ -24,7 +235,7 @@ _BARE = str.maketrans("", "", "_{}")
 
 def gear_columns(drawn: Drawn) -> tuple[Column, ...]:
     """Return what was measured, the dimensions of the wheels and of the pair, the sliding at named places."""
-    return (*measured_columns(drawn), *_dimensions(drawn), *_sliding(drawn))
+    return (*measured_columns(drawn), *_dimensions(drawn), *_sliding_columns(drawn))
 
 
 def _dimensions(drawn: Drawn) -> Iterator[Column]:
@@ -33,7 +244,7 @@ def _dimensions(drawn: Drawn) -> Iterator[Column]:
     def column(symbol: str, key: str, heads: tuple[str, ...], *marks: Mark) -> Column:
         figures = [reading.figure(mark)[:, 0] for mark in marks]
         lengths = [reading.figure(laid[mark])[:, 0] for mark in marks if mark in laid]
-        return listed(VIEW, key, symbol, _unit(marks[0]), figures, heads, lengths)
+        return listed(VIEW, key, symbol, _unit_of(marks[0]), figures, heads, lengths)
 
     for symbol, key in WHEEL:
         marks = (size_of(wheel, key) for wheel in made.sizes.wheels)
@@ -45,7 +256,7 @@ def _dimensions(drawn: Drawn) -> Iterator[Column]:
         yield column(key if "/" in symbol else symbol, key, (), mark)
 
 
-def _sliding(drawn: Drawn) -> Iterator[Column]:
+def _sliding_columns(drawn: Drawn) -> Iterator[Column]:
     places = stations(drawn)
     heads, x = [place.name.translate(_BARE) for place in places], [place.x for place in places]
     mu = drawn.scales["gear"].value
@@ -55,7 +266,7 @@ def _sliding(drawn: Drawn) -> Iterator[Column]:
         yield listed(SLIDING, f"theta{k + 1}", f"ϑ_{{{k + 1}}}", "", figures, heads)
 
 
-def _unit(mark: Mark) -> str:
+def _unit_of(mark: Mark) -> str:
     return "°" if mark.kind is Angle else mark.unit
 
 

@@ -12,6 +12,8 @@ from graphic_tmm.scene.declare import Kind, Names, Section, key
 from graphic_tmm.scene.misfits import listed, stands
 from graphic_tmm.scene.tasks import SectionKey
 
+GEARS = "gears"
+
 
 def _stations(value: object, names: Names) -> tuple[float, ...]:
     if not isinstance(value, list):

@@ -1,7 +1,8 @@
-"""The teeth of a wheel: its flank by rolling a tangent on the base circle, thickness, fillet, three teeth."""
+"""The teeth of a wheel: how many points are rolled, its flank, thickness, fillet, three teeth."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -12,8 +13,8 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import abscissa, to_board
 from graphic_tmm.board.operations.instruments import incline, join, lay_off, measure, square
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number
-from graphic_tmm.chapters.gears import reasons as why
+from graphic_tmm.board.values import Number, Reals
+from graphic_tmm.chapters.gears import words as why
 from graphic_tmm.chapters.gears.dimensions import GearSizes, WheelSizes
 from graphic_tmm.chapters.gears.formulas import half_of
 from graphic_tmm.chapters.gears.line import ActionLine, Circles
@@ -27,7 +28,56 @@ from graphic_tmm.chapters.gears.rolling import (
     smooth_through,
     turn_about,
 )
-from graphic_tmm.chapters.gears.rows import Roll, Rows
+
+STATIONS = 13
+"""Stations of a curve of specific sliding."""
+
+
+@dataclass(frozen=True)
+class Roll:
+    """A flank: its string to the tip has ``parts`` parts; ``count`` points are rolled, from ``first`` on."""
+
+    parts: int
+    first: int
+    count: int
+
+
+@dataclass(frozen=True)
+class Rows:
+    """The rows of a gear pair along the one axis of positions: its length, both flanks, points of a fillet."""
+
+    axis: int
+    flanks: tuple[Roll, Roll]
+    fillet: int
+
+    def row(self, values: object) -> Reals:
+        """Return the values of a row, (1, position); what stands behind them is missing."""
+        given = np.asarray(values, dtype=np.float64)
+        return np.concatenate([given, np.full(self.axis - given.size, np.nan)])[None, :]
+
+
+def choose_rows(sizes: GearSizes, value: Callable[[Mark], float]) -> Rows:
+    """Choose how the flanks are rolled; ``value``: of a calculated mark."""
+    steps, one, other = sizes.order.steps, *sizes.wheels
+    flanks = (_roll(one, sizes, value), _roll(other, sizes, value))
+    counts = (*(flank.count for flank in flanks), steps + 1, STATIONS, len(sizes.order.stations))
+    return Rows(max(counts), flanks, steps + 1)
+
+
+def _roll(wheel: WheelSizes, sizes: GearSizes, value: Callable[[Mark], float]) -> Roll:
+    """Divide the string to the tip so that the steps go from below the fillet to beyond the tip.
+
+    Inside go the pitch circle too, where the thickness is laid off, and the lowest working point.
+    """
+    tip = value(wheel.r_b) * math.tan(math.radians(value(wheel.alpha_a)))
+    pitch = value(wheel.r) * math.sin(math.radians(value(sizes.alpha)))
+    inside = (tip, pitch, max(value(wheel.lowest), 0.0), max(value(wheel.limit), 0.0))
+    low, high = min(inside), max(inside)
+    parts = max(1, math.floor(sizes.order.steps * tip / (high - low)))
+    first = max(0, math.floor(low / tip * parts) - 1)
+    last = math.ceil(high / tip * parts) + 1
+    return Roll(parts, first, last - first + 1)
+
 
 UNDERCUT = 0.01
 """The depth of an undercut goes with |ρ_l|³/r², about an eighth of it; below so many modules none is seen."""

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.gears.checks import Verdict, verdicts
+from graphic_tmm.chapters.gears.contact import Verdict, verdicts
 from graphic_tmm.chapters.gears.ink import draw_gear_ink
 from graphic_tmm.chapters.gears.ink_rolling import NAME as ROLLING
 from graphic_tmm.chapters.gears.ink_rolling import draw_rolling_ink
 from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN, Gear
-from graphic_tmm.chapters.gears.results import gear_results
-from graphic_tmm.chapters.gears.tables import dimension_table, sliding_table, working
+from graphic_tmm.chapters.gears.table import dimension_table, gear_results, sliding_table, working
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking

@@ -24,10 +24,9 @@ course project of the flywheel of a single-cylinder engine (scene ``engine``).
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.diagrams.names import DIAGRAMS
-from graphic_tmm.chapters.indicator.names import INDICATOR
-from graphic_tmm.chapters.indicator.task import SECTIONS
-from graphic_tmm.chapters.kinematics.names import KINEMATICS
+from graphic_tmm.chapters.diagrams.task import DIAGRAMS
+from graphic_tmm.chapters.indicator.task import INDICATOR, SECTIONS
+from graphic_tmm.chapters.kinematics.task import KINEMATICS
 from graphic_tmm.scene.chapter import Chapter
 
 CHAPTER = Chapter(

@@ -1,11 +1,20 @@
-"""What a scene gives of a cylinder: its diameter, the rod's, the highest pressure, clearance, strokes."""
+"""What a task gives of a cylinder: its sizes, its pressures by positions, by points, by polytropic parts."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.indicator.task import IndicatorTask
-from graphic_tmm.readers.task_sheet import SIZE, Given
+from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask, Stretch
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.language.units import unit
+from graphic_tmm.mechanism.structure import dissect
+from graphic_tmm.paper.drawing import Wanted
+from graphic_tmm.paper.symbols.arrows import arrow
+from graphic_tmm.readers.given import figure
+from graphic_tmm.readers.task_sheet import SIZE, Acting, Given, Listed, Posed
+from graphic_tmm.scene.captions import captions
+from graphic_tmm.scene.records import Scene
 
 
 def given_of(order: IndicatorTask) -> Iterator[Given]:
@@ -19,3 +28,74 @@ def given_of(order: IndicatorTask) -> Iterator[Given]:
         yield Given("c", clearance)
     if order.strokes != 2:
         yield Given("strokes of the cycle", order.strokes)
+
+
+ACROSS = 8
+"""So many positions stand beside one another in a table."""
+LONG, OFF = 16.0, 6.0
+"""How long the arrow of the gas is, and how far off its point it ends, mm."""
+
+
+def listed(order: IndicatorTask | None, scene: Scene, language: str) -> Iterator[Listed]:
+    """Yield the pressures on both sides of the piston."""
+    if order is None:
+        return
+    sides = [(order.cover, _COVER), (order.shaft, _SHAFT)]
+    for gas, title in sides:
+        if gas is not None:
+            yield from _side(scene, gas, speaking(language)(title), language)
+
+
+def _side(scene: Scene, gas: Gas, title: str, language: str) -> Iterator[Listed]:
+    _, words, pascal = speaking(language), captions(language), f"p, {unit('Pa', language)}"
+    if gas.even:
+        parts = [part.pressure for part in gas.stretches]
+        level = figure((*gas.pressures, *parts)[0], language)
+        yield Listed("pressure", title, (pascal,), ((level,),))
+        return
+    for k in range(0, len(gas.pressures), ACROSS):
+        some = gas.pressures[k : k + ACROSS]
+        heads = (words["position"], *(str(scene.row.first + k + n) for n in range(len(some))))
+        row = (pascal, *(figure(p, language) for p in some))
+        yield Listed(f"pressures-{k}", "" if k else title, heads, (row,))
+    if gas.stretches:
+        heads = tuple(map(_, (_STROKE, _FROM, _TO, _LAW)))
+        rows = tuple(_stretch(one, language) for one in gas.stretches)
+        yield Listed("pressures", title, (*heads, pascal), rows)
+
+
+def _stretch(one: Stretch, language: str) -> tuple[str, ...]:
+    _ = speaking(language)
+    way = _(_OUT if one.stroke == "out" else _BACK)
+    spots = figure(one.start, language), figure(one.end, language)
+    if one.exponent is None:
+        size = f"{figure(one.pressure, language)} … {figure(one.last, language)}"
+        return (way, *spots, _(_STRAIGHT), size)
+    law = "p = const" if not one.exponent else f"pV^{{{figure(one.exponent, language)}}} = const"
+    return (way, *spots, law, figure(one.pressure, language))
+
+
+_COVER = said("Pressures on the side of the piston away from the crank")
+_SHAFT = said("Pressures on the side of the piston towards the crank")
+_STROKE = said("Stroke", context="of a piston")
+_FROM, _TO, _LAW = said("from s/S"), said("to s/S"), said("Pressure by")
+_OUT, _BACK = said("from the cover"), said("to the cover")
+_STRAIGHT = said("straight line")
+
+
+def acting(order: IndicatorTask | None, scene: Scene, posed: Posed) -> Iterator[Acting]:
+    """Yield the force of the gas on the piston, from the cover, as an arrow at the piston."""
+    mechanism = scene.mechanism
+    if order is None or mechanism is None:
+        return
+    link = next((one for one in mechanism.links if order.point in one.points and one.slides), None)
+    if link is None:
+        return
+    at, going = posed.spot(order.point, link.number)
+    pivot, _ = posed.spot(dissect(mechanism).pivot, mechanism.frame.number)
+    if not going:
+        return
+    inward = going if ((pivot - at) * going.conjugate()).real > 0.0 else -going
+    tail = at - (LONG + OFF) * inward
+    strokes = tuple(one._replace(part="load") for one in arrow(tail, at - OFF * inward, "main"))
+    yield Acting(strokes, (Wanted("P", tail, posed.size, 1.5, -inward),))

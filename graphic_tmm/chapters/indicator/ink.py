@@ -10,8 +10,8 @@ from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Line
-from graphic_tmm.chapters.indicator.names import INDICATOR, VIEW
 from graphic_tmm.chapters.indicator.plan import Indicator
+from graphic_tmm.chapters.indicator.task import INDICATOR, VIEW
 from graphic_tmm.paper.axes import largest, position_numbers
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import Manner, body, figure

@@ -9,8 +9,8 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.indicator.names import CALCULATED as STROKE
-from graphic_tmm.chapters.indicator.names import VIEW
+from graphic_tmm.chapters.indicator.task import CALCULATED as STROKE
+from graphic_tmm.chapters.indicator.task import VIEW
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.numbers import fixed

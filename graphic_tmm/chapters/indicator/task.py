@@ -19,6 +19,12 @@ if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
 
 
+INDICATOR = "indicator"
+VIEW = "indicator"
+CALCULATED = "indicator-calculation"
+"""The view of what is calculated beside."""
+
+
 def _pressures(value: object, names: Names) -> tuple[float, ...]:
     if not isinstance(value, list) or not value:
         raise ValueError(

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.chapters.indicator.beside import BESIDE
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN
 from graphic_tmm.chapters.indicator.ink import draw_indicator_ink
-from graphic_tmm.chapters.indicator.names import VIEW
+from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN
+from graphic_tmm.chapters.indicator.record import BESIDE
+from graphic_tmm.chapters.indicator.task import VIEW
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit

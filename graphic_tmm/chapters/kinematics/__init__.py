@@ -39,14 +39,14 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.kinematics.names import (
+from graphic_tmm.chapters.kinematics.task import (
     ACCELERATIONS,
     GIVEN,
     KINEMATICS,
     POSITIONS,
+    SECTIONS,
     VELOCITIES,
 )
-from graphic_tmm.chapters.kinematics.task import SECTIONS
 from graphic_tmm.scene.chapter import Chapter, Place
 
 _BOTH = (VELOCITIES, ACCELERATIONS)

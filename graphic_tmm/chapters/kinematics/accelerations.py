@@ -20,12 +20,20 @@ from graphic_tmm.board.operations.formulas import (
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet, parallel, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point
-from graphic_tmm.chapters.kinematics import reasons as why
+from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
-from graphic_tmm.chapters.kinematics.images import Base, Hanging, Images, image_letter
-from graphic_tmm.chapters.kinematics.motion import Motion, hang_group, known_image, measure_absolute
+from graphic_tmm.chapters.kinematics.motion import (
+    Base,
+    Hanging,
+    Images,
+    Motion,
+    component,
+    hang_group,
+    image_letter,
+    known_image,
+    measure_absolute,
+)
 from graphic_tmm.chapters.kinematics.positions import Positions
-from graphic_tmm.chapters.kinematics.segments import component
 from graphic_tmm.chapters.kinematics.velocities import crank_arm
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure

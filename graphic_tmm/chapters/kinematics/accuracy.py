@@ -12,8 +12,8 @@ from graphic_tmm.accuracy.question import Accuracy, Trial
 from graphic_tmm.board.operations.locus import REFINE
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, POSITIONS, VELOCITIES
 from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Extreme, Row

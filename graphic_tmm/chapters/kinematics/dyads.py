@@ -25,7 +25,7 @@ from graphic_tmm.board.operations.instruments import (
     tangent,
 )
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.kinematics import reasons as why
+from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import (
     Body,
     Closing,

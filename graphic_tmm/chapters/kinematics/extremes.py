@@ -19,13 +19,13 @@ from graphic_tmm.board.operations.instruments import bearing, cross, cut, strike
 from graphic_tmm.board.operations.locus import refinement
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals, Side, undefined
-from graphic_tmm.chapters.kinematics import reasons as why
+from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.assembly import check_assembly
 from graphic_tmm.chapters.kinematics.bodies import Body, draw_guide
 from graphic_tmm.chapters.kinematics.dyads import rocker_offset
-from graphic_tmm.chapters.kinematics.names import EXTREMES as VIEW
 from graphic_tmm.chapters.kinematics.positions import side_record
 from graphic_tmm.chapters.kinematics.survey import STEPS, Survey
+from graphic_tmm.chapters.kinematics.task import EXTREMES as VIEW
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.guides import level

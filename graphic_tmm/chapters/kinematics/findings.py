@@ -1,16 +1,41 @@
-"""The positions in which a mechanism cannot be drawn."""
+"""Where a mechanism cannot be drawn, and which keys of links are left out whose defaults matter."""
 
 from __future__ import annotations
+
+from collections.abc import Iterator
 
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.values import Curve, undefined
-from graphic_tmm.chapters.kinematics.names import POSITIONS
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.chapters.kinematics.views import warned
-from graphic_tmm.drawn import Findings
+from graphic_tmm.drawn import Drawn, Findings
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
 from graphic_tmm.readers.warnings import Warned
+
+
+def assumed(drawn: Drawn) -> Iterator[str]:
+    """Yield, for people, that links with a mass have no J, where they turn unevenly."""
+    plans = KINEMATICS_PLAN.on(drawn)
+    drive, velocities = plans.mechanism.drive, plans.velocities
+    if velocities is None:
+        return
+    # a crank that turns evenly has no inertia couple, and an energy that does not change
+    even = {drive.link} if drive.acceleration == 0.0 else set()
+    bare = [
+        str(link.number)
+        for link in plans.mechanism.links
+        if link.mass and link.inertia is None and link.number in velocities.rates.keys() - even
+    ]
+    if bare:
+        yield said(
+            "link {links}: J is left out, with a mass given: no inertia couple and no energy of "
+            "turning is taken; write J, or J = 0",
+            links=", ".join(bare),
+        )
 
 
 def _undrawn(project: Project, reading: Reading) -> tuple[int, ...]:

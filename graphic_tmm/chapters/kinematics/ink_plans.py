@@ -1,10 +1,4 @@
-"""Plans of velocities and accelerations in ink, each position by itself or all from a common pole.
-
-A vector is what was measured between two points or laid off as a calculated length; a line in which two loci
-met goes a little on behind the point. On a plan of accelerations the lines stay on which images were found by
-similarity; on one of velocities they are vectors. Images that coincide share one label, a vector of no length
-has no arrow.
-"""
+"""Plans of velocities and accelerations in ink, one position or all from a pole; their vector equations."""
 
 from __future__ import annotations
 
@@ -24,19 +18,20 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.kinematics.accelerations import VIEW as ACCELERATIONS
-from graphic_tmm.chapters.kinematics.segments import Vector, vectors
-from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, Wanted
+from graphic_tmm.chapters.kinematics.motion import Vector, vectors
+from graphic_tmm.language.symbols import symbol
+from graphic_tmm.paper.drawing import Drawing, Ink, Label, Stroke, Wanted
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.finish import Named, lettered, shared
 from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
-from graphic_tmm.paper.lettering.indices import (
-    markup,
-)
+from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.rules import segment
 from graphic_tmm.paper.rules import stays as usual
 from graphic_tmm.paper.seen import Seen, finite
 from graphic_tmm.paper.symbols.arrows import told_arrow
 from graphic_tmm.paper.symbols.kinematic import pole
+from graphic_tmm.readers.equations import Equation, Term, heading
 
 CLOSE = 2.0
 """Images nearer than this, mm, share one label: arrows end in one place there."""
@@ -157,3 +152,46 @@ def _letters(
     letters = [pole, *shared(named, CLOSE)] if common else shared([pole, *named], CLOSE)
     middle = at_pole if common else complex(np.mean([one.at for one in (pole, *named)]))
     return lettered(letters, heights.number if common else heights.point, away_from=middle)
+
+
+LEAD = 0.45
+"""Clear height between two lines of lettering, of the height of their capitals."""
+
+
+def draw_equations(
+    construction: Construction,
+    plan: str,
+    title: str,
+    found: Sequence[Equation],
+    heights: Heights = HEIGHTS["A1"],
+    language: str = "en",
+) -> Drawing:
+    """Return the equations of a plan under their title, each group's with its directions below it.
+
+    What the log says of the crank stands first.
+    """
+    large, small = heights.point, heights.number
+    told = [(text, large) for text in _crank(construction, plan)]
+    for equation in found:
+        told.append((f"{heading(equation.group, language)}:", small))
+        told.append((equation.markup, large))
+        told.append((f"({equation.directions})", small))
+    rows = [(title, heights.title), *((symbol(text, language), size) for text, size in told)]
+    labels, base = list[Label](), 0.0
+    for text, size in rows:
+        made = letter(text, size=size)
+        base -= made.ascent + (0.0 if not labels else LEAD * size)
+        labels.append(Label(text, complex(0.0, base), size))
+        base -= made.descent
+    return Drawing(f"equations-{plan}", title, labels=tuple(labels))
+
+
+def _crank(construction: Construction, plan: str) -> list[str]:
+    """Return what was said before the crank's vector was laid off; of two, that it is their sum."""
+    notes = [step.note for step in construction.steps if step.it.view == plan and step.note]
+    told = [note for note in notes if "=" in note]
+    parts = [Term(note.partition(" = ")[0], known=True) for note in told]
+    if len(parts) > 1:
+        whole = Term(parts[0].symbol.partition("^")[0], known=True)
+        told.append(" = ".join([whole.barred, " + ".join(map(str, parts))]))
+    return told

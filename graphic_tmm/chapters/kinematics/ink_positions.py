@@ -25,9 +25,9 @@ from graphic_tmm.chapters.kinematics.ink_numbers import (
     link_numbers,
     path_numbers,
 )
-from graphic_tmm.chapters.kinematics.names import EXTREMES
 from graphic_tmm.chapters.kinematics.reaches import VIEW as PLAN
 from graphic_tmm.chapters.kinematics.reaches import Reach
+from graphic_tmm.chapters.kinematics.task import EXTREMES
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Stroke, Wanted, circle
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.finish import Named, lettered, shared

@@ -1,18 +1,157 @@
-"""What a plan of velocities or accelerations leaves: its images, its readings, the links' rates."""
+"""What a plan of velocities or accelerations leaves: image points, vectors and their names, rates of links."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.naming import between
-from graphic_tmm.board.operations.instruments import measure, measure_along
-from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.kinematics import reasons as why
-from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
-from graphic_tmm.chapters.kinematics.images import Base, Hanging, Images, image_letter
+from graphic_tmm.board.operations.instruments import (
+    coincide,
+    homologous,
+    lay_off,
+    measure,
+    measure_along,
+    similar,
+)
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.chapters.kinematics import words as why
+from graphic_tmm.chapters.kinematics.bodies import Body, Closing, GuideLeg, PinLeg
 from graphic_tmm.chapters.kinematics.positions import Positions
+
+
+class Base(NamedTuple):
+    """Two points of a link on the plan of positions, and their images."""
+
+    A: Mark
+    B: Mark
+    a: Mark
+    b: Mark
+
+
+class Hanging(NamedTuple):
+    """How a link hangs in the plan: its anchor, the anchor's image, and the base it turns with."""
+
+    anchor: Mark
+    image: Mark
+    base: Base | None
+
+
+class Images:
+    """The images of one plan while it is being drawn, by link."""
+
+    def __init__(self, draft: Draft, pole: Mark, frame: Body) -> None:
+        self.draft = draft
+        self.pole = pole
+        self.by_letter: dict[int, dict[str, Mark]] = {}
+        self.hanging: dict[int, Hanging] = {}
+        number = frame.link.number
+        self.hanging[number] = Hanging(pole, pole, None)
+        self.by_letter[number] = dict.fromkeys(frame.marks, pole)
+
+    def hang(self, body: Body, hanging: Hanging, known: dict[str, Mark]) -> None:
+        """Enter a link, with the images of letters known already."""
+        self.hanging[body.link.number] = hanging
+        self.by_letter[body.link.number] = known
+
+    def turns(self, number: int) -> bool:
+        """Whether a link turns (otherwise its images coincide)."""
+        return self.hanging[number].base is not None
+
+    def at(self, body: Body, point: Mark) -> Mark:
+        """Return the image of a point of a body that is drawn already."""
+        return self.by_letter[body.link.number][body.letter_of(point)]
+
+    def of(self, number: int, point: Mark, letter: str, shown: str) -> Mark:
+        """Return the image of a point as a point of the link; draw it if it is not there yet.
+
+        ``letter``: that of the point in the scene; ``shown``: that of the image.
+        """
+        known = self.by_letter[number]
+        if letter in known:
+            return known[letter]
+        anchor, image, base = self.hanging[number]
+        if point == anchor or (base is None and image == self.pole):
+            drawn = image
+        elif base is None:
+            drawn = self.draft.draw(coincide, shown, image, free=True)
+        elif anchor == base.A and image == base.a:
+            drawn = self.draft.draw(
+                similar, shown, base.a, base.b, base.A, base.B, point, free=True
+            )
+        else:
+            drawn = self.draft.draw(
+                homologous,
+                shown,
+                image,
+                base.a,
+                base.b,
+                base.A,
+                base.B,
+                anchor,
+                point,
+                free=True,
+            )
+        known[letter] = drawn
+        return drawn
+
+    def complete(self, body: Body) -> None:
+        """Draw the images of all letters of the link."""
+        for letter in body.link.points:
+            self.of(body.link.number, body.marks[letter], letter, image_letter(letter))
+
+
+def image_letter(letter: str, link: int | None = None) -> str:
+    """Return the small letter of an image; with the link's number for one of several points at a place."""
+    return letter.lower() if link is None else f"{letter.lower()}{link}"
+
+
+class Vector(NamedTuple):
+    """A vector of a plan: its two marks and the segment's letter; ``absolute`` if it starts at the pole.
+
+    ``step``: the one that drew or measured it first.
+    """
+
+    start: Mark
+    end: Mark
+    segment: str
+    absolute: bool
+    step: Step
+
+
+def vectors(construction: Construction, plan: str) -> tuple[Vector, ...]:
+    """Return the vectors of a plan in the order in which they were drawn or measured."""
+    view = construction.view(plan)
+    assert view is not None
+    by_mark = {step.it: step for step in construction.steps}
+    found: dict[tuple[Mark, Mark], Vector] = {}
+    for step in construction.steps:
+        if step.it.view != plan:
+            continue
+        ends = _ends(step, by_mark)
+        if ends is not None:
+            start, end, segment = ends
+            found.setdefault((start, end), Vector(start, end, segment, start == view.pole, step))
+    return tuple(found.values())
+
+
+def _ends(step: Step, by_mark: dict[Mark, Step]) -> tuple[Mark, Mark, str] | None:
+    if step.op in (measure, measure_along):
+        return step.uses[0], step.uses[1], step.it.name
+    if step.op is lay_off:
+        drawn = by_mark[step.uses[0]]
+        return drawn.uses[0], step.it, step.uses[1].name
+    return None
+
+
+def component(draft: Draft, segment: Mark, part: str, *images: str) -> None:
+    """Tell which component of an acceleration a segment is: normal, tangential, Coriolis (k), relative (r).
+
+    ``images``: the letters of the point that it is of, and of the one it is about.
+    """
+    draft.figure(roles.COMPONENT, f"a_{{{''.join(images).upper()}}}^{{{part}}}", segment)
 
 
 @dataclass

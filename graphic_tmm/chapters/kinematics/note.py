@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.kinematics import views
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, EXTREMES, POSITIONS, VELOCITIES
 from graphic_tmm.chapters.kinematics.table import kinematic_columns
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, EXTREMES, POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.note.bricks import columns, worked
 from graphic_tmm.note.chapter import Noted

@@ -14,7 +14,6 @@ from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.assembly import Assembly, check_assembly
 from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, TURNS, VELOCITIES
 from graphic_tmm.chapters.kinematics.positions import (
     Positions,
     draw_frame,
@@ -25,9 +24,8 @@ from graphic_tmm.chapters.kinematics.positions import (
 from graphic_tmm.chapters.kinematics.reaches import Reach, guides, reaches
 from graphic_tmm.chapters.kinematics.row import draw_row, extreme_places
 from graphic_tmm.chapters.kinematics.rows import Further, Ground, draw_rows
-from graphic_tmm.chapters.kinematics.survey import Survey, survey
-from graphic_tmm.chapters.kinematics.task import ASKED
-from graphic_tmm.chapters.kinematics.transmission import best
+from graphic_tmm.chapters.kinematics.survey import Survey, best, survey
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, ASKED, KINEMATICS, TURNS, VELOCITIES
 from graphic_tmm.chapters.kinematics.velocities import crank_arm, draw_velocities
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said

@@ -15,10 +15,16 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import lay_off, ray
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point, Side
-from graphic_tmm.chapters.kinematics import reasons as why
-from graphic_tmm.chapters.kinematics.bodies import Body, Closing, draw_points, stand
+from graphic_tmm.chapters.kinematics import words as why
+from graphic_tmm.chapters.kinematics.bodies import (
+    Body,
+    Closing,
+    draw_points,
+    stand,
+    tell_group,
+    tell_link,
+)
 from graphic_tmm.chapters.kinematics.dyads import DYADS, Site
-from graphic_tmm.chapters.kinematics.figures import tell_group, tell_link
 from graphic_tmm.mechanism import records
 from graphic_tmm.mechanism.structure import Group, Structure
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, VELOCITIES
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, record
-from graphic_tmm.chapters.kinematics.task import ASKED
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, ASKED, VELOCITIES
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.project import Plan, Project
 from graphic_tmm.scene.records import Scene

@@ -16,8 +16,8 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.kinematics.bodies import Body
 from graphic_tmm.chapters.kinematics.extremes import OPPOSITE, draw_extreme
-from graphic_tmm.chapters.kinematics.names import EXTREMES as VIEW
 from graphic_tmm.chapters.kinematics.survey import Survey
+from graphic_tmm.chapters.kinematics.task import EXTREMES as VIEW
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Extreme, Row

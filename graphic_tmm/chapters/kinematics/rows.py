@@ -1,11 +1,4 @@
-"""Rows of the tables that are asked for by name: each is a step of its own, and none where none is asked for.
-
-The acceleration of a point has a part along its path, a^t, and one square to it, a^n = v²/ρ, towards the centre
-of curvature: the vector from the pole is read along the velocity and square to it. ρ = (pk·μ_v)²/(a^n·μ_a).
-Where the point stands still its velocity has no direction, where a^n is 0 the path is straight and ρ infinite.
-
-Source: Артоболевский И. И., Теория механизмов и машин (планы ускорений; скорость скольжения в шарнирах).
-"""
+"""Rows of tables that are asked for by name: each is a step of its own, none where none is asked for."""
 
 from __future__ import annotations
 
@@ -13,6 +6,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.formula import formula
 from graphic_tmm.board.operations.instruments import (
     bearing,
     join,
@@ -22,20 +16,48 @@ from graphic_tmm.board.operations.instruments import (
     square,
 )
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number
-from graphic_tmm.chapters.kinematics import reasons as why
+from graphic_tmm.board.values import Length, Number
+from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg
-from graphic_tmm.chapters.kinematics.formulas import path_radius, rubbing, rubbing_on_fixed
-from graphic_tmm.chapters.kinematics.images import image_letter
-from graphic_tmm.chapters.kinematics.motion import Motion, reading_of
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.motion import Motion, image_letter, reading_of
 from graphic_tmm.chapters.kinematics.positions import Positions
-from graphic_tmm.chapters.kinematics.task import Rows
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, POSITIONS, VELOCITIES, Rows
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure
 from graphic_tmm.scene import letters
+
+
+@formula(
+    why=said(
+        "The links turn against each other at the difference of their angular velocities, the sum of their "
+        "sizes where they turn in opposite senses; at the pin's surface that is {radius} times as much."
+    )
+)
+def rubbing(radius: Number, omega: Number, other: Number) -> Number:
+    """{radius}·|{omega} − {other}|"""
+
+
+@formula(
+    why=said(
+        "The other link does not turn: at the pin's surface the speed is {radius} times {omega}."
+    )
+)
+def rubbing_on_fixed(radius: Number, omega: Number) -> Number:
+    """{radius}·|{omega}|"""
+
+
+@formula(
+    holds="{normal} ≠ 0",
+    fails="the normal acceleration reads 0: the path is straight there, ρ infinite or too large to read",
+    why=said(
+        "A point that goes along a curve at v has the normal acceleration v²/ρ towards its centre of "
+        "curvature, so ρ is the square of {segment}·{mu_v} divided by {normal}·{mu_a}."
+    ),
+)
+def path_radius(segment: Length, mu_v: Number, normal: Length, mu_a: Number) -> Number:
+    """({segment}·{mu_v})²/(|{normal}|·{mu_a})"""
 
 
 class Further(NamedTuple):

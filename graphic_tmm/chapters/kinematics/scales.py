@@ -1,28 +1,43 @@
-"""μ_l, μ_v, μ_a: what the scene fixes, else standard ones that give the plans their size."""
+"""μ_l, μ_v, μ_a: what the scene fixes, else standard ones; how large the plans may be, and how μ was chosen."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction, Figure
+from graphic_tmm.board.operations.choice import scale_by_turning
+from graphic_tmm.board.operations.formulas import product, product_of_squares
+from graphic_tmm.board.record import Construction, Figure, Mark
 from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Curve, Point
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, KINEMATICS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.motion import image_letter
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.reaches import Reach, reach_of
+from graphic_tmm.chapters.kinematics.task import (
+    ACCELERATIONS,
+    KINEMATICS,
+    PLANS,
+    POSITIONS,
+    VELOCITIES,
+)
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.choice import Choice, Ledger
 from graphic_tmm.fitting.scales import Fitting, ScaleFactors, extent, unscaled
+from graphic_tmm.fitting.sizes import Size, Sizing
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
+from graphic_tmm.language.units import unit_name
+from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
 from graphic_tmm.scene.captions import captions
+from graphic_tmm.scene.records import Scales, Scene
 
 SMALL, VECTORS, UNSEEN = 50.0, 80.0, 150.0
 """Room for the longest vector of a plan, mm, to begin with, and where no sheet shows it. Below 50 mm the half
@@ -189,3 +204,136 @@ def reaches_at(
 SCALES = ScaleFactors(
     reach=extents, plan_scales=plan_scales, key=lambda view: SCALE_KEYS.get(view, "")
 )
+
+
+def _narrow(scene: Scene) -> float:
+    """Return the room for the plan of positions on the formats of its sheets, mm."""
+    orders = [order for order in scene.sheets if POSITIONS in order.place] or scene.sheets
+    return narrowest(order.format for order in orders).room
+
+
+def _size(plan: str, usual: Callable[[Scene], float], cap: float, small: float = 0.0) -> Size:
+    keys = KEYS[plan]
+
+    def fixed(scene: Scene) -> str:
+        return next((f"scales.{key}" for key in keys if getattr(scene.scales, key)), "")
+
+    def freed(scene: Scene) -> Scene:
+        left: dict[str, Any] = dict.fromkeys(keys)
+        free: Scales = replace(scene.scales, **left)
+        return replace(scene, scales=free)
+
+    def remedy(drawn: Drawn, key: str) -> str:
+        mu = drawn.scales[plan].value
+        crank = crank_sizes(KINEMATICS_PLAN.on(drawn))[PLANS.index(plan)] / mu
+        return (
+            f"{mu:g} {unit_name(UNITS[key], drawn.scene.language)}"
+            if key in UNITS
+            else f"{math.floor(crank) or crank:g} mm"
+        )
+
+    def own(reach: Mapping[str, Any]) -> float:
+        return float(getattr(reach[KINEMATICS], plan))
+
+    return Size(
+        plan,
+        usual,
+        in_mm=True,
+        small=small,
+        unseen=UNSEEN if small else 0.0,
+        cap=cap,
+        extent=own,
+        fixed=fixed,
+        freed=freed,
+        remedy=remedy,
+        keys=keys,
+    )
+
+
+_SIZES = (
+    _size(POSITIONS, _narrow, 0.6),
+    _size(VELOCITIES, lambda scene: VECTORS, 0.4, SMALL),
+    _size(ACCELERATIONS, lambda scene: VECTORS, 0.4, SMALL),
+)
+"""Room for the plan of positions, and for the longest vectors of the others."""
+
+
+def _velocities(scene: Scene, view: str) -> tuple[str, ...]:
+    return (POSITIONS,) if scene.scales.mu_v_is_mu_l_omega else (VELOCITIES,)
+
+
+SIZES = Sizing(
+    sizes=_SIZES,
+    depends={
+        POSITIONS: lambda scene, view: (POSITIONS,),
+        VELOCITIES: _velocities,
+        ACCELERATIONS: lambda scene, view: (ACCELERATIONS,),
+    },
+)
+
+
+def choose(drawn: Drawn, ledger: Ledger) -> None:
+    """Record how the scale factors of the three plans were chosen."""
+    made, wanted = KINEMATICS_PLAN.on(drawn), drawn.scene.scales
+    reach: Extents = drawn.reach[KINEMATICS]
+    pivot, pin, driver = made.structure.pivot, made.structure.pin, made.structure.driver
+    small = image_letter(pin)
+    ledger.of(POSITIONS)
+    arm = ledger.quantity(f"l_{{{pivot}{pin}}}", crank_sizes(made)[0], "m")
+    mu = drawn.project.scale(POSITIONS)
+    if wanted.mu_l:
+        mu_l = ledger.told(mu, wanted.mu_l)
+    elif wanted.OA:
+        mu_l = ledger.by_length(mu, arm, f"{pivot}{pin}", wanted.OA)
+    else:
+        most = ledger.quantity("l_{max}", reach.positions, "m")
+        mu_l = ledger.fitting(mu, most, ledger.value_of(drawn, mu), lengths=True)
+    if not wanted.OA or wanted.mu_l:
+        ledger.follows(f"{pivot}{pin}", arm, mu_l)
+    if made.velocities is None:
+        return
+    ledger.of(VELOCITIES)
+    omega = ledger.speed(str(driver), made.mechanism.drive.speed)
+    if made.velocities.speed is not None:
+        ledger.enter(made.velocities.speed, omega)
+    speed = ledger.found(product, f"v_{pin}", omega, arm, unit="m/s")
+    mu = drawn.project.scale(VELOCITIES)
+    if wanted.mu_v_is_mu_l_omega:
+        mu_v = ledger.draft.draw(scale_by_turning, mu.letter, mu_l, omega, unit=mu.unit)
+        ledger.follows(f"p{small}", speed, ledger.enter(mu, mu_v))
+    else:
+        fixed = wanted.mu_v, wanted.pa
+        _plan(drawn, ledger, VELOCITIES, fixed, (f"p{small}", speed), reach.velocities)
+    if made.accelerations is None:
+        return
+    ledger.of(ACCELERATIONS)
+    gain = ledger.found(product_of_squares, f"a_{pin}", omega, arm, unit="m/s²")
+    fixed = wanted.mu_a, wanted.pi_a
+    _plan(drawn, ledger, ACCELERATIONS, fixed, (f"π{small}", gain), reach.accelerations)
+
+
+def _plan(
+    drawn: Drawn,
+    ledger: Ledger,
+    plan: str,
+    fixed: tuple[float | None, float | None],
+    of_pin: tuple[str, Mark],
+    longest: float,
+) -> None:
+    """Record the choice for a plan of vectors: as the scene fixes it, or by the longest vector of the plan.
+
+    ``of_pin``: the segment that shows the crank pin's vector, and that vector.
+    """
+    mu, (told, length), (letter, quantity) = drawn.project.scale(plan), fixed, of_pin
+    if told:
+        found = ledger.told(mu, told)
+    elif length:
+        ledger.by_length(mu, quantity, letter, length)
+        return
+    else:
+        most = ledger.quantity(f"{quantity.letter[0]}_{{max}}", longest, quantity.unit)
+        found = ledger.fitting(mu, most, ledger.value_of(drawn, mu))
+    ledger.follows(letter, quantity, found)
+
+
+CHOICE = Choice(choose)

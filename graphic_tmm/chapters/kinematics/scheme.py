@@ -15,10 +15,10 @@ from graphic_tmm.board.values import Reals, undefined
 from graphic_tmm.chapters.kinematics.given import frame_sizes
 from graphic_tmm.chapters.kinematics.ink_numbers import guide_names, link_numbers
 from graphic_tmm.chapters.kinematics.ink_positions import SWEEP, PositionsInk
-from graphic_tmm.chapters.kinematics.names import POSITIONS
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.scales import reaches_at
-from graphic_tmm.chapters.kinematics.transmission import transmission
+from graphic_tmm.chapters.kinematics.survey import transmission
+from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said

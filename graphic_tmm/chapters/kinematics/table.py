@@ -1,4 +1,4 @@
-"""The columns of the plans: segments in mm, times μ, in SI; the rates of links."""
+"""The columns of the plans: segments in mm, times μ, in SI; the rates of links; the views of each plan."""
 
 from __future__ import annotations
 
@@ -9,13 +9,20 @@ import numpy as np
 from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, PLANS, POSITIONS, VELOCITIES
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.chapters.kinematics.task import (
+    ACCELERATIONS,
+    EXTREMES,
+    PLANS,
+    POSITIONS,
+    VELOCITIES,
+)
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, empty, row_of
 from graphic_tmm.readers.equations import components, quantity
 from graphic_tmm.readers.measured import Tabled
+from graphic_tmm.readers.titles import Protocols
 
 UNITS = {POSITIONS: "m", VELOCITIES: "m/s", ACCELERATIONS: "m/s²"}
 """Of what the segments of a plan stand for."""
@@ -97,3 +104,6 @@ def speed_marks(project: Project) -> list[Mark]:
 
 
 TABLE = Tabled(columns=kinematic_columns)
+
+
+PROTOCOL = Protocols(views=lambda project: {plan: (plan,) for plan in (EXTREMES, *PLANS)})

@@ -1,4 +1,4 @@
-"""What is asked of the plans besides: rows of the tables that cost a step each. SI, degrees."""
+"""What is asked of the plans of a mechanism: views, places, rows of tables that cost a step. SI, degrees."""
 
 from __future__ import annotations
 
@@ -15,6 +15,22 @@ from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
+
+
+KINEMATICS = "kinematics"
+POSITIONS, VELOCITIES, ACCELERATIONS = "positions", "velocities", "accelerations"
+"""The plans: places of sheets, views of the board, and what other chapters need."""
+PLANS = (POSITIONS, VELOCITIES, ACCELERATIONS)
+TURNS = "turns"
+"""What else may be needed of the plans: that their row goes over so many turns of the crank."""
+EXTREMES = "extremes"
+GIVEN = "given"
+"""The place of the table of what is given."""
+FULL_TURN = said(
+    "a curve goes through all positions of a turn, and the mechanism does not assemble in each of them; "
+    "change its lengths so that the crank turns fully"
+)
+"""Why there is no curve along the positions, and what to do."""
 
 
 @dataclass(frozen=True)

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.kinematics.given import given, stated, wanted_accelerations
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, POSITIONS, VELOCITIES
 from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.chapters.kinematics.scheme import scheme
-from graphic_tmm.chapters.kinematics.task import ASKED, Rows
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, ASKED, POSITIONS, VELOCITIES, Rows
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said

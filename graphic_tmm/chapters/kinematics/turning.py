@@ -1,31 +1,26 @@
-"""The plans of a mechanism at any angle of its crank: what is given there, the figures that move with it."""
+"""The plans of a mechanism at any angle of its crank: what they tell there, the figures that move with it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 import numpy as np
 
-from graphic_tmm.any_angles.turn import Between, Passed, Turn, Turning
+from graphic_tmm.any_angles.turn import Between, Passed, Plan, Quantity, Told, Turn, Turning
 from graphic_tmm.board import roles
 from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.operations.instruments import stand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.kinematics.any_angle import free, told
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
-from graphic_tmm.chapters.kinematics.ink_positions import (
-    FULL,
-    PositionsInk,
-    drawn_path,
-    path_stays,
-)
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, POSITIONS, VELOCITIES
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, sides_at
+from graphic_tmm.chapters.kinematics.ink_positions import FULL, PositionsInk, drawn_path, path_stays
+from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN, KinematicPlans, sides_at
 from graphic_tmm.chapters.kinematics.positions import side_record, side_values
 from graphic_tmm.chapters.kinematics.scales import reaches
+from graphic_tmm.chapters.kinematics.survey import least_angle
 from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
-from graphic_tmm.chapters.kinematics.transmission import least_angle
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.page.moving import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing, Ink
@@ -34,6 +29,39 @@ from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import mu_text
 from graphic_tmm.project import Project
 from graphic_tmm.scene.captions import captions
+from graphic_tmm.scene.records import Scene
+
+VECTORS: tuple[tuple[Plan, Quantity, Quantity], ...] = (
+    ("velocities", "velocities", "omega"),
+    ("accelerations", "accelerations", "epsilon"),
+)
+"""The plans of vectors: what stands for what of points and of links."""
+
+
+def free(scene: Scene) -> Scene:
+    """Return the scene with direct plans, accelerations among them, and no path of a point."""
+    row = scene.row if scene.row.accelerations else replace(scene.row, accelerations=ALL)
+    return replace(scene, row=row, turned=False, trajectories=())
+
+
+def told(project: Project) -> Iterator[Told]:
+    """Yield places, velocities and accelerations of all points, then ω and ε of links that turn."""
+    made = KINEMATICS_PLAN.on(project)
+    bodies = made.positions.bodies
+    names = [(letter, n) for n, body in bodies.items() for letter in body.link.points]
+    origin = made.mechanism.frame.points[made.structure.pivot]
+    for letter, n in names:
+        mark = bodies[n].marks[letter]
+        yield Told("positions", "places", (letter, n), mark, made.mu_l, origin=origin)
+    for plan, quantity, turning in VECTORS:
+        motion = made.motion(plan)
+        if motion is None:
+            continue
+        for letter, n in names:
+            image: Mark = motion.images.by_letter[n][letter]
+            yield Told(plan, quantity, (letter, n), image, motion.mu)
+        for n, rate in motion.rates.items():
+            yield Told(plan, turning, n, rate)
 
 
 def between(drawn: Drawn, turn: Turn) -> Between:

@@ -6,18 +6,20 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from graphic_tmm.chapters.kinematics.ink_equations import draw_equations
 from graphic_tmm.chapters.kinematics.ink_links import LinksInk
-from graphic_tmm.chapters.kinematics.ink_plans import (
-    Place,
-    draw_plan,
-)
+from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_equations, draw_plan
 from graphic_tmm.chapters.kinematics.ink_positions import draw_position_ink, draw_positions_ink
-from graphic_tmm.chapters.kinematics.names import ACCELERATIONS, GIVEN, POSITIONS, VELOCITIES
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.scales import outlying, reaches
-from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
-from graphic_tmm.chapters.kinematics.task import ASKED
+from graphic_tmm.chapters.kinematics.table import UNITS, measured_vectors, plan_columns, rate_marks
+from graphic_tmm.chapters.kinematics.task import (
+    ACCELERATIONS,
+    ASKED,
+    GIVEN,
+    PLANS,
+    POSITIONS,
+    VELOCITIES,
+)
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
@@ -25,12 +27,11 @@ from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Stand, Stroke
 from graphic_tmm.paper.finish import TOGETHER, finished
 from graphic_tmm.paper.lettering.heights import heights
-from graphic_tmm.paper.lettering.letters import (
-    escape,
-)
+from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.views import captioned, in_rows, mu_text, noted, width_of
 from graphic_tmm.readers.equations import equations
 from graphic_tmm.readers.given import given_table
+from graphic_tmm.readers.readings import Readings
 from graphic_tmm.readers.result_table import result_table
 from graphic_tmm.scene.captions import captions
 
@@ -248,4 +249,9 @@ SHOWN = Views(
         "acceleration table": acceleration_table,
         "results": both_tables,
     }
+)
+
+
+READINGS = Readings(
+    pointed=PLANS, plan_at=plan_at, named_marks=rate_marks, vectors=measured_vectors
 )

@@ -29,8 +29,7 @@ Sources: Артоболевский И. И., Теория механизмов �
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
-from graphic_tmm.chapters.planetary.task import SECTIONS
+from graphic_tmm.chapters.planetary.task import PLANETARY_TRAIN, SECTIONS
 from graphic_tmm.scene.chapter import Chapter, Place
 
 _NAME = PLANETARY_TRAIN

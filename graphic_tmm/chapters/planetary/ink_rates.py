@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.chapters.planetary.ink_numbers import BESIDE, LEAST, OVER, TrainInk
+from graphic_tmm.chapters.planetary.ink_scheme import ASIDE, LEAST, OVER, TrainInk
 from graphic_tmm.paper.drawing import Ink, Stroke, Wanted, circle, line
 from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.finish import Named, lettered, shared
@@ -111,9 +111,9 @@ def picture_letters(ink: TrainInk) -> list[Wanted]:
     o, a, b, c = ink.zeros
     away = -1.0 if sum((tip - o).real for tip in ink.tips) > 0.0 else 1.0
     slots = [(mark.slot,) for mark in picture.zeros]
-    wanted = [Wanted("O", o, small, BESIDE, away - 1j, slots[0])]
+    wanted = [Wanted("O", o, small, ASIDE, away - 1j, slots[0])]
     for name, at, of in zip("ABC", (a, b, c), slots[1:], strict=True):
-        wanted.append(Wanted(name, at, small, BESIDE, away + 1j, of))
+        wanted.append(Wanted(name, at, small, ASIDE, away + 1j, of))
     for text, at, foot, mark in zip("ab", ink.tips, (a, b), picture.ends, strict=True):
         if abs(at - foot) >= LEAST:
             wanted.append(Wanted(text, at, small, 0.8, at - foot, (mark.slot,)))

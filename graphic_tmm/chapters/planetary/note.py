@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
-from graphic_tmm.chapters.planetary.verdict import verdict
+from graphic_tmm.chapters.planetary.table import verdict
+from graphic_tmm.chapters.planetary.task import PLANETARY_TRAIN
 from graphic_tmm.drawn import Drawn, results_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said

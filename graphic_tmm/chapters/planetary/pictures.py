@@ -27,7 +27,7 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number, Point
-from graphic_tmm.chapters.planetary import reasons as why
+from graphic_tmm.chapters.planetary import words as why
 from graphic_tmm.chapters.planetary.dimensions import Dimensions
 from graphic_tmm.chapters.planetary.formulas import next_satellite, overall_ratio
 from graphic_tmm.chapters.planetary.task import PlanetaryTask, Train

@@ -1,14 +1,17 @@
-"""A planetary train 2K–H: its sizes and conditions, two views, velocities, the ratio measured off them."""
+"""A planetary train 2K–H: sizes and conditions, two views and their places, velocities, the ratio measured."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+import numpy as np
+
 from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import standard, standard_length
 from graphic_tmm.chapters.planetary.dimensions import Dimensions, calculate_train
-from graphic_tmm.chapters.planetary.names import PLANETARY_TRAIN
 from graphic_tmm.chapters.planetary.pictures import (
     VIEW,
     AxialView,
@@ -19,11 +22,108 @@ from graphic_tmm.chapters.planetary.pictures import (
     draw_pair,
 )
 from graphic_tmm.chapters.planetary.rates import Picture, Rates, draw_picture, draw_rates
-from graphic_tmm.chapters.planetary.reach import Drawn, choose_scales
-from graphic_tmm.chapters.planetary.task import ASKED, PlanetaryTask, Train
+from graphic_tmm.chapters.planetary.task import ASKED, PLANETARY_TRAIN, PlanetaryTask, Train
 from graphic_tmm.chapters.planetary.tooth_search import choose
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Made
+
+DIAMETER = 160.0
+"""Room for the circles, mm."""
+VELOCITY, RATE = 70.0, 80.0
+"""Room for the longest velocity, and for the longest segment of the plan of angular velocities, mm."""
+POLES = (60.0, 50.0, 40.0, 30.0, 25.0, 20.0, 15.0, 10.0)
+"""Pole distances that are chosen from, mm."""
+BESIDE, ROW, ARM = 60.0, 26.0, 18.0
+"""From the circles to the first row; from row to row; from the last row to the arm of the carrier, mm."""
+PICTURE, BELOW = 62.0, 44.0
+"""From the scheme to the picture of velocities; from the axis down to the plan below it, mm."""
+CLEAR = 45.0
+"""The least way from the scheme to the picture: the shaft's bearing stands there, mm."""
+SHAFT = 42.0
+"""From the arm, or the last row, to a wheel on the driven shaft, whose bearing stands between, mm."""
+AROUND = 40.0
+"""Room beside such a wheel for the shaft of the one that it drives, mm."""
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """What scales are chosen for: train, views, picture, plan, the pair behind it; the share of usual room."""
+
+    order: PlanetaryTask
+    train: Train
+    end: EndView
+    axial: AxialView
+    picture: Picture
+    rates: Rates
+    pair: PairView | None = None
+    size: float = 1.0
+
+
+def choose_scales(draft: Draft, drawn: Drawn) -> None:
+    """Choose what the draft's given marks still lack; every slice is run with the exact hand.
+
+    The order's own scale factors and pole distance are kept.
+    """
+    order, picture, rates, size = drawn.order, drawn.picture, drawn.rates, drawn.size
+    mu_v, distance, stations = picture.mu, rates.distance, drawn.axial.stations
+    draft.given |= {draft.mu_l: 1.0, mu_v: 1.0, distance: 1.0, rates.depth: BELOW}
+    draft.given |= dict.fromkeys((*stations.values(), picture.place), 0.0)
+    if drawn.pair is not None:
+        draft.given[drawn.pair.station] = 0.0
+    draft.given[draft.mu_l] = order.mu_l or standard_length(
+        2.0 * _reach(draft, drawn), DIAMETER * size
+    )
+    longest = max(_sizes(draft, picture.readings.values()))
+    draft.given[mu_v] = order.mu_v or standard(longest, VELOCITY * size)
+    longest = max(_sizes(draft, rates.segments.values()))
+    fits = (pole for pole in POLES if pole * longest <= RATE * size)
+    draft.given[distance] = order.pole or next(fits, RATE * size / longest)
+    _place(draft, drawn, stations)
+
+
+def _place(draft: Draft, drawn: Drawn, stations: Mapping[str, Mark]) -> None:
+    """Place the rows and the arm of the scheme, then the picture, to the right of the circles.
+
+    Where the fixed wheel has external teeth the arm stands between the rows: its shaft goes through that wheel.
+    A pair behind the train stands on the carrier's shaft, to the right, or on that of wheel 1, to the left.
+    """
+    size, outside = drawn.size, drawn.train.scheme.second > 0
+    first = _reach(draft, drawn) + BESIDE * size
+    if drawn.pair is not None and drawn.order.driving == "H":
+        draft.given[drawn.pair.station] = first
+        first += SHAFT
+    last = first + ROW * size * (drawn.train.scheme.rows - 1)
+    arm = last + size * (-ROW / 2.0 if outside else ARM)
+    draft.given |= {stations["I"]: first, stations["H"]: arm}
+    if "II" in stations:
+        draft.given[stations["II"]] = last
+    tips = execute(draft.board.construction(), draft.given, drawn.picture.ends)
+    left = min(float(tips[mark][0, 0].real) for mark in drawn.picture.ends)
+    zero = last + size * ARM + max(PICTURE * size, CLEAR) + max(0.0, -left)
+    if drawn.pair is not None and drawn.order.driving == "1":
+        station = max(last, arm) + SHAFT
+        draft.given[drawn.pair.station] = station
+        ends = tuple(drawn.rates.ends.values())
+        rays = execute(draft.board.construction(), draft.given, ends)
+        left = min(left, *(float(rays[mark][0, 0].real) for mark in ends))
+        zero = max(zero, station + AROUND - left)
+    draft.given[drawn.picture.place] = zero
+
+
+def _sizes(draft: Draft, marks: Iterable[Mark]) -> list[float]:
+    """Return lengths as they come out with what is given now, without their signs."""
+    wanted = tuple(marks)
+    reading = execute(draft.board.construction(), draft.given, wanted)
+    return [abs(float(reading[mark][0, 0])) for mark in wanted]
+
+
+def _reach(draft: Draft, drawn: Drawn) -> float:
+    """Return the radius about the main axis that the pitch circles take, mm."""
+    end, scheme = drawn.end, drawn.train.scheme
+    central = [end.lengths[wheel] for wheel in ("1", scheme.wheels[-1])]
+    rims = [end.lengths[wheel] for wheel in scheme.wheels[1:-1]]
+    axes, *others = _sizes(draft, (end.lengths["H"], *central, *rims))
+    return float(np.max([*others[:2], axes + max(others[2:])]))
 
 
 @dataclass(frozen=True)

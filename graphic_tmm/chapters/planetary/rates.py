@@ -22,7 +22,7 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.chapters.planetary import reasons as why
+from graphic_tmm.chapters.planetary import words as why
 from graphic_tmm.chapters.planetary.dimensions import Dimensions
 from graphic_tmm.chapters.planetary.formulas import miss_of_ratio, ratio_of_segments
 from graphic_tmm.chapters.planetary.pictures import EndView

@@ -1,9 +1,98 @@
-"""What is recorded of a planetary train."""
+"""What is recorded of a train: its plan; aside ratios with the carrier stopped, the teeth that U asks for."""
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.planetary.beside import record_beside
-from graphic_tmm.chapters.planetary.plan import record
-from graphic_tmm.project import Plan
+import math
+from typing import NamedTuple
+
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.planetary import formulas as t
+from graphic_tmm.chapters.planetary.dimensions import rings_of
+from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary, record
+from graphic_tmm.chapters.planetary.task import PLANETARY_TRAIN
+from graphic_tmm.project import Bench, Plan
+from graphic_tmm.scene.chapter import Made, aside
+
+CALCULATED, BEHIND = "planetary-calculation", "planetary-behind"
+"""The views of what is calculated of the train, and behind it."""
+
+
+class Beside(NamedTuple):
+    """Marks (Number).
+
+    ``stopped``: the ratio of each mesh while the carrier stands; ``ring``, ``satellite``: the teeth of a train
+    of one row that its ratio asks for, not yet whole; ``most``: the largest number of satellites whose teeth do
+    not touch; ``speed``: of the last wheel behind the train, rpm, without sign. None where there is no such
+    thing.
+    """
+
+    stopped: tuple[Mark, ...]
+    ring: Mark | None
+    satellite: Mark | None
+    most: Mark | None
+    speed: Mark | None
+
+
+BESIDE: Made[Beside] = Made(aside(PLANETARY_TRAIN))
+
+
+def record_beside(bench: Bench) -> Beside:
+    """Calculate what a train's drawing does not need."""
+    made = PLANETARY_PLAN.on(bench)
+    bench.draft.open(CALCULATED)
+    ring, satellite = _asked(bench, made)
+    return Beside(_stopped(bench, made), ring, satellite, _most(bench, made), _speed(bench, made))
+
+
+def _asked(bench: Bench, made: Planetary) -> tuple[Mark | None, Mark | None]:
+    """Calculate the teeth of ring and satellite from those of the sun and the ratio."""
+    order, draft = made.order, bench.draft
+    if made.train.scheme.rows != 1 or order.ratio is None:
+        return None, None
+    sun = made.sizes.teeth["1"]
+    wanted = draft.take(Number, "U", order.ratio)
+    asked = t.teeth_of_ring if order.driving == "1" else t.teeth_of_driven_ring
+    ring = draft.draw(asked, "z′_3", sun, wanted)
+    return ring, draft.draw(t.teeth_between, "z′_2", ring, sun)
+
+
+def _stopped(bench: Bench, made: Planetary) -> tuple[Mark, ...]:
+    """Calculate the ratio of each mesh with the carrier stopped: negative where both wheels are outside."""
+    teeth, scheme = made.sizes.teeth, made.train.scheme
+    wheels, inside = scheme.wheels, rings_of(scheme)
+    meshes = ((wheels[0], wheels[1]), (wheels[-2], wheels[-1]))
+    found = []
+    for driving, driven in meshes:
+        op = t.mesh_inside if {driving, driven} in [set(one) for one in inside] else t.mesh_outside
+        letter = f"U_{{{driving}{driven}}}^{{H}}"
+        found.append(bench.draft.draw(op, letter, teeth[driven], teeth[driving]))
+    return tuple(found)
+
+
+def _most(bench: Bench, made: Planetary) -> Mark | None:
+    """Calculate the largest number of satellites by the condition of neighbours; a single one has none."""
+    if made.train.satellites == 1:
+        return None
+    sizes, draft = made.sizes, bench.draft
+    if len(sizes.tips) == 1:
+        return draft.draw(t.most_satellites, "k_{max}", *sizes.tips.values(), sizes.axes)
+    rims = [
+        draft.draw(t.most_satellites, f"k_{{max{wheel}}}", tip, sizes.axes)
+        for wheel, tip in sizes.tips.items()
+    ]
+    return draft.draw(t.fewer, "k_{max}", *rims)
+
+
+def _speed(bench: Bench, made: Planetary) -> Mark | None:
+    """Calculate the speed of the last wheel of a pair behind the train."""
+    if made.pair is None:
+        return None
+    bench.draft.open(BEHIND)
+    turns = abs(made.order.speed) * 30.0 / math.pi
+    driving = bench.draft.take(Number, f"n_{made.order.driving}", turns, "rpm")
+    last = len(made.train.scheme.wheels) + 2
+    return bench.draft.draw(t.speed_behind, f"n_{last}", driving, made.pair.ratio, unit="rpm")
+
 
 PLAN = Plan(record=record, aside=record_beside)

@@ -1,8 +1,25 @@
-"""The scale factors of a planetary train, as drawn."""
+"""How large a planetary train may be drawn; its scale factors, and how they were chosen."""
 
 from __future__ import annotations
 
+from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary
+from graphic_tmm.chapters.planetary.task import PLANETARY_TRAIN
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.choice import Choice, Ledger
 from graphic_tmm.fitting.scales import ScaleFactors
+from graphic_tmm.fitting.sizes import Size, Sizing
+from graphic_tmm.scene.records import Scene
+
+
+def _fixed(scene: Scene) -> str:
+    return "planetary.mu_l" if "planetary.mu_l" in scene.told else ""
+
+
+SIZES = Sizing(
+    sizes=(Size(PLANETARY_TRAIN, small=0.75, cap=0.65, step=1.25, fixed=_fixed),),
+    depends={"planetary": lambda scene, view: (PLANETARY_TRAIN,)},
+)
+
 
 SCALE_KEYS = {
     "planetary": "mu_l_planetary",
@@ -14,3 +31,35 @@ SCALE_KEYS = {
 SCALES = ScaleFactors(
     key=lambda view: SCALE_KEYS.get(view, ""),
 )
+
+
+def choose_steps(drawn: Drawn, ledger: Ledger) -> None:
+    """Record how both were chosen: by the diameter that the train takes, by the largest velocity."""
+    train = PLANETARY_PLAN.on(drawn)
+    order, mu_l, mu_v = train.order, train.mu, train.picture.mu
+    ledger.of(mu_l.view)
+    value = ledger.value_of(drawn, mu_l)
+    if order.mu_l:
+        ledger.told(mu_l, order.mu_l)
+    else:
+        most = ledger.quantity("d_{max}", 2.0 * _reach(drawn, train) * value, "m")
+        ledger.fitting(mu_l, most, value, lengths=True)
+    ledger.of(mu_v.view)
+    value = ledger.value_of(drawn, mu_v)
+    if order.mu_v:
+        ledger.told(mu_v, order.mu_v)
+        return
+    longest = max(abs(ledger.value_of(drawn, mark)) for mark in train.picture.readings.values())
+    ledger.fitting(mu_v, ledger.quantity("v_{max}", longest * value, "m/s"), value)
+
+
+def _reach(drawn: Drawn, train: Planetary) -> float:
+    """Return the radius about the main axis that the pitch circles take, mm."""
+    lengths = train.end.lengths
+    found = {wheel: abs(float(drawn.reading[mark][0, 0])) for wheel, mark in lengths.items()}
+    wheels = train.train.scheme.wheels
+    rims = max(found[wheel] for wheel in wheels[1:-1])
+    return max(found["1"], found[wheels[-1]], found["H"] + rims)
+
+
+CHOICE = Choice(choose_steps)

@@ -1,22 +1,244 @@
-"""The columns of a planetary train: what was measured, the conditions in numbers, the trains to choose from."""
+"""The columns and tables of a planetary train: what was measured, the conditions, trains to choose from."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle
-from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
-from graphic_tmm.chapters.planetary.tables import CHOICE, trains_wanted
-from graphic_tmm.chapters.planetary.verdict import train_results
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.values import Angle, Length
+from graphic_tmm.chapters.planetary.dimensions import Condition
+from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary
+from graphic_tmm.chapters.planetary.record import BESIDE
+from graphic_tmm.chapters.planetary.tooth_search import Solutions, search
+from graphic_tmm.drawn import Drawn, Results, results_of
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
+from graphic_tmm.language.numbers import fixed, number
+from graphic_tmm.language.said import said
+from graphic_tmm.language.tables import Tongues
+from graphic_tmm.language.units import unit
+from graphic_tmm.note.bricks import filled, result_number
+from graphic_tmm.note.document import Runs
+from graphic_tmm.paper.blocks import breakable
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.ruled import PADDING, table
+from graphic_tmm.paper.views import wrapped
 from graphic_tmm.readers.columns import Column, listed
 from graphic_tmm.readers.measured import Tabled, measured_columns
+from graphic_tmm.readers.told import told
+from graphic_tmm.scene.captions import captions
+
+SEVERAL = said(
+    "All conditions of the train hold: its wheels have a common axis, {taken} satellites are fewer than touch "
+    "(at most {most} have room) and can be put in, no tooth is undercut."
+)
+ONE = said("All conditions of the train hold: its wheels have a common axis, no tooth is undercut.")
+
+
+def train_results(drawn: Drawn) -> Results:
+    """Return the results of a train, with the ratios of its meshes and how many satellites have room."""
+    beside = BESIDE.on(drawn)
+    found = dict(PLANETARY_PLAN.on(drawn).results)
+    found |= {f"planetary_mesh_{k}": mark for k, mark in enumerate(beside.stopped, 1)}
+    if beside.most is not None:
+        found["planetary_most"] = beside.most
+    return results_of(drawn, found)
+
+
+def verdict(drawn: Drawn, language: str) -> Iterator[Runs]:
+    """Yield one sentence: a train that breaks a condition is refused."""
+    found, _ = train_results(drawn), speaking(language)
+    if "planetary_most" not in found:
+        yield filled(_(ONE), {})
+        return
+    names = {"taken": "planetary_satellites", "most": "planetary_most"}
+    put = {key: result_number(drawn, found, name, language) for key, name in names.items()}
+    yield filled(_(SEVERAL), put)
+
+
+SLANT = 1.0
+"""How far inclined letters lean over the width of a text, mm."""
+CHOICE = 12
+"""So many trains are shown to choose from."""
+WORDS = Tongues(
+    {
+        "conditions": said("Conditions on the tooth numbers"),
+        "condition": said("Condition"),
+        "check": said("Check"),
+        "ratio": said("ratio"),
+        "coaxial": said("common axis"),
+        "neighbours": said("neighbours"),
+        "assembly": said("assembly"),
+        "undercut": said("no undercut"),
+        "interference": said("no interference"),
+        "whole": said("whole"),
+        "rates": said("Angular velocities from the plan"),
+        "body": said("Link"),
+        "segment": said("Segment"),
+        "trains": said("Trains, the smallest first"),
+        "size": said("size"),
+    }
+)
+
+
+def condition_table(
+    construction: Construction, reading: Reading, made: Planetary, language: str, heights: Heights
+) -> Drawing:
+    """Return the table of conditions, each with its formula and its numbers."""
+    words, log, size = WORDS[language], _Log(construction, reading, language), heights.number
+    found = [(words[c.name], text) for c in made.sizes.conditions for text in log.condition(c)]
+
+    def within_lines(most: float) -> Drawing:
+        rows = [
+            ["" if k else name, line]
+            for name, text in found
+            for k, line in enumerate(wrapped(text, size, most))
+        ]
+        heads, align = [words["condition"], words["check"]], ["left", "left"]
+        return table(
+            "table-planetary",
+            words["conditions"],
+            heads,
+            rows,
+            size=size,
+            title_size=heights.title,
+            align=align,
+        )
+
+    names = max(letter(name, size=size).width for name, _ in found)
+    beside = names + 4 * (max(PADDING, size / 2) + SLANT)
+    return within_lines(math.inf)._replace(
+        apart=lambda within: [within_lines(within.width - beside)]
+    )
+
+
+def rate_table(
+    construction: Construction, reading: Reading, made: Planetary, language: str, heights: Heights
+) -> Drawing:
+    """Return the table of segments and angular velocities, with the ratio measured and by the formula."""
+    words, log, rates = WORDS[language], _Log(construction, reading, language), made.rates
+    block = ", ".join(made.train.scheme.wheels[1:-1])
+    lengths = [np.array([log.value(segment)]) for segment in rates.segments.values()]
+    omegas = [np.array([log.value(rates.values[body])]) for body in rates.segments]
+    (figures,) = told([listed("", "", "ω", "1/s", omegas, tuple(rates.segments), lengths)])
+    rows = []
+    for k, (body, segment) in enumerate(rates.segments.items()):
+        mm = fixed(figures.mm[k], figures.mm_places, language)
+        omega = fixed(figures.value[k], figures.places, language)
+        rows.append([block if body == "2" else body, segment.name, mm, omega])
+    heads = [
+        words["body"],
+        words["segment"],
+        unit("mm", language),
+        f"ω, {unit('1/s', language)}",
+    ]
+    return breakable(
+        "table-planetary-rates",
+        words["rates"],
+        heads,
+        rows,
+        again=captions(language)["continued"],
+        size=heights.number,
+        title_size=heights.title,
+        lead=1,
+    )
+
+
+def ratio_lines(
+    construction: Construction, reading: Reading, made: Planetary, language: str
+) -> tuple[str, ...]:
+    """Return, as mark-up, the ratio by Willis, the ratio measured, and how far they differ."""
+    log = _Log(construction, reading, language)
+    return tuple(
+        log.calculated(mark) for mark in (made.sizes.ratio, made.rates.ratio, made.rates.difference)
+    )
+
+
+def trains_wanted(made: Planetary) -> Solutions | None:
+    """Return the trains that fulfil an order; None if it orders one of given teeth."""
+    return None if made.order.ratio is None else search(replace(made.order, teeth=()))
+
+
+def train_table(
+    found: Solutions, language: str, heights: Heights, *, rows: int = CHOICE
+) -> Drawing:
+    """Return the table of the first ``rows`` trains that fulfil an order; the size in mm."""
+    words = WORDS[language]
+    heads = [f"z_{wheel}" for wheel in found.scheme.wheels]
+    heads += ["k", "U", f"{words['size']}, {unit('mm', language)}"]
+    body = []
+    for rank in range(min(rows, len(found))):
+        cells = [str(int(z)) for z in found.teeth[rank]] + [str(int(found.satellites[rank]))]
+        cells.append(fixed(float(found.ratio[rank]), 3, language))
+        body.append([*cells, fixed(1000.0 * float(found.size[rank]), 1, language)])
+    return breakable(
+        "table-trains",
+        words["trains"],
+        heads,
+        body,
+        again=captions(language)["continued"],
+        size=heights.number,
+        title_size=heights.title,
+        lead=1,
+    )
+
+
+class _Log:
+    """The log with its numbers while its formulas are written out as mark-up."""
+
+    def __init__(self, construction: Construction, reading: Reading, language: str) -> None:
+        self.steps = {step.it: step for step in construction.steps}
+        self.reading, self.language = reading, language
+
+    def value(self, mark: Mark) -> float:
+        return float(self.reading[mark].ravel()[0])
+
+    def figure(self, mark: Mark) -> str:
+        """The number of a mark with its unit."""
+        name = "mm" if mark.kind is Length else mark.unit
+        if name == "%":
+            return f"{fixed(self.value(mark), 2, self.language)} %"
+        text = number(self.value(mark), self.language)
+        if mark.kind is Angle:
+            return f"{text}°"
+        return f"{text} {unit(name, self.language)}".rstrip()
+
+    def put(self, mark: Mark) -> str:
+        """The number of a mark as it is put into a formula."""
+        text = number(self.value(mark), self.language)
+        text += "°" if mark.kind is Angle else ""
+        return f"({text})" if text.startswith("−") else text
+
+    def calculated(self, mark: Mark) -> str:
+        """A calculated mark: its letter, the formula in letters and in numbers, its number."""
+        step = self.steps.get(mark)
+        if step is None or not step.op.formula:
+            return f"{mark.name} = {self.figure(mark)}"
+        names = step.op.arguments
+        letters = {name: used.name for name, used in zip(names, step.uses, strict=True)}
+        numbers = {name: self.put(used) for name, used in zip(names, step.uses, strict=True)}
+        formula = step.op.formula
+        parts = (mark.name, formula.format(**letters), formula.format(**numbers))
+        return " = ".join([*parts, self.figure(mark)])
+
+    def condition(self, condition: Condition) -> tuple[str, ...]:
+        """A condition: what is calculated, the relation, what it is compared with; an equality in two lines."""
+        left, right = self.calculated(condition.left), condition.right
+        if right is None:
+            return (f"{left} – {WORDS[self.language]['whole']}",)
+        if condition.relation == "=":
+            return left, f"{self.calculated(right)} = {condition.left.name}"
+        return (f"{left} {condition.relation} {right.name} = {self.figure(right)}",)
+
 
 CONDITIONS, TRAINS = "planetary-conditions", "planetary-trains"
 """The plans of the tables of a train."""
@@ -51,9 +273,9 @@ def _trains(drawn: Drawn) -> Iterator[Column]:
         ("U", "U", "", trains.ratio),
         ("size", "train size", "m", trains.size),
     ]
-    for segment, letter, unit, row in rows:
+    for segment, symbol, si, row in rows:
         figures = list(row[:most, None].astype(np.float64))
-        yield listed(TRAINS, segment, letter, unit, figures, heads)
+        yield listed(TRAINS, segment, symbol, si, figures, heads)
 
 
 TABLE = Tabled(columns=planetary_columns, results=train_results)

@@ -1,9 +1,4 @@
-"""What is asked of a planetary train 2K–H: its scheme, its ratio or its tooth numbers, limits (SI).
-
-Two central wheels on the main axis, satellites on a carrier H. Wheel 1 meshes with the satellites' rim 2, their
-rim 3 with the other central wheel 4, which is fixed. In a single row the satellites have one rim, 2, and the
-fixed ring is wheel 3.
-"""
+"""What is asked of a planetary train 2K–H: its scheme, its ratio or its tooth numbers, limits (SI)."""
 
 from __future__ import annotations
 
@@ -23,6 +18,9 @@ from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
+
+
+PLANETARY_TRAIN = "planetary"
 
 
 @dataclass(frozen=True)

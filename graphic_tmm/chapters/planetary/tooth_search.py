@@ -20,8 +20,7 @@ from graphic_tmm.chapters.planetary.task import (
     module_ratio,
     scheme_of,
 )
-from graphic_tmm.chapters.planetary.tooth_conditions import Teeth, Truths, Whole
-from graphic_tmm.chapters.planetary.tooth_verdicts import check
+from graphic_tmm.chapters.planetary.tooth_conditions import Teeth, Truths, Whole, check
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined, said
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.planetary.beside import BESIDE
 from graphic_tmm.chapters.planetary.ink import Captions, draw_planetary_ink
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
-from graphic_tmm.chapters.planetary.tables import (
+from graphic_tmm.chapters.planetary.record import BESIDE
+from graphic_tmm.chapters.planetary.table import (
     condition_table,
     rate_table,
     ratio_lines,

@@ -28,13 +28,17 @@ Sources: Ассур Л. В., Исследование плоских стерж�
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.structure.names import PARTS, STRUCTURE
 from graphic_tmm.scene.chapter import Chapter, Place
+
+STRUCTURE = "structure"
+"""The chapter, its view, its place."""
+PARTS = "groups of structure"
+"""The place of the parts by themselves."""
 
 CHAPTER = Chapter(
     name=STRUCTURE,
     number=1,
     builds_on=("kinematics",),
-    places=(Place("structure", 90), Place(PARTS, follows=("positions",))),
+    places=(Place(STRUCTURE, 90), Place(PARTS, follows=("positions",))),
     always=True,
 )

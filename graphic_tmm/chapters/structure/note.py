@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.chapters.structure.mobility import MOBILITY, Mobility
-from graphic_tmm.chapters.structure.names import PARTS, VIEW
-from graphic_tmm.chapters.structure.roles import link_name, pair_name
-from graphic_tmm.chapters.structure.tables import WORDS
+from graphic_tmm.chapters.structure import PARTS, STRUCTURE
+from graphic_tmm.chapters.structure.record import MOBILITY, Mobility
+from graphic_tmm.chapters.structure.table import WORDS, link_name, pair_name
 from graphic_tmm.chapters.structure.views import part_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -65,7 +64,7 @@ def _mobility(
 ) -> Iterator[Block]:
     """Yield W of the mechanism and of each part that it comes apart into, with its figure."""
     _ = speaking(language)
-    told = Told(drawn.board, drawn.construction, drawn.reading, VIEW, 0, language)
+    told = Told(drawn.board, drawn.construction, drawn.reading, STRUCTURE, 0, language)
     n, p5, _higher = _step(told, found.whole).uses
     put: dict[str, Run] = {"n": told.number(n), "p": told.number(p5)}
     yield Paragraph(filled(_(MOVING), put))

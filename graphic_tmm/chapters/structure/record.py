@@ -1,10 +1,64 @@
-"""The structure of a mechanism, and its mobility by the formula."""
+"""What is recorded of structure: the mobility of a mechanism, of its groups and of its driving link."""
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.structure.mobility import record_mobility
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from graphic_tmm.board.formula import formula
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.structure import PARTS, STRUCTURE
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench, Plan
+from graphic_tmm.scene.chapter import Made, aside
+
+"""The place of the tables."""
+
+
+@formula(
+    why=said(
+        "A link has three freedoms in the plane; a pair of class 5 takes two of them, one of class 4 one."
+    )
+)
+def mobility(n: Number, p5: Number, p4: Number) -> Number:
+    """3·{n} − 2·{p5} − {p4}"""
+
+
+class Mobility(NamedTuple):
+    """Mobility as calculated (Number): of the mechanism; of its parts by the numbers of their links: 1, 2-3."""
+
+    whole: Mark
+    parts: Mapping[str, Mark]
+
+
+MOBILITY: Made[Mobility] = Made(aside("structure"))
+
+
+def parts(structure: Structure) -> dict[str, tuple[int, int]]:
+    """Return how many links and pairs the driving link and each group has, by the numbers of its links."""
+    found = {str(structure.driver): (1, 1)}
+    return found | {group.name: (2, 3) for group in structure.groups}
+
+
+def record_mobility(bench: Bench) -> Mobility | None:
+    """Calculate W of the mechanism and, as a check of its dissection, of each part; None if nobody asks."""
+    assert bench.scene.mechanism is not None
+    if not bench.wanted & {STRUCTURE, PARTS}:
+        return None
+    structure, draft = dissect(bench.scene.mechanism), bench.draft
+    draft.open(STRUCTURE)
+    higher = draft.take(Number, "p_4", 0.0)
+
+    def w(letter: str, index: str, links: int, pairs: int) -> Mark:
+        n = draft.take(Number, f"n{index}", float(links))
+        p5 = draft.take(Number, f"p_5{index}", float(pairs))
+        return draft.draw(mobility, letter, n, p5, higher)
+
+    whole = w("W", "", structure.moving, len(structure.pairs))
+    own = {name: w(f"W_{name}", "", *size) for name, size in parts(structure).items()}
+    return Mobility(whole, own)
 
 
 def _record(bench: Bench) -> Structure:
@@ -12,5 +66,7 @@ def _record(bench: Bench) -> Structure:
     assert bench.scene.mechanism is not None
     return dissect(bench.scene.mechanism)
 
+
+STRUCTURE_PLAN: Made[Structure] = Made(STRUCTURE)
 
 PLAN = Plan(record=_record, aside=record_mobility)

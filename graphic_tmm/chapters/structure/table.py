@@ -1,9 +1,171 @@
-"""What machines are told of the structure of a mechanism."""
+"""The tables of structure: links by their pairs, pairs; the lines below them; what machines are given of it."""
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.structure.names import STRUCTURE_PLAN
+from collections.abc import Sequence
+
+from graphic_tmm.chapters.structure import STRUCTURE
+from graphic_tmm.chapters.structure.record import STRUCTURE_PLAN
+from graphic_tmm.language.said import said
+from graphic_tmm.language.tables import Tongues
+from graphic_tmm.mechanism.records import Link, Mechanism
+from graphic_tmm.mechanism.structure import Pair, Structure
+from graphic_tmm.paper.blocks import breakable
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.readers.measured import Tabled
+from graphic_tmm.readers.titles import Protocols
+from graphic_tmm.scene.captions import captions
+
+LINK_NAMES = Tongues(
+    {
+        "crank": said("crank"),
+        "rocker": said("rocker"),
+        "slotted rocker": said("slotted rocker"),
+        "coupler": said("connecting rod"),
+        "cylinder": said("cylinder"),
+        "piston": said("piston with rod"),
+        "slider": said("slider"),
+        "stone": said("sliding block"),
+        "frame": said("frame"),
+        "link": said("link"),
+    }
+)
+"""What a link is called by its role."""
+
+
+def link_role(mechanism: Mechanism, structure: Structure, link: Link) -> str:
+    """Return what a link is by its pairs: crank, rocker, coupler, slider, piston ... (a key of LINK_NAMES)."""
+    frame = mechanism.frame.number
+    if link.number == frame:
+        return "frame"
+    pairs = [pair for pair in structure.pairs if link.number in pair.links]
+    for pair in (one for one in pairs if one.slide is not None and one.slide.cylinder):
+        return "piston" if pair.links[0] == link.number else "cylinder"
+    if link.number == structure.driver:
+        return "crank"
+    slides_on = [
+        pair.links[1] for pair in pairs if pair.kind == "P" and pair.links[0] == link.number
+    ]
+    if slides_on:
+        return "slider" if frame in slides_on else "stone"
+    owns = any(pair.kind == "P" and pair.links[1] == link.number for pair in pairs)
+    turns_on_frame = any(pair.kind == "R" and frame in pair.links for pair in pairs)
+    if owns:
+        return "slotted rocker" if turns_on_frame else "link"
+    return "rocker" if turns_on_frame else "coupler"
+
+
+def link_name(mechanism: Mechanism, structure: Structure, link: Link, language: str) -> str:
+    """Return the name the scene gives to a link, or that of its role."""
+    return link.name or LINK_NAMES[language][link_role(mechanism, structure, link)]
+
+
+def pair_name(pair: Pair, mechanism: Mechanism) -> str:
+    """Return a pair's letter; a guide of the frame is named y-y, one on a moving link by the stone's letter."""
+    if pair.kind == "R":
+        return pair.name
+    if pair.links[1] == mechanism.frame.number:
+        return f"{pair.name}-{pair.name}"
+    letters = mechanism.by_number[pair.links[0]].points
+    return next(iter(letters), pair.name)
+
+
+WORDS = Tongues(
+    {
+        "links": said("Links"),
+        "pairs": said("Kinematic pairs"),
+        "number": said("No."),
+        "link": said("Link"),
+        "mobility": said("Mobility"),
+        "movable": said("movable"),
+        "fixed": said("fixed"),
+        "letter": said("Letter"),
+        "joined": said("Links", context="by a pair"),
+        "kind": said("Kind"),
+        "kind R": said("turning"),
+        "kind P": said("sliding"),
+        "contact": said("Contact"),
+        "lower": said("lower", context="pair"),
+        "freedoms": said("Class, freedoms"),
+        "one freedom": said("5, one"),
+        "index": said("Index"),
+        "R index": said("R"),
+        "P index": said("P", context="pair"),
+        "formula": said("Formula of structure"),
+        "group": said("Group {name}: class II, order 2, kind {kind}"),
+        "class of group": said("Group {name}, class II"),
+        "class of link": said("Driving link {name}, class I"),
+        "class II": said("The mechanism is of class II: that of its highest group"),
+        "class I": said("The mechanism is of class I: it has no groups"),
+    }
+)
+
+
+def link_table(mechanism: Mechanism, structure: Structure, language: str, high: Heights) -> Drawing:
+    """Return the table of links."""
+    words = WORDS[language]
+    frame = mechanism.frame
+    rows = [
+        [
+            str(link.number),
+            escape(link_name(mechanism, structure, link, language)),
+            words["fixed" if link is frame else "movable"],
+        ]
+        for link in sorted((*mechanism.links, frame), key=lambda link: (link is frame, link.number))
+    ]
+    heads = [words["number"], words["link"], words["mobility"]]
+    return _table("links", heads, rows, language, high, align=["centre", "left", "left"])
+
+
+def pair_table(mechanism: Mechanism, structure: Structure, language: str, high: Heights) -> Drawing:
+    """Return the table of kinematic pairs."""
+    words = WORDS[language]
+    rows = []
+    for pair in structure.pairs:
+        name = pair_name(pair, mechanism)
+        joined = ",".join(str(k) for k in sorted(pair.links))
+        index = f"{words[pair.kind + ' index']}_{{{escape(name)}}}({joined})"
+        kind = words[f"kind {pair.kind}"]
+        rows.append([escape(name), joined, kind, words["lower"], words["one freedom"], index])
+    heads = [words[head] for head in ("letter", "joined", "kind", "contact", "freedoms", "index")]
+    return _table("pairs", heads, rows, language, high)
+
+
+def _table(
+    name: str,
+    heads: Sequence[str],
+    rows: Sequence[Sequence[str]],
+    language: str,
+    high: Heights,
+    align: Sequence[str] | None = None,
+) -> Drawing:
+    """Return a table of structure under the word for what it lists."""
+    return breakable(
+        f"table-{name}",
+        WORDS[language][name],
+        heads,
+        rows,
+        again=captions(language)["continued"],
+        size=high.number,
+        title_size=high.title,
+        align=align,
+    )
+
+
+def structure_lines(structure: Structure, language: str) -> tuple[str, ...]:
+    """Return mobility, formula of structure, and the kind of each group, as lines of lettering."""
+    words = WORDS[language]
+    groups = [words["group"].format(name=g.name, kind=g.kind) for g in structure.groups]
+    n, p = structure.moving, len(structure.pairs)
+    mobility = f"n = {n}, p_5 = {p}, p_4 = 0, W = 3·{n} − 2·{p} = {structure.mobility}"
+    highest = words["class II" if structure.groups else "class I"]
+    return (mobility, f"{words['formula']}: {structure.formula}", *groups, highest)
+
+
+PROTOCOL = Protocols(views=lambda project: {STRUCTURE: (STRUCTURE,)})
+
 
 TABLE = Tabled(
     facts=lambda drawn: {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.structure.names import PARTS
+from graphic_tmm.chapters.structure import PARTS
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.task_sheet import TaskSheet

@@ -2,19 +2,73 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Construction, Figure
+from graphic_tmm.chapters.kinematics.bodies import SLIDING
+from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
+from graphic_tmm.chapters.kinematics.ink_numbers import link_numbers
+from graphic_tmm.chapters.kinematics.ink_positions import PAIR
+from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.chapters.kinematics.scales import reaches
-from graphic_tmm.chapters.structure.ink_groups import draw_part
-from graphic_tmm.chapters.structure.mobility import MOBILITY, parts
-from graphic_tmm.chapters.structure.names import PARTS, VIEW
-from graphic_tmm.chapters.structure.tables import WORDS, link_table, pair_table, structure_lines
+from graphic_tmm.chapters.structure import PARTS, STRUCTURE
+from graphic_tmm.chapters.structure.record import MOBILITY, parts
+from graphic_tmm.chapters.structure.table import WORDS, link_table, pair_table, structure_lines
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.numbers import number
 from graphic_tmm.mechanism.structure import dissect
-from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.paper.drawing import Drawing, Ink, line
+from graphic_tmm.paper.figure import body
+from graphic_tmm.paper.finish import Named, finished, lettered, shared
+from graphic_tmm.paper.lettering.heights import Heights, heights
+from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.symbols.kinematic import SLIDER_LENGTH, fixed_pivot
 from graphic_tmm.paper.views import captioned
+
+PIECE = 0.9 * SLIDER_LENGTH
+"""How far a guide outside of the part is shown to both sides of what slides on it, mm."""
+
+
+def draw_part(
+    construction: Construction,
+    reading: Reading,
+    reaches: Mapping[Figure, Reach],
+    links: Sequence[int],
+    index: int,
+    name: str,
+    title: str,
+    high: Heights,
+) -> Drawing:
+    """Return one part of a mechanism: the links of these numbers, in one position (an index)."""
+    ink = LinksInk(construction, reading, reaches)
+    names = [str(number) for number in links]
+    strokes: list[Ink] = [stroke for one in names for stroke in ink.lines(one, index, MAIN)]
+    strokes += _outer_guides(ink, names, index)
+    strokes += [stroke for stroke in ink.symbols(names, index) if stroke.part != "centre"]
+    marks = dict.fromkeys(m for one in names for told in ink.of(one, "link") for m in told.marks)
+    if len(names) == 1:
+        for mark in (m for m in marks if m in ink.frame.marks):
+            strokes += body(fixed_pivot(ink.at(mark, index)), "pivot", [mark])
+    named = [Named(ink.at(m, index), markup(m.name), (m.slot,), index) for m in marks]
+    letters = lettered(shared(named), high.point, PAIR)
+    circled = link_numbers(ink, index, strokes, letters, high.number, names)
+    strokes += [stroke for one in circled for stroke in one.strokes]
+    labels = tuple(one.label for one in circled)
+    return Drawing(name, title, tuple(strokes), labels, wanted=tuple(letters))
+
+
+def _outer_guides(ink: LinksInk, names: Sequence[str], index: int) -> Iterator[Ink]:
+    """Yield a piece of each guide on which a link of the part slides and which is no link of it."""
+    own = {figure.marks[1] for one in names for figure in ink.of(one, "guide")}
+    for one in names:
+        for slid in ink.of(one, *SLIDING):
+            path = slid.marks[1]
+            if path not in own:
+                foot, way = ink.foot(slid, index), ink.along(slid, index)
+                piece = line("thin", foot - PIECE * way, foot + PIECE * way)
+                yield from body([piece], "guide", [path], index)
 
 
 def structure_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -22,7 +76,7 @@ def structure_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     mechanism, language = drawn.scene.mechanism, drawn.scene.language
     assert mechanism is not None
     structure = dissect(mechanism)
-    high = heights(drawn.scene, VIEW)
+    high = heights(drawn.scene, STRUCTURE)
     pairs = pair_table(mechanism, structure, language, high)
     return [
         link_table(mechanism, structure, language, high),

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.structure.names import VIEW
+from graphic_tmm.chapters.structure import STRUCTURE
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
 
 CAPTIONS = {
-    "structure": said("Structure"),
+    STRUCTURE: said("Structure"),
     "chapter structure": said("Structure of the mechanism"),
 }
 SYMBOLS = (("W", said("mobility"), ""),)
@@ -16,7 +16,7 @@ SYMBOLS = (("W", said("mobility"), ""),)
 
 WORDS = Named(
     captions=CAPTIONS,
-    plans=(VIEW,),
+    plans=(STRUCTURE,),
     sources=("assur", "artobolevsky"),
     symbols=SYMBOLS,
 )

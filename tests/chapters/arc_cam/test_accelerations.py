@@ -15,10 +15,9 @@ from support.arc_cams import FLANKS, KINDS, random_order
 
 import graphic_tmm
 from graphic_tmm.board.execute import execute
-from graphic_tmm.chapters.arc_cam.beside import BESIDE
-from graphic_tmm.chapters.arc_cam.names import ARC_CAM
 from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN
-from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER, ArcTask, Flank
+from graphic_tmm.chapters.arc_cam.record import BESIDE
+from graphic_tmm.chapters.arc_cam.task import ARC_CAM, FLAT, ROCKER, ArcTask, Flank
 from graphic_tmm.project import record
 from graphic_tmm.scene.records import Scene
 

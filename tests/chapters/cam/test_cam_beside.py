@@ -12,10 +12,10 @@ from support.cams import curvatures, motion, pressure_angles
 from support.gallery import SHEETS
 from support.scenes import edited
 
-from graphic_tmm.chapters.cam.beside import BESIDE, VIEW
+from graphic_tmm.chapters.cam.findings import verdict
 from graphic_tmm.chapters.cam.plan import CAM_PLAN
+from graphic_tmm.chapters.cam.record import BESIDE, VIEW
 from graphic_tmm.chapters.cam.table import results
-from graphic_tmm.chapters.cam.verdict import verdict
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.choice import choices
 from graphic_tmm.note.document import Number as Figure

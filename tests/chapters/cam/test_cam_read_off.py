@@ -18,7 +18,7 @@ from support.scenes import written
 
 from graphic_tmm.chapters.cam.findings import changes
 from graphic_tmm.chapters.cam.phases import divide
-from graphic_tmm.chapters.cam.read_off import Points, areas, balanced, legible
+from graphic_tmm.chapters.cam.refusals import Points, areas, balanced, legible
 from graphic_tmm.chapters.cam.task import ASKED, CamTask, Law
 from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.scene.read import read

@@ -11,11 +11,10 @@ from support.figures import assert_pictures_make_the_view, without_ink, without_
 from support.gallery import exact
 
 from graphic_tmm.board.record import Construction
-from graphic_tmm.chapters.cam.flat import Convexity
+from graphic_tmm.chapters.cam.centre import Convexity
 from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
-from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink
+from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink, draw_rocker_ink
 from graphic_tmm.chapters.cam.ink_flat import draw_convexity_ink
-from graphic_tmm.chapters.cam.ink_rocker import draw_rocker_ink
 from graphic_tmm.chapters.cam.ink_rules import TRACELESS
 from graphic_tmm.chapters.cam.ink_scheme import SchemeNames, draw_scheme_ink, position_of
 from graphic_tmm.chapters.cam.rocker import Lever

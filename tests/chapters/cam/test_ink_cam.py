@@ -11,12 +11,11 @@ import pytest
 import shapely
 from support.cams import C6, Made, made, outline
 
-from graphic_tmm.chapters.cam.flat import Convexity
+from graphic_tmm.chapters.cam.centre import Convexity
 from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
-from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink
+from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink, draw_rocker_ink
 from graphic_tmm.chapters.cam.ink_flat import draw_convexity_ink
-from graphic_tmm.chapters.cam.ink_graphs import RULES
-from graphic_tmm.chapters.cam.ink_rocker import draw_rocker_ink
+from graphic_tmm.chapters.cam.ink_rules import DIAGRAM_RULES
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.task import (
     CamTask,
@@ -68,7 +67,9 @@ def graph(of: Made, view: str, lettered: bool = True) -> Drawing:
         Span(a * 240 / 360, b * 240 / 360, text) for a, (text, b) in zip(ends, phases, strict=False)
     ]
     names = Names(positions(of), "S", "φ", spans=spans if view == "cam S" else ())
-    drawn = draw_graph(of.log, of.reading, view, of.reading.positions, names, "X", rules=RULES)
+    drawn = draw_graph(
+        of.log, of.reading, view, of.reading.positions, names, "X", rules=DIAGRAM_RULES
+    )
     return finished(drawn, lettered)
 
 

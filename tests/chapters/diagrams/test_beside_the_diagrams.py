@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from support.gallery import asking, drawn, in_usual
 
-from graphic_tmm.chapters.diagrams.beside import BESIDE
-from graphic_tmm.chapters.diagrams.names import CALCULATED
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
+from graphic_tmm.chapters.diagrams.record import BESIDE
+from graphic_tmm.chapters.diagrams.task import CALCULATED
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.readers.protocol import protocol
 

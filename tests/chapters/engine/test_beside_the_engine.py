@@ -14,11 +14,11 @@ from support.boards import drawn_of
 from support.gallery import SHEETS, drawn
 from support.scenes import edited
 
-from graphic_tmm.chapters.engine.beside import BESIDE
-from graphic_tmm.chapters.engine.conclusions import concludes
-from graphic_tmm.chapters.engine.names import CALCULATED, MASSES, TRANSFER, WORKS_VIEW
+from graphic_tmm.chapters.engine.note_conclusions import concludes
+from graphic_tmm.chapters.engine.record import BESIDE
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
-from graphic_tmm.chapters.indicator.beside import BESIDE as STROKE
+from graphic_tmm.chapters.engine.task import CALCULATED, MASSES, TRANSFER, WORKS_VIEW
+from graphic_tmm.chapters.indicator.record import BESIDE as STROKE
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.note.document import Number
 from graphic_tmm.readers.given import given_rows

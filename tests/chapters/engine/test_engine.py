@@ -14,7 +14,7 @@ from support.gallery import SHEETS
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.engine.task import EngineTask
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN
+from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.errors import StructureError
 from graphic_tmm.scene.read import read

@@ -18,10 +18,10 @@ from support.gallery import SHEETS, asking, drawn
 from support.graphs import assert_read_off_the_log
 from support.scenes import edited
 
-from graphic_tmm.chapters.engine.beside import BESIDE
 from graphic_tmm.chapters.engine.ink_transfer import Shown, draw_all_forces
-from graphic_tmm.chapters.engine.names import TRANSFER as VIEW
+from graphic_tmm.chapters.engine.record import BESIDE
 from graphic_tmm.chapters.engine.table import engine_columns
+from graphic_tmm.chapters.engine.task import TRANSFER as VIEW
 from graphic_tmm.chapters.engine.transfer import Transfer
 from graphic_tmm.chapters.engine.views import transfer_views
 from graphic_tmm.drawn import Drawn

@@ -16,10 +16,10 @@ from support.gallery import SHEETS
 from support.scenes import edited
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.flywheel.beside import BESIDE
-from graphic_tmm.chapters.flywheel.names import CALCULATED
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
+from graphic_tmm.chapters.flywheel.record import BESIDE
 from graphic_tmm.chapters.flywheel.table import flywheel_results
+from graphic_tmm.chapters.flywheel.task import CALCULATED
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.readers.protocol import protocol

@@ -13,8 +13,8 @@ from support.graphs import assert_read_off_the_log
 
 from graphic_tmm.chapters.flywheel.ink_energy import draw_energy_mass_ink
 from graphic_tmm.chapters.flywheel.ink_sketch import Sizes, draw_flywheel
-from graphic_tmm.chapters.flywheel.names import VIEWS
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
+from graphic_tmm.chapters.flywheel.task import VIEWS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.finish import finished

@@ -18,7 +18,7 @@ from support.scenes import edited, written
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
 from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_results
 from graphic_tmm.chapters.flywheel.views import flywheel_views
-from graphic_tmm.chapters.indicator.cylinder import INDICATOR_PLAN
+from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.table import plan_columns
 from graphic_tmm.chapters.kinematics.views import position_views, velocity_views

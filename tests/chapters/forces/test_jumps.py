@@ -11,9 +11,9 @@ from support.boards import drawn_of
 from support.scenes import slider_crank, written
 
 import graphic_tmm
+from graphic_tmm.chapters.forces.load_diagrams import load_views
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.travel import part_of_travel, size_at_turn
-from graphic_tmm.chapters.forces.views_loads import load_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError
 from graphic_tmm.paper.drawing import Label, Stroke

@@ -9,10 +9,9 @@ import pytest
 from support.boards import drawn_of
 from support.gallery import drawn, scene
 
-from graphic_tmm.chapters.forces.given import given
-from graphic_tmm.chapters.forces.names import LOADS as PLACE
+from graphic_tmm.chapters.forces.load_diagrams import given, load_views
 from graphic_tmm.chapters.forces.task import ASKED, Load
-from graphic_tmm.chapters.forces.views_loads import load_views
+from graphic_tmm.chapters.forces.task import LOADS as PLACE
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.scene.places import attended

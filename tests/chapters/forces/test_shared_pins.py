@@ -15,9 +15,10 @@ import pytest
 from support.boards import drawn_of
 
 import graphic_tmm
-from graphic_tmm.chapters.forces.pins import shared_pins, told
+from graphic_tmm.chapters.forces.friction import pin_sentences, shared_pins
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
-from graphic_tmm.chapters.forces.views import force_table, force_views, polygon_equation
+from graphic_tmm.chapters.forces.table import polygon_equation
+from graphic_tmm.chapters.forces.views import force_table, force_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.scene.read import read
 
@@ -168,7 +169,7 @@ def test_the_reactions_meant_are_those_of_the_link_that_bears_the_pin(
 def test_it_is_told_below_figures_and_table_and_in_the_protocol(tmp_path: Path) -> None:
     path, _ = scene_of(1, 3, tmp_path)
     drawn = drawn_of(read(path))
-    (says,) = told(drawn, "en")
+    (says,) = pin_sentences(drawn, "en")
     assert "Links 2, 3, 4 meet in pin B" in says
     assert "R_{23}, R_{24}" in says
     first = FORCES_PLAN.on(drawn).polygons[0].view

@@ -13,7 +13,7 @@ from graphic_tmm.board.record import Construction
 from graphic_tmm.chapters.gears.ink import draw_gear_ink
 from graphic_tmm.chapters.gears.ink_rolling import draw_rolling_ink
 from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
-from graphic_tmm.chapters.gears.rules import TRACELESS
+from graphic_tmm.chapters.gears.outline import TRACELESS
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.chapters.gears.views import gear_views
 from graphic_tmm.errors import TmmError

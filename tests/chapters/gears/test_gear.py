@@ -13,8 +13,8 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.findings import examine
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.values import arrays
-from graphic_tmm.chapters.gears.rows import STATIONS
 from graphic_tmm.chapters.gears.task import GearTask
+from graphic_tmm.chapters.gears.teeth import STATIONS
 
 WINDROWER = GearTask(
     15, 25, 0.008, 0.83, 0.445, mu=0.0004217, stations=(23.5, 47.0, 94.0, 141.0, 164.5)

@@ -7,7 +7,7 @@ import pytest
 from support.gallery import made
 
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapters.gears.names import GEARS
+from graphic_tmm.chapters.gears.task import GEARS
 
 
 @pytest.mark.parametrize("name", ["gear-pair", "project"])

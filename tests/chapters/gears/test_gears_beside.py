@@ -13,13 +13,13 @@ from support.scenes import edited
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.bounds import TaskError
-from graphic_tmm.chapters.gears.beside import BESIDE, VIEW
 from graphic_tmm.chapters.gears.dimensions import VIEW as DIMENSIONS
+from graphic_tmm.chapters.gears.findings import verdict
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN
+from graphic_tmm.chapters.gears.record import BESIDE, VIEW
 from graphic_tmm.chapters.gears.refusals import refuse_order
 from graphic_tmm.chapters.gears.table import SLIDING
 from graphic_tmm.chapters.gears.task import GearTask
-from graphic_tmm.chapters.gears.verdict import verdict
 from graphic_tmm.drawn import Drawn, Results, single
 from graphic_tmm.fitting.choice import choices
 from graphic_tmm.note.document import Number as Figure

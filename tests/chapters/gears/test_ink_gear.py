@@ -15,7 +15,7 @@ from support.teeth import Pair, dense, pair, profile
 from graphic_tmm.chapters.gears.ink import draw_gear_ink
 from graphic_tmm.chapters.gears.ink_rolling import draw_rolling_ink
 from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
-from graphic_tmm.chapters.gears.tables import dimension_table, sliding_table
+from graphic_tmm.chapters.gears.table import dimension_table, sliding_table
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke
 from graphic_tmm.paper.finish import finished

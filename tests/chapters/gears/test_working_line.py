@@ -11,9 +11,9 @@ import pytest
 from support.teeth import Pair, pair
 
 from graphic_tmm.board.findings import examine
-from graphic_tmm.chapters.gears.stations import stations
+from graphic_tmm.chapters.gears.findings import failures
+from graphic_tmm.chapters.gears.table import stations
 from graphic_tmm.chapters.gears.task import GearTask
-from graphic_tmm.chapters.gears.verdict import failures
 
 M = 0.008
 WHOLE = GearTask(22, 31, M, 0.2, -0.1)

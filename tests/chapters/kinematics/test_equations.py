@@ -14,7 +14,7 @@ from graphic_tmm.board.naming import (
 )
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapters.kinematics.ink_equations import draw_equations
+from graphic_tmm.chapters.kinematics.ink_plans import draw_equations
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.readers.equations import Equation, components, ends_of, equations, quantity
 

@@ -15,7 +15,7 @@ from support.rewritten import relettered, text_of
 
 from graphic_tmm.chapters.kinematics import views
 from graphic_tmm.chapters.kinematics.ink_positions import TRACELESS
-from graphic_tmm.chapters.kinematics.names import POSITIONS
+from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
 from graphic_tmm.paper.figure import pictures

@@ -15,7 +15,7 @@ from support.boards import drawn_of
 from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.kinematics.views import position_views, warned
-from graphic_tmm.chapters.structure.roles import link_name
+from graphic_tmm.chapters.structure.table import link_name
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError
 from graphic_tmm.mechanism.structure import dissect

@@ -11,9 +11,9 @@ from support.boards import usual_part
 from support.gallery import SHEETS
 from support.scenes import edited, written
 
-from graphic_tmm.chapters.planetary.beside import BEHIND, BESIDE, CALCULATED
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
-from graphic_tmm.chapters.planetary.verdict import train_results, verdict
+from graphic_tmm.chapters.planetary.record import BEHIND, BESIDE, CALCULATED
+from graphic_tmm.chapters.planetary.table import train_results, verdict
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.note.document import Number as Figure
 from graphic_tmm.note.document import Text

@@ -18,7 +18,7 @@ from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Construction
 from graphic_tmm.chapters.planetary.ink import Captions, draw_planetary_ink
 from graphic_tmm.chapters.planetary.plan import Planetary, draw_planetary
-from graphic_tmm.chapters.planetary.tables import (
+from graphic_tmm.chapters.planetary.table import (
     condition_table,
     rate_table,
     ratio_lines,

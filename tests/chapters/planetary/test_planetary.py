@@ -20,7 +20,7 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import LENGTHS
 from graphic_tmm.chapters.planetary.plan import Planetary, draw_planetary
 from graphic_tmm.chapters.planetary.task import PlanetaryTask
-from graphic_tmm.chapters.planetary.tooth_verdicts import check
+from graphic_tmm.chapters.planetary.tooth_conditions import check
 from graphic_tmm.errors import StructureError
 
 SPEED = 302.4

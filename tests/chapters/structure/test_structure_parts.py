@@ -9,8 +9,8 @@ import pytest
 from support.gallery import SHEETS
 from support.mechanisms import sample
 
-from graphic_tmm.chapters.structure.mobility import MOBILITY
-from graphic_tmm.chapters.structure.names import PARTS
+from graphic_tmm.chapters.structure import PARTS
+from graphic_tmm.chapters.structure.record import MOBILITY
 from graphic_tmm.chapters.structure.views import part_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.fit import fitted

@@ -6,9 +6,14 @@ import math
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.cam import law_formulas as law
-from graphic_tmm.chapters.cam.laws.ground import DrawnLaw, Ground
-from graphic_tmm.chapters.cam.laws.semicircle import Semicircle, at_levels, by_semicircle
+from graphic_tmm.chapters.cam import formulas as law
+from graphic_tmm.chapters.cam.laws.ground import (
+    DrawnLaw,
+    Ground,
+    Semicircle,
+    at_levels,
+    by_semicircle,
+)
 
 SEMICIRCLES = {
     "S": Semicircle(law.cosine_radius, 1, "drop", law.half_around, -1),

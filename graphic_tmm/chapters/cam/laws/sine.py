@@ -7,9 +7,15 @@ import math
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import join, meet, parallel
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.cam import law_formulas as law
-from graphic_tmm.chapters.cam.laws.ground import DrawnLaw, Ground, top
-from graphic_tmm.chapters.cam.laws.semicircle import Semicircle, at_levels, by_semicircle
+from graphic_tmm.chapters.cam import formulas as law
+from graphic_tmm.chapters.cam.laws.ground import (
+    DrawnLaw,
+    Ground,
+    Semicircle,
+    at_levels,
+    by_semicircle,
+    top,
+)
 
 SEMICIRCLES = {
     "S": Semicircle(law.sine_radius, 0, "out", law.around_outer, 1),

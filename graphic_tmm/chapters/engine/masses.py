@@ -1,21 +1,32 @@
-"""The connecting rod's mass shared between its two pins, and what that costs in its moment of inertia."""
+"""The masses of a crank mechanism: the rod's shared between its pins, the two-term series of the rest."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple, Protocol
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.energetics import added
+from graphic_tmm.board.operations.formulas import to_board
+from graphic_tmm.board.operations.instruments import lay_off, measure_along, parallel
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number
+from graphic_tmm.board.values import Number, Point
+from graphic_tmm.chapters.engine import words as why
 from graphic_tmm.chapters.engine.formulas import (
+    crank_ratio,
+    doubled,
+    first_order,
     lumped_inertia,
     mass_of_share,
+    per_mass,
+    projected,
     rest_of,
+    second_order,
     split_by_lever,
 )
+from graphic_tmm.chapters.engine.task import HARMONICS as VIEW
 from graphic_tmm.chapters.engine.task import EngineTask
-from graphic_tmm.chapters.indicator.cylinder import Machine
+from graphic_tmm.chapters.indicator.plan import Machine
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -119,3 +130,60 @@ def _arms(draft: Draft, rod: Link, pin: str, crosshead: str) -> tuple[Mark, Mark
         for letter, end in ((f"l_{{A{rod.centre}}}", pin), (f"l_{{{rod.centre}B}}", crosshead))
     )
     return first, second
+
+
+class Harmonics(NamedTuple):
+    """Both orders and their sum (force unit), the acceleration of the series (m/s²); what was drawn of them.
+
+    ``ends``: of the two rotating vectors; ``axis``: the direction from the crank to the cover.
+    """
+
+    first: Mark
+    second: Mark
+    force: Mark
+    acceleration: Mark
+    origin: Mark
+    ends: tuple[Mark, Mark]
+    axis: Mark
+    mu: Mark
+
+
+def draw_harmonics(
+    draft: Draft,
+    machine: Machine,
+    mass: Mark,
+    legs: Legs,
+    outward: float,
+    told: Callable[[str, Mark], Mark],
+) -> Harmonics:
+    """Draw the rotating vectors; ``told`` brings a force (N) to the unit of the task."""
+    speed = machine.velocities.speed
+    assert speed is not None
+    draft.open(VIEW)
+    rod = draft.uses(legs.rod.length)[0]
+    ratio = draft.draw(crank_ratio, "λ", machine.arm, rod)
+    size = draft.draw(first_order, "m·ω²·R", mass, speed, machine.arm, unit="N")
+    half = draft.draw(second_order, "m·ω²·R·λ", size, ratio, unit="N")
+    mu = draft.scale("μ_F", "N/mm")
+    origin = draft.take(Point, "O", 0j)
+    draft.lay_out(origin)
+    crank = machine.positions.bodies[machine.mechanism.drive.link].axis
+    axis = draft.draw(
+        parallel, "(x)", origin, legs.slider.line, sense=1 if outward > 0 else -1, why=why.AXIS
+    )
+    once = draft.draw(parallel, "(I)", origin, crank, sense=1, why=why.ONCE)
+    twice = draft.draw(doubled, "(II)", origin, axis, once)
+    ends, forces = [], []
+    for k, (name, line, force) in enumerate((("I", once, size), ("II", twice, half)), 1):
+        length = draft.draw(to_board, f"y_{name}", force)
+        end = draft.draw(lay_off, name, line, length, why=why.PROJECTED)
+        segment = draft.draw(measure_along, f"x_{name}", origin, end, axis, why=why.PROJECTED)
+        forces.append(draft.draw(projected, f"P_{{in{k}}}", segment, unit="N"))
+        ends.append(end)
+    total = draft.draw(added, "P_{inΣ}", *forces, unit="N", why=why.BOTH_ORDERS)
+    acceleration = draft.draw(per_mass, "a_{Σ}", total, mass, unit="m/s²")
+    first, second = (
+        told(f"P_{{in{name}}}", force) for name, force in zip(("1", "2"), forces, strict=True)
+    )
+    whole = told("P_{in,ser}", total)
+    return Harmonics(first, second, whole, acceleration, origin, (ends[0], ends[1]), axis, mu)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from itertools import pairwise
 
-from graphic_tmm.chapters.engine.beside import WORKS
+from graphic_tmm.chapters.engine.record import WORKS
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.language.catalogue import speaking

@@ -1,10 +1,23 @@
-"""How μ_l of a cam given by arcs was chosen; the scales of its diagrams are told as those of other graphs."""
+"""How large a cam of arcs may be drawn, and how its μ_l was chosen."""
 
 from __future__ import annotations
 
 from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, reach_of
+from graphic_tmm.chapters.arc_cam.task import ARC_CAM
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Choice, Ledger
+from graphic_tmm.fitting.sizes import Size, Sizing
+from graphic_tmm.scene.records import Scene
+
+
+def _fixed(scene: Scene) -> str:
+    return "arc_cam.mu_l" if "arc_cam.mu_l" in scene.told else ""
+
+
+SIZES = Sizing(
+    sizes=(Size(ARC_CAM, small=0.75, cap=0.6, step=1.25, fixed=_fixed),),
+    depends={"arc_cam": lambda scene, view: (ARC_CAM,)},
+)
 
 
 def choose(drawn: Drawn, ledger: Ledger) -> None:

@@ -1,0 +1,346 @@
+"""What a scene gives of loads and friction: lists, and diagrams of what varies over the travel or turn."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import standard
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
+from graphic_tmm.chapters.forces.task import ASKED, Load
+from graphic_tmm.chapters.forces.task import LOADS as PLACE
+from graphic_tmm.chapters.forces.words import LOAD
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.choice import choices
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import number
+from graphic_tmm.language.said import said
+from graphic_tmm.language.symbols import symbol
+from graphic_tmm.language.units import unit
+from graphic_tmm.paper.axes import base_figures, tick_figures
+from graphic_tmm.paper.drawing import Drawing, Ink, Stand, Stroke, Wanted, circle, line
+from graphic_tmm.paper.figure import added
+from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.lettering.heights import Heights, heights
+from graphic_tmm.paper.symbols.kinematic import arrowhead
+from graphic_tmm.paper.views import captioned, mu_text
+from graphic_tmm.readers.task_sheet import SIZE, Given
+from graphic_tmm.scene.captions import captions
+from graphic_tmm.scene.records import Scene
+
+
+def given(scene: Scene) -> Iterator[Given]:
+    """Yield the loads, the largest of one that varies, and the coefficients and pins of friction."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    for letter, load in zip(letters(order.loads), order.loads, strict=True):
+        sizes = sizes_of(load)
+        unit = "N·m" if load.point is None else "N"
+        if varies(load):
+            yield Given(braced(letter, "max"), max(sizes, key=abs), unit)
+        else:
+            yield Given(letter, sizes[0], unit)
+    if order.friction is not None:
+        yield from _by_pair("f", order.friction.f, "")
+        radii = {name: radius for name, radius in order.friction.radius.items() if radius}
+        yield from _by_pair("r", radii, SIZE)
+
+
+def stated(scene: Scene, language: str) -> Iterator[str]:
+    """Tell what acts on the links besides loads, and in which positions forces are wanted."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    _ = speaking(language)
+    if order.gravity and order.inertia:
+        yield _(_BOTH)
+    elif order.gravity or order.inertia:
+        yield _(_WEIGHT if order.gravity else _INERTIA)
+    if told := wanted_positions(scene, language):
+        yield told
+
+
+def wanted_positions(scene: Scene, language: str) -> str:
+    """Tell in which positions forces are wanted; "" if in all of them."""
+    order = ASKED.of(scene)
+    if order is None or order.positions == ("all",):
+        return ""
+    return speaking(language)(_POSITIONS, n=len(order.positions), listed=", ".join(order.positions))
+
+
+_BOTH = said("Weights and inertia forces of the links are taken into account.")
+_WEIGHT = said("Weights of the links are taken into account, inertia forces are not.")
+_INERTIA = said("Inertia forces of the links are taken into account, weights are not.")
+_POSITIONS = said(
+    "Forces are wanted in position {listed}.", "Forces are wanted in positions {listed}."
+)
+
+
+def _by_pair(letter: str, values: Mapping[str, float], unit: str) -> Iterator[Given]:
+    """Yield the value of every pair; one that most of them have is told once for all that are not named."""
+    if not values:
+        return
+    (most, times), *_ = Counter(values.values()).most_common(1)
+    if times > 1:
+        yield Given(letter, most, unit)
+    for name, value in values.items():
+        if times == 1 or value != most:
+            yield Given(f"{letter}_{{{name}}}", value, unit)
+
+
+def letters(loads: tuple[Load, ...]) -> list[str]:
+    """Return the letters of loads as they stand in the log: F_5; of a second one on its link F_{5(2)}."""
+    count, found = Counter[str](), []
+    for load in loads:
+        letter = f"{'M' if load.point is None else 'F'}_{load.link}"
+        count[letter] += 1
+        many = count[letter]
+        found.append(letter if many == 1 else f"{letter[:2]}{{{load.link}({many})}}")
+    return found
+
+
+def braced(letter: str, more: str = "") -> str:
+    """Return a letter with its index in braces, and something behind it: F_5 -> F_{5max}."""
+    stem, _, index = letter.partition("_")
+    return f"{stem}_{{{index.strip('{}')}{more}}}"
+
+
+def varies(load: Load) -> bool:
+    """Whether the size of a load is another at other positions."""
+    return load.travel is not None or bool(load.by_angle) or isinstance(load.size, tuple)
+
+
+def sizes_of(load: Load) -> tuple[float, ...]:
+    """Return the sizes that are given of a load, N or N·m."""
+    if load.travel is not None:
+        return tuple(size for _, size in (*load.travel.out, *load.travel.back)) or (0.0,)
+    if load.by_angle:
+        return tuple(size for _, size in load.by_angle)
+    return load.size if isinstance(load.size, tuple) else (load.size,)
+
+
+ACROSS, UP = 70.0, 40.0
+"""Room for the base and for the largest size, mm."""
+VIEW = "load"
+"""What the diagram of a load is called by code, before its letter."""
+
+
+class Pictured(NamedTuple):
+    """A load that varies: its place in the scene, its letter, its size on the board.
+
+    ``reach``: of the base (m of travel, degrees of the turn, positions); ``largest``: size, N or N·m. ``base``,
+    ``unit``: of what a mm of the base and of the height stands for; the base of positions has no unit.
+    """
+
+    place: int
+    letter: str
+    load: Load
+    size: Mark
+    reach: float
+    largest: float
+    base: str
+    unit: str
+
+    @property
+    def view(self) -> str:
+        """What code calls the diagram."""
+        return f"{VIEW} {self.letter}"
+
+    @property
+    def scales(self) -> tuple[str, str]:
+        """The letters of the scale factors of the base ("" where it has none) and of the height."""
+        along = {"m/mm": "μ_S", "°/mm": "μ_φ"}.get(self.base, "")
+        return along, f"μ_{self.letter[0]}"
+
+
+def pictured(drawn: Drawn) -> Iterator[Pictured]:
+    """Yield the loads that are given by the travel of a slider, the turn or the position, in order."""
+    made = FORCES_PLAN.on(drawn)
+    loads = made.order.loads
+    for k, (letter, load, size) in enumerate(
+        zip(letters(loads), loads, made.loads.given, strict=True)
+    ):
+        largest = max(map(abs, sizes_of(load)), default=0.0)
+        if varies(load) and largest > 0.0:
+            reach, base = _reach(drawn, load, size)
+            unit = "N·m/mm" if load.point is None else "N/mm"
+            yield Pictured(k, braced(letter), load, size, reach, largest, base, unit)
+
+
+def _reach(drawn: Drawn, load: Load, size: Mark) -> tuple[float, str]:
+    """Return how far the base of a diagram reaches, and the unit of its scale factor."""
+    if load.travel is not None:
+        stroke = travelled(drawn, size)[1]
+        return float(drawn.reading[stroke][0, 0]) * mu_l(drawn), "m/mm"
+    if load.by_angle:
+        return 360.0, "°/mm"
+    return float(len(sizes_of(load)) - 1 or 1), ""
+
+
+def travelled(drawn: Drawn, size: Mark) -> tuple[Mark, Mark]:
+    """Return the way from the zero position and the whole stroke (mm) that the size of a load depends on."""
+    *_, way, stroke = next(step.uses for step in drawn.construction.steps if step.it == size)
+    return way, stroke
+
+
+def mu_l(drawn: Drawn) -> float:
+    """Return the scale factor of lengths, m a mm."""
+    return float(drawn.reading[KINEMATICS_PLAN.on(drawn).mu_l][0, 0])
+
+
+OVER = 8.0
+"""How far an axis goes on behind the diagram, mm."""
+TICK = 1.2
+"""Half a tick of a division, mm."""
+DOT = 0.8
+"""The radius of a point that stands for a position, mm."""
+SAME = 1e-9
+"""Two divisions nearer than this share of the whole are one."""
+
+
+class Part(NamedTuple):
+    """A line of the diagram: its pen, its points (abscissa, size), in SI or degrees."""
+
+    pen: str
+    points: tuple[tuple[float, float], ...]
+
+
+class At(NamedTuple):
+    """A position on the diagram: its number, its abscissa and size, its index, the slot of its size."""
+
+    name: str
+    along: float
+    size: float
+    place: int
+    of: int
+
+
+class Diagram(NamedTuple):
+    """A diagram: its lines, the positions on them, what its axes are called, and how long both are (SI)."""
+
+    parts: tuple[Part, ...]
+    positions: tuple[At, ...]
+    axes: tuple[str, str]
+    reach: float
+    largest: float
+
+
+def draw_load(
+    shown: Diagram, name: str, title: str, mu: tuple[float, float], language: str, high: Heights
+) -> Drawing:
+    """Return the diagram of a load; ``mu``: what a mm of its base and of its height stand for."""
+    points = [point for part in shown.parts for point in part.points]
+    lowest = min(0.0, *(size for _, size in points)) / mu[1]
+    top = max(0.0, *(size for _, size in points)) / mu[1]
+    base = shown.reach / mu[0]
+    strokes: list[Ink] = [*added(_axes(base, lowest, top), "axis")]
+    wanted = [
+        Wanted(shown.axes[1], complex(0.0, top + OVER), high.point, 1.5, 1 + 0j),
+        Wanted(shown.axes[0], complex(base + OVER, 0.0), high.point, 1.5, -1j),
+    ]
+    for part in shown.parts:
+        spots = [complex(x / mu[0], y / mu[1]) for x, y in part.points]
+        strokes += added([line(part.pen, *spots)], "given")
+    feet: list[tuple[float, str]] = []
+    for x in _divisions([x for x, _ in points], shown.reach):
+        strokes += added([line("thin", x / mu[0] - TICK * 1j, x / mu[0] + TICK * 1j)], "axis")
+        feet += [(x / mu[0], number(x, language, 3))] if x else []
+    ticks: list[tuple[float, str]] = []
+    for y in _divisions([0.0, *(y for _, y in points)], shown.largest):
+        at = 1j * y / mu[1]
+        far = max((x for x, size in points if size == y), default=0.0) / mu[0]
+        strokes += added([line("thin", at - TICK, at + far)] if y else [], "axis")
+        ticks.append((at.imag, number(y, language, 4)))
+    numbers = (
+        *tick_figures(ticks, high.number),
+        *base_figures(feet, strokes, high.number),
+    )
+    for one in shown.positions:
+        spot = complex(one.along / mu[0], one.size / mu[1])
+        dot = circle("main", spot, DOT, filled=True)
+        strokes.append(dot._replace(of=(one.of,), position=one.place))
+        wanted.append(Wanted(one.name, spot, high.number, DOT, 1 + 1j, (one.of,), one.place))
+    return Drawing(name, title, tuple(strokes), numbers, wanted=tuple(wanted))
+
+
+def _axes(base: float, lowest: float, top: float) -> Iterator[Stroke]:
+    """The two axes with their arrows."""
+    for start, end in ((0j, complex(base + OVER)), (1j * lowest, 1j * (top + OVER))):
+        yield line("thin", start, end)
+        yield from arrowhead(end, end - start, pen="thin")
+
+
+def _divisions(values: Sequence[float], whole: float) -> list[float]:
+    """Return the values that are there, each once, in order."""
+    found: list[float] = []
+    for value in sorted(values):
+        if not found or value - found[-1] > SAME * whole:
+            found.append(value)
+    return found
+
+
+def load_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the diagram of each load that is given by the travel of a slider, the turn or the position."""
+    if FORCES_PLAN.of(drawn) is None:
+        return []
+    language, high = drawn.scene.language, heights(drawn.scene, PLACE)
+    views = list[Drawing]()
+    for one in pictured(drawn):
+        called = symbol(one.letter, language)
+        title = speaking(language)(LOAD, letter=called)
+        along, up = (
+            choices(drawn).scale(one.view, letter) if letter else None for letter in one.scales
+        )
+        assert up is not None
+        by = along.value if along is not None else standard(one.reach, ACROSS)
+        shown = _diagram(drawn, one, called)
+        view = draw_load(shown, f"load-{one.place + 1}", title, (by, up.value), language, high)
+        told = ", ".join(mu_text(scale, language) for scale in (along, up) if scale is not None)
+        view = finished(view._replace(stand=Stand(kind="table")), lettered)
+        views.append(captioned(view, title, told, heights=high))
+    return views
+
+
+def _diagram(drawn: Drawn, one: Pictured, called: str) -> Diagram:
+    language, load = drawn.scene.language, one.load
+    up = f"{called}, {unit(one.unit.removesuffix('/mm'), language)}"
+    there = [k for k in range(drawn.scene.row.count) if k not in drawn.undrawn]
+    if load.travel is not None:
+        parts = tuple(_strokes(load, one.reach))
+        way = travelled(drawn, one.size)[0]
+        positions = tuple(_positions(drawn, one.size, way, mu_l(drawn), there))
+        axes = f"S, {unit('m', language)}", up
+        return Diagram(parts, positions, axes, one.reach, one.largest)
+    if load.by_angle:
+        line = Part("main", load.by_angle)
+        return Diagram((line,), (), ("φ, °", up), one.reach, one.largest)
+    sizes = sizes_of(load)
+    line = Part("main", tuple((float(k), size) for k, size in enumerate(sizes)))
+    at = tuple(
+        At(drawn.names[k], float(k), sizes[k], k, one.size.slot) for k in there if k < len(sizes)
+    )
+    axes = captions(language)["position"], up
+    return Diagram((line,), at, axes, one.reach, one.largest)
+
+
+def _strokes(load: Load, reach: float) -> Iterator[Part]:
+    """The stroke from the zero position in a main line, the stroke back dashed where both act."""
+    assert load.travel is not None
+    for pen, points in (("main", load.travel.out), ("main", load.travel.back)):
+        if points:
+            pen = "dashed" if points is load.travel.back and load.travel.out else pen
+            yield Part(pen, tuple((share * reach, size) for share, size in points))
+
+
+def _positions(drawn: Drawn, size: Mark, way: Mark, mu: float, there: list[int]) -> Iterator[At]:
+    """The positions at which the load acts."""
+    sizes, ways = (np.broadcast_to(drawn.reading[m][0], len(drawn.names)) for m in (size, way))
+    for k in there:
+        if np.isfinite(sizes[k] * ways[k]) and sizes[k]:
+            yield At(drawn.names[k], float(ways[k]) * mu, float(sizes[k]), k, size.slot)
