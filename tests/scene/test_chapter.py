@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
+from pkgutil import walk_packages
 from typing import ClassVar
 
 import pytest
@@ -86,6 +87,15 @@ def test_a_fault_in_a_chapters_file_is_no_missing_answer(
     monkeypatch.syspath_prepend(tmp_path)
     with pytest.raises(ModuleNotFoundError, match="nothing_of_that_name"):
         Findings.of(Chapter("broken", 99, folder=room.name))
+
+
+@pytest.mark.parametrize("chapter", chapters(), ids=lambda one: one.name)
+def test_every_answer_in_a_folder_is_found_by_its_question(chapter: Chapter) -> None:
+    """A file that was renamed would be asked no more, and what holds without an answer would hold instead."""
+    for _, name, _ in walk_packages(import_module(chapter.folder).__path__, f"{chapter.folder}."):
+        for key, value in vars(import_module(name)).items():
+            if isinstance(value, Answer):
+                assert type(value).of(chapter) is value, f"{name}.{key}"
 
 
 def test_what_a_scene_calls_for_is_asked_for_by_a_section_or_by_its_mechanism() -> None:

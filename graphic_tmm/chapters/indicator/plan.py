@@ -1,4 +1,4 @@
-"""A cylinder on a mechanism: the piston's travel, its indicator diagram, gas forces, at any angle, too."""
+"""A cylinder on a mechanism: the piston's travel, its indicator diagram, gas forces."""
 
 from __future__ import annotations
 
@@ -7,11 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.any_angles.turn import Between, Turn, Turning
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
-from graphic_tmm.board.operations.curve import over, taut_curve
+from graphic_tmm.board.operations.curve import taut_curve
 from graphic_tmm.board.operations.energetics import gas_force, mean_ordinate, net_force, ring_area
 from graphic_tmm.board.operations.formulas import in_si, to_board
 from graphic_tmm.board.operations.graphs import at_zero
@@ -37,7 +36,6 @@ from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, crank_length
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.positions import Positions
-from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
@@ -303,20 +301,3 @@ def _refuse_zero(
             "drive.zero",
             head="indicator",
         )
-
-
-def between(drawn: Drawn, turn: Turn) -> Between:
-    """Return the pressure of each side at every angle; at the positions it is that which was laid off."""
-    made, found = INDICATOR_PLAN.on(drawn).indicator, dict[Mark, object]()
-    by_mark = {step.it: step for step in drawn.construction.steps}
-    feet = turn.read([made.feet])[made.feet][0].real
-    mu = float(drawn.numbers.drawn[made.chart.mu][0, 0])
-    for side in made.sides:
-        height = by_mark[side.points].uses[1]
-        pressure = by_mark[height].uses[0]
-        heights = over(drawn.numbers.drawn[side.curve], turn.numbers, feet)
-        found[pressure] = (heights * mu)[None, :]
-    return found
-
-
-TURNING = Turning(between=between)

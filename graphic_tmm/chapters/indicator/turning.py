@@ -1,0 +1,26 @@
+"""The pressure at any angle of the crank: read off the diagram as drawn, over where the piston stands."""
+
+from __future__ import annotations
+
+from graphic_tmm.any_angles.turn import Between, Turn, Turning
+from graphic_tmm.board.operations.curve import over
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN
+from graphic_tmm.drawn import Drawn
+
+
+def between(drawn: Drawn, turn: Turn) -> Between:
+    """Return the pressure of each side at every angle; at the positions it is that which was laid off."""
+    made, found = INDICATOR_PLAN.on(drawn).indicator, dict[Mark, object]()
+    by_mark = {step.it: step for step in drawn.construction.steps}
+    feet = turn.read([made.feet])[made.feet][0].real
+    mu = float(drawn.numbers.drawn[made.chart.mu][0, 0])
+    for side in made.sides:
+        height = by_mark[side.points].uses[1]
+        pressure = by_mark[height].uses[0]
+        heights = over(drawn.numbers.drawn[side.curve], turn.numbers, feet)
+        found[pressure] = (heights * mu)[None, :]
+    return found
+
+
+TURNING = Turning(between=between)
