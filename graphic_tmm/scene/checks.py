@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import chain
+from pkgutil import resolve_name
 from typing import Any
 
 from graphic_tmm.bounds import TaskError
@@ -66,10 +67,10 @@ def _units(parts: Parts) -> Iterator[Found]:
 
 def _refused(section: Section, told: Any) -> Iterator[Found]:
     """Yield what the plan of a part refuses of its task, before anything is drawn."""
-    if section.refuse is None:
+    if not section.refuse:
         return
     try:
-        section.refuse(build(section.record, told))
+        resolve_name(section.refuse)(build(section.record, told))
     except TaskError as error:
         yield Found(error.key, error.says)
 

@@ -177,11 +177,11 @@ class Section:
     ``several``: it is a list of tables. ``always``: it is read even where it is not written: all its keys have
     defaults. ``alone``: it needs no mechanism. ``gives``: it asks for nothing itself, but for others.
     ``begin``: the keys that it begins with, for a remedy. ``check``: what it said (a list of paths and these,
-    if there may be several) -> every contradiction. ``refuse``: its record -> TaskError of the plan that
-    cannot take it. ``joined``: fields of the record that come from other sections. ``idle``: what of it comes
-    to nothing, a line each; ``defaults``: the defaults of it that matter. ``weighs``: it needs the mass centres
-    of links. ``metric``: its sizes are told in mm, whatever the units. ``shows``: its record -> other sections
-    that are shown where it is.
+    if there may be several) -> every contradiction. ``refuse``: where the function stands (module:function)
+    that raises TaskError of what the plan cannot take, its record -> nothing. ``joined``: fields of the record
+    that come from other sections. ``idle``: what of it comes to nothing, a line each; ``defaults``: the defaults
+    of it that matter. ``weighs``: it needs the mass centres of links. ``metric``: its sizes are told in mm,
+    whatever the units. ``shows``: its record -> other sections that are shown where it is.
     """
 
     name: str
@@ -193,7 +193,7 @@ class Section:
     gives: bool = False
     begin: str = ""
     check: Check = lambda said, parts: iter(())
-    refuse: Callable[[Any], object] | None = None
+    refuse: str = ""
     joined: Callable[[Others], Mapping[str, object]] = lambda others: {}
     idle: Callable[[Any, Parts], Iterator[str]] = lambda said, parts: iter(())
     defaults: Callable[[Any, Parts], Iterator[str]] = lambda said, parts: iter(())

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
-from pkgutil import walk_packages
+from pkgutil import resolve_name, walk_packages
 from typing import ClassVar
 
 import pytest
@@ -96,6 +96,14 @@ def test_every_answer_in_a_folder_is_found_by_its_question(chapter: Chapter) -> 
         for key, value in vars(import_module(name)).items():
             if isinstance(value, Answer):
                 assert type(value).of(chapter) is value, f"{name}.{key}"
+
+
+def test_every_refusal_of_a_section_is_a_function_that_is_there() -> None:
+    named = [
+        section.refuse for chapter in chapters() for section in chapter.sections if section.refuse
+    ]
+    assert len(named) >= 4
+    assert all(callable(resolve_name(one)) for one in named)
 
 
 def test_what_a_scene_calls_for_is_asked_for_by_a_section_or_by_its_mechanism() -> None:

@@ -145,15 +145,10 @@ def check(cam: Said, parts: Parts) -> Iterator[Found]:
         yield Found((at, "roller"), says)
 
 
-def _refuse(order: ArcTask) -> None:
-    from graphic_tmm.chapters.arc_cam.geometry import lie
-
-    lie(order)
-
-
 SECTIONS = (
     Section(
         ASKED.section, ArcTask, "a cam given by arcs", alone=True, metric=True,
-        begin='base = "20 mm", distance = "22 mm", flank = "60 mm"', check=check, refuse=_refuse,
+        begin='base = "20 mm", distance = "22 mm", flank = "60 mm"', check=check,
+        refuse="graphic_tmm.chapters.arc_cam.geometry:lie",
     ),
 )  # fmt: skip

@@ -20,7 +20,7 @@ from graphic_tmm.chapters.cam.refusals import (
     plain,
     refuse,
 )
-from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CamTask, Law
+from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CamTask, Law, drawn_laws
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
@@ -164,8 +164,6 @@ def _division(order: CamTask, name: str, extent: float, law: Law) -> _Division:
 
 def _jumps(law: Law) -> list[float]:
     """Return the shares inside a phase at which the acceleration jumps."""
-    from graphic_tmm.chapters.cam.laws import laws
-
     if law.name != BY_DIAGRAM:
-        return list(laws()[law.name].jumps)
+        return list(drawn_laws()[law.name].jumps)
     return jumps(law.points)

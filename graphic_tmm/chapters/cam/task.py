@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from pkgutil import resolve_name
+from typing import TYPE_CHECKING, Any
 
 from graphic_tmm.bounds import POSITIVE, Bound
 from graphic_tmm.language.said import said
@@ -30,11 +31,15 @@ RETURN, MIRRORED, AS_GIVEN = "return", "mirrored", "given"
 """The key that tells how the diagram of the return is meant: the rise run backwards, or by the sign of S″."""
 
 
+def drawn_laws() -> dict[str, Any]:
+    """Return the laws that have a file among ``laws``, by name: they stand above what is asked of a cam."""
+    found: dict[str, Any] = resolve_name("graphic_tmm.chapters.cam.laws:laws")()
+    return found
+
+
 def names() -> tuple[str, ...]:
     """Return the laws of motion."""
-    from graphic_tmm.chapters.cam.laws import laws
-
-    return (*laws(), BY_DIAGRAM)
+    return (*drawn_laws(), BY_DIAGRAM)
 
 
 @dataclass(frozen=True)
@@ -367,15 +372,10 @@ def _laws(cam: Said) -> Iterator[Found]:
         yield Found(("cam", RETURN), says)
 
 
-def _refuse(order: CamTask) -> None:
-    from graphic_tmm.chapters.cam.refusals import refuse
-
-    refuse(order)
-
-
 SECTIONS = (
     Section(
         "cam", CamTask, "a cam", alone=True, metric=True,
-        begin='stroke = "28 mm", rise = "100 deg", fall = "90 deg"', check=check, refuse=_refuse,
+        begin='stroke = "28 mm", rise = "100 deg", fall = "90 deg"', check=check,
+        refuse="graphic_tmm.chapters.cam.refusals:refuse",
     ),
 )  # fmt: skip

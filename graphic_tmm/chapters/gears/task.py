@@ -76,15 +76,10 @@ class GearTask:
 ASKED: SectionKey[GearTask] = SectionKey("gears")
 
 
-def _refuse(order: GearTask) -> None:
-    from graphic_tmm.chapters.gears.refusals import refuse_order
-
-    refuse_order(order)
-
-
 SECTIONS = (
     Section(
         "gears", GearTask, "a pair of gears", alone=True, metric=True,
-        begin='z1 = 15, z2 = 25, m = "8 mm"', refuse=_refuse,
+        begin='z1 = 15, z2 = 25, m = "8 mm"',
+        refuse="graphic_tmm.chapters.gears.refusals:refuse_order",
     ),
 )  # fmt: skip

@@ -346,6 +346,6 @@ SECTIONS = (
     Section(
         "planetary", PlanetaryTask, "a planetary train", alone=True, metric=True,
         begin='ratio = 4.55, module = "8 mm"', check=check,
-        refuse=scheme_of,
+        refuse=f"{__name__}:scheme_of",
     ),
 )  # fmt: skip
