@@ -92,7 +92,7 @@ print(*sorted({one.at.it.letter for one in found}))
 
 KEY = """
 import sys
-from graphic_tmm.chapters.gears.plan import GEARS
+from graphic_tmm.chapters.gears.plan import GEARS_PLAN
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheets
 text = open(sys.argv[1]).read().replace("[gears]", '[gears]\\nhub = "40 mm"')
@@ -100,7 +100,7 @@ open("scene.toml", "w").write(text)
 made, paper = sheets(read("scene.toml"))
 (board,) = made.boards
 (view,) = (one for sheet in paper for one in sheet.drawings if one.name == "hub")
-gear = GEARS.on(board)
+gear = GEARS_PLAN.on(board)
 print(float((board.reading[gear.hub].radius * board.reading[gear.line.mu])[0, 0]), view.title)
 """
 

@@ -71,7 +71,7 @@ def _found(code: str) -> Iterator[str]:
         'kind in {"forces": 1}',
         'place("engine diagrams")',
         "from graphic_tmm.chapters import gears",
-        "from graphic_tmm.chapters.gears.plan import GEARS",
+        "from graphic_tmm.chapters.gears.plan import GEARS_PLAN",
         "import graphic_tmm.chapters.gears",
     ],
 )

@@ -179,8 +179,8 @@ class Section:
     ``begin``: the keys that it begins with, for a remedy. ``check``: what it said (a list of paths and these,
     if there may be several) -> every contradiction. ``refuse``: where the function stands (module:function)
     that raises TaskError of what the plan cannot take, its record -> nothing. ``joined``: fields of the record
-    that come from other sections. ``idle``: what of it comes to nothing, a line each; ``defaults``: the defaults
-    of it that matter. ``weighs``: it needs the mass centres of links. ``metric``: its sizes are told in mm,
+    that come from other sections. ``idle``: what of it comes to nothing, a line each; ``defaults``: those of it
+    that matter. ``weighs``: it needs the mass centres of links. ``metric``: its sizes are told in mm,
     whatever the units. ``shows``: its record -> other sections that are shown where it is.
     """
 
