@@ -15,9 +15,9 @@ from support.scenes import source, written
 
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
 from graphic_tmm.language.units import known
+from graphic_tmm.readers.findings import warnings
 from graphic_tmm.readers.protocol import part_protocol
 from graphic_tmm.readers.table import table
-from graphic_tmm.readers.warnings import warnings
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import SheetOrder

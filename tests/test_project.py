@@ -23,7 +23,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.errors import StructureError, TmmError
 from graphic_tmm.mechanism.records import Extreme, Mechanism, Row
 from graphic_tmm.project import Project
-from graphic_tmm.readers.warnings import warnings
+from graphic_tmm.readers.findings import warnings
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import sheets
 

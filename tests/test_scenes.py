@@ -18,8 +18,8 @@ from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.names import plain
 from graphic_tmm.mechanism.structure import Group, dissect
-from graphic_tmm.readers.divided import told_off
-from graphic_tmm.readers.warnings import warnings
+from graphic_tmm.readers.findings import warnings
+from graphic_tmm.readers.position_count import told_off
 
 pytestmark = pytest.mark.every
 

@@ -28,7 +28,7 @@ from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.paper.write.svg import svg
-from graphic_tmm.readers.warnings import warnings
+from graphic_tmm.readers.findings import warnings
 from graphic_tmm.scene.packaged import packaged, scene_name, scene_path
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scales, Scene, SheetOrder

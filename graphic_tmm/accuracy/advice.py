@@ -10,8 +10,8 @@ from graphic_tmm.accuracy.shares import Share
 from graphic_tmm.accuracy.study import Steps, Study
 from graphic_tmm.accuracy.words import WORDS, counted
 from graphic_tmm.language.numbers import number
+from graphic_tmm.readers.protocol import title_of
 from graphic_tmm.readers.sentences import sentence
-from graphic_tmm.readers.titles import title_of
 
 KNOWN, LEVEL = 0.5, 0.25
 """A slope is told if it is known to within the first; it is none if it is less than the second. Both chosen by

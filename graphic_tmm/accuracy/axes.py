@@ -15,7 +15,7 @@ from graphic_tmm.accuracy.settings import EACH_SLIP, GRID, OWN, Setting, named
 from graphic_tmm.board.hand import HANDS, Hand
 from graphic_tmm.language.said import said
 from graphic_tmm.project import called_on
-from graphic_tmm.readers.finer import at_count
+from graphic_tmm.readers.position_count import at_count
 from graphic_tmm.scene.chapter import MECHANISM, chapters
 from graphic_tmm.scene.records import Scene
 

@@ -33,7 +33,7 @@ from graphic_tmm.errors import Fault, SceneError, TmmError
 from graphic_tmm.fitting.measuring import sheets_of
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
-from graphic_tmm.readers.finer import whole
+from graphic_tmm.readers.position_count import whole
 from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make

@@ -15,7 +15,7 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import Reals
 from graphic_tmm.errors import TmmError
 from graphic_tmm.project import Project
-from graphic_tmm.readers.finer import at_count
+from graphic_tmm.readers.position_count import at_count
 from graphic_tmm.scene.records import Scene
 
 TURN = 192

@@ -22,7 +22,7 @@ from graphic_tmm.fitting.choice import choices
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit_name
 from graphic_tmm.project import Project
-from graphic_tmm.readers.finer import whole
+from graphic_tmm.readers.position_count import whole
 from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make

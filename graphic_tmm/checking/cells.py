@@ -11,8 +11,8 @@ from graphic_tmm.board.values import Complexes, Point, Reals
 from graphic_tmm.drawn import DrawnScene, single
 from graphic_tmm.readers.columns import (
     Column,
+    Readings,
 )
-from graphic_tmm.readers.readings import Readings
 from graphic_tmm.readers.table import positions_of, scene_columns, scene_results
 from graphic_tmm.scene.chapter import chapters
 

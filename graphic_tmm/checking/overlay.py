@@ -19,7 +19,7 @@ from graphic_tmm.paper.lettering.letters import (
 from graphic_tmm.paper.packing import Room
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 from graphic_tmm.paper.views import captioned
-from graphic_tmm.readers.readings import Readings
+from graphic_tmm.readers.columns import Readings
 from graphic_tmm.scene.captions import captions
 
 FORMATS = ("A4", "A1")

@@ -19,9 +19,9 @@ from graphic_tmm.face.told import Steps, steps_of
 from graphic_tmm.face.work import Work
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
+from graphic_tmm.readers.findings import all_warnings
 from graphic_tmm.readers.protocol import plans, told
 from graphic_tmm.readers.table import facts_of, scales_of
-from graphic_tmm.readers.warnings import all_warnings
 from graphic_tmm.scene.hands import drawn_by
 from graphic_tmm.scene.records import Scene
 

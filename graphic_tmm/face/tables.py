@@ -13,7 +13,7 @@ from graphic_tmm.errors import needed
 from graphic_tmm.face.asked import absent
 from graphic_tmm.face.html import grid
 from graphic_tmm.face.quantity import Quantity
-from graphic_tmm.readers.former import renamed
+from graphic_tmm.readers.columns import renamed
 
 
 @dataclass(frozen=True, eq=False)

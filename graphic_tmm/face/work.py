@@ -21,9 +21,8 @@ from graphic_tmm.fitting.composition import Composition, beside, read_compositio
 from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import decimals_of
 from graphic_tmm.readers.columns import Column, Positions
-from graphic_tmm.readers.table import facts_of, positions_of
+from graphic_tmm.readers.table import facts_of, positions_of, trial_figures
 from graphic_tmm.readers.text import column_name, table_rows
-from graphic_tmm.readers.trials import trial_figures
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import composed_sheets, make

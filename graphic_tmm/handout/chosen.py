@@ -14,8 +14,7 @@ from graphic_tmm.handout.ink import in_hand
 from graphic_tmm.handout.sized import Draw
 from graphic_tmm.handout.story import places_of
 from graphic_tmm.paper.drawing import Drawing, Within
-from graphic_tmm.readers.protocol import position_of
-from graphic_tmm.readers.titles import Protocols
+from graphic_tmm.readers.protocol import Protocols, position_of
 from graphic_tmm.scene.captions import Named
 from graphic_tmm.scene.chapter import MECHANISM, Place
 

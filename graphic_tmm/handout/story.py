@@ -13,8 +13,8 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.figure import Picture, pictures
-from graphic_tmm.readers.covering import covering
 from graphic_tmm.readers.narration import Line, protocol
+from graphic_tmm.readers.protocol import covering
 from graphic_tmm.scene.captions import view_name
 from graphic_tmm.scene.chapter import MECHANISM
 

@@ -37,12 +37,10 @@ from graphic_tmm.note.document import (
 from graphic_tmm.note.figures import fit, is_figure, picture, readable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.indices import markup
-from graphic_tmm.readers.columns import Column, known_at
-from graphic_tmm.readers.divided import is_sampled, told_off
-from graphic_tmm.readers.finer import Finer, FinerRow, finer, sampled
-from graphic_tmm.readers.measured import Tabled
+from graphic_tmm.readers.columns import Column, Tabled, known_at
+from graphic_tmm.readers.position_count import Finer, FinerRow, finer, is_sampled, sampled, told_off
+from graphic_tmm.readers.rounding import Figures, told
 from graphic_tmm.readers.text import column_name
-from graphic_tmm.readers.told import Figures, told
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.chapter import Chapter, Place
 

@@ -12,8 +12,7 @@ from graphic_tmm.note.calculations import Section, as_table
 from graphic_tmm.note.document import Block, Once, Table, Text, text
 from graphic_tmm.note.protocol import Known, Manner, protocol_blocks, protocol_parts
 from graphic_tmm.note.steps import Told
-from graphic_tmm.readers.covering import covering
-from graphic_tmm.readers.titles import title_of
+from graphic_tmm.readers.protocol import covering, title_of
 from graphic_tmm.scene.chapter import MECHANISM
 
 ALIKE = said("Axes, divisions and ordinates are drawn as on the diagrams before.")

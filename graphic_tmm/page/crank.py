@@ -31,7 +31,7 @@ from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.pens import pens
 from graphic_tmm.paper.write.svg import clean, shift
 from graphic_tmm.paper.write.svg_path import path_data
-from graphic_tmm.readers.told import told
+from graphic_tmm.readers.rounding import told
 
 EDGE = 4.0
 """White about a figure, mm."""

@@ -20,8 +20,8 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.page.told import braced, marked_up
 from graphic_tmm.readers.columns import Column, row_of
+from graphic_tmm.readers.rounding import Figures, told
 from graphic_tmm.readers.table import columns_of
-from graphic_tmm.readers.told import Figures, told
 
 OFF = 0.02
 """By so much of itself the quantity of a column may differ from its length times its μ: by rounding."""

@@ -22,7 +22,7 @@ from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.seen import Seen
 from graphic_tmm.paper.write.svg import clean, ids
 from graphic_tmm.readers.equations import called, polygon
-from graphic_tmm.readers.titles import Protocols, title_of
+from graphic_tmm.readers.protocol import Protocols, title_of
 
 EDGE = 6.0
 """White about a view, mm."""

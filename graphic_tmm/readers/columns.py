@@ -1,17 +1,26 @@
-"""Columns of figures read off the log: mm on the sheet, times μ, in SI; drawing by drawing."""
+"""Columns of figures read off the log: mm on the sheet, times μ, in SI; what they were called before."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import isnan
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Reals
+from graphic_tmm.board.values import Length, Reals
+from graphic_tmm.drawn import Drawn, Results
+from graphic_tmm.language.names import plain
+from graphic_tmm.language.units import unit_name
+from graphic_tmm.paper.drawing import Drawing, Stroke
+from graphic_tmm.project import Project
+from graphic_tmm.scene.chapter import MECHANISM, Answer
 
 Row = list[float | None]
 """The figures of one drawing along the positions; None where there is none."""
@@ -114,3 +123,115 @@ def ordinates(reading: Reading, mark: Mark, mu: Mark, count: int) -> tuple[Reals
     """Return an ordinate along the positions: mm, and what it stands for."""
     mm, value = (row_of(reading.figure(mark, by), range(count), count) for by in (None, mu))
     return mm, value
+
+
+def measured_columns(drawn: Drawn) -> tuple[Column, ...]:
+    """Return every length that is measured; one that is the same in all positions stands at the first."""
+    found = []
+    for step in drawn.construction.steps:
+        if step.it.kind is not Length or not step.op.reads:
+            continue
+        view = drawn.construction.view(step.it.view)
+        mu = view.scale if view is not None else None
+        mm = drawn.reading.figure(step.it)
+        count = mm.shape[1]
+        value = drawn.reading.figure(step.it, mu) if mu is not None else empty(count)
+        lengths, figures = (row_of(row, range(count), count) for row in (mm, value))
+        unit = mu.unit.removesuffix("/mm").strip("()") if mu is not None else ""
+        unit = "" if unit == "1" else unit_name(unit, drawn.scene.language)
+        at = tuple((name, None) for name in drawn.names[:count])
+        segment = segment_name(step.it.letter)
+        found.append(Column(step.it.view, segment, step.it.name, unit, lengths, figures, at))
+    return tuple(found)
+
+
+def own_columns(drawn: Drawn) -> Iterable[Column]:
+    """Return what was measured on a board of its own; nothing of the mechanism's, which chapters share."""
+    return measured_columns(drawn) if drawn.board != MECHANISM else ()
+
+
+@dataclass(frozen=True)
+class Tabled(Answer):
+    """What tables tell of a chapter.
+
+    ``columns``: along the positions, if they are not what was measured on a board of its own; ``results``: by
+    name; ``facts``: what is told besides, for machines.
+    """
+
+    stands: ClassVar[str] = "table.TABLE"
+    columns: Callable[[Drawn], Iterable[Column]] = own_columns
+    results: Callable[[Drawn], Results] = lambda drawn: {}
+    facts: Callable[[Drawn], Mapping[str, Any]] = lambda drawn: {}
+
+
+def _no_plan(
+    drawn: Drawn, plan: str, place: int, name: str, title: str, upon: Sequence[Stroke]
+) -> Drawing:
+    raise KeyError(plan)
+
+
+@dataclass(frozen=True)
+class Readings(Answer):
+    """What a chapter knows of readings.
+
+    ``pointed``: the plans of which readings may give points; ``plan_at``: such a plan in one position, lettered
+    clear of what is drawn upon it. ``named_marks``: marks by plan and the name that machines read.
+    ``vectors``: the columns of the vectors that are measured on its plans.
+    """
+
+    stands: ClassVar[str] = "views.READINGS"
+    pointed: tuple[str, ...] = ()
+    plan_at: Callable[[Drawn, str, int, str, str, Sequence[Stroke]], Drawing] = _no_plan
+    named_marks: Callable[[Project], Mapping[tuple[str, str], Mark]] = lambda project: {}
+    vectors: Callable[[Drawn], Iterable[Column]] = lambda drawn: ()
+
+
+class Former(NamedTuple):
+    """A kind of name that is printed no more.
+
+    ``until``: the first version that has another; ``then``: a pattern of the name; ``now``: what the segment
+    stands for, by the parts of the pattern: that letter has stayed.
+    """
+
+    until: str
+    plan: str
+    then: str
+    now: str
+
+
+_POINT = r"([^\W\d_]\d*′*)"
+FORMER = (
+    # nab, tba3, kaa3, raa3: an₂, n₃a₃, ak₂, k₂a₃ on the plan
+    Former("0.13.0", "accelerations", rf"([ntkr]){_POINT}{_POINT}", "a_{2}{1}^{0}"),
+    # na, ta, of a crank that speeds up: πn₁, n₁a
+    Former("0.13.0", "accelerations", rf"([nt]){_POINT}", "a_{1}^{0}"),
+    # noa, toa, of the same, with its pivot
+    Former("0.4.0", "accelerations", rf"([nt]){_POINT}{_POINT}", "a_{2}^{0}"),
+    # sB, a way that has no sign: |s_B|, apart from the way that a diagram lays off
+    Former("0.13.0", "positions", rf"s{_POINT}", "|s_{0}|"),
+)
+"""Every name given up, the newest first; what several rows fit is what the first says, if it is there."""
+_LEFT_OUT = str.maketrans("", "", "_{} ")
+
+
+def renamed(plan: str, typed: str, known: Mapping[str, Collection[str]]) -> str:
+    """Return the segment that a plan had under this name in an earlier version, "" if none or still.
+
+    ``known``: the segments that are there now, with what they stand for (and whatever else they are called).
+    """
+    bare = typed.translate(_LEFT_OUT)
+    for row in () if bare in known else FORMER:
+        found = re.fullmatch(row.then, bare) if row.plan == plan else None
+        if found is not None:
+            now = row.now.format(*found.groups()).casefold()
+            for segment, called in known.items():
+                if now in map(str.casefold, called):
+                    return segment
+    return ""
+
+
+def is_called(column: Column, name: str) -> bool:
+    """Whether a column has this name, or had it in an earlier version."""
+    return name == column.segment or bool(
+        renamed(column.plan, name, {column.segment: (plain(column.quantity),)})
+    )

@@ -1,24 +1,75 @@
-"""The protocol of a scene's plans in one position: what a student does, sentence by sentence, with numbers."""
+"""The protocol of a scene's plans in one position: what a student does, sentence by sentence; titles."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import ClassVar, NamedTuple
+
+import numpy as np
 
 from graphic_tmm.board.doubt import Doubts
-from graphic_tmm.board.execute import execute
+from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.fitting.choice import SCALES, Choices, choices
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.synthesis import Found, rocker
-from graphic_tmm.readers.covering import covering
+from graphic_tmm.project import Project
 from graphic_tmm.readers.narration import Line
 from graphic_tmm.readers.narration import protocol as narrate
-from graphic_tmm.readers.titles import Protocols, title_of
 from graphic_tmm.scene.captions import Named, captions, plans_named, view_name
-from graphic_tmm.scene.chapter import MECHANISM, chapters
+from graphic_tmm.scene.chapter import MECHANISM, Answer, Holder, chapters
 from graphic_tmm.scene.records import Scene
+
+
+@dataclass(frozen=True)
+class Protocols(Answer):
+    """What a chapter tells protocols.
+
+    ``views``: the views of the board that each of its plans is drawn in. ``equations``: a view -> lines that
+    stand before its protocol. ``titles``: a view -> what it is called in the protocol of what was made, where
+    that tells more.
+    """
+
+    stands: ClassVar[str] = "table.PROTOCOL"
+    views: Callable[[Project], Mapping[str, Iterable[str]]] = lambda project: {}
+    equations: Callable[[Drawn, str, str], Iterable[str]] = lambda drawn, view, language: ()
+    titles: Callable[[Holder, str, str], str] = lambda holder, view, language: ""
+
+
+def title_of(project: Project, view: str, language: str) -> str:
+    """Return what a view is called, as plain text; a chapter may tell more of it by what was made."""
+    titles = (Protocols.of(one).titles(project, view, language) for one in project.chapters)
+    return next((title for title in titles if title), "") or view_name(view, language)
+
+
+MOST = 0.8
+"""Positions with so large a share of the values that the best one has are as good. Chosen by eye."""
+
+
+def covering(reading: Reading, marks: Sequence[Mark], first: Sequence[int]) -> list[int]:
+    """Return positions (indices) so that each mark has a value in one of them: ``first``, then few more.
+
+    A position is taken in the middle of the longest stretch on which the same has a value, and most of it.
+    """
+    rows = [undefined(reading[mark])[0] for mark in marks if mark.kind is not Curve]
+    there = np.array([~row for row in rows if row.size == reading.positions])
+    places, left = list(first), np.ones(len(there), dtype=bool)
+    while True:
+        for place in places:
+            left &= ~there[:, place] if there.size else left
+        counts = there[left].sum(axis=0) if there.size else np.zeros(1)
+        if not counts.any():
+            return places or [0]
+        changes = np.flatnonzero((there[left][:, 1:] != there[left][:, :-1]).any(axis=0)) + 1
+        stretches = np.split(np.arange(counts.size), changes)
+        whole = [s for s in stretches if counts[s[0]] >= MOST * counts.max()]
+        longest = max(whole, key=len)
+        places.append(int(longest[longest.size // 2]))
+
 
 SYNTHESIS = "synthesis"
 """The plan by which the lengths of a mechanism are found from a task."""

@@ -23,7 +23,7 @@ from graphic_tmm.readers.columns import (
     Column,
     known_at,
 )
-from graphic_tmm.readers.told import told
+from graphic_tmm.readers.rounding import told
 from graphic_tmm.scene.captions import captions
 
 SIZE = 3.5

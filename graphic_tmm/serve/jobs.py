@@ -20,7 +20,7 @@ from graphic_tmm.language.reader import reader, reading
 from graphic_tmm.page.page import page
 from graphic_tmm.paper.lettering.letters import missing
 from graphic_tmm.paper.write.svg import svg
-from graphic_tmm.readers.warnings import all_warnings
+from graphic_tmm.readers.findings import all_warnings
 from graphic_tmm.scene.read import judged
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.spoken import spoken

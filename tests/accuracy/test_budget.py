@@ -13,7 +13,7 @@ from graphic_tmm.accuracy.measure import Measure
 from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.settings import Setting, named
 from graphic_tmm.errors import SceneError
-from graphic_tmm.readers.finer import whole
+from graphic_tmm.readers.position_count import whole
 from graphic_tmm.scene.build import DIVISIONS
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene

@@ -20,7 +20,7 @@ from graphic_tmm.accuracy.study import study
 from graphic_tmm.board.execute import Program, Reading, execute
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.mechanism.records import Extreme
-from graphic_tmm.readers.finer import at_count
+from graphic_tmm.readers.position_count import at_count
 from graphic_tmm.scene.read import read
 
 

@@ -12,7 +12,7 @@ from support.tasks import by, drawing, measure, quantity, scales, scene
 from graphic_tmm.accuracy.quantities import quantities
 from graphic_tmm.accuracy.references import References
 from graphic_tmm.board.execute import execute
-from graphic_tmm.readers.finer import at_count
+from graphic_tmm.readers.position_count import at_count
 from graphic_tmm.readers.table import scene_columns, scene_results
 
 

@@ -20,7 +20,7 @@ from graphic_tmm.fitting.search import Search
 from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.fitting.tried import Mechanism
 from graphic_tmm.mechanism.records import Row
-from graphic_tmm.readers.warnings import warnings
+from graphic_tmm.readers.findings import warnings
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import make, sheets

@@ -15,8 +15,8 @@ from graphic_tmm.handout.ink import HEIGHTS
 from graphic_tmm.handout.series import Series
 from graphic_tmm.handout.story import places_of
 from graphic_tmm.paper.drawing import Ink, Stroke
-from graphic_tmm.readers.covering import covering
 from graphic_tmm.readers.narration import protocol
+from graphic_tmm.readers.protocol import covering
 from graphic_tmm.scene.chapter import MECHANISM
 
 SCENES = [name for name in ALL if name != "lettering"]

@@ -11,8 +11,8 @@ from graphic_tmm.language.numbers import fixed
 from graphic_tmm.page.crank import crank
 from graphic_tmm.page.pack import unpacked
 from graphic_tmm.page.strands import unfolded
+from graphic_tmm.readers.rounding import told
 from graphic_tmm.readers.table import columns_of
-from graphic_tmm.readers.told import told
 
 NAME = "crank-rocker"
 

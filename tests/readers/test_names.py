@@ -30,11 +30,11 @@ from graphic_tmm.language.names import plain, spoken
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.paper.lettering.markup import plain as lettered
-from graphic_tmm.readers.given import given_rows
 from graphic_tmm.readers.narration import Line, protocol
 from graphic_tmm.readers.protocol import protocol as told
 from graphic_tmm.readers.protocol import steps_of
 from graphic_tmm.readers.table import scene_columns, table
+from graphic_tmm.readers.task_sheet import given_rows
 from graphic_tmm.readers.text import column_name
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.read import read

@@ -19,7 +19,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.language.numbers import percent_decimals
 from graphic_tmm.readers.columns import Column
-from graphic_tmm.readers.told import told
+from graphic_tmm.readers.rounding import told
 from graphic_tmm.scene.read import read
 
 PUMP = slider_crank(

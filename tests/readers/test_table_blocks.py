@@ -25,9 +25,8 @@ from graphic_tmm.checking.readings.decoding import text_of
 from graphic_tmm.readers.columns import (
     Column,
 )
-from graphic_tmm.readers.framed import Framed
 from graphic_tmm.readers.table import scene_columns, table
-from graphic_tmm.readers.text import text_tables
+from graphic_tmm.readers.text import Framed, text_tables
 from graphic_tmm.readers.writing import as_csv, decimals_of
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make

@@ -22,10 +22,10 @@ from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.note.document import Document, Number, Source
 from graphic_tmm.note.formats import files
 from graphic_tmm.note.note import note, wanted
-from graphic_tmm.readers.finer import Finer, finer
-from graphic_tmm.readers.given import given_rows
+from graphic_tmm.readers.position_count import Finer, finer
 from graphic_tmm.readers.protocol import SYNTHESIS, synthesis
 from graphic_tmm.readers.table import columns_of, results_of
+from graphic_tmm.readers.task_sheet import given_rows
 from graphic_tmm.scene.author import Author
 from graphic_tmm.studio import make
 from support.gallery import scene

@@ -12,7 +12,7 @@ from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.settings import Setting, named
 from graphic_tmm.accuracy.study import Study, study
 from graphic_tmm.project import Project
-from graphic_tmm.readers.finer import whole
+from graphic_tmm.readers.position_count import whole
 from graphic_tmm.scene.records import Scene
 from support import gallery
 from support.gallery import exact

@@ -11,8 +11,7 @@ from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, marks
 from graphic_tmm.chapters.arc_cam.record import BESIDE
 from graphic_tmm.chapters.arc_cam.task import ARC_CAM, ROCKER
 from graphic_tmm.drawn import Drawn, Results
-from graphic_tmm.readers.columns import Column, empty, row_of
-from graphic_tmm.readers.measured import Tabled
+from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 
 PLAN = ARC_CAM
 

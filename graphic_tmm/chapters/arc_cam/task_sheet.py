@@ -8,8 +8,7 @@ from graphic_tmm.chapters.arc_cam.scheme import scheme
 from graphic_tmm.chapters.arc_cam.task import ASKED, FLAT, ROCKER, ArcTask, Flank
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.readers.given import given_speed
-from graphic_tmm.readers.task_sheet import SIZE, Given, TaskSheet
+from graphic_tmm.readers.task_sheet import SIZE, Given, TaskSheet, given_speed
 from graphic_tmm.scene.records import Scene
 
 

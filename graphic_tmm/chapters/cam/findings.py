@@ -19,7 +19,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note.bricks import filled, result_number
 from graphic_tmm.note.document import Runs
-from graphic_tmm.readers.warnings import Warned
+from graphic_tmm.readers.findings import Warned
 
 PROTRACTOR = 0.05
 """Degrees: 0.1 mm on a ray of 100 mm. A pressure angle that is over by less cannot be told from the limit."""

@@ -32,7 +32,7 @@ from graphic_tmm.note.page import Page
 from graphic_tmm.note.plans import listed
 from graphic_tmm.note.protocol import Known
 from graphic_tmm.note.steps import Told, calculated
-from graphic_tmm.readers.told import told as as_told
+from graphic_tmm.readers.rounding import told as as_told
 
 LAW, CENTRES = said("Diagrams of the motion"), said("Least radius, region of centres")
 LIMITS, PROFILE = said("Pressure angle and curvature"), said("Profile by reversed motion")

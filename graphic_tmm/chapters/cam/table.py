@@ -12,8 +12,7 @@ from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
 from graphic_tmm.chapters.cam.record import BESIDE
 from graphic_tmm.chapters.cam.task import CAM, RockerFollower
 from graphic_tmm.drawn import Drawn, Results, results_of
-from graphic_tmm.readers.columns import Column, empty, row_of
-from graphic_tmm.readers.measured import Tabled
+from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 
 PLAN = CAM
 

@@ -21,8 +21,15 @@ from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.lettering.heights import HEIGHTS
 from graphic_tmm.paper.symbols.dimensions import ARROW, Dimension, dimension
 from graphic_tmm.paper.symbols.kinematic import arrowhead
-from graphic_tmm.readers.given import figure, given_speed
-from graphic_tmm.readers.task_sheet import SIZE, Given, Listed, Scheme, TaskSheet
+from graphic_tmm.readers.task_sheet import (
+    SIZE,
+    Given,
+    Listed,
+    Scheme,
+    TaskSheet,
+    figure,
+    given_speed,
+)
 from graphic_tmm.scene.records import Scene
 
 

@@ -30,8 +30,8 @@ from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Level, Names, Span, draw_graph
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import captioned, mu_text, pole_figures, stacked
-from graphic_tmm.readers.given import given_views
 from graphic_tmm.readers.result_table import result_table, results
+from graphic_tmm.readers.task_sheet import given_views
 from graphic_tmm.scene.captions import captions
 
 LIMITED = ("cam pressure",)

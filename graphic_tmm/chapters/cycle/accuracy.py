@@ -18,7 +18,7 @@ from graphic_tmm.chapters.flywheel.task import VIEWS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.readers.finer import FinerRow
+from graphic_tmm.readers.position_count import FinerRow
 from graphic_tmm.scene.records import Scene
 
 PARTS_OF_TRUTH = 48

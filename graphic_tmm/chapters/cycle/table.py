@@ -12,9 +12,8 @@ from graphic_tmm.chapters.flywheel.task import VIEWS
 from graphic_tmm.chapters.flywheel.words import graph_title
 from graphic_tmm.drawn import Drawn, Results
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.readers.columns import Column
-from graphic_tmm.readers.measured import Tabled
-from graphic_tmm.readers.titles import Protocols
+from graphic_tmm.readers.columns import Column, Tabled
+from graphic_tmm.readers.protocol import Protocols
 from graphic_tmm.scene.chapter import Holder
 
 

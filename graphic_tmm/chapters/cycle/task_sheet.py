@@ -9,8 +9,7 @@ from graphic_tmm.chapters.flywheel.task_sheet import given_of, of_order
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
-from graphic_tmm.readers.given import figure, given_speed
-from graphic_tmm.readers.task_sheet import Given, Listed, TaskSheet
+from graphic_tmm.readers.task_sheet import Given, Listed, TaskSheet, figure, given_speed
 from graphic_tmm.scene.records import Scene
 
 

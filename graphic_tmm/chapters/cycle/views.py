@@ -14,8 +14,8 @@ from graphic_tmm.fitting.views import Views
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import stacked
-from graphic_tmm.readers.given import given_views
 from graphic_tmm.readers.result_table import result_table
+from graphic_tmm.readers.task_sheet import given_views
 
 
 def cycle_views(drawn: Drawn, lettered: bool) -> list[Drawing]:

@@ -34,7 +34,7 @@ from graphic_tmm.note.document import (
 from graphic_tmm.note.figures import is_figure, picture, readable
 from graphic_tmm.note.page import Page
 from graphic_tmm.note.steps import Told
-from graphic_tmm.readers.told import told as as_told
+from graphic_tmm.readers.rounding import told as as_told
 from graphic_tmm.scene.captions import captions
 
 

@@ -13,9 +13,8 @@ from graphic_tmm.chapters.diagrams.words import called
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.project import Project
-from graphic_tmm.readers.columns import Column, empty, ordinates, row_of
-from graphic_tmm.readers.measured import Tabled
-from graphic_tmm.readers.titles import Protocols
+from graphic_tmm.readers.columns import Column, Tabled, empty, ordinates, row_of
+from graphic_tmm.readers.protocol import Protocols
 from graphic_tmm.scene.chapter import Holder
 
 PLAN = DIAGRAMS

@@ -20,9 +20,8 @@ from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN
 from graphic_tmm.chapters.indicator.task import CALCULATED as STROKE
 from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.project import Project
-from graphic_tmm.readers.columns import Column, empty, ordinates, row_of
-from graphic_tmm.readers.measured import Tabled
-from graphic_tmm.readers.titles import Protocols
+from graphic_tmm.readers.columns import Column, Tabled, empty, ordinates, row_of
+from graphic_tmm.readers.protocol import Protocols
 
 PLAN = ENGINE
 PRESSURES = ("pk", "pv")

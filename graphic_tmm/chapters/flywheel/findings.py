@@ -8,7 +8,7 @@ from graphic_tmm.chapters.flywheel.table import rim_too_wide
 from graphic_tmm.chapters.kinematics.findings import assumed
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.names import plain
-from graphic_tmm.readers.warnings import Warned
+from graphic_tmm.readers.findings import Warned
 
 
 def _warnings(drawn: Drawn, language: str) -> Iterator[str]:

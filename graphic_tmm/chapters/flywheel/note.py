@@ -22,7 +22,7 @@ from graphic_tmm.note.document import Block, Picture, Run, Runs, Symbol, Text, l
 from graphic_tmm.note.figures import in_hand, is_figure, picture
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.readers.columns import Column
-from graphic_tmm.readers.divided import told_off
+from graphic_tmm.readers.position_count import told_off
 from graphic_tmm.scene.chapter import chapters
 
 BOTH = said(

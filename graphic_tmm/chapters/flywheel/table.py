@@ -18,9 +18,8 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.readers.columns import Column, ordinates
-from graphic_tmm.readers.measured import Tabled
-from graphic_tmm.readers.titles import Protocols
+from graphic_tmm.readers.columns import Column, Tabled, ordinates
+from graphic_tmm.readers.protocol import Protocols
 from graphic_tmm.scene.chapter import Holder
 
 PLAN = FLYWHEEL

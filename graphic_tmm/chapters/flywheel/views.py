@@ -40,7 +40,7 @@ from graphic_tmm.paper.lettering.letters import (
     escape,
 )
 from graphic_tmm.paper.views import captioned, mu_text, pole_figures, stacked
-from graphic_tmm.readers.divided import told_off
+from graphic_tmm.readers.position_count import told_off
 from graphic_tmm.readers.result_table import result_table, results
 from graphic_tmm.scene.captions import captions
 

@@ -15,7 +15,7 @@ from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.kinematics.findings import assumed
 from graphic_tmm.drawn import Drawn, Findings
 from graphic_tmm.project import Project
-from graphic_tmm.readers.warnings import Warned
+from graphic_tmm.readers.findings import Warned
 
 
 def balanced(project: Project, doubts: Doubts) -> dict[int, np.ndarray]:

@@ -18,9 +18,8 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.names import plain
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.project import Project
-from graphic_tmm.readers.columns import Column, empty, row_of
-from graphic_tmm.readers.measured import Tabled
-from graphic_tmm.readers.titles import Protocols
+from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
+from graphic_tmm.readers.protocol import Protocols
 
 PLAN = FORCES
 

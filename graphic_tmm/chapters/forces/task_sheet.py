@@ -24,8 +24,7 @@ from graphic_tmm.paper.drawing import Wanted
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.paper.symbols.arrows import arrow
 from graphic_tmm.paper.symbols.kinematic import round_arrow
-from graphic_tmm.readers.given import figure
-from graphic_tmm.readers.task_sheet import Acting, Listed, Posed, TaskSheet
+from graphic_tmm.readers.task_sheet import Acting, Listed, Posed, TaskSheet, figure
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
 

@@ -13,7 +13,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note.bricks import filled, result_number
 from graphic_tmm.note.document import Runs
-from graphic_tmm.readers.warnings import Warned
+from graphic_tmm.readers.findings import Warned
 
 ALL = said(
     "All conditions of the meshing hold: no tooth is pointed ({first} and {second} at the tips) or undercut, "

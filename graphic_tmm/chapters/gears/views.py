@@ -21,7 +21,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.lettering.heights import Heights, heights
 from graphic_tmm.paper.views import captioned, mu_text
-from graphic_tmm.readers.given import given_views
+from graphic_tmm.readers.task_sheet import given_views
 from graphic_tmm.scene.captions import captions
 
 CHECKS = Tongues(

@@ -39,8 +39,8 @@ from graphic_tmm.note.steps import calculated, reason_runs
 from graphic_tmm.note.widths import broken
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.rounding import decimals
 from graphic_tmm.readers.text import column_name
-from graphic_tmm.readers.told import decimals
 from graphic_tmm.scene.captions import captions
 
 

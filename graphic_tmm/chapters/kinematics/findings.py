@@ -14,7 +14,7 @@ from graphic_tmm.chapters.kinematics.views import warned
 from graphic_tmm.drawn import Drawn, Findings
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
-from graphic_tmm.readers.warnings import Warned
+from graphic_tmm.readers.findings import Warned
 
 
 def assumed(drawn: Drawn) -> Iterator[str]:

@@ -11,9 +11,8 @@ from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.guides import turn
 from graphic_tmm.mechanism.records import Extreme, Guide, Link, Mechanism
 from graphic_tmm.mechanism.structure import dissect
-from graphic_tmm.readers.given import given_speed
 from graphic_tmm.readers.narration import remark
-from graphic_tmm.readers.task_sheet import SIZE, Given
+from graphic_tmm.readers.task_sheet import SIZE, Given, given_speed
 from graphic_tmm.scene.records import Scene
 
 

@@ -17,7 +17,7 @@ from graphic_tmm.note.protocol import Known
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.views import captioned, mu_text
-from graphic_tmm.readers.titles import title_of
+from graphic_tmm.readers.protocol import title_of
 from graphic_tmm.scene.captions import captions
 
 

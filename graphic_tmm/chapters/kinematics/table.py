@@ -19,10 +19,9 @@ from graphic_tmm.chapters.kinematics.task import (
 )
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
-from graphic_tmm.readers.columns import Column, empty, row_of
+from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 from graphic_tmm.readers.equations import components, quantity
-from graphic_tmm.readers.measured import Tabled
-from graphic_tmm.readers.titles import Protocols
+from graphic_tmm.readers.protocol import Protocols
 
 UNITS = {POSITIONS: "m", VELOCITIES: "m/s", ACCELERATIONS: "m/s²"}
 """Of what the segments of a plan stand for."""

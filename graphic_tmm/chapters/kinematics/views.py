@@ -29,10 +29,10 @@ from graphic_tmm.paper.finish import TOGETHER, finished
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.views import captioned, in_rows, mu_text, noted, width_of
+from graphic_tmm.readers.columns import Readings
 from graphic_tmm.readers.equations import equations
-from graphic_tmm.readers.given import given_table
-from graphic_tmm.readers.readings import Readings
 from graphic_tmm.readers.result_table import result_table
+from graphic_tmm.readers.task_sheet import given_table
 from graphic_tmm.scene.captions import captions
 
 EQUATIONS = {

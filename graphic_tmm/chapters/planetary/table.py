@@ -32,9 +32,8 @@ from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.ruled import PADDING, table
 from graphic_tmm.paper.views import wrapped
-from graphic_tmm.readers.columns import Column, listed
-from graphic_tmm.readers.measured import Tabled, measured_columns
-from graphic_tmm.readers.told import told
+from graphic_tmm.readers.columns import Column, Tabled, listed, measured_columns
+from graphic_tmm.readers.rounding import told
 from graphic_tmm.scene.captions import captions
 
 SEVERAL = said(

@@ -14,8 +14,7 @@ from graphic_tmm.paper.figure import added
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.lettering.heights import HEIGHTS
 from graphic_tmm.paper.packing import bounds
-from graphic_tmm.readers.given import given_speed
-from graphic_tmm.readers.task_sheet import SIZE, Given, TaskSheet
+from graphic_tmm.readers.task_sheet import SIZE, Given, TaskSheet, given_speed
 from graphic_tmm.readers.task_sheet import Scheme as Shown
 from graphic_tmm.scene.records import Scene
 

@@ -20,7 +20,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import mu_text
-from graphic_tmm.readers.given import given_views
+from graphic_tmm.readers.task_sheet import given_views
 from graphic_tmm.scene.captions import captions
 
 

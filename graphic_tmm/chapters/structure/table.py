@@ -14,8 +14,8 @@ from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.lettering.letters import escape
-from graphic_tmm.readers.measured import Tabled
-from graphic_tmm.readers.titles import Protocols
+from graphic_tmm.readers.columns import Tabled
+from graphic_tmm.readers.protocol import Protocols
 from graphic_tmm.scene.captions import captions
 
 LINK_NAMES = Tongues(

@@ -19,7 +19,7 @@ from graphic_tmm.checking.judging.reader import Reader
 from graphic_tmm.checking.readings.units import half_of, taken_figure
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.readings import Readings
+from graphic_tmm.readers.columns import Readings
 
 
 def steps_of(work: Drawn | None) -> dict[tuple[str, str], Step]:

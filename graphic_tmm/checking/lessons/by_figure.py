@@ -20,7 +20,7 @@ from graphic_tmm.checking.lessons.steps import Steps, Told
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.units import unit_name
-from graphic_tmm.readers.titles import Protocols
+from graphic_tmm.readers.protocol import Protocols
 
 SAME = 1e-9
 """Figures that differ by less than this share are one: what two ways of calculating leave is some 1e-12."""

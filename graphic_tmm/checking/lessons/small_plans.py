@@ -15,7 +15,7 @@ from graphic_tmm.checking.lessons.steps import Told
 from graphic_tmm.checking.records import Judged, Picture
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.readers.readings import Readings
+from graphic_tmm.readers.columns import Readings
 
 NOTHING = 1e-9
 """A vector shorter than so many mm has no direction."""

@@ -21,8 +21,7 @@ from graphic_tmm.paper.lettering.heights import Heights
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.ruled import table
-from graphic_tmm.readers.given import given_table
-from graphic_tmm.readers.task_sheet import Given, Listed, Scheme, TaskSheet
+from graphic_tmm.readers.task_sheet import Given, Listed, Scheme, TaskSheet, given_table
 from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.records import Scene
 

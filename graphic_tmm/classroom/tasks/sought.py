@@ -16,9 +16,8 @@ import numpy as np
 from graphic_tmm.errors import TmmError
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import small
-from graphic_tmm.readers.given import given_rows, sought
 from graphic_tmm.readers.protocol import synthesis
-from graphic_tmm.readers.task_sheet import Given
+from graphic_tmm.readers.task_sheet import Given, given_rows, sought
 from graphic_tmm.scene.chapter import MECHANISM
 from graphic_tmm.scene.read import judged
 from graphic_tmm.scene.records import Scene

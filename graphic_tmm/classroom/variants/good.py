@@ -23,10 +23,8 @@ from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.fit import sheets_taken
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project, own_boards
-from graphic_tmm.readers.columns import Column
-from graphic_tmm.readers.former import is_called
-from graphic_tmm.readers.readings import Readings
-from graphic_tmm.readers.warnings import SILENT
+from graphic_tmm.readers.columns import Column, Readings, is_called
+from graphic_tmm.readers.findings import SILENT
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import draws_mechanism, make
 

@@ -32,7 +32,7 @@ def tell(text: str) -> None:
 
 def warn(made: DrawnScene, *, sheets: bool = False) -> None:
     """Tell what of a scene comes to nothing or could not be drawn; ``sheets``: and what no sheet shows."""
-    from graphic_tmm.readers.warnings import all_warnings
+    from graphic_tmm.readers.findings import all_warnings
 
     for text in all_warnings(made, reader().language, sheets=sheets):
         tell(said("{source}: warning: {text}", source=made.scene.source, text=text))
@@ -84,7 +84,7 @@ def rendered(text: str | list[Any], width: int, *, printed: bool = True) -> str:
     from rich.measure import Measurement
     from rich.table import Table
 
-    from graphic_tmm.readers.framed import Framed
+    from graphic_tmm.readers.text import Framed
 
     console = Console(width=None if terminal else width, file=None if printed else StringIO())
     with console.capture() as written:  # rich has an end of its own for a reader who is gone
@@ -99,7 +99,7 @@ def rendered(text: str | list[Any], width: int, *, printed: bool = True) -> str:
 
 def _without_rich(tables: list[Any], width: int, *, printed: bool) -> str | None:
     """Return tables as text where nothing is bold, italic or coloured; None where that is for rich to print."""
-    from graphic_tmm.readers.framed import Framed
+    from graphic_tmm.readers.text import Framed
 
     told = sys.stdout.encoding or ""
     rich = sys.stdout.isatty() or not told.lower().startswith("utf") or any(map(os.getenv, _FORCED))

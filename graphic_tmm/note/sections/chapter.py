@@ -12,8 +12,8 @@ from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, paragraph
 from graphic_tmm.note.plans import section, shown_and_listed
 from graphic_tmm.note.protocol import Known
-from graphic_tmm.readers.measured import Tabled
-from graphic_tmm.readers.titles import Protocols
+from graphic_tmm.readers.columns import Tabled
+from graphic_tmm.readers.protocol import Protocols
 from graphic_tmm.scene.captions import Named, captions
 from graphic_tmm.scene.chapter import Chapter, chapters
 from graphic_tmm.scene.records import Scene

@@ -25,8 +25,8 @@ from graphic_tmm.note.document import (
     text,
 )
 from graphic_tmm.readers.exactness import deviations
+from graphic_tmm.readers.findings import warnings
 from graphic_tmm.readers.text import result_name
-from graphic_tmm.readers.warnings import warnings
 from graphic_tmm.scene.captions import captions
 
 CONCLUSIONS = said("Conclusions")

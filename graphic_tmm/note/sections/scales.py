@@ -31,7 +31,7 @@ from graphic_tmm.note.document import (
     text,
 )
 from graphic_tmm.note.steps import Told, calculated, reason_runs
-from graphic_tmm.readers.titles import title_of
+from graphic_tmm.readers.protocol import title_of
 from graphic_tmm.scene.captions import captions, view_name
 
 PLAN, FOUND, TAKEN = said("Drawing"), said("Calculation"), said("Scale factor")

@@ -28,9 +28,8 @@ from graphic_tmm.note.document import (
 )
 from graphic_tmm.note.figures import in_hand, picture
 from graphic_tmm.paper.lettering.indices import markup
-from graphic_tmm.readers.given import figure, given_rows, sought
-from graphic_tmm.readers.readings import Readings
-from graphic_tmm.readers.task_sheet import TaskSheet
+from graphic_tmm.readers.columns import Readings
+from graphic_tmm.readers.task_sheet import TaskSheet, figure, given_rows, sought
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.chapter import MECHANISM
 

@@ -38,8 +38,8 @@ from graphic_tmm.page.tools import named as instruments
 from graphic_tmm.page.tools import symbol_of
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.write.svg import ids
+from graphic_tmm.readers.protocol import title_of
 from graphic_tmm.readers.sentences import grounds, letters_of, phrase
-from graphic_tmm.readers.titles import title_of
 
 GOAL = said("To be drawn: {title}, position {position}.")
 SOUGHT = {

@@ -21,8 +21,8 @@ from graphic_tmm.fitting.choice import choices
 from graphic_tmm.note.document import Number as Figure
 from graphic_tmm.note.document import Runs, Text
 from graphic_tmm.project import record
-from graphic_tmm.readers.given import given_rows
 from graphic_tmm.readers.table import columns_of
+from graphic_tmm.readers.task_sheet import given_rows
 from graphic_tmm.scene.read import read
 
 ROCKER = 'stroke = "20 deg"\nfollower = "rocker"\nlever = "0.1 m"\ncentres = "0.13 m"\n'

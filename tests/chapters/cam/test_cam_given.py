@@ -8,7 +8,7 @@ import pytest
 from support.gallery import paper, scene
 from support.scenes import written
 
-from graphic_tmm.readers.given import given_rows, given_table
+from graphic_tmm.readers.task_sheet import given_rows, given_table
 from graphic_tmm.scene.read import read
 
 HEAD = 'title = "T"\n[cam]\nrise = 100\nupper_dwell = 20\nfall = 90\n'

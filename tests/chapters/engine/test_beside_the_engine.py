@@ -21,8 +21,8 @@ from graphic_tmm.chapters.engine.task import CALCULATED, MASSES, TRANSFER, WORKS
 from graphic_tmm.chapters.indicator.record import BESIDE as STROKE
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.note.document import Number
-from graphic_tmm.readers.given import given_rows
 from graphic_tmm.readers.protocol import protocol
+from graphic_tmm.readers.task_sheet import given_rows
 from graphic_tmm.scene.read import read
 
 LAMBDA, R = 0.182, 0.115

@@ -17,10 +17,10 @@ from graphic_tmm.chapters.flywheel.views import flywheel_views
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.note.document import Paragraph, walk
 from graphic_tmm.note.note import note
-from graphic_tmm.readers import finer as finer_rows
-from graphic_tmm.readers.finer import FINE, SHARE, USUAL, Finer, finer
+from graphic_tmm.readers import position_count as finer_rows
+from graphic_tmm.readers.findings import warnings
+from graphic_tmm.readers.position_count import FINE, SHARE, USUAL, Finer, finer
 from graphic_tmm.readers.table import table
-from graphic_tmm.readers.warnings import warnings
 from graphic_tmm.scene.read import read
 
 CRANK, ROD, FORCE, MASS, DELTA, OMEGA = 0.08, 0.26, 1500.0, 12.0, 0.05, 20.0

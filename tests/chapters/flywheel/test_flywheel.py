@@ -21,7 +21,7 @@ from graphic_tmm.chapters.indicator.task import Gas
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Mechanism
-from graphic_tmm.readers.warnings import warnings
+from graphic_tmm.readers.findings import warnings
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
 

@@ -11,9 +11,9 @@ from support.boards import drawn_of
 from support.gallery import SHEETS, drawn, exact, made
 
 from graphic_tmm.chapters.flywheel.task import FlywheelTask
+from graphic_tmm.readers.findings import warnings
 from graphic_tmm.readers.protocol import protocol
 from graphic_tmm.readers.table import results_of, table
-from graphic_tmm.readers.warnings import warnings
 from graphic_tmm.scene.read import read
 
 

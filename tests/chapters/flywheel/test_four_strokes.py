@@ -24,8 +24,8 @@ from graphic_tmm.chapters.kinematics.table import plan_columns
 from graphic_tmm.chapters.kinematics.views import position_views, velocity_views
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.errors import SceneError
-from graphic_tmm.readers.given import given_rows
 from graphic_tmm.readers.protocol import protocol
+from graphic_tmm.readers.task_sheet import given_rows
 from graphic_tmm.scene.read import read
 
 R, L, S, CLEARANCE, BORE = 0.06, 0.24, 0.08, 0.15, 0.11

@@ -8,8 +8,7 @@ import pytest
 from support.gallery import scene
 from support.scenes import calling
 
-from graphic_tmm.readers.given import given_rows, given_table
-from graphic_tmm.readers.task_sheet import Given
+from graphic_tmm.readers.task_sheet import Given, given_rows, given_table
 from graphic_tmm.scene.read import read
 
 

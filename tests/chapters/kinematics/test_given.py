@@ -11,8 +11,7 @@ from support.gallery import NAMES, SHEETS, paper, scene
 from support.mechanisms import sample
 from support.rewritten import relettered, text_of
 
-from graphic_tmm.readers.given import given_rows, given_table
-from graphic_tmm.readers.task_sheet import Given
+from graphic_tmm.readers.task_sheet import Given, given_rows, given_table
 from graphic_tmm.scene.read import read
 
 TAIL = '[[sheet]]\nformat = "A1"\nplace = ["positions"]\n'

@@ -20,8 +20,8 @@ from graphic_tmm.page.dense import Dense, dense
 from graphic_tmm.page.moving import MovingFigures
 from graphic_tmm.page.page import page
 from graphic_tmm.page.strands import Line, strands
+from graphic_tmm.readers.rounding import told
 from graphic_tmm.readers.table import columns_of
-from graphic_tmm.readers.told import told
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import sheets
 

@@ -22,8 +22,8 @@ from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.result_table import result_table
+from graphic_tmm.readers.rounding import told
 from graphic_tmm.readers.table import columns_of
-from graphic_tmm.readers.told import told
 from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.read import read
 

@@ -13,8 +13,13 @@ from graphic_tmm import studio
 from graphic_tmm.board import hand as hands
 from graphic_tmm.drawn import hand_of
 from graphic_tmm.readers.columns import Column
-from graphic_tmm.readers.table import scene_columns, scene_results
-from graphic_tmm.readers.trials import joined_columns, joined_results, trial_figures
+from graphic_tmm.readers.table import (
+    joined_columns,
+    joined_results,
+    scene_columns,
+    scene_results,
+    trial_figures,
+)
 
 
 def test_blocks_of_drawings_are_one_row_of_trials() -> None:

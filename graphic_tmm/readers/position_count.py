@@ -1,10 +1,4 @@
-"""What the number of positions costs: results that curves give, held against the same at a finer row.
-
-A curve through a few points may not rise above them where what it stands for does. The same chapters, recorded
-once more at a row of `FINE` positions or a few more and drawn by the exact hand, tell how far a result is off
-for that reason alone. What a scene gives at its positions only has no truth between them but the curve that is
-drawn: nothing is compared then.
-"""
+"""What the number of positions costs: results held against the same at a finer row, in figures and in words."""
 
 from __future__ import annotations
 
@@ -19,8 +13,13 @@ from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Mark
 from graphic_tmm.drawn import Drawn, Numbers, single
 from graphic_tmm.errors import TmmError
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import number
+from graphic_tmm.language.said import said
+from graphic_tmm.language.units import unit
 from graphic_tmm.project import Project, record
-from graphic_tmm.readers.measured import Tabled
+from graphic_tmm.readers.columns import Tabled
+from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.chapter import MECHANISM, Answer, Chapter, chapters
 from graphic_tmm.scene.records import Scene
 
@@ -192,3 +191,75 @@ def _results(project: Project, given: Mapping[Mark, object]) -> Figures:
         there = single(Tabled.of(chapter).results(exact))
         found |= {name: there[name] for name in FinerRow.of(chapter).by_positions if name in there}
     return found
+
+
+ALIKE = 0.001
+"""Results that are off by the same share, but for so much, are off for the same reason: the first is told."""
+_SIDES = {
+    -1: said("this is on the dangerous side"),
+    1: said("this is on the safe side"),
+}
+_SAMPLED = said(
+    "What acts is given at the positions only. Between them the curve that is drawn through them is all that "
+    "is known, so more positions would tell nothing more."
+)
+
+
+def told_off(drawn: Drawn, language: str) -> tuple[str, ...]:
+    """Return, as lettered, a line each, which results are far off for want of positions; none if none is."""
+    found = finer(drawn)
+    return tuple(_lines(drawn, found, language)) if found is not None and found.far else ()
+
+
+def is_sampled(language: str) -> str:
+    """Return that nothing is known between the positions."""
+    return speaking(language)(_SAMPLED)
+
+
+def _lines(drawn: Drawn, found: Finer, language: str) -> Iterator[str]:
+    _, words, first = speaking(language), captions(language), found.far[0]
+    figures = ", ".join(_figure(name, found, language) for name in _apart(found))
+    first_line = _("with {own} positions: {figures}", own=found.own, figures=figures)
+    yield first_line[:1].upper() + first_line[1:]
+    due, of = found.due[first]
+    yield _(
+        "with {count} positions {name} = {due} {unit}",
+        count=found.fine,
+        name=words[first],
+        due=number(due, language),
+        unit=unit(of, language),
+    )
+    if side := _side(drawn, first, found.off[first]):
+        yield _(_SIDES[side])
+    share = number(100 * SHARE, language)
+    if found.enough is None:
+        yield _("no usual number of positions keeps within {share} %", share=share)
+    else:
+        yield _("within {share} % with {enough} positions", share=share, enough=found.enough)
+
+
+def _apart(found: Finer) -> list[str]:
+    """Return the results that are far off, of those that are alike the first."""
+    kept: list[str] = []
+    for name in found.far:
+        if all(abs(found.off[name] - found.off[other]) > ALIKE for other in kept):
+            kept.append(name)
+    return kept
+
+
+def _figure(name: str, found: Finer, language: str) -> str:
+    share, _ = found.off[name], speaking(language)
+    put = {
+        "name": captions(language)[name],
+        "percent": number(abs(100 * share), language, 2),
+    }
+    if share < 0.0:
+        return _("{name} is too small by {percent} %", **put)
+    return _("{name} is too large by {percent} %", **put)
+
+
+def _side(drawn: Drawn, name: str, share: float) -> int:
+    """Return -1 if it is dangerous that a result is off so, 1 if it is safe, 0 if it is neither."""
+    sides = (FinerRow.of(one).by_positions.get(name, 0) for one in drawn.project.chapters)
+    dangerous = next((side for side in sides if side), 0)
+    return (-1 if share * dangerous > 0.0 else 1) if dangerous else 0

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rich.console import Console
 
-from graphic_tmm.readers.framed import Framed
+from graphic_tmm.readers.text import Framed
 
 SIGNS = (
     st.lists(st.sampled_from([*"ab1,−′ωφ₁ 漢[/]\\", "v̄"]), max_size=8).map("".join).map(str.rstrip)
