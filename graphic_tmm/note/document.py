@@ -1,8 +1,4 @@
-"""What a note consists of: blocks of runs of text; every figure stands with where it was read.
-
-A formula is a tree whose leaves are symbols (mark-up, as lettered on sheets) and numbers; nothing here knows
-how it is written in the end. So a note can be walked back to the log: `numbers`.
-"""
+"""What a note consists of: blocks of runs of text; every figure knows where it was read; their numbers."""
 
 from __future__ import annotations
 
@@ -11,6 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.board.formula_text import Node
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing
 
 
@@ -309,3 +307,50 @@ def symbols(document: Document) -> Iterator[Symbol]:
     for block in walk(document.blocks):
         for run in runs_of(block):
             yield from (leaf for leaf in leaves(run) if isinstance(leaf, Symbol))
+
+
+LETTERS = said("abcdefghi")
+"""The parts of a figure."""
+
+
+class Numbered(NamedTuple):
+    """The numbers of a note: headings by their place among the blocks, figures and tables by id.
+
+    ``wholes``: the id of the figure that a part of one belongs to, by that of the part.
+    """
+
+    headings: Mapping[int, str]
+    figures: Mapping[str, str]
+    tables: Mapping[str, int]
+    wholes: Mapping[str, str]
+
+
+def numbered(document: Document) -> Numbered:
+    """Return the numbers of sections, figures and tables, in order."""
+    headings: dict[int, str] = {}
+    counts: list[int] = []
+    for k, block in enumerate(document.blocks):
+        if isinstance(block, Heading) and block.numbered:
+            counts = [*counts[: block.level], *[0] * (block.level - len(counts))]
+            counts[block.level - 1] += 1
+            headings[k] = ".".join(map(str, counts))
+    figures: dict[str, str] = {}
+    tables: dict[str, int] = {}
+    wholes: dict[str, str] = {}
+    count = 0
+    for block in document.blocks:
+        if isinstance(block, Picture | Beside):
+            count += 1
+            figures[block.id] = str(count)
+        if isinstance(block, Beside):
+            for k, part in enumerate(block.parts):
+                figures[part.id] = f"{count}, {letter_of(k, document.language)}"
+                wholes[part.id] = block.id
+        elif isinstance(block, Table) and block.ruled:
+            tables[block.id] = len(tables) + 1
+    return Numbered(headings, figures, tables, wholes)
+
+
+def letter_of(k: int, language: str) -> str:
+    """Return the letter of a part of a figure, by its number from 0."""
+    return speaking(language)(LETTERS)[k]

@@ -1,12 +1,13 @@
-"""Views as figures of a note: the same ink as on a sheet, without its title, as a picture of its own size."""
+"""Views as figures of a note: the same ink as on a sheet, without its title, each on paper of its size."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.note.document import Picture, text
+from graphic_tmm.note.document import Beside, Document, Picture, letter_of, text
 from graphic_tmm.paper.drawing import Drawing, Label, Sheet
 from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.paper.packing import bounds
@@ -139,3 +140,36 @@ def scales_of(pictures: Sequence[Picture]) -> list[float]:
     room = WIDTH - GAP * (len(sizes) - 1)
     wide = sum(one * size[0] for one, size in zip(times, sizes, strict=True))
     return [one * min(1.0, room / wide) for one in times]
+
+
+class DrawnFigure(NamedTuple):
+    """A figure ready to be shown: its file's name, its paper, how wide it stands on the page, mm."""
+
+    name: str
+    sheet: Sheet
+    width: float
+    alt: str
+
+    @property
+    def height(self) -> float:
+        """How high it stands on the page, mm."""
+        return self.width * self.sheet.height / self.sheet.width
+
+
+def drawn_figures(document: Document) -> dict[str, DrawnFigure]:
+    """Return the figures of a note by id, each on a paper of its size."""
+    found: dict[str, DrawnFigure] = {}
+    for block in document.blocks:
+        if isinstance(block, Picture | Beside):
+            _draw(block, document.language, found)
+    return found
+
+
+def _draw(block: Picture | Beside, language: str, found: dict[str, DrawnFigure]) -> None:
+    """Enter a figure, or the parts of one, each with its letter."""
+    parts = (block,) if isinstance(block, Picture) else block.parts
+    times = scales_of(parts)
+    for k, (one, larger) in enumerate(zip(parts, times, strict=True)):
+        letter = f"{letter_of(k, language)})" if len(parts) > 1 else ""
+        sheet = sheet_of(one.drawing, language, f"figure-{len(found) + 1}", letter, larger)
+        found[one.id] = DrawnFigure(sheet.name, sheet, round(sheet.width * larger, 1), one.alt)

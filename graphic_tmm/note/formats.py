@@ -12,9 +12,9 @@ from typing import Any
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.note import pandoc, word
 from graphic_tmm.note.document import Document, Picture, Table
+from graphic_tmm.note.figures import DrawnFigure, drawn_figures
 from graphic_tmm.note.pandoc import CONTENTS, Outline, Target, Tree, raw
 from graphic_tmm.note.pdf import pdf, typesetter
-from graphic_tmm.note.shown import Drawn, drawn_figures
 from graphic_tmm.note.styles import CSS
 from graphic_tmm.paper.write.svg import svg
 
@@ -60,7 +60,7 @@ def refuse_missing(formats: Sequence[str]) -> None:
 # ---------------------------------------------------------------- HTML
 
 
-def html(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, str | bytes]:
+def html(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dict[str, str | bytes]:
     """Return a page that needs no other file: figures drawn in it, formulas as MathML."""
 
     def picture(block: Picture) -> Tree:
@@ -85,7 +85,7 @@ def html(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str,
     return {f"{stem}.html": page}
 
 
-def _inline(one: Drawn) -> str:
+def _inline(one: DrawnFigure) -> str:
     """Return a figure as an element of a page: an image to who does not see it."""
     text = svg(one.sheet)
     text = text[text.index("<svg") :]
@@ -171,7 +171,9 @@ def _listed_contents(language: str, *, linked: bool = True) -> Callable[[Outline
 # ---------------------------------------------------------------- Markdown
 
 
-def markdown(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, str | bytes]:
+def markdown(
+    document: Document, stem: str, shown: Mapping[str, DrawnFigure]
+) -> dict[str, str | bytes]:
     """Return the note as Markdown, and its figures as files beside it."""
 
     def picture(block: Picture) -> Tree:
@@ -209,7 +211,7 @@ def _emphasised(block: Tree, style: str) -> list[Tree]:
 # ---------------------------------------------------------------- DOCX
 
 
-def docx(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, str | bytes]:
+def docx(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dict[str, str | bytes]:
     """Return the note as DOCX: formulas are those of a word processor, figures pictures."""
     typst = typesetter("docx")
 
@@ -250,7 +252,7 @@ def _bare(made: Tree, table: Table) -> list[Tree]:
     return [made]
 
 
-def _pictures(typst: Any, home: Path, shown: Sequence[Drawn]) -> None:
+def _pictures(typst: Any, home: Path, shown: Sequence[DrawnFigure]) -> None:
     """Paint figures, all at once, as files beside the document."""
     if not shown:
         return
@@ -269,7 +271,9 @@ def _pictures(typst: Any, home: Path, shown: Sequence[Drawn]) -> None:
         (home / f"{one.name}.png").write_bytes(image)
 
 
-WRITERS: Mapping[str, Callable[[Document, str, Mapping[str, Drawn]], dict[str, str | bytes]]] = {
+WRITERS: Mapping[
+    str, Callable[[Document, str, Mapping[str, DrawnFigure]], dict[str, str | bytes]]
+] = {
     "pdf": pdf,
     "html": html,
     "docx": docx,

@@ -6,19 +6,14 @@ from collections.abc import Sequence
 from itertools import chain
 
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, Document, once
 from graphic_tmm.note.formats import files
 from graphic_tmm.note.protocol import Known
-from graphic_tmm.note.sections.chapter import chapter_section, without_result
-from graphic_tmm.note.sections.conclusions import conclusions
-from graphic_tmm.note.sections.introduction import introduction
-from graphic_tmm.note.sections.literature import literature
-from graphic_tmm.note.sections.scales import scales
-from graphic_tmm.note.sections.symbols import symbol_list
-from graphic_tmm.note.sections.synthesis import synthesis
-from graphic_tmm.note.sections.task import task
-from graphic_tmm.note.sections.title import title_page
+from graphic_tmm.note.section_chapter import Noted, chapter_section, without_result
+from graphic_tmm.note.section_conclusions import conclusions, literature, symbol_list
+from graphic_tmm.note.section_opening import introduction, title_page
+from graphic_tmm.note.section_scales import scales
+from graphic_tmm.note.section_task import synthesis, task
 from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.tasks import calls_for

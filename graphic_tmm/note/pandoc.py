@@ -36,10 +36,11 @@ from graphic_tmm.note.document import (
     Symbol,
     Table,
     Text,
+    letter_of,
+    numbered,
     runs_of,
     walk,
 )
-from graphic_tmm.note.numbering import letter_of, numbered
 from graphic_tmm.note.tex import spelt, tex, whole
 from graphic_tmm.note.widths import packed
 

@@ -13,8 +13,8 @@ from graphic_tmm.language.catalogue import code_of, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note import pandoc
 from graphic_tmm.note.document import Beside, Document, Picture, Table
+from graphic_tmm.note.figures import DrawnFigure
 from graphic_tmm.note.pandoc import CONTENTS, Target, Tree, raw
-from graphic_tmm.note.shown import Drawn
 from graphic_tmm.note.styles import APART, NEARER, TYPST
 from graphic_tmm.paper.write.svg import svg
 
@@ -29,7 +29,7 @@ _SHORT = re.compile(r"(?<=\.\.)\.")
 """Three points, for which typst has a sign of its own."""
 
 
-def pdf(document: Document, stem: str, shown: Mapping[str, Drawn]) -> dict[str, str | bytes]:
+def pdf(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dict[str, str | bytes]:
     """Return the note as PDF: tagged, with bookmarks, its title and its language."""
     typst = typesetter("pdf")
 

@@ -21,10 +21,10 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.note.bricks import columns, filled, greatest, heading, referred, result_number
-from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, Item, Listed, Number, Run, Runs, Source, Text
 from graphic_tmm.note.figures import is_figure, picture, readable
-from graphic_tmm.note.page import Page
+from graphic_tmm.note.plans import Page
+from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.note.steps import Told
 from graphic_tmm.readers.columns import Column
 

@@ -25,8 +25,8 @@ from graphic_tmm.drawn import Drawn, results_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note.bricks import asked, columns, filled, heading, result_number, results
-from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, Paragraph, Run, Runs, Text
+from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.scene.chapter import chapters
 
 RADIUS = said("The least radius of the cam is {least}; taken is {taken}.")

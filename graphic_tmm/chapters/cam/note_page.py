@@ -28,8 +28,7 @@ from graphic_tmm.note.document import (
     Symbol,
 )
 from graphic_tmm.note.figures import is_figure, picture, readable
-from graphic_tmm.note.page import Page
-from graphic_tmm.note.plans import listed
+from graphic_tmm.note.plans import Page, listed
 from graphic_tmm.note.protocol import Known
 from graphic_tmm.note.steps import Told, calculated
 from graphic_tmm.readers.rounding import told as as_told

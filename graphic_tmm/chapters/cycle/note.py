@@ -12,9 +12,9 @@ from graphic_tmm.chapters.cycle.views import cycle_views
 from graphic_tmm.chapters.flywheel.note import FlywheelPage, concluded
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
-from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, Runs, Text
 from graphic_tmm.note.figures import in_hand
+from graphic_tmm.note.section_chapter import Noted
 
 GIVEN = said(
     "Of the machine the moments on its shaft are known over a cycle of turns, {turns} in number; they are "

@@ -17,7 +17,6 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol as lettered
 from graphic_tmm.note.bricks import columns, filled, greatest, heading, referred, worked
-from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import (
     Block,
     Item,
@@ -32,7 +31,8 @@ from graphic_tmm.note.document import (
     Text,
 )
 from graphic_tmm.note.figures import is_figure, picture, readable
-from graphic_tmm.note.page import Page
+from graphic_tmm.note.plans import Page
+from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.note.steps import Told
 from graphic_tmm.readers.rounding import told as as_told
 from graphic_tmm.scene.captions import captions

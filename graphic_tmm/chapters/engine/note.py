@@ -27,9 +27,9 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.note.bricks import asked, columns, heading, referred
-from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, Item, Listed, Paragraph, Picture, Run, Symbol, Text
 from graphic_tmm.note.figures import in_hand, picture, readable
+from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.readers.columns import Column
 
 GAS = said(

@@ -17,9 +17,9 @@ from graphic_tmm.drawn import Drawn, Results, single
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note.bricks import columns, filled, heading, referred, result_number, results
-from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, Picture, Run, Runs, Symbol, Text, lettered
 from graphic_tmm.note.figures import in_hand, is_figure, picture
+from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.position_count import told_off

@@ -29,7 +29,6 @@ from graphic_tmm.note.bricks import (
     referred,
     worked,
 )
-from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import (
     Block,
     Display,
@@ -47,6 +46,7 @@ from graphic_tmm.note.document import (
 )
 from graphic_tmm.note.figures import WALL, in_hand, is_figure, picture
 from graphic_tmm.note.plans import at_position, listed, section, shown_and_listed
+from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.paper.seen import Seen
 from graphic_tmm.scene.captions import captions
 

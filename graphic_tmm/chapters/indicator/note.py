@@ -32,8 +32,7 @@ from graphic_tmm.note.document import (
     text,
 )
 from graphic_tmm.note.figures import in_hand, picture
-from graphic_tmm.note.page import Page
-from graphic_tmm.note.plans import at_position, section, shown_and_listed
+from graphic_tmm.note.plans import Page, at_position, section, shown_and_listed
 from graphic_tmm.note.protocol import Known, Manner, protocol_blocks
 from graphic_tmm.note.steps import calculated, reason_runs
 from graphic_tmm.note.widths import broken

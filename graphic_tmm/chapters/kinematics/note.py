@@ -9,11 +9,11 @@ from graphic_tmm.chapters.kinematics.table import kinematic_columns
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, EXTREMES, POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.note.bricks import columns, worked
-from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, Picture
 from graphic_tmm.note.figures import in_hand, picture, readable
 from graphic_tmm.note.plans import listed
 from graphic_tmm.note.protocol import Known
+from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.views import captioned, mu_text

@@ -11,9 +11,8 @@ from graphic_tmm.drawn import Drawn, results_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note.bricks import filled, result_number, results
-from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import Block, Runs
-from graphic_tmm.note.sections.chapter import from_log
+from graphic_tmm.note.section_chapter import Noted, from_log
 from graphic_tmm.scene.chapter import chapters
 
 RATIO = said("The ratio of the train is {due} by its teeth and {drawn} as drawn, {apart} apart.")

@@ -16,7 +16,6 @@ from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.note.bricks import beside, filled, folded, referred
 from graphic_tmm.note.calculations import without_letters
-from graphic_tmm.note.chapter import Noted
 from graphic_tmm.note.document import (
     Block,
     Display,
@@ -29,6 +28,7 @@ from graphic_tmm.note.document import (
     text,
 )
 from graphic_tmm.note.figures import WALL, in_hand, picture
+from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.note.steps import Told, calculated
 from graphic_tmm.paper.lettering.letters import escape
 

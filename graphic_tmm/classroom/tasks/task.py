@@ -20,7 +20,7 @@ from graphic_tmm.classroom.tasks.shown import Shown, arranged, drawer, rowed
 from graphic_tmm.classroom.tasks.sought import told_rows
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.note.sections.title import DISCIPLINE, THEME, TO, VARIANT
+from graphic_tmm.note.section_opening import DISCIPLINE, THEME, TO, VARIANT
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.scene.document import Document

@@ -1,22 +1,37 @@
-"""The section of a chapter: what it tells itself, or what every chapter gets from the log."""
+"""The section of a chapter in a note: what the chapter tells itself, or what every one gets from the log."""
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
+from collections.abc import Callable, Container, Iterable, Iterator
+from dataclasses import dataclass
+from typing import ClassVar
 
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.names import plain
 from graphic_tmm.note.bricks import columns, figures_of, heading, paired, results, worked
-from graphic_tmm.note.chapter import Noted
-from graphic_tmm.note.document import Block, paragraph
+from graphic_tmm.note.document import Block, Runs, paragraph
 from graphic_tmm.note.plans import section, shown_and_listed
 from graphic_tmm.note.protocol import Known
 from graphic_tmm.readers.columns import Tabled
 from graphic_tmm.readers.protocol import Protocols
 from graphic_tmm.scene.captions import Named, captions
-from graphic_tmm.scene.chapter import Chapter, chapters
+from graphic_tmm.scene.chapter import Answer, Chapter, chapters
 from graphic_tmm.scene.records import Scene
+
+
+@dataclass(frozen=True)
+class Noted(Answer):
+    """What a chapter tells in the note.
+
+    ``section``: a drawn board, a language -> its section; None: what the log tells of it; ``places``: those
+    that it shows of, whatever sheets ask for. ``concludes``: what follows from its results, a sentence each.
+    """
+
+    stands: ClassVar[str] = "note.NOTE"
+    section: Callable[[Drawn, str], Iterable[Block] | None] = lambda drawn, language: None
+    places: tuple[str, ...] = ()
+    concludes: Callable[[Drawn, str], Iterable[Runs]] = lambda drawn, language: ()
 
 
 def chapter_section(drawn: Drawn, chapter: Chapter, language: str, known: Known) -> Iterator[Block]:

@@ -1,4 +1,4 @@
-"""The title page: who sets the task, what the note is called, who made it; and the contents behind it."""
+"""How a note begins: the title page, the contents behind it, the introduction in the author's words."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.note.document import Block, Break, Contents, Runs, Table, paragraph, text
+from graphic_tmm.note.document import Block, Break, Contents, Heading, Runs, Table, paragraph, text
 from graphic_tmm.scene.author import ASSIGNMENT, DIPLOMA, PROJECT, WORK, Author
 
 NOTE = said("Explanatory note")
@@ -88,3 +88,14 @@ def _people(author: Author, fields: Mapping[str, str], language: str) -> Table:
             told = _(STUDENT, group=author.group) if group else _(role)
             rows.append((text(told), text(LINE), text(fields.get(key, "") or LINE)))
     return Table("people", (), (), tuple(rows), "lcl", (0.34, 0.33, 0.33), ruled=False)
+
+
+INTRODUCTION = said("Introduction")
+
+
+def introduction(made: DrawnScene, language: str) -> Iterator[Block]:
+    """Yield the introduction, in the author's words; nothing without any."""
+    told = (*made.scene.author.machine, *made.scene.author.introduction)
+    if told:
+        yield Heading(1, text(speaking(language)(INTRODUCTION)), numbered=False)
+        yield from map(paragraph, told)

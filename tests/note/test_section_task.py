@@ -9,7 +9,7 @@ from support.gallery import in_usual, scene
 from support.scenes import edited
 
 from graphic_tmm.note.document import Symbol, Table
-from graphic_tmm.note.sections.task import given_table
+from graphic_tmm.note.section_task import given_table
 from graphic_tmm.readers.task_sheet import TaskSheet
 from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.read import read

@@ -1,9 +1,10 @@
-"""The task: what the mechanism is, its scheme, what is given for it and for the parts."""
+"""The task: what the mechanism is, its scheme, what is given; how its lengths follow from that."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from graphic_tmm.board.execute import execute
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -27,10 +28,14 @@ from graphic_tmm.note.document import (
     text,
 )
 from graphic_tmm.note.figures import in_hand, picture
+from graphic_tmm.note.protocol import Manner, protocol_blocks
+from graphic_tmm.note.steps import Told
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.readers.columns import Readings
+from graphic_tmm.readers.protocol import SYNTHESIS
+from graphic_tmm.readers.protocol import synthesis as found_for
 from graphic_tmm.readers.task_sheet import TaskSheet, figure, given_rows, sought
-from graphic_tmm.scene.captions import captions
+from graphic_tmm.scene.captions import captions, view_name
 from graphic_tmm.scene.chapter import MECHANISM
 
 TASK = said("Task")
@@ -109,3 +114,15 @@ def given_table(drawn: Drawn, language: str) -> Table | None:
     title = words["given" if drawn.board == MECHANISM else f"given {drawn.board}"]
     heads = text(words["letter"]), text(words["figure"]), text(words["unit"])
     return folded(Table(f"table-given-{drawn.board}", text(title), heads, tuple(told), "lcc"))
+
+
+def synthesis(made: DrawnScene, language: str) -> Iterator[Block]:
+    """Yield the section of the synthesis, if the scene states a task."""
+    found = found_for(made.scene)
+    if found is None:
+        return
+    reading = execute(found.construction, found.given)
+    yield heading(view_name(SYNTHESIS, language), 1)
+    yield from protocol_blocks(
+        Told(SYNTHESIS, found.construction, reading, SYNTHESIS, 0, language), Manner()
+    )

@@ -1,1 +1,0 @@
-"""The sections of a note, in the order in which they stand: a file a section."""
