@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.accuracy.axes import POSITIONS, dividing, own_parts
 from graphic_tmm.accuracy.lessons import Optimum, along, divisions
+from graphic_tmm.accuracy.settings import POSITIONS, dividing, own_parts
 from graphic_tmm.accuracy.shares import Share
 from graphic_tmm.accuracy.study import Steps, Study
 from graphic_tmm.accuracy.words import WORDS, counted

@@ -15,17 +15,19 @@ from itertools import product
 
 import numpy as np
 
-from graphic_tmm.accuracy.axes import is_long, own_setting, rows
-from graphic_tmm.accuracy.changes import can_move, enlarge, farther
-from graphic_tmm.accuracy.cost import count
-from graphic_tmm.accuracy.drawing import Pinned, draw, pinned
+from graphic_tmm.accuracy.cost import count, varying
+from graphic_tmm.accuracy.drawing import Pinned, References, draw, pinned
 from graphic_tmm.accuracy.measure import Measure
-from graphic_tmm.accuracy.quantities import quantities
-from graphic_tmm.accuracy.quantity import Quantity
-from graphic_tmm.accuracy.question import Accuracy
-from graphic_tmm.accuracy.references import References
-from graphic_tmm.accuracy.repetition import varying
-from graphic_tmm.accuracy.settings import Setting
+from graphic_tmm.accuracy.quantities import Accuracy, Quantity, quantities
+from graphic_tmm.accuracy.settings import (
+    Setting,
+    can_move,
+    enlarge,
+    farther,
+    is_long,
+    own_setting,
+    rows,
+)
 from graphic_tmm.accuracy.study import Tell
 from graphic_tmm.accuracy.words import WORDS, counted
 from graphic_tmm.drawn import DrawnScene

@@ -7,10 +7,9 @@ from collections.abc import Sequence
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
-from graphic_tmm.accuracy.axes import dividing
 from graphic_tmm.accuracy.lessons import along, divisions
 from graphic_tmm.accuracy.measure import Run
-from graphic_tmm.accuracy.settings import GRID
+from graphic_tmm.accuracy.settings import GRID, dividing
 from graphic_tmm.accuracy.study import Study
 from graphic_tmm.accuracy.words import WORDS
 from graphic_tmm.language.numbers import number

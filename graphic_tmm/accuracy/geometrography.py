@@ -1,18 +1,19 @@
-"""Lemoine's geometrography: the elementary operations that each operation of the board takes, as data.
-
-R1, R2, C1, C2, C3, simplicity and exactitude are those of E. Lemoine, *Géométrographie ou art des constructions
-géométriques*, Paris, 1902: the simplicity of a construction is the number of all its elementary operations, its
-exactitude the number of those that prepare a stroke, for on them its accuracy depends (the smaller, the better
-both). A point where drawn lines meet costs nothing. That the square is counted too is usual; the other
-instruments are counted here in the same spirit, and how they are used is the choice of this table.
-
-A construction's symbol reads as Lemoine wrote it, ``2R1 + R2``; the factor ``n`` is the number of knots or
-intervals of the row that a step across positions works through, and of the trials of a refinement.
-"""
+"""Lemoine's geometrography: the elementary operations of each step, their symbols, their minutes."""
 
 from __future__ import annotations
 
+import re
+from collections import Counter
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
 from typing import NamedTuple
+
+from graphic_tmm.board.grammar import Operation
+from graphic_tmm.errors import Fault, SceneError, first_of
+from graphic_tmm.files import Kind
+from graphic_tmm.language.said import said
+from graphic_tmm.scene.document import document
 
 
 class Elementary(NamedTuple):
@@ -162,3 +163,109 @@ FORMULA = "N1"
 READING = _READ
 DEFAULT = _JOIN
 """The symbol of an operation that is not listed: a formula, a reading, or else as much as a line."""
+
+
+_TERM = re.compile(r"(\d*)(n?)([A-Z]\d)")
+
+
+def symbol(op: Operation) -> str:
+    """Return the symbol of an operation of the board; one that is not listed has that of its sort."""
+    if op.name in SYMBOLS:
+        return SYMBOLS[op.name]
+    return FORMULA if op.formula else READING if op.reads else DEFAULT
+
+
+def elements(text: str, n: int = 1) -> Counter[str]:
+    """Return how often a symbol has each elementary operation; ``n`` is the length of the row.
+
+    Raises
+    ------
+    ValueError
+        If the text is no symbol.
+    """
+    once, each = _read(text)
+    found = Counter(dict(once))
+    for name, times in each:
+        found[name] += n * times
+    return +found
+
+
+def written(found: Mapping[str, int]) -> str:
+    """Return elementary operations as a symbol, in the order of the table."""
+    terms = ((found.get(name, 0), name) for name in ELEMENTARY)
+    return " + ".join(name if times == 1 else f"{times}{name}" for times, name in terms if times)
+
+
+def simplicity(found: Mapping[str, int]) -> int:
+    """Return the number of all elementary operations."""
+    return sum(found.values())
+
+
+def exactitude(found: Mapping[str, int]) -> int:
+    """Return the number of the elementary operations that prepare a stroke."""
+    return sum(times for name, times in found.items() if ELEMENTARY[name].prepares)
+
+
+Terms = tuple[tuple[str, int], ...]
+
+
+@cache
+def _read(text: str) -> tuple[Terms, Terms]:
+    """Return what a symbol has once, and what it has for each knot of the row."""
+    once: Counter[str] = Counter()
+    each: Counter[str] = Counter()
+    for term in text.split(" + ") if text else ():
+        match = _TERM.fullmatch(term)
+        if match is None or match[3] not in ELEMENTARY:
+            raise ValueError(f"'{term}' of '{text}' is no elementary operation")
+        (each if match[2] else once)[match[3]] += int(match[1] or 1)
+    return tuple(once.items()), tuple(each.items())
+
+
+MINUTES = Kind(
+    said("a table of minutes"), said("name a TOML file with a line such as R1 = 0.1"), 100_000
+)
+LONGEST = 1e6
+"""Minutes of one operation: two years."""
+TOLD = 20
+"""So many faults of a file are told."""
+
+
+def read_minutes(file: str) -> dict[str, float]:
+    """Return minutes by elementary operation; those that are left out keep their own.
+
+    Raises
+    ------
+    SceneError
+        If the file cannot be read (as `document`), names what is no elementary operation, or gives what is
+        no number of minutes.
+    """
+    table = document(Path(file), MINUTES)[1]
+    faults = []
+    for name, value in table.items():
+        if name not in ELEMENTARY:
+            told = ", ".join(ELEMENTARY)
+            faults.append(
+                Fault(
+                    name,
+                    0,
+                    said("there is no such elementary operation; there are {told}", told=told),
+                )
+            )
+        elif isinstance(value, bool) or not isinstance(value, (int, float)) or not _able(value):
+            faults.append(
+                Fault(
+                    name,
+                    0,
+                    said(
+                        "write minutes as a number 0 to {longest:.0f}, such as 0.1", longest=LONGEST
+                    ),
+                )
+            )
+    if faults:
+        raise SceneError(file, first_of(faults, TOLD))
+    return {name: float(value) for name, value in table.items()}
+
+
+def _able(value: float) -> bool:
+    return 0 <= value <= LONGEST

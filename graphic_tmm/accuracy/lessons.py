@@ -1,16 +1,143 @@
-"""What the runs of a scene teach: slopes, the best number of positions, the Pareto front."""
+"""What the runs of a scene teach: slopes in log-log, the best number of positions, the Pareto front."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from math import atan, cos, exp, isinf, log, nan, pi, sin, sqrt
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from graphic_tmm.accuracy.axes import dividing
-from graphic_tmm.accuracy.fit import Slope, slope
 from graphic_tmm.accuracy.measure import Run
-from graphic_tmm.accuracy.pareto import front
+from graphic_tmm.accuracy.settings import dividing
+
+
+class Slope(NamedTuple):
+    """y = e^``level`` · x^``slope``, fitted to ``points`` points.
+
+    ``error``: standard error of the slope, from the scatter of the points about the line; NaN for two points.
+    """
+
+    slope: float
+    level: float
+    error: float
+    points: int
+
+    def half_width(self, confidence: float = 0.95) -> float:
+        """Return half of the slope's interval of confidence, by Student's distribution."""
+        return self.error * student(confidence, self.points - 2) if self.points > 2 else nan
+
+    def at(self, x: float) -> float:
+        """Return the fitted y at x."""
+        return exp(self.level + self.slope * log(x))
+
+
+def slope(x: Sequence[float], y: Sequence[float]) -> Slope:
+    """Return the line of least squares through log y over log x.
+
+    Points where either is not a positive finite number are left out: an error of exactly 0 has no logarithm.
+    All fields but ``points`` are NaN if fewer than two different x are left.
+
+    Raises
+    ------
+    ValueError
+        If there are not as many x as y.
+    """
+    if len(x) != len(y):
+        raise ValueError(f"{len(x)} of x, but {len(y)} of y")
+    both = np.array([x, y], dtype=np.float64)
+    there = np.all(np.isfinite(both) & (both > 0.0), axis=0)
+    u, v = np.log(both[:, there])
+    n = u.size
+    if n == 0 or u.max() == u.min():
+        return Slope(nan, nan, nan, n)
+    du, dv = u - u.mean(), v - v.mean()
+    spread = float(du @ du)
+    found = float(du @ dv) / spread
+    left = dv - found * du
+    error = sqrt(float(left @ left) / (n - 2) / spread) if n > 2 else nan
+    return Slope(found, float(v.mean()) - found * float(u.mean()), error, n)
+
+
+def student(confidence: float, freedom: int) -> float:
+    """Return the t that a variable of Student's distribution stays within, both ways, with that confidence.
+
+    ``freedom``: degrees of freedom, at least 1. NaN unless 0 < ``confidence`` < 1.
+    """
+    if not (0.0 < confidence < 1.0 and freedom >= 1):
+        return nan
+    low, high = 0.0, 1.0
+    while _within(high, freedom) < confidence and not isinf(high):
+        low, high = high, 2.0 * high
+    while (middle := (low + high) / 2.0) not in (low, high):
+        low, high = (middle, high) if _within(middle, freedom) < confidence else (low, middle)
+    return high
+
+
+def _within(t: float, freedom: int) -> float:
+    """Return the probability of |t'| < t: the finite series for whole degrees of freedom."""
+    theta = atan(t / sqrt(freedom))
+    start = 1 if freedom % 2 else 0
+    term, total = (cos(theta), 0.0) if start else (1.0, 0.0)
+    for k in range(start, freedom - 1, 2):
+        total += term
+        term *= (k + 1) / (k + 2) * cos(theta) ** 2
+    if start:
+        return 2.0 / pi * (theta + sin(theta) * total)
+    return sin(theta) * total
+
+
+def front(costs: Sequence[float], errors: Sequence[float]) -> tuple[int, ...]:
+    """Return the indices of the settings on the Pareto front, from the cheapest to the most exact.
+
+    A setting stands on it if no other costs as little and errs as little, one of the two less; of equal ones
+    the first stands for all. A cost or an error that is not finite keeps a setting out.
+    """
+    cost, error = _alike(costs, errors)
+    there = np.flatnonzero(np.isfinite(cost) & np.isfinite(error))
+    order = there[np.lexsort((there, error[there], cost[there]))]
+    found, best = [], np.inf
+    for index in order:
+        if error[index] < best:
+            found.append(int(index))
+            best = error[index]
+    return tuple(found)
+
+
+def cheapest(costs: Sequence[float], errors: ArrayLike, budget: ArrayLike) -> int | None:
+    """Return the index of the cheapest setting that keeps within the budget; None if none does.
+
+    Parameters
+    ----------
+    costs
+        The cost of each setting.
+    errors
+        The error of each setting, (setting,), or of each quantity there, (setting, quantity).
+    budget
+        The largest error allowed, in the same unit: one number, or one for each quantity.
+
+    Of settings that cost the same the one with the smaller largest error is taken, then the first. A setting
+    with an error that is not a number keeps within no budget.
+    """
+    cost, error = _alike(costs, errors)
+    error = error.reshape(cost.size, -1) if cost.size else np.empty((0, 1))
+    within = np.all(error <= np.asarray(budget, dtype=np.float64), axis=1) & np.isfinite(cost)
+    if not within.any():
+        return None
+    there = np.flatnonzero(within)
+    largest = error[there].max(axis=1, initial=0.0)
+    return int(there[np.lexsort((there, largest, cost[there]))[0]])
+
+
+def _alike(
+    costs: Sequence[float], errors: ArrayLike
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    cost, error = np.asarray(costs, dtype=np.float64), np.asarray(errors, dtype=np.float64)
+    if cost.shape != error.shape[:1]:
+        raise ValueError(f"{cost.size} costs, but errors of {error.shape[:1]} settings")
+    return cost, error
+
 
 ASIDE = ("trials", "slip", "ruler")
 """The axes on which it is not the setting that changes, but who draws."""

@@ -9,12 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.accuracy.cost import Work, count
-from graphic_tmm.accuracy.drawing import Pinned, draw, tried
-from graphic_tmm.accuracy.quantities import quantities
-from graphic_tmm.accuracy.quantity import Quantity
-from graphic_tmm.accuracy.references import References
-from graphic_tmm.accuracy.repetition import varying
+from graphic_tmm.accuracy.cost import Work, count, varying
+from graphic_tmm.accuracy.drawing import Pinned, References, draw, tried
+from graphic_tmm.accuracy.quantities import Quantity, quantities
 from graphic_tmm.accuracy.settings import Setting
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.board.values import Reals

@@ -1,11 +1,144 @@
-"""The quantities whose error is told, as the chapters tell them."""
+"""The quantities whose error is told, and what else a chapter says of its accuracy: what can be varied."""
 
 from __future__ import annotations
 
-from graphic_tmm.accuracy.quantity import Quantity
-from graphic_tmm.accuracy.question import Accuracy
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.values import Reals
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
-from graphic_tmm.scene.chapter import in_order
+from graphic_tmm.scene.chapter import Answer, in_order
+from graphic_tmm.scene.records import Scene
+
+
+class Value(NamedTuple):
+    """A mark, and what it is multiplied by to be the quantity: a scale factor's mark, or a number."""
+
+    mark: Mark
+    by: Mark | float = 1.0
+
+    @property
+    def marks(self) -> tuple[Mark, ...]:
+        """The marks to be read."""
+        return (self.mark, self.by) if isinstance(self.by, Mark) else (self.mark,)
+
+
+@dataclass(frozen=True)
+class Reference:
+    """Another drawing, by an exact hand, that tells a quantity as it should be.
+
+    ``scene``: what is drawn instead of a scene, None if nothing can be; ``places``: what is recorded of it
+    (places of sheets), None for all that it calls for. ``count``: the positions of its row, 0 for as many as
+    the quantity has. ``name``: what the quantity is called there if otherwise, ``by``: what it is multiplied
+    by to be the same.
+    """
+
+    scene: Callable[[Scene], Scene | None]
+    count: int = 0
+    places: frozenset[str] | None = None
+    name: str = ""
+    by: float = 1.0
+
+
+class Quantity(NamedTuple):
+    """What is drawn, and what is due.
+
+    ``values``: read position by position, ``row`` of them from the first; a single number if it is 0.
+    ``due``: what the values should be, drawn on the same log by an exact hand; empty where another drawing
+    has to tell: the ``reference``. ``places``: those of sheets of which one has to call for it, none if it is
+    always asked for.
+    """
+
+    name: str
+    unit: str
+    values: tuple[Value, ...]
+    row: int = 0
+    due: tuple[Value, ...] = ()
+    reference: Reference | None = None
+    places: tuple[str, ...] = ()
+
+    @property
+    def marks(self) -> tuple[Mark, ...]:
+        """The marks to be read of a drawing."""
+        return tuple(mark for value in self.values for mark in value.marks)
+
+    @property
+    def due_marks(self) -> tuple[Mark, ...]:
+        """The marks that tell what is due."""
+        return tuple(mark for value in self.due for mark in value.marks)
+
+    def read(self, reading: Reading, trials: int, *, due: bool = False) -> Reals:
+        """Return the quantity, (trial, value); ``due``: what it should be."""
+        found = []
+        for mark, by in self.due if due else self.values:
+            value = reading[mark] * (reading[by] if isinstance(by, Mark) else by)
+            wide = self.row or 1
+            value = value[:, :wide] if value.shape[1] > 1 else value
+            found.append(np.broadcast_to(value, (trials, wide)))
+        return np.concatenate(found, axis=1)
+
+
+class Trial(NamedTuple):
+    """A smaller construction that is tried at an angle until the reading changes its sign."""
+
+    log: Construction
+    angle: Mark
+    reading: Mark
+
+
+@dataclass(frozen=True)
+class Axis:
+    """What of a scene can be varied, by a name.
+
+    ``scenes``: the scenes along it, each with its value as text; none if the scene does not call for it.
+    ``bears``: the quantities that it bears upon. ``parts``: where the axis divides a drawing finer, into how
+    many parts a scene itself does, 0 if it does not: it bears upon all then. ``counted``: so many parts, with
+    their noun. ``free``: it may be chosen so that an error is kept within.
+    """
+
+    name: str
+    scenes: Callable[[Scene], Iterable[tuple[str, Scene]]]
+    bears: tuple[str, ...] = ()
+    parts: Callable[[Scene], int] | None = None
+    free: bool = False
+    counted: str = ""
+
+
+@dataclass(frozen=True)
+class Accuracy(Answer):
+    """What a chapter tells of its accuracy; what it leaves out it has nothing to say to.
+
+    ``quantities``: of what was recorded; ``places``: those of sheets that call for one. ``axes``: what can be
+    varied.
+
+    ``words``: what quantities, axes and values are called, in English, by their names.
+
+    ``kept``: given marks, besides scale factors, that stay as they were drawn. ``tried``: what a refinement
+    tries, by the mark that it leaves.
+
+    ``enlarged``: the scene drawn so many times larger than it was, every μ so much finer. ``poles``: the
+    quantities on which the distance of its poles bears, none if a scene has no pole; ``farther``: what is
+    given when poles stand so many times farther; ``moved``: the scene with its poles so, None if no scene
+    says it.
+    """
+
+    stands: ClassVar[str] = "accuracy.ACCURACY"
+    quantities: Callable[[Project], Iterable[Quantity]] = lambda project: ()
+    places: tuple[str, ...] = ()
+    axes: tuple[Axis, ...] = ()
+    words: Mapping[str, str] = field(default_factory=dict)
+    kept: Callable[[Project], Iterable[Mark]] = lambda project: ()
+    tried: Callable[[Project], Mapping[Mark, Trial]] = lambda project: {}
+    enlarged: Callable[[Scene, Drawn, float], Scene] = lambda scene, drawn, times: scene
+    poles: Callable[[Scene], tuple[str, ...]] = lambda scene: ()
+    farther: Callable[[Project, float], Mapping[Mark, object]] = lambda project, times: {}
+    moved: Callable[[Scene, Drawn, float], Scene] | None = None
 
 
 def quantities(project: Project) -> tuple[Quantity, ...]:

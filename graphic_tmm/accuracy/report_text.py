@@ -6,10 +6,9 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from graphic_tmm.accuracy.advice import advice, best_numbers, most, own_count, slopes, step_name
-from graphic_tmm.accuracy.axes import dividing
 from graphic_tmm.accuracy.lessons import along, divisions
 from graphic_tmm.accuracy.measure import NOISE, Run
-from graphic_tmm.accuracy.settings import GRID
+from graphic_tmm.accuracy.settings import GRID, dividing
 from graphic_tmm.accuracy.study import Study
 from graphic_tmm.accuracy.words import WORDS
 from graphic_tmm.language.numbers import fixed, number

@@ -12,8 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.accuracy.quantities import quantities
-from graphic_tmm.accuracy.quantity import Quantity
+from graphic_tmm.accuracy.quantities import Quantity, quantities
 from graphic_tmm.board.execute import execute, needed
 from graphic_tmm.board.hand import Hand, slip_of
 from graphic_tmm.board.record import Step

@@ -5,15 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
-from graphic_tmm.accuracy.axes import Varied, grid, own_setting, singly
 from graphic_tmm.accuracy.cost import NOTHING, Work, count
-from graphic_tmm.accuracy.drawing import pinned
+from graphic_tmm.accuracy.drawing import References, pinned
 from graphic_tmm.accuracy.lessons import Fitted, Optimum, best_of, fitted, optima
 from graphic_tmm.accuracy.measure import Measure, Run
-from graphic_tmm.accuracy.quantities import quantities
-from graphic_tmm.accuracy.question import Accuracy
-from graphic_tmm.accuracy.references import References
-from graphic_tmm.accuracy.settings import Setting, named
+from graphic_tmm.accuracy.quantities import Accuracy, quantities
+from graphic_tmm.accuracy.settings import Setting, Varied, grid, named, own_setting, singly
 from graphic_tmm.accuracy.shares import Share, shares
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.drawn import DrawnScene

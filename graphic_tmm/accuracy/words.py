@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from itertools import chain
 
-from graphic_tmm.accuracy.axes import dividing
-from graphic_tmm.accuracy.question import Accuracy
+from graphic_tmm.accuracy.quantities import Accuracy
+from graphic_tmm.accuracy.settings import dividing
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.tables import Tongues, Words

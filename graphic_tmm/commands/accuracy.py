@@ -43,7 +43,7 @@ def accuracy(
     seed: int | None,
 ) -> None:
     """Show what accuracy costs in SCENE: errors over work at the board and time on the machine."""
-    from graphic_tmm.accuracy.minutes import read_minutes
+    from graphic_tmm.accuracy.geometrography import read_minutes
     from graphic_tmm.accuracy.report_json import json_report
     from graphic_tmm.accuracy.report_text import text_report
     from graphic_tmm.accuracy.study import study

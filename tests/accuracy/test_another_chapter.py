@@ -12,8 +12,7 @@ from support.gallery import SHEETS
 
 from graphic_tmm.accuracy.advice import advice, most
 from graphic_tmm.accuracy.budget import choose
-from graphic_tmm.accuracy.quantity import Quantity, Value
-from graphic_tmm.accuracy.question import Accuracy, Axis
+from graphic_tmm.accuracy.quantities import Accuracy, Axis, Quantity, Value
 from graphic_tmm.accuracy.report_json import json_report
 from graphic_tmm.accuracy.study import study
 from graphic_tmm.board.operations.instruments import join, lay_off, measure

@@ -8,9 +8,8 @@ import pytest
 from support.gallery import SHEETS
 
 from graphic_tmm.accuracy.budget import choose
-from graphic_tmm.accuracy.drawing import pinned
+from graphic_tmm.accuracy.drawing import References, pinned
 from graphic_tmm.accuracy.measure import Measure
-from graphic_tmm.accuracy.references import References
 from graphic_tmm.accuracy.settings import Setting, named
 from graphic_tmm.errors import SceneError
 from graphic_tmm.readers.position_count import whole

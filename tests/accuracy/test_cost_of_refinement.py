@@ -10,9 +10,8 @@ from support.boards import recorded
 from support.gallery import SHEETS
 from support.logs import FourBar
 
-from graphic_tmm.accuracy.cost import MINUTES, count
-from graphic_tmm.accuracy.notation import elements, symbol
-from graphic_tmm.accuracy.repetition import varying
+from graphic_tmm.accuracy.cost import MINUTES, count, varying
+from graphic_tmm.accuracy.geometrography import elements, symbol
 from graphic_tmm.board.operations.locus import PARTS, PASSES, refinement
 from graphic_tmm.board.record import Board, Construction, Mark
 from graphic_tmm.board.values import Angle

@@ -9,8 +9,17 @@ import pytest
 from support.each import each
 
 import graphic_tmm
-from graphic_tmm.accuracy.geometrography import DEFAULT, ELEMENTARY, FORMULA, SYMBOLS
-from graphic_tmm.accuracy.notation import elements, exactitude, simplicity, symbol, written
+from graphic_tmm.accuracy.geometrography import (
+    DEFAULT,
+    ELEMENTARY,
+    FORMULA,
+    SYMBOLS,
+    elements,
+    exactitude,
+    simplicity,
+    symbol,
+    written,
+)
 from graphic_tmm.board.grammar import OPERATIONS, Operation
 from graphic_tmm.board.operations.locus import refinement
 

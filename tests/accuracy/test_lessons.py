@@ -1,15 +1,208 @@
-"""Lessons drawn from runs that are known: slopes, least errors, fronts."""
+"""Slopes in log-log: exact powers, numpy's least squares, tables of Student's distribution, coverage."""
 
 from __future__ import annotations
 
+import math
 from itertools import product
 
+import mpmath
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from support.each import each
 
 from graphic_tmm.accuracy.cost import Work
-from graphic_tmm.accuracy.lessons import best_of, fitted, optima
+from graphic_tmm.accuracy.lessons import best_of, cheapest, fitted, front, optima, slope, student
 from graphic_tmm.accuracy.measure import Errors, Run, Seconds
+
+
+@pytest.mark.slow
+@given(
+    power=st.floats(-4.0, 4.0),
+    factor=st.floats(1e-3, 1e3),
+    n=st.integers(3, 20),
+)
+def test_a_power_is_found_with_no_uncertainty(power: float, factor: float, n: int) -> None:
+    x = 2.0 ** np.arange(n)
+    y = factor * x**power
+    found = slope(x.tolist(), y.tolist())
+    # logarithms are rounded to ε of the largest; the arm of the slope is at least ln 2
+    bound = 8 * n * np.finfo(float).eps * (1 + np.abs(np.log(y)).max() + np.log(x).max())
+    assert found.slope == pytest.approx(power, abs=bound)
+    assert found.level == pytest.approx(math.log(factor), abs=n * bound)
+    assert found.error <= bound
+    assert found.at(8.0) == pytest.approx(factor * 8.0**power, rel=4 * n * bound)
+    assert found.points == n
+
+
+def test_slope_and_error_are_those_of_the_normal_equations() -> None:
+    rng = np.random.default_rng(8)
+    x = np.exp(rng.uniform(0, 5, 12))
+    y = 3.0 * x**-1.7 * np.exp(rng.normal(0, 0.2, 12))
+    found = slope(x.tolist(), y.tolist())
+    design = np.stack([np.log(x), np.ones(12)], axis=1)
+    due, square, _, _ = np.linalg.lstsq(design, np.log(y), rcond=None)
+    covariance = square[0] / 10 * np.linalg.inv(design.T @ design)
+    assert found.slope == pytest.approx(due[0], rel=1e-12)
+    assert found.level == pytest.approx(due[1], rel=1e-12)
+    assert found.error == pytest.approx(math.sqrt(covariance[0, 0]), rel=1e-10)
+
+
+def test_scale_and_order_change_nothing() -> None:
+    x, y = [8.0, 12.0, 24.0, 48.0, 96.0], [9.1, 4.2, 1.3, 0.31, 0.07]
+    plain, scaled = slope(x, y), slope([1e6 * v for v in x], [1e-9 * v for v in y])
+    turned = slope(x[::-1], y[::-1])
+    for other in (scaled, turned):
+        assert other.slope == pytest.approx(plain.slope, rel=1e-13)
+        assert other.error == pytest.approx(plain.error, rel=1e-11)
+    back = slope(y, x)
+    assert 0 < plain.slope * back.slope <= 1.0
+
+
+def test_points_without_a_logarithm_are_left_out() -> None:
+    whole = slope([1.0, 2.0, 4.0], [1.0, 4.0, 16.0])
+    bad = slope([1, 2, 4, 8, 16, 0, math.inf], [1, 4, 16, 0.0, math.nan, 5, 5])
+    assert bad == whole
+    assert whole.slope == pytest.approx(2.0, rel=1e-15)
+
+
+def test_too_few_points_have_no_slope_or_no_uncertainty() -> None:
+    for x, y in (([], []), ([3.0], [4.0]), ([3.0, 3.0, 3.0], [1.0, 2.0, 3.0])):
+        found = slope(x, y)
+        assert math.isnan(found.slope)
+        assert math.isnan(found.error)
+        assert found.points == len(x)
+    two = slope([1.0, 10.0], [5.0, 0.5])
+    assert two.slope == pytest.approx(-1.0, rel=1e-15)
+    assert math.isnan(two.error)
+    assert math.isnan(two.half_width())
+    with pytest.raises(ValueError, match="2 of x, but 1 of y"):
+        slope([1.0, 2.0], [1.0])
+
+
+@each("freedom", [1, 2, 3, 4, 5, 8, 13, 30, 101, 1000])
+@each("confidence", [0.5, 0.9, 0.95, 0.99, 0.999])
+def test_students_t_encloses_its_share_by_the_incomplete_beta_function(
+    freedom: int, confidence: float
+) -> None:
+    with mpmath.workdps(40):
+        t = mpmath.mpf(student(confidence, freedom))
+        outside = mpmath.betainc(
+            mpmath.mpf(freedom) / 2, 0.5, 0, freedom / (freedom + t * t), regularized=True
+        )
+        share = float(1 - outside)
+    # the series has freedom / 2 terms, each rounded
+    assert share == pytest.approx(confidence, abs=(freedom + 8) * np.finfo(float).eps)
+
+
+@pytest.mark.parametrize(("freedom", "due"), [(1, 12.706), (2, 4.303), (6, 2.447), (30, 2.042)])
+def test_students_t_is_that_of_the_printed_tables(freedom: int, due: float) -> None:
+    assert student(0.95, freedom) == pytest.approx(due, abs=5e-4)
+
+
+def test_there_is_no_t_outside_its_range() -> None:
+    for confidence, freedom in ((0.0, 5), (1.0, 5), (math.nan, 5), (0.95, 0), (0.95, -1)):
+        assert math.isnan(student(confidence, freedom))
+
+
+@pytest.mark.slow
+def test_the_interval_holds_the_true_slope_as_often_as_it_says() -> None:
+    rng = np.random.default_rng(2024)
+    x, trials = 2.0 ** np.arange(3, 10), 2000
+    held = 0
+    for _ in range(trials):
+        y = x**-2.0 * np.exp(rng.normal(0, 0.1, x.size))
+        found = slope(x.tolist(), y.tolist())
+        held += abs(found.slope + 2.0) <= found.half_width(0.9)
+    # a binomial count: five standard deviations about its mean
+    assert abs(held - 0.9 * trials) <= 5 * math.sqrt(trials * 0.9 * 0.1)
+
+
+VALUES = st.one_of(
+    st.integers(0, 6).map(float), st.floats(0, 10), st.sampled_from([math.nan, math.inf])
+)
+POINTS = st.lists(st.tuples(VALUES, VALUES), max_size=25)
+
+
+def brute(points: list[tuple[float, float]]) -> set[int]:
+    """Compare all pairs."""
+    there = [k for k, p in enumerate(points) if all(map(math.isfinite, p))]
+
+    def beaten(k: int) -> bool:
+        c, e = points[k]
+        return any(
+            points[j][0] <= c and points[j][1] <= e and (points[j] != points[k] or j < k)
+            for j in there
+            if j != k
+        )
+
+    return {k for k in there if not beaten(k)}
+
+
+def costs_and_errors(points: list[tuple[float, float]]) -> tuple[list[float], list[float]]:
+    return [p[0] for p in points], [p[1] for p in points]
+
+
+@given(POINTS)
+def test_the_front_is_what_no_other_beats(points: list[tuple[float, float]]) -> None:
+    found = front(*costs_and_errors(points))
+    assert set(found) == brute(points)
+    assert len(found) == len(set(found))
+    rows = [points[k] for k in found]
+    assert rows == sorted(rows)
+    assert [e for _, e in rows] == sorted((e for _, e in rows), reverse=True)
+
+
+@given(POINTS, st.floats(0, 10))
+def test_the_cheapest_is_on_the_front_and_within_the_budget(
+    points: list[tuple[float, float]], budget: float
+) -> None:
+    found = cheapest(*costs_and_errors(points), budget)
+    fit = [p for p in points if math.isfinite(p[0]) and p[1] <= budget]
+    if found is None:
+        assert not fit
+        return
+    assert points[found] == min(fit)
+    assert found == points.index(min(fit))
+    assert found in front(*costs_and_errors(points))
+
+
+ERRORS = [[5.0, 1.0], [2.0, 3.0], [1.9, 1.9], [0.1, math.nan]]
+
+
+@pytest.mark.parametrize(
+    ("budget", "due"), [(10.0, 0), (4.0, 1), (2.0, 2), (1.0, None), ([6.0, 1.0], 0), ([2, 2], 2)]
+)
+def test_every_quantity_has_to_keep_within_its_budget(budget: object, due: int | None) -> None:
+    assert cheapest([1.0, 2.0, 4.0, 8.0], ERRORS, budget) == due
+
+
+def test_of_equal_costs_the_smaller_error_then_the_first() -> None:
+    assert cheapest([2, 1, 1, 1], [0.0, 3.0, 2.0, 2.0], 5.0) == 2
+    assert front([1, 1, 1], [2.0, 2.0, 2.0]) == (0,)
+
+
+def test_more_work_that_makes_it_worse_is_not_on_the_front() -> None:
+    positions = np.array([8, 12, 18, 24, 36, 72])
+    truncation, hand = 30.0 * (8 / positions) ** 2, 0.05 * (positions / 8) ** 2
+    errors = truncation + hand
+    found = front(positions.tolist(), errors.tolist())
+    assert found == tuple(range(int(errors.argmin()) + 1))
+    assert found[-1] < 5
+
+
+def test_nothing_is_on_no_front_and_within_no_budget() -> None:
+    assert front([], []) == ()
+    assert cheapest([], [], 1.0) is None
+    assert front([math.nan, 1.0], [0.0, math.inf]) == ()
+
+
+def test_costs_and_errors_belong_to_the_same_settings() -> None:
+    with pytest.raises(ValueError, match="2 costs"):
+        front([1.0, 2.0], [1.0])
+    with pytest.raises(ValueError, match="2 costs"):
+        cheapest([1.0, 2.0], [1.0], 1.0)
 
 
 def run(

@@ -12,10 +12,9 @@ import pytest
 from support.gallery import SHEETS
 from support.tasks import by, drawing, measure, quantity, scales, scene
 
-from graphic_tmm.accuracy.cost import count
+from graphic_tmm.accuracy.cost import count, varying
 from graphic_tmm.accuracy.drawing import draw, tried
 from graphic_tmm.accuracy.measure import LEAST, LONG, MOST, Seconds, off, timed, work_of
-from graphic_tmm.accuracy.repetition import varying
 from graphic_tmm.accuracy.study import study
 from graphic_tmm.board.execute import Program, Reading, execute
 from graphic_tmm.board.hand import EXACT

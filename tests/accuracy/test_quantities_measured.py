@@ -9,8 +9,8 @@ import pytest
 from support.gallery import exact
 from support.tasks import by, drawing, measure, quantity, scales, scene
 
+from graphic_tmm.accuracy.drawing import References
 from graphic_tmm.accuracy.quantities import quantities
-from graphic_tmm.accuracy.references import References
 from graphic_tmm.board.execute import execute
 from graphic_tmm.readers.position_count import at_count
 from graphic_tmm.readers.table import scene_columns, scene_results

@@ -13,7 +13,7 @@ from support.command import invoke
 from support.each import each
 
 from graphic_tmm.accuracy.cost import MINUTES
-from graphic_tmm.accuracy.minutes import read_minutes
+from graphic_tmm.accuracy.geometrography import read_minutes
 from graphic_tmm.errors import SceneError
 
 

@@ -15,7 +15,7 @@ import pytest
 from support.each import each
 from support.hostile import READINGS, SCENES
 
-from graphic_tmm.accuracy.minutes import MINUTES, read_minutes
+from graphic_tmm.accuracy.geometrography import MINUTES, read_minutes
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene.read import SCENE, read

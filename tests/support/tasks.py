@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from functools import cache
 
-from graphic_tmm.accuracy.drawing import Pinned, draw, pinned
+from graphic_tmm.accuracy.drawing import Pinned, References, draw, pinned
 from graphic_tmm.accuracy.measure import Measure
-from graphic_tmm.accuracy.quantities import quantities
-from graphic_tmm.accuracy.quantity import Quantity
-from graphic_tmm.accuracy.references import References
+from graphic_tmm.accuracy.quantities import Quantity, quantities
 from graphic_tmm.accuracy.settings import Setting, named
 from graphic_tmm.accuracy.study import Study, study
 from graphic_tmm.project import Project

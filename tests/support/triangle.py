@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from graphic_tmm.accuracy.quantity import Quantity, Value
-from graphic_tmm.accuracy.question import Accuracy
+from graphic_tmm.accuracy.quantities import Accuracy, Quantity, Value
 from graphic_tmm.board.operations.instruments import cross, lay_off, measure, ray, strike
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point, Side

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
-from graphic_tmm.accuracy.question import Accuracy, Axis
+from graphic_tmm.accuracy.quantities import Accuracy, Axis, Quantity, Reference, Value
 from graphic_tmm.chapters.cam.plan import CAM_PLAN
 from graphic_tmm.chapters.cam.task import ASKED, CAM
 from graphic_tmm.drawn import Drawn

@@ -7,8 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
-from graphic_tmm.accuracy.question import Accuracy, Axis
+from graphic_tmm.accuracy.quantities import Accuracy, Axis, Quantity, Reference, Value
 from graphic_tmm.board.charts import ScaleOrder, distances
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN

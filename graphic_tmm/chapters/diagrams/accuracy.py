@@ -7,8 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphic_tmm.accuracy.quantity import Quantity, Value
-from graphic_tmm.accuracy.question import Accuracy, Axis
+from graphic_tmm.accuracy.quantities import Accuracy, Axis, Quantity, Value
 from graphic_tmm.board.charts import STANDARD, ScaleOrder, distances
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN

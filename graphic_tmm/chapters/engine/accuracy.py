@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
-from graphic_tmm.accuracy.question import Accuracy, Axis
+from graphic_tmm.accuracy.quantities import Accuracy, Axis, Quantity, Reference, Value
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.plan import ENGINE_PLAN
 from graphic_tmm.chapters.engine.task import ASKED, ENGINE

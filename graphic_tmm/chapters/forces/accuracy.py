@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from graphic_tmm.accuracy.quantity import Quantity, Reference, Value
-from graphic_tmm.accuracy.question import Accuracy, Axis
+from graphic_tmm.accuracy.quantities import Accuracy, Axis, Quantity, Reference, Value
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.task import ASKED, FORCES

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from math import pi
 
-from graphic_tmm.accuracy.quantity import Quantity, Value
-from graphic_tmm.accuracy.question import Accuracy, Axis
+from graphic_tmm.accuracy.quantities import Accuracy, Axis, Quantity, Value
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN
 from graphic_tmm.chapters.gears.task import ASKED, GEARS
 from graphic_tmm.drawn import Drawn

@@ -7,8 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphic_tmm.accuracy.quantity import Quantity, Value
-from graphic_tmm.accuracy.question import Accuracy, Trial
+from graphic_tmm.accuracy.quantities import Accuracy, Quantity, Trial, Value
 from graphic_tmm.board.operations.locus import REFINE
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length

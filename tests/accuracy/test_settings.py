@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from support.tasks import by, drawing, scene
 
-from graphic_tmm.accuracy.axes import COUNTS, LONG, grid, singly
+from graphic_tmm.accuracy.settings import COUNTS, LONG, grid, singly
 
 ALWAYS = {"slip", "ruler", "size", "trials"}
 EACH = [
