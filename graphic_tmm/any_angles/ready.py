@@ -12,11 +12,10 @@ from numpy.typing import NDArray
 
 from graphic_tmm.any_angles.si import in_si
 from graphic_tmm.any_angles.turn import VECTORS, Key, Quantity, Told
-from graphic_tmm.board.again import again
 from graphic_tmm.board.compile.run import LAYOUTS, LEAST, Bound, bound, picked
 from graphic_tmm.board.execute import Program, execute, prepare
 from graphic_tmm.board.hand import Hand
-from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.record import Construction, Mark, again
 from graphic_tmm.board.values import Reals
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.drawn import Drawn

@@ -17,11 +17,10 @@ import numpy as np
 from graphic_tmm.any_angles.ready import Ready, made_ready
 from graphic_tmm.any_angles.turn import Plan, Told, Turn, Turning
 from graphic_tmm.board import roles
-from graphic_tmm.board.again import again, kept
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Program, Reading, execute, prepare
 from graphic_tmm.board.hand import EXACT
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Mark, again, kept
 from graphic_tmm.board.values import Reals
 from graphic_tmm.drawn import Drawn, Numbers, doubted, hand_of
 from graphic_tmm.fitting.scales import chosen, reach_of

@@ -12,8 +12,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 
 from graphic_tmm.board.formula import FORMULAS
-from graphic_tmm.board.formula_text import ORDERS, Node, names_of, tree_of
-from graphic_tmm.board.functions import FUNCTIONS, KEEPING
+from graphic_tmm.board.formula_text import FUNCTIONS, KEEPING, ORDERS, Node, names_of, tree_of
 from graphic_tmm.board.values import Angle, Kind, Length
 
 Dimension = tuple[tuple[str, float], ...]

@@ -21,8 +21,15 @@ from typing import Any, NamedTuple, cast, get_type_hints, overload
 
 import numpy as np
 
-from graphic_tmm.board.formula_text import Node, condition_of, names_of, tree_of
-from graphic_tmm.board.functions import FUNCTIONS, in_radians, whole_power
+from graphic_tmm.board.formula_text import (
+    FUNCTIONS,
+    Node,
+    condition_of,
+    in_radians,
+    names_of,
+    tree_of,
+    whole_power,
+)
 from graphic_tmm.board.grammar import Operation, operation
 from graphic_tmm.board.values import Angle
 from graphic_tmm.errors import BareError

@@ -1,16 +1,11 @@
-"""Graphs on a common base: ordinates laid off, chords or tangents against a pole, segments in succession.
-
-A graph has two scales, one along the base and one of its ordinates, and its own view on the board. What stands
-at the boundaries of the intervals and what stands at their middles are two kinds of things here: a chord gives
-a value of the middle (`Middles`), and only a curve read at the boundaries makes `Boundaries` of it again.
-"""
+"""Graphs on a common base: ordinates laid off, chords or tangents against a pole; and why it is done so."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-from graphic_tmm.board import graph_reasons as why
 from graphic_tmm.board import roles
+from graphic_tmm.board.bounds import INTERVALS
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import abscissa
 from graphic_tmm.board.operations.graph_curves import (
@@ -42,8 +37,48 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point
-from graphic_tmm.bounds import INTERVALS
 from graphic_tmm.errors import ConstructionError
+from graphic_tmm.language.said import said
+
+BASE_AXIS = said(
+    "The base of the graph stands for the turn of the crank: time, or angle, from the zero position on."
+)
+UP_AXIS = said("Ordinates are laid off square to the base.")
+FOOT = said("Each position stands over its own share of the base.")
+END = said("The base ends where the turn does.")
+ORDINATE_LINE = said("Over its place on the base each position has an ordinate of its own.")
+ORDINATE = said("The ordinate shows, to scale, what was found for this position.")
+REPEATS = said("After a whole turn everything repeats itself: the graph ends as high as it began.")
+ORDINATE_READ = said(
+    "The ordinate of the graph, times its scale factor, is the quantity in this position."
+)
+POLE_LINE = said(
+    "The pole stands on the axis of the base, before its origin: rays from it slope as the graph does."
+)
+POLE = said(
+    "Over the pole distance a ray of the slope tan α rises by H·tan α: the distance decides the scale."
+)
+CHORD = said(
+    "The chord has the mean slope of the graph over its interval; in the middle of the interval the graph "
+    "slopes nearly alike."
+)
+RAY = said(
+    "A ray from the pole with this slope cuts off, on the axis of ordinates, a segment proportional to the "
+    "slope: to the derivative."
+)
+CUT_OFF = said(
+    "The segment from the origin to here is the derivative, to the scale that the pole distance gives."
+)
+CARRIED = said("What was cut off on the axis is carried across to where it belongs on the base.")
+MEAN_LEVEL = said("The mean ordinate of the interval is carried across to the axis of ordinates.")
+MEAN_RAY = said(
+    "The ray from the pole to the mean ordinate has the slope with which the integral rises over this "
+    "interval."
+)
+STATION = said(
+    "The base is divided into as many equal parts as the turn; a position outside the row stands between "
+    "its neighbours as the crank pin divides their arc."
+)
 
 
 class Base(NamedTuple):
@@ -112,7 +147,7 @@ def lay_base(draft: Draft, length: Mark, mu: Mark, count: int, numbers: object) 
         )
     intervals = draft.take(Number, "N", float(count))
     n = draft.take(Number, "n", numbers, role=roles.STATION)
-    x = draft.draw(abscissa, "x_{n}", n, length, intervals, why=why.STATION)
+    x = draft.draw(abscissa, "x_{n}", n, length, intervals, why=STATION)
     return Base(count, length, x, mu, draft.direction(0.0))
 
 
@@ -129,10 +164,10 @@ def erect_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:
     """Draw axes alone: what stands on them is laid out by another."""
     draft.open(view)
     origin = draft.take(Point, "O", 0j)
-    along = draft.draw(ray, "(Ox)", origin, base.zero, why=why.BASE_AXIS)
-    up = draft.draw(square, "(Oy)", origin, along, sense=1, why=why.UP_AXIS)
-    feet = draft.draw(lay_off, "i", along, base.x, why=why.FOOT)
-    end = draft.draw(lay_off, str(base.intervals), along, base.length, why=why.END)
+    along = draft.draw(ray, "(Ox)", origin, base.zero, why=BASE_AXIS)
+    up = draft.draw(square, "(Oy)", origin, along, sense=1, why=UP_AXIS)
+    feet = draft.draw(lay_off, "i", along, base.x, why=FOOT)
+    end = draft.draw(lay_off, str(base.intervals), along, base.length, why=END)
     after = draft.draw(following, "i+1", feet, end, row=base.intervals)
     middles = draft.draw(halve, "m", feet, after)
     return Axes(base, view, mu, origin, along, up, feet, end, middles, after)
@@ -140,24 +175,22 @@ def erect_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:
 
 def lay_ordinates(draft: Draft, axes: Axes, lengths: Mark, letter: str) -> Boundaries:
     """Lay off an ordinate for every position; the graph is closed: its end stands as high as its beginning."""
-    line = draft.draw(square, "(i)", axes.feet, axes.along, sense=1, why=why.ORDINATE_LINE)
-    points = draft.draw(lay_off, letter, line, lengths, why=why.ORDINATE)
+    line = draft.draw(square, "(i)", axes.feet, axes.along, sense=1, why=ORDINATE_LINE)
+    points = draft.draw(lay_off, letter, line, lengths, why=ORDINATE)
     return close(draft, axes, points)
 
 
 def close(draft: Draft, axes: Axes, points: Mark) -> Boundaries:
     """Carry the height of the first point across to the end of the base."""
     first = draft.draw(at_zero, f"{points.letter}_0", points, free=True)
-    level = draft.draw(parallel, f"({first.letter}x)", first, axes.along, sense=1, why=why.REPEATS)
-    last = draft.draw(
-        square, f"({axes.end.letter})", axes.end, axes.along, sense=1, why=why.REPEATS
-    )
-    return Boundaries(points, draft.draw(meet, f"{points.letter}_N", level, last, why=why.REPEATS))
+    level = draft.draw(parallel, f"({first.letter}x)", first, axes.along, sense=1, why=REPEATS)
+    last = draft.draw(square, f"({axes.end.letter})", axes.end, axes.along, sense=1, why=REPEATS)
+    return Boundaries(points, draft.draw(meet, f"{points.letter}_N", level, last, why=REPEATS))
 
 
 def read(draft: Draft, axes: Axes, points: Mark, letter: str) -> Mark:
     """Measure the ordinates of points at the boundaries, with their signs."""
-    return draft.draw(measure_along, letter, axes.feet, points, axes.up, why=why.ORDINATE_READ)
+    return draft.draw(measure_along, letter, axes.feet, points, axes.up, why=ORDINATE_READ)
 
 
 def through(draft: Draft, axes: Axes, points: Boundaries | Middles, *, closed: bool = True) -> Mark:
@@ -203,8 +236,8 @@ def on_curve(draft: Draft, axes: Axes, curve: Mark, letter: str) -> Boundaries:
 def set_pole(draft: Draft, axes: Axes, distance: Mark) -> Pole:
     """Mark the pole at its distance H to the left of the origin."""
     draft.open(axes.view)
-    left = draft.draw(square, "(OP)", axes.origin, axes.up, sense=1, why=why.POLE_LINE)
-    return Pole(draft.draw(lay_off, "P", left, distance, role=roles.POLE, why=why.POLE), distance)
+    left = draft.draw(square, "(OP)", axes.origin, axes.up, sense=1, why=POLE_LINE)
+    return Pole(draft.draw(lay_off, "P", left, distance, role=roles.POLE, why=POLE), distance)
 
 
 def by_chords(
@@ -215,11 +248,9 @@ def by_chords(
     after = draft.draw(
         following, f"{at.points.letter}+1", at.points, at.end, row=source.base.intervals
     )
-    chord = draft.draw(
-        join, f"({at.points.letter},{after.letter})", at.points, after, why=why.CHORD
-    )
+    chord = draft.draw(join, f"({at.points.letter},{after.letter})", at.points, after, why=CHORD)
     draft.open(to.view)
-    rays = draft.draw(parallel, "(P)", pole.point, chord, sense=1, why=why.RAY)
+    rays = draft.draw(parallel, "(P)", pole.point, chord, sense=1, why=RAY)
     return Middles(_carried(draft, to, rays, to.middles, letter))
 
 
@@ -230,16 +261,16 @@ def by_tangents(
     draft.open(source.view)
     slopes = draft.draw(touching, f"(τ_{{{curve.letter.strip('()')[0]}}})", curve, source.feet)
     draft.open(to.view)
-    rays = draft.draw(parallel, "(P)", pole.point, slopes, sense=1, why=why.RAY)
+    rays = draft.draw(parallel, "(P)", pole.point, slopes, sense=1, why=RAY)
     return close(draft, to, _carried(draft, to, rays, to.feet, letter))
 
 
 def _carried(draft: Draft, axes: Axes, rays: Mark, feet: Mark, letter: str) -> Mark:
     """Carry where rays from the pole meet the ordinate axis across to over their feet."""
-    cut = draft.draw(meet, f"{letter}_y", axes.up, rays, why=why.CUT_OFF)
-    level = draft.draw(parallel, f"({cut.letter})", cut, axes.along, sense=1, why=why.CARRIED)
-    over = draft.draw(square, f"({feet.letter})", feet, axes.along, sense=1, why=why.CARRIED)
-    return draft.draw(meet, letter, over, level, why=why.CARRIED)
+    cut = draft.draw(meet, f"{letter}_y", axes.up, rays, why=CUT_OFF)
+    level = draft.draw(parallel, f"({cut.letter})", cut, axes.along, sense=1, why=CARRIED)
+    over = draft.draw(square, f"({feet.letter})", feet, axes.along, sense=1, why=CARRIED)
+    return draft.draw(meet, letter, over, level, why=CARRIED)
 
 
 def integrate(
@@ -261,11 +292,9 @@ def integrate(
     row = source.base.intervals
     draft.open(source.view)
     high = _mean_ordinates(draft, source, curve, mean, at)
-    level = draft.draw(
-        parallel, f"({high.letter})", high, source.along, sense=1, why=why.MEAN_LEVEL
-    )
-    cut = draft.draw(meet, "h_y", source.up, level, free=True, why=why.MEAN_LEVEL)
-    rays = draft.draw(join, f"(P{cut.letter})", pole.point, cut, why=why.MEAN_RAY)
+    level = draft.draw(parallel, f"({high.letter})", high, source.along, sense=1, why=MEAN_LEVEL)
+    cut = draft.draw(meet, "h_y", source.up, level, free=True, why=MEAN_LEVEL)
+    rays = draft.draw(join, f"(P{cut.letter})", pole.point, cut, why=MEAN_RAY)
     draft.open(to.view)
     points = draft.draw(succession, letter, to.origin, rays, to.feet, to.end, row=row)
     return Boundaries(

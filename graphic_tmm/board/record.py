@@ -1,18 +1,16 @@
-"""The log: marks, steps, views; and the Board that writes it.
-
-A mark is written once. Kinds are checked when a step is recorded. Nothing here holds a number of the
-drawing: a `Construction` is the same for every μ, every position and every hand.
-"""
+"""The log: marks, steps, views, the Board that writes it; names of segments; what follows from given marks."""
 
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Mapping
-from typing import Generic, NamedTuple, TypeVar
+from collections.abc import Collection, Mapping
+from typing import Any, Generic, NamedTuple, TypeVar
+
+import numpy as np
 
 from graphic_tmm.board.dimensions import fault, unit_of
 from graphic_tmm.board.grammar import Operation
-from graphic_tmm.board.values import KINDS, Kind, Length, Point
+from graphic_tmm.board.values import KINDS, Kind, Length, Point, places
 from graphic_tmm.errors import ConstructionError
 
 T = TypeVar("T")
@@ -262,3 +260,51 @@ class Board:
         mark = Mark(self._count, letter, kind, self._view, unit, role)
         self._count += 1
         return mark
+
+
+RATES = {"ω": "omega", "ε": "epsilon"}
+
+
+def between(start: Mark, end: str) -> str:
+    """Return the letter of the segment from a point to another: πa, aa3, n3a3, as both stand on the plan.
+
+    The one place where a segment of a plan of vectors gets its name: the end may not be drawn yet.
+    """
+    return f"{start.letter}{end}"
+
+
+def segment_name(letter: str) -> str:
+    """Return a letter of the log as machines read it: P_{i3} -> Pi3, ω_2 -> omega2."""
+    stem, _, rest = letter.partition("_")
+    if rest and stem in RATES:
+        return RATES[stem] + rest.strip("{}")
+    return letter.replace(TALLY, "′").translate({ord(sign): None for sign in "_{}"})
+
+
+def kept(
+    log: Construction, given: Mapping[Mark, object], drawn: Mapping[int, Any]
+) -> dict[Mark, Any]:
+    """Return what is given that does not vary, and what is drawn across positions, once for all of them.
+
+    ``drawn``: by slot the numbers of the log, as it was executed at the positions of its row.
+    """
+    known: dict[Mark, Any] = {
+        mark: value
+        for mark, value in given.items()
+        if not (isinstance(value, np.ndarray) and value.ndim == 2 and value.shape[1] > 1)
+    }
+    across = [step.it for step in log.steps if step.op.across and step.it.slot in drawn]
+    return known | {mark: drawn[mark.slot] for mark in across if places(drawn[mark.slot]) == 1}
+
+
+def again(log: Construction, known: Collection[Mark]) -> Construction:
+    """Return the log of what follows, position by position, from what is known, and from nothing else."""
+    there, steps = set(known), []
+    for step in log.steps:
+        if step.it in known:
+            continue
+        if not step.op.across and there.issuperset(step.uses):
+            there.add(step.it)
+            steps.append(step)
+    begun = tuple(mark for mark in (*log.given, *(s.it for s in log.steps)) if mark in known)
+    return log._replace(given=begun, steps=tuple(steps))

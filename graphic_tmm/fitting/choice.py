@@ -20,16 +20,18 @@ from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.grammar import Operation
-from graphic_tmm.board.operations.choice import (
+from graphic_tmm.board.operations.formulas import mm_of_time, mm_of_turn, pole_distance, to_board
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.scales import (
+    Scale,
     accepted,
     next_standard,
     next_standard_length,
     of_turns,
     scale_of,
+    standard,
+    standard_length,
 )
-from graphic_tmm.board.operations.formulas import mm_of_time, mm_of_turn, pole_distance, to_board
-from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.sizes import GRAPHS

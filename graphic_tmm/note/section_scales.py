@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from graphic_tmm.board import scales as choice
 from graphic_tmm.board.execute import execute
-from graphic_tmm.board.operations import choice
 from graphic_tmm.board.record import Step
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.fitting.choice import SCALES, choices

@@ -9,8 +9,7 @@ from string import Formatter
 from typing import NamedTuple
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.formula_text import Node, tree_of
-from graphic_tmm.board.functions import FUNCTIONS
+from graphic_tmm.board.formula_text import FUNCTIONS, Node, tree_of
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Length
 from graphic_tmm.language.names import spoken

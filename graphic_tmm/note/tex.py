@@ -9,8 +9,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import groupby
 
-from graphic_tmm.board.formula_text import Node
-from graphic_tmm.board.functions import FUNCTIONS
+from graphic_tmm.board.formula_text import FUNCTIONS, Node
 from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.language.symbols import function
 from graphic_tmm.language.units import unit

@@ -15,11 +15,10 @@ import numpy as np
 
 from graphic_tmm.any_angles.turn import Turn, Turning
 from graphic_tmm.board import roles
-from graphic_tmm.board.again import again, kept
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.findings import examine, step_number
 from graphic_tmm.board.hand import EXACT
-from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.record import Construction, Mark, again, kept
 from graphic_tmm.board.values import Reals
 from graphic_tmm.drawn import Drawn, Findings, Numbers
 from graphic_tmm.project import Project

@@ -10,9 +10,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.naming import segment_name
 from graphic_tmm.board.operations.statics import arm
-from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.record import Mark, Step, segment_name
 from graphic_tmm.board.values import Length, Number, Reals
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.numbers import fixed, number

@@ -11,13 +11,6 @@ import math
 from collections.abc import Iterator
 
 from graphic_tmm.board.operations import graphs as g
-from graphic_tmm.board.operations.choice import (
-    accepted,
-    nearest_standard,
-    next_ratio,
-    next_standard,
-    next_standard_length,
-)
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.operations.instruments import (
     bearing,
@@ -37,6 +30,13 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.operations.statics import arm, carry
 from graphic_tmm.board.operations.supports import planimeter
 from graphic_tmm.board.record import Step
+from graphic_tmm.board.scales import (
+    accepted,
+    nearest_standard,
+    next_ratio,
+    next_standard,
+    next_standard_length,
+)
 from graphic_tmm.board.values import Arc, Curve, Kind, Line, Point
 from graphic_tmm.paper.drawing import Bezier, Ink, arc, circle, line
 from graphic_tmm.paper.seen import Rule, Seen, finite

@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.naming import segment_name
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Length, Reals
 from graphic_tmm.drawn import Drawn, Results
 from graphic_tmm.language.names import plain

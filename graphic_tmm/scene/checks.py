@@ -9,7 +9,7 @@ from itertools import chain
 from pkgutil import resolve_name
 from typing import Any
 
-from graphic_tmm.bounds import TaskError
+from graphic_tmm.board.bounds import TaskError
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.masses import free_points
 from graphic_tmm.mechanism.records import shared

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 from graphic_tmm.scene.bare import taken
 
 if TYPE_CHECKING:
-    from graphic_tmm.bounds import Bound
+    from graphic_tmm.board.bounds import Bound
     from graphic_tmm.mechanism.records import Mechanism
     from graphic_tmm.scene.sections import Parts
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from graphic_tmm.bounds import Bound
+from graphic_tmm.board.bounds import Bound
 from graphic_tmm.language.catalogue import languages
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.formats import AUTO, FORMATS, USUAL, others

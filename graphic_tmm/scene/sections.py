@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from graphic_tmm.bounds import INTERVALS
+from graphic_tmm.board.bounds import INTERVALS
 from graphic_tmm.errors import TmmError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import author, drawing, lengths, letters, mechanism, quantities, registry

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 
-from graphic_tmm.bounds import POSITIVE, Bound
+from graphic_tmm.board.bounds import POSITIVE, Bound
 from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.scene import lengths, letters, misfits, quantities
 from graphic_tmm.scene.declare import Kind, Names, Schema

@@ -15,9 +15,9 @@ from graphic_tmm.accuracy.budget import choose
 from graphic_tmm.accuracy.quantities import Accuracy, Axis, Quantity, Value
 from graphic_tmm.accuracy.report_json import json_report
 from graphic_tmm.accuracy.study import study
+from graphic_tmm.board.bounds import Bound
 from graphic_tmm.board.operations.instruments import join, lay_off, measure
 from graphic_tmm.board.values import Length, Point
-from graphic_tmm.bounds import Bound
 from graphic_tmm.errors import SceneError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench, Plan, Project

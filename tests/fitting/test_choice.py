@@ -18,9 +18,8 @@ from support.scenes import edited
 
 from graphic_tmm.accuracy.cost import count
 from graphic_tmm.board.execute import execute
-from graphic_tmm.board.operations.choice import next_standard, scale_of
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.scales import PREFERRED, Scale, nearest, standard
+from graphic_tmm.board.scales import PREFERRED, Scale, nearest, next_standard, scale_of, standard
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.fitting.choice import SCALES, Choices, choices

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from graphic_tmm.board.formula_text import tree_of
-from graphic_tmm.board.functions import FUNCTIONS
+from graphic_tmm.board.formula_text import FUNCTIONS, tree_of
 from graphic_tmm.note.document import Formula, Number, Source, Symbol, Tree
 from graphic_tmm.note.tex import spelt, tex
 from graphic_tmm.note.widths import broken, packed

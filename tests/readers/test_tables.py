@@ -22,7 +22,7 @@ from support.command import rows as csv_rows
 from support.gallery import NAMES, drawn
 from support.scenes import edited
 
-from graphic_tmm.board.naming import segment_name
+from graphic_tmm.board.record import segment_name
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.table import plan_columns
 from graphic_tmm.readers.columns import Column

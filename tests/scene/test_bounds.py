@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from graphic_tmm.bounds import Bound, TaskError
+from graphic_tmm.board.bounds import Bound, TaskError
 from graphic_tmm.chapters.cam.refusals import refuse
 from graphic_tmm.chapters.cam.task import CamTask
 from graphic_tmm.chapters.gears.refusals import refuse_order

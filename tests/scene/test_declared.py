@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from graphic_tmm.bounds import Bound
+from graphic_tmm.board.bounds import Bound
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene import keys
 from graphic_tmm.scene import values as v

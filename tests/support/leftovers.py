@@ -19,7 +19,7 @@ from typing import Any
 from xml.etree import ElementTree
 
 from graphic_tmm.__main__ import main
-from graphic_tmm.board.functions import FUNCTIONS
+from graphic_tmm.board.formula_text import FUNCTIONS
 from graphic_tmm.language import catalogue
 from graphic_tmm.language.po import read
 from graphic_tmm.readers.protocol import plans

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.bounds import TaskError
+from graphic_tmm.board.bounds import TaskError
 from graphic_tmm.chapters.arc_cam.task import ASKED, FLAT, ROCKER, ArcTask, Flank
 from graphic_tmm.language.said import said
 

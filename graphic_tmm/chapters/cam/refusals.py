@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.bounds import POSITIVE, TaskError
+from graphic_tmm.board.bounds import POSITIVE, TaskError
 from graphic_tmm.chapters.cam.task import (
     BY_DIAGRAM,
     CamTask,

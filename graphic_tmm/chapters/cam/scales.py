@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from graphic_tmm.board.operations.choice import accepted
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import accepted
 from graphic_tmm.chapters.cam.plan import CAM_PLAN
 from graphic_tmm.chapters.cam.task import ASKED, CAM, GRAPHS
 from graphic_tmm.drawn import Drawn

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any
 
-from graphic_tmm.bounds import POSITIVE, Bound
+from graphic_tmm.board.bounds import POSITIVE, Bound
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v

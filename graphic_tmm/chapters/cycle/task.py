@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from graphic_tmm.bounds import INTERVALS, Bound
+from graphic_tmm.board.bounds import INTERVALS, Bound
 from graphic_tmm.chapters.flywheel.task import FlywheelTask, aims
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities

@@ -6,10 +6,9 @@ from collections.abc import Container
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.choice import nearest_standard
 from graphic_tmm.board.operations.formulas import time_per_mm, turn_per_mm
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.scales import Scale
+from graphic_tmm.board.scales import Scale, nearest_standard
 from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
 from graphic_tmm.chapters.diagrams.task import ASKED, BASE_VIEW, DIAGRAMS, VIEWS, chain, wanted_base

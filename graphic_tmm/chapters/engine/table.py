@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from graphic_tmm.board.naming import segment_name
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.plan import ENGINE_PLAN, Engine
 from graphic_tmm.chapters.engine.record import BESIDE, WORKS

@@ -6,9 +6,9 @@ import math
 from dataclasses import dataclass
 
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.operations.choice import accepted
 from graphic_tmm.board.operations.energetics import largest_rim, mean, rim_mass, rim_width, share
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import accepted
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.flywheel.task import Rim
 from graphic_tmm.errors import StructureError

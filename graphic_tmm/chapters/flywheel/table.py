@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from graphic_tmm.board.naming import segment_name
+from graphic_tmm.board.record import segment_name
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
 from graphic_tmm.chapters.flywheel.record import BESIDE, Beside
 from graphic_tmm.chapters.flywheel.rim import wanted_outer

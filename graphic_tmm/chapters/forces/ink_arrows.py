@@ -11,8 +11,7 @@ import numpy as np
 import shapely
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.naming import segment_name
-from graphic_tmm.board.record import Figure, Mark, Step
+from graphic_tmm.board.record import Figure, Mark, Step, segment_name
 from graphic_tmm.board.values import Kind, Length, Line, Point
 from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
 from graphic_tmm.chapters.kinematics.reaches import VIEW as POSITIONS

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphic_tmm.bounds import Bound
+from graphic_tmm.board.bounds import Bound
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v

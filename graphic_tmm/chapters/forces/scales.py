@@ -11,9 +11,15 @@ import numpy as np
 from graphic_tmm.board import roles
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.choice import ENLARGED, next_ratio, times_larger
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.scales import Scale, standard, standard_length
+from graphic_tmm.board.scales import (
+    ENLARGED,
+    Scale,
+    next_ratio,
+    standard,
+    standard_length,
+    times_larger,
+)
 from graphic_tmm.board.values import Length, Point
 from graphic_tmm.chapters.forces.detached import Detached
 from graphic_tmm.chapters.forces.load_diagrams import ACROSS, UP, pictured

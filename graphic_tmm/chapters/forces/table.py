@@ -7,8 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.naming import segment_name
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.forces.detached import Reaction
 from graphic_tmm.chapters.forces.friction import pin_sentences

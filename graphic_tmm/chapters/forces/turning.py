@@ -8,8 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from graphic_tmm.any_angles.turn import Between, Told, Turn, Turning
-from graphic_tmm.board.naming import segment_name
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
 from graphic_tmm.chapters.forces.ink_groups import Shown, draw_group

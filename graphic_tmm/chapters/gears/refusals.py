@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
+from graphic_tmm.board.bounds import POSITIVE, TaskError
 from graphic_tmm.board.record import Mark
-from graphic_tmm.bounds import POSITIVE, TaskError
 from graphic_tmm.chapters.gears.dimensions import GearSizes, WheelSizes
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.language.said import said

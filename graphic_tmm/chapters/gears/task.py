@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from graphic_tmm.bounds import POSITIVE, Bound
+from graphic_tmm.board.bounds import POSITIVE, Bound
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v

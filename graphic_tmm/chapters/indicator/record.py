@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from graphic_tmm.board.operations.choice import scale_of
 from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import scale_of
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, record
 from graphic_tmm.chapters.indicator.task import CALCULATED, INDICATOR
 from graphic_tmm.project import Bench, Plan

@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.naming import between
 from graphic_tmm.board.operations.instruments import (
     coincide,
     homologous,
@@ -16,7 +15,7 @@ from graphic_tmm.board.operations.instruments import (
     measure_along,
     similar,
 )
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Construction, Mark, Step, between
 from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import Body, Closing, GuideLeg, PinLeg
 from graphic_tmm.chapters.kinematics.positions import Positions

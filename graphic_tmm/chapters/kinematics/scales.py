@@ -12,10 +12,9 @@ import numpy as np
 
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.choice import scale_by_turning
 from graphic_tmm.board.operations.formulas import product, product_of_squares
 from graphic_tmm.board.record import Construction, Figure, Mark
-from graphic_tmm.board.scales import Scale, standard, standard_length
+from graphic_tmm.board.scales import Scale, scale_by_turning, standard, standard_length
 from graphic_tmm.board.values import Curve, Point
 from graphic_tmm.chapters.kinematics.motion import image_letter
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphic_tmm.board.naming import segment_name
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.task import (

@@ -8,10 +8,9 @@ from __future__ import annotations
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.naming import between
 from graphic_tmm.board.operations.formulas import product, rate, to_board
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet, parallel, square
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Mark, between
 from graphic_tmm.board.values import Number, Point
 from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg

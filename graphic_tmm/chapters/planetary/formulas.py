@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.functions import define
+from graphic_tmm.board.formula_text import define
 from graphic_tmm.board.grammar import WHOLE_ROW, operation
 from graphic_tmm.board.values import Angle, Length, Number, Point, Reals
 from graphic_tmm.language.said import said

@@ -9,7 +9,7 @@ from fractions import Fraction
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from graphic_tmm.bounds import Bound, TaskError
+from graphic_tmm.board.bounds import Bound, TaskError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, bound_of, key, made

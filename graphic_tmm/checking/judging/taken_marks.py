@@ -8,10 +8,7 @@ from typing import Any
 import numpy as np
 
 from graphic_tmm.board.findings import step_number
-from graphic_tmm.board.naming import (
-    segment_name,
-)
-from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.record import Mark, Step, segment_name
 from graphic_tmm.board.values import Length, Number, Point
 from graphic_tmm.checking.cells import Cell, Key, pointed
 from graphic_tmm.checking.judging.own_errors import Grain, alone

@@ -11,8 +11,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphic_tmm.board.naming import segment_name
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.checking.cells import RESULTS, Cell
 from graphic_tmm.checking.judging.own_errors import exact

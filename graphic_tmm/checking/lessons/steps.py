@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.naming import segment_name
-from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.record import Mark, Step, segment_name
 from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Side
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.checking.cells import cells

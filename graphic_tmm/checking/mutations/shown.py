@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from graphic_tmm.board.naming import segment_name
-from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.record import Construction, Mark, segment_name
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.diagnosis import Diagnosis
 from graphic_tmm.checking.mutations.evidence import Readings

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from graphic_tmm.board.findings import step_number
-from graphic_tmm.board.naming import segment_name
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Construction, Mark, Step, segment_name
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.choosing import SURE, UNSURE
 from graphic_tmm.checking.mutations.diagnosis import Diagnosis

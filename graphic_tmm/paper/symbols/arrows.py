@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from graphic_tmm.board.naming import (
-    segment_name,
-)
+from graphic_tmm.board.record import segment_name
 from graphic_tmm.paper.drawing import Stroke, line
 from graphic_tmm.paper.symbols.kinematic import ARROW_LENGTH, ARROW_WIDTH, arrowhead
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from support.arc_cams import FLANKS, KINDS, contour, drawn, lowest, place, random_order
 
-from graphic_tmm.bounds import TaskError
+from graphic_tmm.board.bounds import TaskError
 from graphic_tmm.chapters.arc_cam.geometry import lie
 from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER, ArcTask, Flank
 

@@ -11,8 +11,8 @@ from support.boards import usual_part
 from support.gallery import SHEETS
 from support.scenes import edited
 
+from graphic_tmm.board.bounds import TaskError
 from graphic_tmm.board.execute import execute
-from graphic_tmm.bounds import TaskError
 from graphic_tmm.chapters.gears.dimensions import VIEW as DIMENSIONS
 from graphic_tmm.chapters.gears.findings import verdict
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN

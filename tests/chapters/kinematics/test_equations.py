@@ -9,10 +9,7 @@ import pytest
 from support.each import each
 from support.gallery import PLANS, in_usual
 
-from graphic_tmm.board.naming import (
-    segment_name,
-)
-from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.record import Construction, Mark, segment_name
 from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.kinematics.ink_plans import draw_equations
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
