@@ -16,7 +16,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.positions import side_record, side_values
 from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.names import plain
+from graphic_tmm.language.symbols import plain
 from graphic_tmm.mechanism.structure import Group, dissect
 from graphic_tmm.readers.findings import warnings
 from graphic_tmm.readers.position_count import told_off

@@ -6,9 +6,8 @@ from itertools import chain
 
 from graphic_tmm.accuracy.quantities import Accuracy
 from graphic_tmm.accuracy.settings import dividing
-from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.catalogue import Tongues, Words, speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.language.tables import Tongues, Words
 from graphic_tmm.scene.chapter import chapters
 
 TEXTS: dict[str, str] = {

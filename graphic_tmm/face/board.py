@@ -23,8 +23,8 @@ from graphic_tmm.face.quantity import Quantity
 from graphic_tmm.face.sheets import Sheet
 from graphic_tmm.face.told import Steps, steps_of
 from graphic_tmm.language.catalogue import languages, speaking
-from graphic_tmm.language.names import spoken
 from graphic_tmm.language.said import said
+from graphic_tmm.language.symbols import spoken
 from graphic_tmm.readers.findings import why_of
 from graphic_tmm.readers.narration import protocol
 from graphic_tmm.readers.protocol import Told

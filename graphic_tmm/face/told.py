@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple, overload
 
 from graphic_tmm.face.html import rendered
-from graphic_tmm.language.names import spoken
+from graphic_tmm.language.symbols import spoken
 from graphic_tmm.readers.narration import Line
 from graphic_tmm.readers.protocol import Told, text_of
 

@@ -18,8 +18,8 @@ from graphic_tmm.face.reading import refuse_unlettered
 from graphic_tmm.face.sheets import WRITERS, ending, saved
 from graphic_tmm.files import write
 from graphic_tmm.fitting.composition import Composition, beside, read_composition
-from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import decimals_of
+from graphic_tmm.language.symbols import plain
 from graphic_tmm.readers.columns import Column, Positions
 from graphic_tmm.readers.table import facts_of, positions_of, trial_figures
 from graphic_tmm.readers.text import column_name, table_rows

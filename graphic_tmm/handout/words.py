@@ -7,8 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.board.record import Construction
-from graphic_tmm.language.names import spoken
-from graphic_tmm.language.symbols import symbol
+from graphic_tmm.language.symbols import spoken, symbol
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.paper.lettering.letters import escape, letter
 from graphic_tmm.readers.narration import Line

@@ -1,14 +1,11 @@
-"""How marks are called in each language: what stands in an index is a word, and words have a language.
-
-A mark's name is mark-up (P_{i3}, y_{Pi3}); what is made of another's name holds it, in braces or without. So
-names reach sheets, tables and protocols by this one way.
-"""
+"""How marks are called in each language: what stands in an index is a word; the same as plain text."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
 from functools import cache
+from typing import Protocol
 
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import Said, said
@@ -123,3 +120,21 @@ def result_symbol(name: str, language: str) -> str:
     if found is not None:
         name = f"{found[1]}_{{{found[2]}}}" if found[2] else found[1]
     return symbol(name, language)
+
+
+class HasName(Protocol):
+    """What bears a name, as the marks of a log do."""
+
+    @property
+    def name(self) -> str:
+        """The name."""
+
+
+def plain(letter: str) -> str:
+    """Return a letter of the log as plain text: l_{OA} -> l_OA."""
+    return letter.replace("{", "").replace("}", "")
+
+
+def spoken(mark: HasName, language: str) -> str:
+    """Return what a mark is called in a language, as plain text."""
+    return plain(symbol(mark.name, language))

@@ -8,7 +8,7 @@ from typing import ClassVar
 
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.names import plain
+from graphic_tmm.language.symbols import plain
 from graphic_tmm.note.bricks import columns, figures_of, heading, paired, results, worked
 from graphic_tmm.note.document import Block, Runs, paragraph
 from graphic_tmm.note.plans import section, shown_and_listed

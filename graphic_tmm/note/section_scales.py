@@ -11,10 +11,9 @@ from graphic_tmm.board.record import Step
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.fitting.choice import SCALES, choices
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
-from graphic_tmm.language.symbols import symbol
+from graphic_tmm.language.symbols import plain, symbol
 from graphic_tmm.note.bricks import heading
 from graphic_tmm.note.document import (
     Block,

@@ -12,9 +12,8 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.formula_text import FUNCTIONS, Node, tree_of
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Length
-from graphic_tmm.language.names import spoken
 from graphic_tmm.language.numbers import EXACTLY, number
-from graphic_tmm.language.symbols import symbol
+from graphic_tmm.language.symbols import spoken, symbol
 from graphic_tmm.note.document import (
     Formula,
     Leaf,

@@ -7,7 +7,7 @@ from typing import Any
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Line, Point
-from graphic_tmm.language.names import spoken
+from graphic_tmm.language.symbols import spoken
 from graphic_tmm.page.stops import Played
 from graphic_tmm.paper.seen import Seen, finite
 

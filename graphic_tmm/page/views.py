@@ -8,8 +8,8 @@ from typing import Any
 from graphic_tmm.board.operations.instruments import measure_along
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.names import plain as plainly
 from graphic_tmm.language.said import said
+from graphic_tmm.language.symbols import plain as plainly
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.page.inset import with_mechanisms
 from graphic_tmm.page.stops import Played, Stop, Told

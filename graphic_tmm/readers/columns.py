@@ -15,7 +15,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Length, Reals
 from graphic_tmm.drawn import Drawn, Results
-from graphic_tmm.language.names import plain
+from graphic_tmm.language.symbols import plain
 from graphic_tmm.language.units import unit_name
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.project import Project

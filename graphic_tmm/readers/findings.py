@@ -10,9 +10,9 @@ from typing import ClassVar
 from graphic_tmm.board.findings import Finding
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.catalogue import SOURCE, Speech, speaking
-from graphic_tmm.language.names import plain, spoken
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
+from graphic_tmm.language.symbols import plain, spoken
 from graphic_tmm.language.units import unit
 from graphic_tmm.project import Project
 from graphic_tmm.readers.position_count import told_off

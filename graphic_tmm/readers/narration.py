@@ -11,9 +11,8 @@ from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.fitting.choice import SCALES
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.names import plain
 from graphic_tmm.language.said import said
-from graphic_tmm.language.symbols import symbol
+from graphic_tmm.language.symbols import plain, symbol
 from graphic_tmm.readers.equations import Equation, equations, heading
 from graphic_tmm.readers.sentences import calculation, figure, reason, sentence
 from graphic_tmm.scene.captions import Named, captions, view_name

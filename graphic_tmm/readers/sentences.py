@@ -16,9 +16,8 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Angle, Length, Number, Side
 from graphic_tmm.drawn import MEASURED
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.names import spoken
 from graphic_tmm.language.numbers import EXACTLY, number
-from graphic_tmm.language.symbols import with_functions
+from graphic_tmm.language.symbols import spoken, with_functions
 from graphic_tmm.language.units import unit, unit_name
 from graphic_tmm.scene.captions import captions, view_name
 

@@ -8,9 +8,8 @@ from itertools import chain, groupby
 from typing import TYPE_CHECKING, NamedTuple
 
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import fixed, number
-from graphic_tmm.language.symbols import result_symbol, symbol
+from graphic_tmm.language.symbols import plain, result_symbol, symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.readers.columns import Column, Positions, known_at
 from graphic_tmm.readers.position_count import Finer

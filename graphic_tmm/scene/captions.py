@@ -11,10 +11,9 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar
 
-from graphic_tmm.language.catalogue import Speech, speaking
-from graphic_tmm.language.names import plain
+from graphic_tmm.language.catalogue import Speech, Words, speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.language.tables import Words
+from graphic_tmm.language.symbols import plain
 from graphic_tmm.scene.chapter import Answer, chapters
 
 COMMON: dict[str, str] = {

@@ -15,9 +15,8 @@ from babel.plural import PluralRule
 from support.messages import PACKAGE, calls, messages, nodes, places, sources
 
 from graphic_tmm.language import catalogue
-from graphic_tmm.language.catalogue import Speech, languages, speaking
+from graphic_tmm.language.catalogue import Catalogue, Speech, languages, read, speaking
 from graphic_tmm.language.numbers import decimal_sign
-from graphic_tmm.language.po import Catalogue, read
 from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.language.units import BASE, unit
 

@@ -26,8 +26,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import TALLY, Construction
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.fitting.views import drawing_of
-from graphic_tmm.language.names import plain, spoken
-from graphic_tmm.language.symbols import symbol
+from graphic_tmm.language.symbols import plain, spoken, symbol
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.paper.lettering.markup import plain as lettered
 from graphic_tmm.readers.narration import Line, protocol

@@ -21,7 +21,7 @@ from xml.etree import ElementTree
 from graphic_tmm.__main__ import main
 from graphic_tmm.board.formula_text import FUNCTIONS
 from graphic_tmm.language import catalogue
-from graphic_tmm.language.po import read
+from graphic_tmm.language.catalogue import read
 from graphic_tmm.readers.protocol import plans
 from graphic_tmm.scene.schema import schema
 

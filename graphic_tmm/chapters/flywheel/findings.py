@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from graphic_tmm.chapters.flywheel.table import rim_too_wide
 from graphic_tmm.chapters.kinematics.findings import assumed
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.names import plain
+from graphic_tmm.language.symbols import plain
 from graphic_tmm.readers.findings import Warned
 
 

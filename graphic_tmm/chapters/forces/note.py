@@ -17,9 +17,9 @@ from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import decimals_of, number
 from graphic_tmm.language.said import said
+from graphic_tmm.language.symbols import plain
 from graphic_tmm.note.bricks import (
     asked,
     beside,

@@ -14,8 +14,7 @@ from graphic_tmm.chapters.forces.friction import pin_sentences
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.task import FORCES
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.names import plain
-from graphic_tmm.language.symbols import symbol
+from graphic_tmm.language.symbols import plain, symbol
 from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 from graphic_tmm.readers.protocol import Protocols

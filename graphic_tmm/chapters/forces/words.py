@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from graphic_tmm.chapters.forces.task import FORCES
 from graphic_tmm.language.catalogue import Speech
-from graphic_tmm.language.names import plain
 from graphic_tmm.language.said import said
+from graphic_tmm.language.symbols import plain
 from graphic_tmm.scene.captions import Named
 
 CAPTIONS: dict[str, str] = {

@@ -11,10 +11,9 @@ from graphic_tmm.chapters.gears.plan import GEARS_PLAN, Gear
 from graphic_tmm.chapters.gears.table import dimension_table, gear_results, sliding_table, working
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.views import Views
-from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.catalogue import Tongues, speaking
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.said import said
-from graphic_tmm.language.tables import Tongues
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing

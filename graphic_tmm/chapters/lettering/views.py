@@ -8,9 +8,8 @@ import unicodedata
 from collections.abc import Iterable
 
 from graphic_tmm.fitting.views import Views
-from graphic_tmm.language.catalogue import Speech, speaking
+from graphic_tmm.language.catalogue import Speech, Tongues, speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.language.tables import Tongues
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, circle, line
 from graphic_tmm.paper.lettering.glyphs import characters
 from graphic_tmm.paper.lettering.heights import Heights, heights

@@ -18,11 +18,10 @@ from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary
 from graphic_tmm.chapters.planetary.record import BESIDE
 from graphic_tmm.chapters.planetary.tooth_search import Solutions, search
 from graphic_tmm.drawn import Drawn, Results, results_of
-from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.names import plain
+from graphic_tmm.language.catalogue import Tongues, speaking
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
-from graphic_tmm.language.tables import Tongues
+from graphic_tmm.language.symbols import plain
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.bricks import filled, result_number
 from graphic_tmm.note.document import Runs

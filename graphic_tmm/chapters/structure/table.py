@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 from graphic_tmm.chapters.structure import STRUCTURE
 from graphic_tmm.chapters.structure.record import STRUCTURE_PLAN
+from graphic_tmm.language.catalogue import Tongues
 from graphic_tmm.language.said import said
-from graphic_tmm.language.tables import Tongues
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.structure import Pair, Structure
 from graphic_tmm.paper.blocks import breakable

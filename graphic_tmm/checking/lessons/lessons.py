@@ -12,7 +12,7 @@ from graphic_tmm.checking.lessons.small_plans import SmallPlans
 from graphic_tmm.checking.lessons.steps import Numbers, Steps, Told
 from graphic_tmm.checking.records import FINE, WRONG, Judged, Lesson, Likely
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.language.names import spoken
+from graphic_tmm.language.symbols import spoken
 from graphic_tmm.readers.narration import defined
 from graphic_tmm.readers.sentences import calculation, reason, sentence
 

@@ -19,9 +19,9 @@ from graphic_tmm.checking.records import (
 )
 from graphic_tmm.checking.records import MISTAKE, SLIP, UNKNOWN, Judged, Likely
 from graphic_tmm.language.catalogue import Speech, speaking
-from graphic_tmm.language.names import spoken
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
+from graphic_tmm.language.symbols import spoken
 from graphic_tmm.readers.sentences import letters_of
 from graphic_tmm.scene.captions import view_name
 

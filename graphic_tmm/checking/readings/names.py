@@ -17,7 +17,7 @@ from graphic_tmm.checking.readings.spelling import (
     signs,
 )
 from graphic_tmm.language.catalogue import languages
-from graphic_tmm.language.names import plain
+from graphic_tmm.language.symbols import plain
 from graphic_tmm.readers.columns import Column, renamed
 from graphic_tmm.readers.text import column_name, result_name
 from graphic_tmm.scene.captions import captions

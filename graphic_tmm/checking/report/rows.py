@@ -14,8 +14,8 @@ from graphic_tmm.checking.report.words import (
     shown,
     unit_name,
 )
-from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import fixed, number
+from graphic_tmm.language.symbols import plain
 
 SIGNS = {FINE: "●", DOUBTFUL: "▲", WRONG: "✖"}
 """Verdicts are told by a shape as well as by a colour."""

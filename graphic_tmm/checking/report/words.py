@@ -7,8 +7,8 @@ report passes them through `shown` before it escapes them for its own medium.
 from __future__ import annotations
 
 from graphic_tmm.checking.cells import RESULTS
+from graphic_tmm.language.catalogue import Tongues
 from graphic_tmm.language.said import said
-from graphic_tmm.language.tables import Tongues
 from graphic_tmm.language.units import known
 from graphic_tmm.language.units import unit as translated
 from graphic_tmm.scene.captions import Named, captions

@@ -8,9 +8,9 @@ from graphic_tmm.checking.cells import Cell, Key, pointed
 from graphic_tmm.checking.judging.taken_marks import steps_of
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.language.names import plain
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import Said, joined, said
+from graphic_tmm.language.symbols import plain
 from graphic_tmm.language.units import unit
 from graphic_tmm.readers.table import scene_columns
 from graphic_tmm.readers.text import column_name

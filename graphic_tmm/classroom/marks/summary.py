@@ -12,9 +12,8 @@ from graphic_tmm.classroom.marks.marking import Entry, Marked
 from graphic_tmm.classroom.marks.row import asked
 from graphic_tmm.classroom.marks.rule import FIVE, decimal
 from graphic_tmm.classroom.marks.rule_words import told
-from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.catalogue import Tongues, speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.language.tables import Tongues
 
 NAMED = 3
 """So many mistakes of a hand-in are told; its report has all."""

@@ -21,9 +21,8 @@ from graphic_tmm.checking.judging.equivalents import ways_of
 from graphic_tmm.checking.judging.own_errors import parts_of
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.names import spoken
 from graphic_tmm.language.said import said
-from graphic_tmm.language.symbols import with_functions
+from graphic_tmm.language.symbols import spoken, with_functions
 from graphic_tmm.language.units import unit
 from graphic_tmm.page.practice.limits import (
     HAND,
