@@ -30,7 +30,7 @@ from graphic_tmm.chapters.indicator.plan import Machine
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.inertia import inertia_of
+from graphic_tmm.mechanism.masses import inertia_of
 from graphic_tmm.mechanism.records import Link
 
 

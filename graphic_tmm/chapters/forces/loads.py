@@ -36,8 +36,7 @@ from graphic_tmm.chapters.kinematics.motion import Motion, is_signed, reading_of
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.inertia import inertia_of
-from graphic_tmm.mechanism.masses import mass_centre
+from graphic_tmm.mechanism.masses import inertia_of, mass_centre
 from graphic_tmm.mechanism.records import Link, Mechanism
 
 VIEW = "loads"
