@@ -25,8 +25,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from graphic_tmm.any_angles.found import Motion as Motion
-    from graphic_tmm.any_angles.found import PointMotion as PointMotion
     from graphic_tmm.errors import AbsentError as AbsentError
     from graphic_tmm.errors import BareError as BareError
     from graphic_tmm.errors import ConstructionError as ConstructionError
@@ -52,6 +50,8 @@ if TYPE_CHECKING:
     from graphic_tmm.face.tables import Table as Table
     from graphic_tmm.face.told import Step as Step
     from graphic_tmm.face.told import Steps as Steps
+    from graphic_tmm.readers.any_angles.results import Motion as Motion
+    from graphic_tmm.readers.any_angles.results import PointMotion as PointMotion
     from graphic_tmm.scene.records import Scene as Scene
 
     __version__: str
@@ -67,8 +67,8 @@ _HOMES = {
     "Fault": "errors",
     "Mistake": "face.checks",
     "MissingError": "errors",
-    "Motion": "any_angles.found",
-    "PointMotion": "any_angles.found",
+    "Motion": "readers.any_angles.results",
+    "PointMotion": "readers.any_angles.results",
     "Quantity": "face.quantity",
     "Scene": "scene.records",
     "SceneError": "errors",

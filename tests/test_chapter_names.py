@@ -28,7 +28,7 @@ ALLOWED = {
     "commands/shared/beginnings.py: 'engine'",
     "commands/shared/beginnings.py: 'planetary'",
     # what motion is asked for: a word of the face, and of a place of sheets
-    "any_angles/turn.py: 'forces'",
+    "readers/any_angles/turn.py: 'forces'",
 }
 
 

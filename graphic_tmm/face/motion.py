@@ -6,10 +6,10 @@ from collections.abc import Collection
 
 from numpy.typing import ArrayLike
 
-from graphic_tmm.any_angles import motion as any_angles
-from graphic_tmm.any_angles.found import Motion
-from graphic_tmm.any_angles.turn import Plan
 from graphic_tmm.face.reading import Source, read
+from graphic_tmm.readers.any_angles import motion as any_angles
+from graphic_tmm.readers.any_angles.results import Motion
+from graphic_tmm.readers.any_angles.turn import Plan
 
 
 def motion(

@@ -13,7 +13,6 @@ from typing import Any
 
 import numpy as np
 
-from graphic_tmm.any_angles.turn import Turn, Turning
 from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.findings import examine, step_number
@@ -22,6 +21,7 @@ from graphic_tmm.board.record import Construction, Mark, again, kept
 from graphic_tmm.board.values import Reals
 from graphic_tmm.drawn import Drawn, Findings, Numbers
 from graphic_tmm.project import Project
+from graphic_tmm.readers.any_angles.turn import Turn, Turning
 from graphic_tmm.readers.findings import reason
 
 WHOLE = 360.0

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphic_tmm.any_angles.turn import Between, Told, Turn, Turning
 from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
@@ -33,6 +32,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import mu_text
 from graphic_tmm.project import Project
+from graphic_tmm.readers.any_angles.turn import Between, Told, Turn, Turning
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.values import OTHER_EXTREME

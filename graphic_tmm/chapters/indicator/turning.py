@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from graphic_tmm.any_angles.turn import Between, Turn, Turning
 from graphic_tmm.board.operations.curve import over
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.readers.any_angles.turn import Between, Turn, Turning
 
 
 def between(drawn: Drawn, turn: Turn) -> Between:

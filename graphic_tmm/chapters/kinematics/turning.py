@@ -7,7 +7,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphic_tmm.any_angles.turn import Between, Passed, Plan, Quantity, Told, Turn, Turning
 from graphic_tmm.board import roles
 from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.operations.instruments import stand
@@ -28,6 +27,7 @@ from graphic_tmm.paper.figure import Manner, figure
 from graphic_tmm.paper.lettering.heights import heights
 from graphic_tmm.paper.views import mu_text
 from graphic_tmm.project import Project
+from graphic_tmm.readers.any_angles.turn import Between, Passed, Plan, Quantity, Told, Turn, Turning
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
 

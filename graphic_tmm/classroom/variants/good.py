@@ -13,7 +13,6 @@ from collections.abc import Callable, Iterator, Mapping
 from itertools import chain
 from typing import NamedTuple
 
-from graphic_tmm.any_angles.turn import Turning
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.classroom.variants.ranges import Good
 from graphic_tmm.classroom.variants.variant import Base, Variant, scene_of
@@ -23,6 +22,7 @@ from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.fit import sheets_taken
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project, own_boards
+from graphic_tmm.readers.any_angles.turn import Turning
 from graphic_tmm.readers.columns import Column, Readings, is_called
 from graphic_tmm.readers.findings import SILENT
 from graphic_tmm.scene.records import Scene

@@ -10,11 +10,11 @@ from support.boards import drawn_of
 from support.gallery import SHEETS
 
 import graphic_tmm
-from graphic_tmm.any_angles.found import Motion
 from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.forces.task import ASKED, ForcesTask, Friction, Load, Travel
 from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.mechanism.records import Extreme
+from graphic_tmm.readers.any_angles.results import Motion
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
 

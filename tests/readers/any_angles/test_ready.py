@@ -11,13 +11,12 @@ from support.gallery import SHEETS
 from support.linkages import four_bar
 
 import graphic_tmm
-from graphic_tmm.any_angles.found import Motion
-from graphic_tmm.any_angles.motion import PLANS
-from graphic_tmm.any_angles.ready import QUANTITIES
-from graphic_tmm.any_angles.recorded import recorded
-from graphic_tmm.any_angles.turn import Plan
 from graphic_tmm.board.compile.run import LAYOUTS, LEAST
 from graphic_tmm.chapters.forces.task import ASKED, ForcesTask, Friction, Load
+from graphic_tmm.readers.any_angles.motion import PLANS, recorded
+from graphic_tmm.readers.any_angles.ready import QUANTITIES
+from graphic_tmm.readers.any_angles.results import Motion
+from graphic_tmm.readers.any_angles.turn import Plan
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from graphic_tmm.any_angles.turn import Plan
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.errors import ConstructionError, needed
 from graphic_tmm.language.said import said
+from graphic_tmm.readers.any_angles.turn import Plan
 
 Points = Mapping[tuple[str, int], Complexes]
 """Of a letter on a link, x + iy in the frame's axes, (angle,)."""

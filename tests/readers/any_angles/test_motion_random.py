@@ -14,10 +14,9 @@ from support.mechanisms import Sampled, mechanisms, sample
 from support.oracle import solve_fast
 
 import graphic_tmm
-from graphic_tmm.any_angles.motion import PLANS
-from graphic_tmm.any_angles.recorded import recorded
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.errors import StructureError
+from graphic_tmm.readers.any_angles.motion import PLANS, recorded
 from graphic_tmm.scene.records import Scene
 
 EASY = 1e5

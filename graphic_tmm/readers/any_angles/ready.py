@@ -1,8 +1,8 @@
-"""A slice of a log made ready to run at any angles: what does not vary of it is found, once."""
+"""A slice of a log made ready to run at any angles: what does not vary is found once; readings in SI."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, get_args
@@ -10,17 +10,89 @@ from typing import Any, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from graphic_tmm.any_angles.si import in_si
-from graphic_tmm.any_angles.turn import VECTORS, Key, Quantity, Told
 from graphic_tmm.board.compile.run import LAYOUTS, LEAST, Bound, bound, picked
 from graphic_tmm.board.execute import Program, execute, prepare
+from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.hand import Hand
-from graphic_tmm.board.record import Construction, Mark, again
-from graphic_tmm.board.values import Reals
+from graphic_tmm.board.record import Construction, Mark, Step, again
+from graphic_tmm.board.values import Complexes, Kind, Number, Point, Reals, Vector
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import ConstructionError
 from graphic_tmm.language.said import said
+from graphic_tmm.readers.any_angles.turn import VECTORS, Key, Quantity, Told
+
+VIEW = "SI"
+
+
+def _times(spot: Complexes, mu: Reals) -> Complexes:
+    return spot * mu
+
+
+def _placed(spot: Complexes, mu: Reals, origin: Complexes) -> Complexes:
+    return spot * mu + origin
+
+
+def _vector(start: Complexes, end: Complexes, mu: Reals) -> Complexes:
+    return (end - start) * mu
+
+
+def _reading(run: Any, *arguments: str) -> Operation:
+    kinds = tuple(Number if name == "mu" else Point for name in arguments)
+    # no pencil pricks it, and nothing is calculated with few digits
+    return Operation(run.__name__, run, kinds, arguments, Vector, (), "")
+
+
+READINGS = (
+    _reading(_times, "spot", "mu"),
+    _reading(_placed, "spot", "mu", "origin"),
+    _reading(_vector, "start", "end", "mu"),
+)
+"""Of a vector from the pole, of a place from the origin, of a vector from elsewhere: none is of the board."""
+
+
+def in_si(
+    log: Construction, rows: Iterable[Told], given: Mapping[Mark, object]
+) -> tuple[Construction, dict[Told, Mark], dict[Mark, complex]]:
+    """Return the log that ends in SI, where it has each quantity, and what more is given in it.
+
+    To a scale of 1 SI unit a millimetre a mark is in SI already; a mark of several links is told once.
+    """
+    times, placed, vector = READINGS
+    steps, begun = list(log.steps), list(log.given)
+    made: dict[tuple[Any, ...], Mark] = {}
+    origins: dict[Mark, complex] = {}
+    found: dict[Told, Mark] = {}
+    size = log.size
+
+    def mark(letter: str, kind: Kind) -> Mark:
+        nonlocal size
+        size += 1
+        return Mark(size - 1, letter, kind, VIEW)
+
+    for row in rows:
+        drawn = row.mark
+        if row.scale is None or (
+            row.start is None and row.origin == 0 and given.get(row.scale) == 1.0
+        ):
+            found[row] = drawn
+            continue
+        key = (drawn.slot, row.start, row.scale, row.origin)
+        if key not in made:
+            op = times
+            uses: tuple[Mark, ...] = (drawn, row.scale)
+            if row.start is not None:
+                op, uses = vector, (row.start, drawn, row.scale)
+            elif row.origin != 0:
+                origin = mark("O", Point)
+                origins[origin] = row.origin
+                begun.append(origin)
+                op, uses = placed, (drawn, row.scale, origin)
+            made[key] = mark(drawn.letter, Vector)
+            steps.append(Step(op, made[key], uses, {}, ""))
+        found[row] = made[key]
+    return log._replace(given=tuple(begun), steps=tuple(steps), size=size), found, origins
+
 
 QUANTITIES: tuple[Quantity, ...] = get_args(Quantity)
 Known = Callable[[Reals], Mapping[Mark, Any]]

@@ -13,12 +13,12 @@ import pytest
 from support.gallery import SHEETS
 
 import graphic_tmm
-from graphic_tmm.any_angles import motion, ready, recorded
-from graphic_tmm.any_angles.found import Motion
 from graphic_tmm.board import execute
 from graphic_tmm.board.compile import run
 from graphic_tmm.board.compile.run import LEAST
 from graphic_tmm.errors import ConstructionError, SceneError
+from graphic_tmm.readers.any_angles import motion, ready
+from graphic_tmm.readers.any_angles.results import Motion
 from graphic_tmm.scene.read import read
 
 ANGLES = np.linspace(-30.0, 400.0, 1001)
@@ -164,7 +164,7 @@ def test_no_plan_is_run_that_nobody_asked_for() -> None:
 def test_a_scene_is_recorded_once(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = read(SHEETS / "crank-rocker")
     first = graphic_tmm.motion(scene, ANGLES, exact=True)
-    monkeypatch.setattr(recorded, "record_project", None)
+    monkeypatch.setattr(motion, "record_project", None)
     monkeypatch.setattr(ready, "prepare", None)
     again = graphic_tmm.motion(scene, ANGLES, exact=True)
     np.testing.assert_array_equal(first["E"].acceleration, again["E"].acceleration)
