@@ -1,7 +1,8 @@
 """Files: read if they are ordinary files of a fit size, written whole or not at all, never over an input.
 
 What one call of the program reads is remembered (`call`), so that nothing that it writes takes its place.
-A text first goes to a temporary file in the folder where it shall stand.
+A text first goes to a temporary file in the folder where it shall stand. In a template (jinja2) what is put
+into it is data and is escaped, unless a template has made it.
 """
 
 from __future__ import annotations
@@ -18,10 +19,14 @@ from contextvars import ContextVar
 from pathlib import Path
 from secrets import token_hex
 from socket import gethostname
-from typing import BinaryIO, NamedTuple, NoReturn
+from typing import TYPE_CHECKING, BinaryIO, NamedTuple, NoReturn
 
 from graphic_tmm.errors import Fault, SceneError, SheetError, printable, reason_of
 from graphic_tmm.language.said import said
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+
 
 HOST = re.sub(r"[^A-Za-z0-9-]", "", gethostname())[:40] or "host"
 STANDARD_INPUT = Path("-")
@@ -250,3 +255,20 @@ def _clear(waiting: list[tuple[Path, Path]], made: list[Path]) -> None:
     for path in made:
         with suppress(OSError):  # something stands in it, of another thread perhaps
             path.rmdir()
+
+
+def environment(package: str) -> Environment:
+    """Return the templates of a package, from its folder ``templates``.
+
+    Every text is escaped, and a name that is not given is an error.
+    """
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    return Environment(
+        loader=PackageLoader(package),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from graphic_tmm.templates import environment
+from graphic_tmm.files import environment
 
 if TYPE_CHECKING:
     from jinja2 import Environment

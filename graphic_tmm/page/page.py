@@ -14,6 +14,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.files import environment
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.page.crank import crank
 from graphic_tmm.page.join import folders, script, style
@@ -27,7 +28,6 @@ from graphic_tmm.page.views import played
 from graphic_tmm.page.words import WORDS
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.write.svg import ids, svg
-from graphic_tmm.templates import environment
 
 
 def page(

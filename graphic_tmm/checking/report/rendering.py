@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache, partial
 from typing import TYPE_CHECKING, Any
 
-from graphic_tmm.templates import environment
+from graphic_tmm.files import environment
 
 if TYPE_CHECKING:
     from jinja2 import Environment

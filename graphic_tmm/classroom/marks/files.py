@@ -23,10 +23,10 @@ from graphic_tmm.checking.report.rows import SIGNS
 from graphic_tmm.checking.report.words import shown
 from graphic_tmm.classroom.marks.marking import Marked
 from graphic_tmm.classroom.marks.summary import FIGURES, WORDS, lines, pairs, rule, skipped
+from graphic_tmm.files import environment
 from graphic_tmm.language.catalogue import Tongues, speaking
 from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.language.said import said
-from graphic_tmm.templates import environment
 
 if TYPE_CHECKING:
     from jinja2 import Environment
