@@ -81,7 +81,7 @@ print(*columns["S"].value[0, :13])
 MISTAKE = """
 import sys
 from graphic_tmm.checking.mutations.grammar import mutations
-from graphic_tmm.checking.mutations.scope import late
+from graphic_tmm.checking.mutations.mutation import late
 from graphic_tmm.checking.mutations.names import name_of
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make

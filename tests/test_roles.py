@@ -25,7 +25,7 @@ ALLOWED = {
     "chapters/kinematics/motion.py: known[leg.letter]",
     "chapters/kinematics/motion.py: known[closing.letter]",
     # one quantity that is given for several plans bears one letter in all of them
-    "checking/mutations/givens.py: found.setdefault((mark.name, mark.unit), [])",
+    "checking/mutations/mistakes.py: found.setdefault((mark.name, mark.unit), [])",
     # readers are told of which view a mark is where two of a sentence are called alike
     "readers/sentences.py: mark.name in elsewhere",
     # a line that is drawn parallel to its namesake of another view is told so

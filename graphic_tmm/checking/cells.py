@@ -1,4 +1,4 @@
-"""The cells of a scene's table, by plan, segment and position: the figures that readings are compared with."""
+"""The cells of a scene's table: the figures, with their units, that readings are compared with."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeVar
 
 from graphic_tmm.board.values import Complexes, Point, Reals
+from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import DrawnScene, single
-from graphic_tmm.readers.columns import (
-    Column,
-    Readings,
-)
+from graphic_tmm.language.said import said
+from graphic_tmm.readers.columns import Column, Readings
 from graphic_tmm.readers.table import positions_of, scene_columns, scene_results
 from graphic_tmm.scene.chapter import chapters
+from graphic_tmm.scene.units import UNITS, plain
 
 T = TypeVar("T")
 Key = tuple[str, str, str]
@@ -146,3 +146,44 @@ def cells_and_points(made: DrawnScene) -> dict[Key, Cell]:
     """Return every figure that a scene has, and every point of its plans."""
     spots = {key: Cell(None, None, "mm", spot) for key, spot in points(made).items()}
     return {**spots, **cells(made)}
+
+
+def taken_figure(taken: Taken, cell: Cell) -> float:
+    """Return a reading in mm, or as a quantity in the unit of its figure.
+
+    Raises
+    ------
+    ValueError
+        If its unit is not known or measures something else.
+    """
+    if taken.mm is not None:
+        return taken.mm
+    assert taken.value is not None
+    return taken.value * _factor(taken, cell)
+
+
+def due_figure(cell: Cell, taken: Taken) -> float:
+    """Return the figure that a reading is compared with: mm where it is given in mm."""
+    due = cell.mm if taken.mm is not None else cell.value
+    assert due is not None
+    return due
+
+
+def half_of(taken: Taken, cell: Cell) -> float:
+    """Return half a unit of the last digit that was written of a reading, in the unit of its figure."""
+    return taken.last.mm if taken.mm is not None else taken.last.value * _factor(taken, cell)
+
+
+def _factor(taken: Taken, cell: Cell) -> float:
+    if taken.unit in ("", "1", cell.unit):
+        return 1.0
+    own, other = UNITS.get(plain(taken.unit)), UNITS.get(plain(cell.unit))
+    if own is None or (other is not None and own.dimension != other.dimension):
+        raise ValueError(
+            said(
+                'the unit "{unit}" does not fit; write it in {due}',
+                unit=taken.unit[:20],
+                due=cell.unit or said("plain numbers"),
+            )
+        )
+    return float(own.factor) / (float(other.factor) if other is not None else 1.0)

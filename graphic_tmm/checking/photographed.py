@@ -13,7 +13,7 @@ from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import views
 from graphic_tmm.checking.pencil.points import SEEN, UNSEEN
 from graphic_tmm.checking.pencil.reading import Found, Pole, asked, read_plans, readings
-from graphic_tmm.checking.photo.shot import Shot
+from graphic_tmm.checking.photo.camera import Shot
 from graphic_tmm.checking.pictures import Laid
 from graphic_tmm.checking.readings.read import write_readings
 from graphic_tmm.checking.records import Judged, Report, Taken

@@ -9,7 +9,7 @@ from support.command import invoke
 from support.gallery import exact
 
 from graphic_tmm.checking.cells import points
-from graphic_tmm.checking.overlay import overlay_sheet
+from graphic_tmm.checking.pictures import overlay_sheet
 from graphic_tmm.checking.records import FINE, WRONG, Judged, Report, Taken
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Sheet

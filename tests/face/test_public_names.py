@@ -22,7 +22,7 @@ from graphic_tmm import errors
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.hand import HANDS, HandName
 from graphic_tmm.board.operations import instruments
-from graphic_tmm.checking.judging.reader import POINTS
+from graphic_tmm.checking.judging.taken_marks import POINTS
 from graphic_tmm.face.checks import Judge, Way
 
 SCRIPT = CASES / "user_script.py"

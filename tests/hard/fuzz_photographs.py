@@ -23,7 +23,7 @@ from PIL import Image, ImageDraw
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.pencil.expected import views
-from graphic_tmm.checking.photo.ruling import ruled
+from graphic_tmm.checking.photo.quadrilaterals import ruled
 from graphic_tmm.paper.drawing import Stroke
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheets

@@ -17,7 +17,7 @@ from graphic_tmm.__main__ import main
 from graphic_tmm.chapters.kinematics.views import acceleration_table, acceleration_views
 from graphic_tmm.checking.readings.names import segment_meant, segments_of
 from graphic_tmm.checking.readings.writing import result_columns
-from graphic_tmm.checking.template.whole import rows_of
+from graphic_tmm.checking.template import rows_of
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.readers.columns import FORMER

@@ -13,7 +13,7 @@ from support.gallery import exact, scene
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import FINE
-from graphic_tmm.checking.template.whole import template_of
+from graphic_tmm.checking.template import template_of
 from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.readers.table import table

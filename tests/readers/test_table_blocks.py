@@ -21,7 +21,7 @@ from support.command import rows as csv_rows
 from support.examples import most
 from support.scenes import calling, source, written
 
-from graphic_tmm.checking.readings.decoding import text_of
+from graphic_tmm.checking.readings.csv_cells import text_of
 from graphic_tmm.readers.columns import (
     Column,
 )

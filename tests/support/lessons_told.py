@@ -12,7 +12,7 @@ from functools import cache
 from typing import Any
 
 from graphic_tmm.board.hand import HANDS
-from graphic_tmm.checking.judging.reader import Reader, reader
+from graphic_tmm.checking.judging.taken_marks import Reader, reader
 from graphic_tmm.checking.lessons.lessons import Teacher
 from graphic_tmm.checking.records import FINE, WRONG, Judged, Lesson, Likely, Taken
 from graphic_tmm.drawn import DrawnScene

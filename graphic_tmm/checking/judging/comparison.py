@@ -11,13 +11,12 @@ import numpy as np
 
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Length, Number, Point
-from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, longest, points
+from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, longest, points, taken_figure
 from graphic_tmm.checking.judging.equivalents import Off, offs, ways_of
 from graphic_tmm.checking.judging.own_errors import Grain, Run, apart, exact, read_of, run
 from graphic_tmm.checking.judging.step_scatter import share_of_slip
 from graphic_tmm.checking.judging.taken_marks import as_marks, scale_of, steps_of
 from graphic_tmm.checking.judging.yardstick import Yardstick
-from graphic_tmm.checking.readings.units import taken_figure
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import DrawnScene
 

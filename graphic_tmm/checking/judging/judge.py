@@ -15,15 +15,14 @@ import numpy as np
 
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Number
+from graphic_tmm.checking.cells import due_figure, half_of, taken_figure
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.equivalents import pair
 from graphic_tmm.checking.judging.own_errors import apart
-from graphic_tmm.checking.judging.reader import GIVEN
 from graphic_tmm.checking.judging.scatter import Scatter, times_off
 from graphic_tmm.checking.judging.slips import counted
-from graphic_tmm.checking.judging.taken_marks import step_name
+from graphic_tmm.checking.judging.taken_marks import GIVEN, step_name
 from graphic_tmm.checking.judging.yardstick import Yardstick
-from graphic_tmm.checking.readings.units import due_figure, half_of, taken_figure
 from graphic_tmm.checking.records import FINE, VERDICTS, Judged, Taken
 from graphic_tmm.drawn import DrawnScene
 

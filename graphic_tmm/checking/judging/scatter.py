@@ -1,21 +1,95 @@
-"""How far the drawings of a hand scatter about what is due: the limits of every verdict follow from it."""
+"""How far the drawings of a hand scatter about what is due: the limits of every verdict follow from it.
+
+The drawings are made once, block by block, and keep of the figures only what was read (`Sample`).
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
-from typing import NamedTuple
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Mapping
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-from graphic_tmm.board.values import Reals
-from graphic_tmm.checking.cells import Cell, Key, cells, points
+from graphic_tmm.board.hand import Hand
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Complexes, Reals
+from graphic_tmm.checking.cells import Cell, Key, cells, figures, points, spots
 from graphic_tmm.checking.judging import slips
-from graphic_tmm.checking.judging.own_errors import apart
-from graphic_tmm.checking.judging.reader import Reader
-from graphic_tmm.checking.judging.sample import Sample
+from graphic_tmm.checking.judging.own_errors import apart, exact
+from graphic_tmm.checking.judging.taken_marks import Reader
 from graphic_tmm.checking.records import VERDICTS
 from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.studio import blocks
+
+T = TypeVar("T")
+
+
+class Sample(NamedTuple):
+    """What drawings have: figures (by key, and whether in mm) and points, (trial,), of those that have them.
+
+    ``marks``: the numbers of marks, (trial, position).
+    """
+
+    figures: Mapping[tuple[Key, bool], Reals]
+    spots: Mapping[Key, Complexes]
+    marks: Mapping[Mark, Any]
+
+
+def sample(
+    made: DrawnScene,
+    hand: Hand,
+    wanted: Mapping[Key, Collection[bool]],
+    marks: Collection[Mark] = (),
+) -> Sample:
+    """Return what the drawings of a hand, so many as its trials, have of what was read.
+
+    Parameters
+    ----------
+    made
+        The scene as the exact hand draws it.
+    wanted
+        By figure, whether it was read in mm (or as a point), as a quantity, or both.
+    marks
+        Marks of the mechanism.
+    """
+    rows: defaultdict[tuple[Key, bool], list[Any]] = defaultdict(list)
+    stand: defaultdict[Key, list[Any]] = defaultdict(list)
+    drawn: defaultdict[Mark, list[Any]] = defaultdict(list)
+    for block in blocks(made, hand):
+        where, told = spots(block), {mm: figures(block, in_mm=mm) for mm in (True, False)}
+        for key, kinds in wanted.items():
+            if key in where:
+                stand[key].append(_known(where[key], block.trials))
+            for in_mm in kinds:
+                if key in told[in_mm]:
+                    rows[key, in_mm].append(_known(told[in_mm][key], block.trials))
+        for mark in marks:
+            assert block.mechanism is not None
+            row = exact(block.mechanism, mark)
+            drawn[mark].append(np.broadcast_to(row, (block.trials, row.shape[1])))
+    return Sample(_whole_sample(rows), _whole_sample(stand), _whole_sample(drawn))
+
+
+def joined(one: Sample, other: Sample) -> Sample:
+    """Return what two samples of the same drawings have."""
+    return Sample(
+        {**one.figures, **other.figures},
+        {**one.spots, **other.spots},
+        {**one.marks, **other.marks},
+    )
+
+
+def _whole_sample(blocks: Mapping[T, list[Any]]) -> dict[T, Any]:
+    return {name: np.concatenate(rows) for name, rows in blocks.items()}
+
+
+def _known(row: Any, trials: int) -> Any:
+    """Return what is known of a figure in so many trials; of a single number, that all of them are alike."""
+    whole = np.broadcast_to(row, trials)
+    return whole[np.isfinite(whole)]
+
 
 NEAR, ABSURD = float(np.log(4.0)), float(np.log(10.0))
 """A figure an order of magnitude off is absurd where no drawing of the hand is off by four times: a decimal

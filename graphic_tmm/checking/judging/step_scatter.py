@@ -12,8 +12,8 @@ from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Length, Point, Reals
 from graphic_tmm.checking.judging import slips
 from graphic_tmm.checking.judging.own_errors import Found, Own, Run
-from graphic_tmm.checking.judging.reader import Reader
 from graphic_tmm.checking.judging.scatter import Limits, Scatter, limited
+from graphic_tmm.checking.judging.taken_marks import Reader
 
 LEAST = 1e-9
 """Errors of a step are never taken for smaller than this, mm: what is divided by it is then no number

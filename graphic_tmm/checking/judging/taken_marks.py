@@ -1,22 +1,116 @@
-"""Readings as marks of the log: which step each is of, what was read as arrays along the positions."""
+"""Readings as marks of the log: which step each is of, and how finely it can be told."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.findings import step_number
+from graphic_tmm.board.hand import Hand, Streams
 from graphic_tmm.board.record import Mark, Step, segment_name
-from graphic_tmm.board.values import Length, Number, Point
-from graphic_tmm.checking.cells import Cell, Key, pointed
+from graphic_tmm.board.values import Length, Number, Point, Reals
+from graphic_tmm.checking.cells import Cell, Key, half_of, pointed, taken_figure
+from graphic_tmm.checking.judging import slips
 from graphic_tmm.checking.judging.own_errors import Grain, alone
-from graphic_tmm.checking.judging.reader import Reader
-from graphic_tmm.checking.readings.units import half_of, taken_figure
-from graphic_tmm.checking.records import Taken
+from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import Readings
+from graphic_tmm.scene.records import Scene
+
+
+class Pointing(NamedTuple):
+    """How x and y are read: the standard deviation of each is ``hand`` of the slip of the hand, or ``mm``."""
+
+    hand: float
+    mm: float
+
+
+POINTS: Mapping[str, Pointing] = {
+    "paper": Pointing(hand=1.0, mm=0.0),
+    "screen": Pointing(hand=0.0, mm=0.1),
+    "photo": Pointing(hand=0.0, mm=0.5),
+}
+"""With ruler and square on the paper; by a cursor on the drawing itself; by a cursor on a photograph of it.
+
+0.1 mm is what a cursor on an enlarged drawing leaves; 0.5 mm what corners clicked to 2 px leave of the
+photograph of an A1 (0.7 mm at most). That is the most of it: where many points were read, the drawing
+itself tells how much of it there is.
+"""
+GIVEN = 0.005
+"""What the scene gives is right to three digits: it is looked at for slips, not for rounding. Could be
+at least 0.002 to 0.015."""
+
+
+class Reader(NamedTuple):
+    """Who reads a drawing: the hand that drew it, with the coarser of its ruler and the sheet's.
+
+    ``points``: how points are read.
+    ``finest``: the finer of the two rulers, mm; 0 for one without divisions.
+    """
+
+    hand: Hand
+    points: str = "paper"
+    finest: float = 0.0
+
+    @property
+    def half(self) -> float:
+        """Half a division of the ruler, mm."""
+        return 0.5 * (self.hand.ruler or 0.0)
+
+    def unblurred(self, written: float) -> float:
+        """Return how far rounding alone carries a length read off the paper, mm; see `slips`."""
+        return slips.unblurred(self.half, written, self.hand.reading)
+
+    def lost(self, last: Last, share: float = 1.0) -> float:
+        """Return how far rounding alone carries a point, mm: the digits written, less the slip of reading it.
+
+        ``share``: of that slip, as a drawing has it.
+        """
+        return slips.lost(last.x, last.y, share * self.pointing)
+
+    def rounding(self, figure: float) -> float:
+        """Return half a unit of the last digit that the hand keeps in a calculation."""
+        return 0.0 if self.hand.digits is None else slips.rounding(self.hand.digits, figure)
+
+    def calculated(self, length: float) -> bool:
+        """Whether a length is written finer than the rulers divide: calculated, not read off the paper."""
+        return bool(self.finest) and slips.between(length, self.finest)
+
+    @property
+    def pointing(self) -> float:
+        """The standard deviation of a coordinate, mm."""
+        share, own = POINTS.get(self.points, Pointing(hand=0.0, mm=0.0))
+        return max(share * self.hand.reading, own)
+
+    @property
+    def sharp(self) -> Reader:
+        """Who reads the same drawing, but coordinates without a slip."""
+        return self._replace(points="exact")
+
+    def chance(self, key: str, shape: tuple[int, int]) -> Reals:
+        """Return standard normal numbers of a stream of their own."""
+        return Streams(self.hand).normal(f"read|{key}", 0, 0, shape)
+
+    def measured(self, length: Reals, key: str) -> Reals:
+        """Return lengths (trial, position) that were drawn, as they are read off the paper."""
+        return self.hand.read(length + self.hand.reading * self.chance(key, length.shape))
+
+    def pointed(self, spot: np.ndarray, key: str) -> np.ndarray:
+        """Return points (trial, position) as their coordinates are read."""
+        wide = (spot.shape[0], 2 * spot.shape[1])
+        spot = spot + self.pointing * self.chance(key, wide).view(np.complex128)
+        if self.points != "paper":
+            return spot
+        return np.asarray(self.hand.read(spot.real) + 1j * self.hand.read(spot.imag))
+
+
+def reader(scene: Scene, hand: Hand, points: str) -> Reader:
+    """Return who reads a drawing of a scene."""
+    rulers = [ruler for ruler in (hand.ruler, scene.ruler) if ruler is not None]
+    finest = 0.0 if scene.ruler is None else min(rulers)
+    return Reader(hand._replace(ruler=max(rulers, default=None)), points, finest)
 
 
 def steps_of(work: Drawn | None) -> dict[tuple[str, str], Step]:

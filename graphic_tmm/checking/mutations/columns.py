@@ -12,20 +12,19 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from graphic_tmm.checking.cells import Key
+from graphic_tmm.checking.cells import Key, due_figure, taken_figure
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.own_errors import apart
-from graphic_tmm.checking.mutations.density import (
+from graphic_tmm.checking.mutations.likelihood import (
     BEYOND,
     LOST,
     PLAN,
     broad,
     explained,
     log_density,
+    multiple,
     size_of,
 )
-from graphic_tmm.checking.mutations.multiples import multiple
-from graphic_tmm.checking.readings.units import due_figure, taken_figure
 from graphic_tmm.checking.records import Taken
 
 Array = NDArray[np.float64]

@@ -20,17 +20,17 @@ from graphic_tmm.board.values import Length, Point
 from graphic_tmm.checking.judging import slips
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.own_errors import apart, errors_at, exact
-from graphic_tmm.checking.mutations.density import (
+from graphic_tmm.checking.mutations.execution import Beside, Rows, executed
+from graphic_tmm.checking.mutations.likelihood import (
     BEYOND,
     LOST,
     PLAN,
     broad,
     explained,
     log_density,
+    multiple,
     size_of,
 )
-from graphic_tmm.checking.mutations.execution import Beside, Rows, executed
-from graphic_tmm.checking.mutations.multiples import multiple
 from graphic_tmm.checking.mutations.mutation import Mutation
 
 Array = NDArray[np.float64]

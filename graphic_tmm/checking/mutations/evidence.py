@@ -15,10 +15,9 @@ from graphic_tmm.board.values import Point
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations import columns
-from graphic_tmm.checking.mutations.density import BEYOND, explained
 from graphic_tmm.checking.mutations.entries import Own, Told, entry_of, weighed
-from graphic_tmm.checking.mutations.execution import Beside, executed
-from graphic_tmm.checking.mutations.figures import figures_of
+from graphic_tmm.checking.mutations.execution import Beside, executed, figures_of
+from graphic_tmm.checking.mutations.likelihood import BEYOND, explained
 from graphic_tmm.checking.mutations.mutation import Mutation
 from graphic_tmm.checking.mutations.tables import Variation
 from graphic_tmm.checking.records import Taken

@@ -26,12 +26,13 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.record import Construction, Step
 from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Side
 from graphic_tmm.checking.mutations import calculated, words
-from graphic_tmm.checking.mutations.formulas import is_product, with_sense
+from graphic_tmm.checking.mutations.calculated import is_product, with_sense
 from graphic_tmm.checking.mutations.mutation import (
     DIRECTION,
     EXCHANGED,
     FACTOR,
     LEFT_OUT,
+    MEASURES,
     MEETING,
     MIRRORED,
     OPERAND,
@@ -43,10 +44,11 @@ from graphic_tmm.checking.mutations.mutation import (
     Change,
     Key,
     Mutation,
+    Scope,
     at_step,
+    is_scale,
     using,
 )
-from graphic_tmm.checking.mutations.scope import MEASURES, Scope, is_scale
 
 
 def mutations(log: Construction, wanted: Iterable[Step] | None = None) -> Iterator[Mutation]:

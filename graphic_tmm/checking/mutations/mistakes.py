@@ -1,24 +1,182 @@
-"""The mistakes that a scene offers: the mutations of its boards, executed once for all its drawings."""
+"""The mistakes that a scene offers: givens taken amiss, mutations of its boards; executed once for all."""
 
 from __future__ import annotations
 
+import re
 from collections import Counter, defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
+from itertools import combinations, pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.checking.cells import Key, cells
+from graphic_tmm.checking.mutations.calculated import BY_UNIT, POWERS_OF_TEN
 from graphic_tmm.checking.mutations.evidence import Board
-from graphic_tmm.checking.mutations.execution import Beside, executed
-from graphic_tmm.checking.mutations.figures import figures_of
-from graphic_tmm.checking.mutations.givens import free, mistaken
+from graphic_tmm.checking.mutations.execution import Beside, executed, figures_of
 from graphic_tmm.checking.mutations.grammar import mutations
-from graphic_tmm.checking.mutations.mutation import Mutation
-from graphic_tmm.checking.mutations.scope import late
+from graphic_tmm.checking.mutations.mutation import (
+    CRANK,
+    EXCHANGED,
+    FACTOR,
+    GIVEN,
+    SENSE,
+    WRONG_END,
+    Amiss,
+    Mutation,
+    late,
+)
+from graphic_tmm.checking.mutations.words import (
+    COUNTED,
+    DIVIDED,
+    EXCHANGED_WITH,
+    GIVEN_TIMES,
+    OPPOSITE_GIVEN,
+    OTHER_END,
+    OTHER_WAY,
+    STANDS,
+)
 from graphic_tmm.drawn import Drawn, DrawnScene
+
+Given = Mapping[Mark, object]
+PARTS = (6, 8, 10, 12, 16, 24)
+"""Into so many parts circles are divided."""
+DIGITS = 6
+"""What has so many digits nobody has written down."""
+SENSED = ("1/s", "1/s²", "N", "N·m")
+"""Units of what has a sense; a length has one only where it is a coordinate, and below zero."""
+
+
+def mistaken(log: Construction, given: Given) -> Iterator[Mutation]:
+    """Yield what becomes of a log if what is given is taken amiss; what is free is in `free`."""
+    for marks in _named(log, given).values():
+        yield from _of(marks, given[marks[0]])
+    yield from _exchanged(log, given)
+
+
+def free(log: Construction, given: Given) -> tuple[tuple[Mark, ...], ...]:
+    """Return what may have been misread: lengths, masses, speeds, none of them 0; not scale factors.
+
+    Each as the marks that stand for it in the plans where it is calculated with.
+    """
+    return tuple(
+        tuple(marks)
+        for marks in _named(log, given).values()
+        if marks[0].role != roles.CRANK_ANGLE and np.all(np.asarray(given[marks[0]]) != 0.0)
+    )
+
+
+def _named(log: Construction, given: Given) -> dict[tuple[str, str], list[Mark]]:
+    """Return the marks of quantities that are given, by letter and unit; the angles of the crank, too."""
+    found: dict[tuple[str, str], list[Mark]] = {}
+    for mark in log.given:
+        angle = mark.role == roles.CRANK_ANGLE
+        size = mark.kind in (Number, Length) and bool(mark.unit) and not mark.unit.endswith("/mm")
+        size = size or (mark.kind is Angle and bool(mark.name))
+        if mark in given and (angle or (size and _single(given[mark]))):
+            found.setdefault((mark.name, mark.unit), []).append(mark)
+    return found
+
+
+def _from_other_end(
+    one: Sequence[Mark], other: Sequence[Mark], first: float, second: float
+) -> Iterator[Mutation]:
+    """Yield the shorter of two lengths of a link as if it were counted from the other end of the longer."""
+    short, long = (one, other) if abs(first) < abs(second) else (other, one)
+    begins = (re.match(r"l_\{?(\D)", marks[0].name) for marks in (short, long))
+    letters = [found[1] if found else "" for found in begins]
+    if letters[0] and letters[0] == letters[1]:
+        whole = max(first, second, key=abs)
+        yield _all(WRONG_END, OTHER_END, short, -1.0, whole, now=long[0])
+
+
+def _single(value: object) -> bool:
+    return not isinstance(value, tuple) and np.size(np.asarray(value)) == 1
+
+
+def misread(marks: Sequence[Mark], factor: float) -> Mutation:
+    """Return the mutation of a given that was taken so many times as large."""
+    return _all(GIVEN, GIVEN_TIMES, marks, factor, times=factor, usual=2.0)
+
+
+def amiss_by(marks: Sequence[Mark], angles: float | NDArray[np.float64]) -> Mutation:
+    """Return the mutation of a crank that stands amiss by angles, degrees (position,) or one for all."""
+    plus = angles if isinstance(angles, float) else angles[None]
+    amiss = {mark.slot: Amiss(mark, 1.0, plus) for mark in marks}
+    times = float(np.round(np.ravel(angles)[0]))
+    return Mutation(CRANK, STANDS, {}, amiss, was=marks[0], times=times)
+
+
+def _all(
+    family: str, says: str, marks: Sequence[Mark], factor: float, plus: float = 0.0, **told: Any
+) -> Mutation:
+    amiss = {mark.slot: Amiss(mark, factor, plus) for mark in marks}
+    return Mutation(family, says, {}, amiss, was=marks[0], **told)
+
+
+def _of(marks: Sequence[Mark], value: object) -> Iterator[Mutation]:
+    if marks[0].role == roles.CRANK_ANGLE:
+        yield _all(CRANK, OTHER_WAY, marks, -1.0)
+        for plus in (180.0, 90.0, -90.0, *_interval(value)):
+            yield _all(CRANK, COUNTED, marks, 1.0, plus, times=plus)
+        yield from _divided(marks, value)
+        return
+    if marks[0].unit in SENSED or np.all(np.asarray(value) < 0.0):
+        yield _all(SENSE, OPPOSITE_GIVEN, marks, -1.0)
+    for factor in (2.0, 0.5, *POWERS_OF_TEN, *BY_UNIT.get(marks[0].unit, ())):
+        yield _all(FACTOR, GIVEN_TIMES, marks, factor, times=factor)
+    for factor in digits_exchanged(float(np.ravel(np.asarray(value))[0])):
+        yield _all(GIVEN, GIVEN_TIMES, marks, factor, times=factor)
+
+
+def digits_exchanged(value: float) -> Iterator[float]:
+    """Yield how many times as large a number is with two digits exchanged that stand beside one another."""
+    digits = f"{abs(value):.{DIGITS - 1}e}".partition("e")[0].replace(".", "").rstrip("0")
+    if not np.isfinite(value) or len(digits) == DIGITS:
+        return  # calculated, not given as a round number
+    for one, other in pairwise(digits):
+        changed = digits.replace(one + other, other + one, 1)
+        if one != other and changed[0] != "0":
+            yield float(f"0.{changed}") / float(f"0.{digits}")
+
+
+def _divided(marks: Sequence[Mark], value: object) -> Iterator[Mutation]:
+    """Yield the circle divided into another usual number of parts, from where the first position stands."""
+    first, step = float(np.ravel(np.asarray(value))[0]), _interval(value)
+    for parts in PARTS if step else ():
+        factor = 360.0 / parts / abs(step[0])
+        if abs(factor - 1.0) > 0.01:
+            plus = (1.0 - factor) * first
+            yield _all(CRANK, DIVIDED, marks, factor, plus, times=float(parts), usual=2.0)
+
+
+def _interval(value: object) -> tuple[float, ...]:
+    """Return by how far positions are apart, forwards and backwards, degrees: one number further or too few."""
+    row = np.ravel(np.asarray(value, dtype=np.float64))
+    steps = np.diff(row)
+    step = float(np.median(steps)) if steps.size else 0.0
+    return (step, -step) if step else ()
+
+
+def _exchanged(log: Construction, given: Given) -> Iterator[Mutation]:
+    for one, other in combinations(free(log, given), 2):
+        if one[0].unit != other[0].unit:
+            continue
+        first, second = (np.asarray(given[marks[0]]) for marks in (one, other))
+        if np.abs(first) == np.abs(second):
+            continue
+        amiss = {mark.slot: Amiss(other[0]) for mark in one}
+        amiss |= {mark.slot: Amiss(one[0]) for mark in other}
+        yield from _from_other_end(
+            one, other, float(np.ravel(first)[0]), float(np.ravel(second)[0])
+        )
+        yield Mutation(EXCHANGED, EXCHANGED_WITH, {}, amiss, was=one[0], now=other[0])
+
 
 NONE = Mutation("", "", {}, {})
 """The log as it is."""

@@ -1,22 +1,26 @@
-"""What is told of a diagnosis: each finding by its name and a sentence on this very step, with its letters."""
+"""What is told of a diagnosis: names, sentences, where a mistake shows first, what cannot be seen."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+
+import numpy as np
 
 from graphic_tmm.board.findings import step_number
 from graphic_tmm.board.record import Construction, Mark, Step, segment_name
+from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.choosing import SURE, UNSURE
-from graphic_tmm.checking.mutations.diagnosis import Diagnosis
+from graphic_tmm.checking.mutations.diagnosis import VISIBLE, Diagnosis
+from graphic_tmm.checking.mutations.evidence import Readings
+from graphic_tmm.checking.mutations.execution import executed
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis
-from graphic_tmm.checking.mutations.mutation import Mutation
+from graphic_tmm.checking.mutations.mistakes import NONE, Mistakes
+from graphic_tmm.checking.mutations.mutation import CRANK, Mutation, late
 from graphic_tmm.checking.mutations.names import BY_FAMILY, INSTRUMENT, name_of
-from graphic_tmm.checking.mutations.shown import explained, shown_at
 from graphic_tmm.checking.mutations.tables import EVERYTHING, Variation
-from graphic_tmm.checking.records import (
-    INSTRUMENT as OFF,
-)
+from graphic_tmm.checking.records import INSTRUMENT as OFF
 from graphic_tmm.checking.records import MISTAKE, SLIP, UNKNOWN, Judged, Likely
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.numbers import number
@@ -24,6 +28,84 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import spoken
 from graphic_tmm.readers.sentences import letters_of
 from graphic_tmm.scene.captions import view_name
+
+
+def shown_at(one: Hypothesis, diagnosis: Diagnosis, drawing: Comparison) -> tuple[str, str]:
+    """Return plan and segment of the first reading that shows a mistake, a wrong one if there is one.
+
+    Of what was not read at all, and of nothing that was: the plan and the letter of its step.
+    """
+    what, readings = one.what, diagnosis.readings
+    assert isinstance(what, Mutation)
+    if what.family == CRANK:
+        return "", ""  # the whole drawing stands otherwise
+    wrong = {(each.taken.plan, each.taken.segment) for each in diagnosis.doubtful}
+    board = drawing.made.boards[one.board]
+    marks: list[tuple[str, str]] = []
+    if readings is not None and drawing.made.mechanism is board:
+        marks = _marks(board.construction, what, readings)
+    found = [at for at in marks if at in wrong]
+    if not found and readings is not None:
+        found = [at for at in _columns(one, what, readings, drawing) if at in wrong]
+    if found or marks:
+        return (found or marks)[0]
+    mark = what.at.it if what.at is not None else what.was
+    return (mark.view, segment_name(mark.letter)) if mark is not None else ("", "")
+
+
+def explained(one: Hypothesis, diagnosis: Diagnosis, drawing: Comparison) -> tuple[int, ...]:
+    """Return the lines of the wrong readings that a mistake moves; of all where that cannot be told."""
+    what, readings = one.what, diagnosis.readings
+    some = diagnosis.wrong or diagnosis.doubtful
+    lines = tuple(dict.fromkeys(each.taken.line for each in some))
+    if not isinstance(what, Mutation) or readings is None:
+        return lines
+    board = drawing.made.boards[one.board]
+    moved = set(_columns(one, what, readings, drawing))
+    if drawing.made.mechanism is board:
+        moved |= set(_marks(board.construction, what, readings))
+    names = drawing.made.mechanism.names if drawing.made.mechanism is not None else ()
+    at = names[one.place] if one.place is not None else ""
+    found = [
+        each.taken.line
+        for each in some
+        if (each.taken.plan, each.taken.segment) in moved and at in ("", each.taken.position)
+    ]
+    return tuple(dict.fromkeys(found)) or lines
+
+
+def _marks(log: Construction, what: Mutation, readings: Readings) -> list[tuple[str, str]]:
+    """Return the readings of marks that a mutation moves, nothing read being between; in the log's order."""
+    read: dict[Mark, tuple[str, str]] = {
+        mark: (taken.plan, taken.segment) for (mark, _), taken in readings.by_mark.items()
+    }
+    moved = {slot for slot in what.slots if slot not in {step.it.slot for step in log.steps}}
+    found: list[tuple[str, str]] = []
+    for step in log.steps:
+        if step.it.slot in what.slots or any(mark.slot in moved for mark in step.uses):
+            if step.it in read:
+                found.append(read[step.it])
+            else:
+                moved.add(step.it.slot)
+    return found
+
+
+def _columns(
+    one: Hypothesis, what: Mutation, readings: Readings, drawing: Comparison
+) -> list[tuple[str, str]]:
+    """Return the figures of tables that a mutation moves, in the order of the tables."""
+    board = drawing.made.boards[one.board]
+    log = late(board.construction)
+    beside = executed(log, board.given, (NONE, what), [step.it for step in log.steps])
+    figures = readings.figures(board, beside, np.arange(2))
+    found = []
+    for each in readings.columns:
+        row = figures.get(each.at)
+        if row is not None and abs(abs(row[1]) - abs(row[0])) > 0.5 * max(each.scatter, 1e-9):
+            found.append((each.taken.plan, each.taken.segment))
+    order = {key[:2]: k for k, key in enumerate(drawing.due)}
+    return sorted(dict.fromkeys(found), key=lambda at: order.get(at, 0))
+
 
 ON_STEP = said("{plan}, step {step}: {told}")
 AT_POSITION = said("{told}, at position {position} only")
@@ -216,3 +298,46 @@ def _unknown(diagnosis: Diagnosis, drawing: Comparison, speech: Speech) -> tuple
     )
     found = Likely(name, says, (), count, 1.0, kind=UNKNOWN, plan=step.it.view, step=step.it.letter)
     return (found._replace(segment=segment_name(step.it.letter)),)
+
+
+SAYS = said("these readings do not show what was done on: {plans}")
+
+
+class Unseen:
+    """What each figure of a scene shows; what is found out of one is kept for all drawings."""
+
+    def __init__(self, mistakes: Mistakes) -> None:
+        self.boards = mistakes.boards
+        self._shown: dict[tuple[Key, bool], set[str]] = {}
+
+    @cached_property
+    def _views(self) -> tuple[tuple[str, ...], ...]:
+        """The view in which each mutation of each board is made, "" of what has none."""
+        return tuple(
+            tuple(one.at.it.view if one.at is not None else "" for one in offered.mutations)
+            for offered in self.boards
+        )
+
+    def of(self, drawing: Comparison) -> tuple[str, ...]:
+        """Return the views that can be read of which no mutation moves any reading visibly."""
+        by = drawing.by.spread
+        readable = {step.it.view for step in drawing.steps.values()}
+        self._find({one.at: VISIBLE * by[one.at].rms for one in drawing.rows if one.at in by})
+        shown = set[str]().union(*(self._shown.get(one.at, ()) for one in drawing.rows))
+        views = dict.fromkeys(view for board in self._views for view in board)
+        return tuple(view for view in views if view in readable and view not in shown)
+
+    def _find(self, least: Mapping[tuple[Key, bool], float]) -> None:
+        """Find out what figures show that were not read before."""
+        new = {at: size for at, size in least.items() if at not in self._shown}
+        self._shown |= {at: set() for at in new}
+        for offered, views in zip(self.boards, self._views, strict=True) if new else ():
+            told = offered.showing({at for at, _ in new})
+            for at, moved in offered.moved(new, told):
+                self._shown[at] |= {views[row] for row in np.flatnonzero(moved)}
+
+
+def told_unseen(views: Sequence[str], language: str) -> tuple[str, ...]:
+    """Return the note on what readings cannot show; none if they show something of every plan."""
+    names = dict.fromkeys(view_name(view, language) for view in views)
+    return (speaking(language)(SAYS, plans=", ".join(names)),) if names else ()

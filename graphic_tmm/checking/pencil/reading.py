@@ -1,7 +1,4 @@
-"""From the flat photograph of a sheet to its points: every plan placed, its lines followed, its points told.
-
-A point that was seen is a reading; one that is not sure, and one that was not seen, are asked for by name.
-"""
+"""From the flat photograph of a sheet to its points: plans placed, lines followed, points told."""
 
 from __future__ import annotations
 
@@ -10,17 +7,119 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.checking.pencil.again import again
 from graphic_tmm.checking.pencil.darkness import Flat
-from graphic_tmm.checking.pencil.expected import Name, View
-from graphic_tmm.checking.pencil.fitting import fit
-from graphic_tmm.checking.pencil.lines import BAND, Track, tracks
-from graphic_tmm.checking.pencil.placing import THERE, placed, stood
+from graphic_tmm.checking.pencil.expected import Line, Name, View
+from graphic_tmm.checking.pencil.fitting import Fit, fit
+from graphic_tmm.checking.pencil.lines import BAND, ONE, Track, tracks
 from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE, Spot, signs_of, spots
+from graphic_tmm.checking.pencil.web import Pin
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import view_name
+
+REACH = 8.0
+"""A view is sought as far from where it should stand, mm: a student measures that off the frame, or guesses."""
+STEPS = (1.0, 0.25)
+"""At first in such steps, mm, then about the best of them more finely."""
+MOST = 600
+"""So many places of its lines are looked at."""
+FAR = 0.02
+"""What a millimetre of moving costs, as a share of cover: of two places alike the nearer one."""
+THERE, SURELY = 0.55, 0.78
+"""A plan is on the sheet if so much of its lines is on pencil, near its due and elsewhere: of lettering and
+other lines about a half is, of all other plans of a sheet somewhere 0.65."""
+ELSEWHERE, LITTLE = 45.0, 0.002
+"""A plan that is not there may stand elsewhere: as far away, mm, and what a millimetre costs then."""
+
+
+def placed(
+    flat: Flat, view: View, shift: complex = 0j, reach: float = REACH, far: float = FAR
+) -> tuple[complex, float]:
+    """Return by how much a view is moved, mm, beside ``shift``, and the share of its lines on pencil.
+
+    ``reach``: it is sought as far, mm; ``far``: what a millimetre of that costs.
+    """
+    some = [line.start + line.way * np.arange(0.0, line.length, 1.0) for line in view.lines]
+    if not some:
+        return shift, 0.0
+    ink = np.concatenate(some)
+    ink = ink[:: -(-len(ink) // MOST)]
+    found, reaches = shift, (reach, STEPS[0])
+    for wide, step in zip(reaches, STEPS, strict=True):
+        axis = np.arange(-wide, wide + 1e-9, step)
+        best, most = found, -np.inf
+        for rise in axis:  # a row at a time: memory
+            moves = found + axis + 1j * rise
+            worth = flat.near(ink + moves[:, None]).mean(axis=1) - far * abs(moves - shift)
+            k = int(np.argmax(worth))
+            if worth[k] > most:
+                best, most = complex(moves[k]), float(worth[k])
+        found = best
+    return found, float(most + far * abs(found - shift))
+
+
+def stood(flat: Flat, view: View) -> tuple[complex, float]:
+    """Return where a view stands, and the share of its lines on pencil: near its due, or surely elsewhere."""
+    near = placed(flat, view)
+    if near[1] >= THERE:
+        return near
+    far = placed(flat, view, 0j, ELSEWHERE, LITTLE)
+    return far if far[1] >= SURELY else near
+
+
+LEAST = 0.2
+"""A point that is seen is known no better, mm."""
+NARROW = 3.0
+"""A line is followed again so many deviations about where it is expected now, and `NEAREST` beside, mm."""
+NEAREST = 0.5
+
+
+def again(
+    flat: Flat, view: View, shift: complex, found: Sequence[Sequence[Track]], spots: Sequence[Spot]
+) -> Fit:
+    """Return the lines of a view, chosen anew beside the spots that are seen."""
+    pins = {
+        k: Pin(spot.at - shift - view.places[k].at, max(spot.error, LEAST))
+        for k, spot in enumerate(spots)
+        if spot.how == SEEN and view.of[k] is not None
+    }
+    first = fit(view, found, pins)
+    more = [
+        some if _clear(first, n) else (*some, *_followed(flat, view, shift, line, some, first))
+        for n, (line, some) in enumerate(zip(view.lines, found, strict=True))
+    ]
+    return fit(view, more, pins)
+
+
+def _clear(first: Fit, n: int) -> bool:
+    """Whether a line is known already: no other one may be."""
+    return first.tracks[n] is not None and first.far[n] is None
+
+
+def _followed(
+    flat: Flat, view: View, shift: complex, line: Line, known: Sequence[Track], first: Fit
+) -> list[Track]:
+    """Return the tracks of a line about where its places are by all that is known, that were not found yet."""
+    left = 1j * line.way
+    share = line.shares(view.at)
+    off = np.array([(first.moved[k] / left).real for k in line.places])
+    spread = max(first.spread(k, left) for k in line.places)
+    if np.ptp(share) > 0.3:
+        slope, start = np.polyfit(share, off, 1)
+    else:
+        slope, start = 0.0, float(off.mean())
+    aside = Track(float(start), float(start + slope), 0.0)
+    moved = Line(line.start + left * aside.start, line.end + left * aside.end, line.places)
+    found: list[Track] = []
+    for one in tracks(flat, moved, shift, NARROW * spread + NEAREST):
+        track = one._replace(start=one.start + aside.start, end=one.end + aside.end)
+        if all(
+            max(abs(track.start - t.start), abs(track.end - t.end)) > ONE for t in (*known, *found)
+        ):
+            found.append(track)
+    return found
+
 
 WIDE, WIDEST = 3.5, 10.0
 """Lines are followed so many deviations of the hand aside, and never farther, mm."""

@@ -17,10 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.checking.photo.curl import Curl
-from graphic_tmm.checking.photo.found import frame_found
+from graphic_tmm.checking.photo.camera import Curl, Lens, Shot, pinhole
 from graphic_tmm.checking.photo.frame_lines import REACH, Lines, refine
-from graphic_tmm.checking.photo.lens import Lens, pinhole
+from graphic_tmm.checking.photo.frame_search import frame_found
 from graphic_tmm.checking.photo.perspective import (
     Corners,
     colours_at,
@@ -31,8 +30,7 @@ from graphic_tmm.checking.photo.perspective import (
     vertices,
 )
 from graphic_tmm.checking.photo.picture import MOST, Sent, pillow, read
-from graphic_tmm.checking.photo.ruling import Ruled
-from graphic_tmm.checking.photo.shot import Shot
+from graphic_tmm.checking.photo.quadrilaterals import Ruled
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.paper.ruled import Box

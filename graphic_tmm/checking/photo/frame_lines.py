@@ -19,11 +19,8 @@ from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.checking.photo.bends import unbending
-from graphic_tmm.checking.photo.curl import Curl
-from graphic_tmm.checking.photo.lens import Lens, pinhole
+from graphic_tmm.checking.photo.camera import Curl, Lens, Shot, bowed, pinhole, unbending
 from graphic_tmm.checking.photo.perspective import bilinear, cross, homography, vertices
-from graphic_tmm.checking.photo.shot import Shot, bowed
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.ruled import Box
 

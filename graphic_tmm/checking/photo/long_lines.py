@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.checking.photo.lens import Lens, pinhole
+from graphic_tmm.checking.photo.camera import Lens, pinhole
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import said
 

@@ -1,22 +1,82 @@
-"""Which four long lines may be the frame of a sheet: every two and two of them, tried on what is ruled on it.
-
-A quadrilateral may be the frame or the edge of the paper, each either way up: what is ruled on the sheet (its
-frame, title block, the boxes of its binding margin) tells which.
-"""
+"""Which four long lines may be the frame of a sheet: tried on what is ruled on it."""
 
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterator
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.checking.photo.lens import Lens
+from graphic_tmm.checking.photo.camera import Lens
 from graphic_tmm.checking.photo.long_lines import Lines, Small, opencv
 from graphic_tmm.checking.photo.perspective import cross, homography, vertices
-from graphic_tmm.checking.photo.ruling import Ruled
+from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
+from graphic_tmm.paper.frame.frame import NAME, drawing_area
+from graphic_tmm.paper.ruled import Box
+
+SHORTEST = 4.0
+"""mm: shorter lines of a title block tell nothing."""
+EDGE = 1.0
+"""mm: what is ruled nearer to the edge of the paper is where it is cut."""
+
+
+class Ruled(NamedTuple):
+    """What is ruled on an empty sheet, mm: its ``frame``, the ``paper``, lines (n, 2) beside the frame's."""
+
+    frame: Box
+    paper: Box
+    lines: Complexes
+
+
+def ruled(sheet: Sheet, first: bool) -> Ruled:
+    """Return what is ruled on a sheet, the ``first`` of its scene or a further one."""
+    frame = drawing_area(sheet.format, sheet.language, first).inner
+    paper = Box(0.0, 0.0, sheet.width, sheet.height)
+    found = [
+        line
+        for drawing in sheet.drawings
+        if drawing.name == NAME
+        for line in _lines(drawing)
+        if abs(line[1] - line[0]) >= SHORTEST
+        and not _cut(line, paper)
+        and not any(_upon(line, *side) for side in _sides(frame))
+    ]
+    return Ruled(frame, paper, np.array(found, np.complex128).reshape(-1, 2))
+
+
+def _lines(drawing: Drawing) -> Iterator[tuple[complex, complex]]:
+    for stroke in drawing.strokes:
+        if isinstance(stroke, Stroke):
+            points = [complex(x, y) for x, y, _ in stroke.path]
+            yield from pairwise([*points, points[0]] if stroke.closed else points)
+
+
+def _sides(box: Box) -> Iterator[tuple[complex, complex]]:
+    corners = [complex(x, y) for x in (box.left, box.right) for y in (box.bottom, box.top)]
+    for one, two in ((0, 1), (0, 2), (1, 3), (2, 3)):
+        yield corners[one], corners[two]
+
+
+def _cut(line: tuple[complex, complex], paper: Box) -> bool:
+    """Whether a line is where the paper is cut, or without it."""
+    return any(
+        z.real < paper.left + EDGE
+        or z.real > paper.right - EDGE
+        or z.imag < paper.bottom + EDGE
+        or z.imag > paper.top - EDGE
+        for z in line
+    )
+
+
+def _upon(line: tuple[complex, complex], foot: complex, head: complex) -> bool:
+    """Whether a line lies upon another."""
+    way = (head - foot) / abs(head - foot)
+    return all(abs(((z - foot) / way).imag) < 1e-6 for z in line)
+
 
 SIDES = 16
 """So many of the longest lines that lie, and of those that stand, are combined."""

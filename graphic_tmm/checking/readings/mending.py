@@ -1,8 +1,8 @@
-"""Readings by the names of their scene: what was typed otherwise is mended, and told where it may matter."""
+"""Readings by the names of their scene: what was typed otherwise is mended; poles and rows that stand twice."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.checking.cells import Cell, Key, pointed
@@ -16,8 +16,6 @@ from graphic_tmm.checking.readings.names import (
     segment_meant,
     segments_of,
 )
-from graphic_tmm.checking.readings.poles import from_poles
-from graphic_tmm.checking.readings.twice import twice
 from graphic_tmm.checking.readings.writing import result_columns
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import DrawnScene
@@ -26,6 +24,94 @@ from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.readers.table import scene_columns, scene_results
 from graphic_tmm.scene.captions import view_name
+
+NEAR = 1.0
+"""A pole that was read nearer to the origin than this is the origin, mm: a coordinate read off paper scatters
+by 0.75 mm, and a shift by that would be put into all points of the plan."""
+
+
+def from_poles(
+    parts: Iterable[Taken],
+    poles: Mapping[str, str],
+    points: Mapping[str, Container[str]],
+    speech: Speech,
+) -> tuple[tuple[Taken, ...], tuple[str, ...]]:
+    """Return readings without rows of poles, points counted from where these stand; a word on each shift.
+
+    A row without position is of its plan in all positions.
+
+    Parameters
+    ----------
+    parts : iterable of Taken
+        By the names of their scene, each of one kind of figure.
+    poles, points : mapping
+        By plan the letter of its pole, and those of its points, of which readings may be.
+    """
+    kept: list[Taken] = []
+    found: dict[tuple[str, str], Taken] = {}
+    for part in parts:
+        of_pole = poles.get(part.plan) == part.segment
+        if not of_pole or part.segment in points.get(part.plan, ()):
+            kept.append(part)
+        elif part.pointed:
+            found[part.plan, part.position] = part
+        elif part.mm != 0.0:
+            kept.append(part)
+    far = {at: one for at, one in found.items() if abs(one.spot) > NEAR}
+    shifted = tuple(_shifted(one, far) for one in kept)
+    return shifted, tuple(_told(one, speech) for one in far.values())
+
+
+def _shifted(part: Taken, poles: Mapping[tuple[str, str], Taken]) -> Taken:
+    pole = poles.get((part.plan, part.position), poles.get((part.plan, "")))
+    if pole is None or not part.pointed:
+        return part
+    spot = part.spot - pole.spot
+    return part._replace(x=spot.real, y=spot.imag)
+
+
+def _told(pole: Taken, speech: Speech) -> str:
+    place = said(", position {position}", position=pole.position) if pole.position else ""
+    return speech(
+        said(
+            "line {line}: the pole {pole} stands at x = {x:g}, y = {y:g}; the points of its plan are "
+            "counted from there ({plan}{at})",
+            line=pole.line,
+            pole=pole.segment,
+            x=pole.x,
+            y=pole.y,
+            plan=view_name(pole.plan, speech.language),
+            at=place,
+        )
+    )
+
+
+_KINDS = tuple((name, Taken._fields.index(name)) for name in ("mm", "value", "x"))
+
+
+def twice(taken: Sequence[Taken], title: Callable[[str], str] = str) -> Iterator[Fault]:
+    """Yield a fault for each reading that an earlier row has given already.
+
+    ``title``: what the file calls a column.
+    """
+    seen: dict[tuple[str, str, str, str], int] = {}
+    for one in taken:
+        for name, field in _KINDS:
+            if one[field] is None:
+                continue
+            earlier = seen.setdefault((*one[:3], name), one.line)
+            if earlier != one.line:
+                place = said(' at position "{position}"', position=one.position)
+                says = said(
+                    '"{segment}" of "{plan}"{place} stands in line {line} already; keep one of the '
+                    "two",
+                    segment=one.segment,
+                    plan=one.plan,
+                    place=place if one.position else "",
+                    line=earlier,
+                )
+                yield Fault(title(name), one.line, says)
+
 
 _LISTED = 6
 """So many lines are listed in a note."""

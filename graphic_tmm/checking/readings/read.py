@@ -6,13 +6,24 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple, NoReturn
 
-from graphic_tmm.checking.readings.csv_cells import HEADS, SEPARATORS, Head, Row, table
-from graphic_tmm.checking.readings.decoding import READINGS, decoded
-from graphic_tmm.checking.readings.digits import meant
-from graphic_tmm.checking.readings.figures import decimal_comma, half_unit, millimetres, value_of
-from graphic_tmm.checking.readings.grid import is_book, too_many, torn
-from graphic_tmm.checking.readings.twice import twice
-from graphic_tmm.checking.readings.workbook import sheet_table
+from graphic_tmm.checking.readings.csv_cells import (
+    HEADS,
+    READINGS,
+    SEPARATORS,
+    Head,
+    Row,
+    decoded,
+    table,
+)
+from graphic_tmm.checking.readings.figures import (
+    decimal_comma,
+    half_unit,
+    meant,
+    millimetres,
+    value_of,
+)
+from graphic_tmm.checking.readings.grid import is_book, sheet_table, too_many, torn
+from graphic_tmm.checking.readings.mending import twice
 from graphic_tmm.checking.readings.writing import template, write_readings
 from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.errors import Fault, SceneError, first_of

@@ -1,9 +1,13 @@
-"""What the readings tell, in sentences: what matters first, then every finding with how sure it is."""
+"""What the readings tell, in sentences and parts: what is wrong first, what is doubtful, what is fine."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import NamedTuple
+
 from graphic_tmm.checking.records import (
     DOUBTFUL,
+    FINE,
     MISTAKE,
     SLIP,
     UNKNOWN,
@@ -11,13 +15,26 @@ from graphic_tmm.checking.records import (
     Judged,
     Lesson,
     Likely,
+    Picture,
     Report,
 )
-from graphic_tmm.checking.report.rows import counts, runs
-from graphic_tmm.checking.report.words import LONGEST_SENTENCE, WORDS, plan_name, shown
+from graphic_tmm.checking.report.rows import (
+    LEGEND,
+    LONGEST_SENTENCE,
+    WORDS,
+    Grid,
+    by_plan,
+    counts,
+    figure,
+    plan_name,
+    reading_grid,
+    runs,
+    shown,
+    unit_name,
+)
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.numbers import fixed
-from graphic_tmm.scene.captions import view_name
+from graphic_tmm.language.numbers import fixed, number
+from graphic_tmm.scene.captions import captions, view_name
 
 NAMED = 5
 """So many findings are told; the JSON has all of them."""
@@ -134,3 +151,158 @@ def _begin(report: Report) -> str:
     return words["begin at"].format(
         segment=shown(wrong[0].taken.segment), plan=plan_name(wrong[0].taken.plan, report.language)
     )
+
+
+KNOWN = ("farther",)
+"""What is so of every reading that is wrong: no drawing of the hand is farther off."""
+
+
+class Part(NamedTuple):
+    """A part of a report: its heading, what is told in paragraphs, its readings, a picture and what it shows.
+
+    ``grid`` is None where no reading is of it.
+    """
+
+    heading: str
+    told: tuple[str, ...] = ()
+    grid: Grid | None = None
+    picture: Picture | None = None
+    caption: str = ""
+
+
+def wrong_parts(report: Report) -> tuple[Part, ...]:
+    """Return the steps that are blamed, in the order of the log; then the wrong readings of no step.
+
+    The step of the first finding stands before the others. Where that is a mistake, the other readings that it
+    explains are told to be wrong for it: they have no lesson of their own.
+    """
+    language, words = report.language, WORDS[report.language]
+    first, follows = _named(report)
+    lessons = sorted(report.lessons, key=lambda one: one is not first)
+    rows = [one for one in report.readings if one.verdict == WRONG]
+    found, told = [], set[int]()
+    for lesson in lessons:
+        own = [k for k, one in enumerate(rows) if _blames(lesson, one)]
+        left = [k for k in own if lesson is first or rows[k].taken.line not in follows]
+        if left or not own:
+            found.append(_lesson(lesson, [rows[k] for k in left], language))
+            told |= set(left)
+    rest = [one for k, one in enumerate(rows) if k not in told]
+    for key, some in (
+        ("for that", [one for one in rest if one.taken.line in follows]),
+        ("wrong ones", [one for one in rest if one.taken.line not in follows]),
+    ):
+        for plan, readings in by_plan(some).items():
+            heading = words[key].format(plan=plan_name(plan, language))
+            found.append(Part(heading, (), reading_grid(readings, language, heading, KNOWN)))
+    return tuple(found)
+
+
+def _named(report: Report) -> tuple[Lesson | None, frozenset[int]]:
+    """Return the lesson on the step of the first finding, and the lines that it explains if it is sure."""
+    named = report.mistakes[0] if report.mistakes else None
+    first = next((one for one in report.lessons if 0 in one.names), None)
+    if named is None or first is None or named.kind != MISTAKE or not sure(named):
+        return first, frozenset()
+    return first, frozenset(named.lines) - {0}
+
+
+def doubtful_parts(report: Report) -> tuple[Part, ...]:
+    """Return what is doubtful, plan by plan."""
+    words, found = WORDS[report.language], []
+    for plan, readings in by_plan(_of(report, DOUBTFUL)).items():
+        heading = words["doubtful ones"].format(plan=plan_name(plan, report.language))
+        found.append(Part(heading, (), reading_grid(readings, report.language, heading)))
+    return tuple(found)
+
+
+def fine_grids(report: Report) -> tuple[Grid, ...]:
+    """Return the tables of what is fine, plan by plan."""
+    return tuple(
+        reading_grid(readings, report.language, plan_name(plan, report.language))
+        for plan, readings in by_plan(_of(report, FINE)).items()
+    )
+
+
+def fine_ones(report: Report) -> str:
+    """Return how many readings are fine; "" if none is."""
+    count = len(_of(report, FINE))
+    return WORDS[report.language]["fine ones"].format(count=count) if count else ""
+
+
+def grids(report: Report) -> tuple[Grid, ...]:
+    """Return all tables of a report, in order."""
+    parts = (*wrong_parts(report), *doubtful_parts(report))
+    return (*(part.grid for part in parts if part.grid is not None), *fine_grids(report))
+
+
+def legend(report: Report, grids: Sequence[Grid]) -> str:
+    """Return what the columns of tables mean; "" if there are none."""
+    shown_ones = {key for grid in grids for key in grid.columns}
+    texts = LEGEND[report.language]
+    return " ".join(texts[key] for key in texts if key in shown_ones)
+
+
+def _of(report: Report, verdict: str) -> list[Judged]:
+    return [one for one in report.readings if one.verdict == verdict]
+
+
+def _blames(lesson: Lesson, one: Judged) -> bool:
+    if lesson.segment:
+        return (one.taken.plan, one.taken.segment, one.step) == (lesson.plan, lesson.segment, "")
+    return (one.taken.plan, one.step) == (lesson.plan, lesson.step)
+
+
+def _lesson(lesson: Lesson, rows: Sequence[Judged], language: str) -> Part:
+    heading = WORDS[language]["found wrong"].format(**where(lesson, language))
+    caption = WORDS[language]["drawn"].format(position=shown(lesson.position))
+    grid = reading_grid(rows, language, heading, (*KNOWN, "step")) if rows else None
+    return Part(heading, tuple(_told(lesson, language)), grid, lesson.picture, caption)
+
+
+def _told(lesson: Lesson, language: str) -> list[str]:
+    """Return the paragraphs of a lesson: what is done, why, the due calculation with what was found."""
+    words = WORDS[language]
+    says, why, calculation = (
+        shown(text, LONGEST_SENTENCE) for text in (lesson.says, lesson.why, lesson.calculation)
+    )
+    position = shown(lesson.position)
+    at = words["at"].format(position=position) if position else ""
+    last = []
+    if calculation:
+        by = words["own numbers" if lesson.own else "due numbers"]
+        last.append(f"{', '.join(filter(None, (by, at)))}: {calculation}.")
+    elif at:
+        last.append(f"{at[:1].upper()}{at[1:]}.")
+    if lesson.shown is not None:
+        last.append(_yours(lesson.shown, language, calculation))
+    if lesson.shows is not None:
+        last.append(_yours(lesson.shows, language, "", words["it shows"]))
+    reason = f"{captions(language)['why']}: {why}" if why else ""
+    seen = lesson.shown is not None or lesson.shows is not None
+    numbers = " ".join(last) if calculation or seen else ""
+    steps = " ".join(shown(text, LONGEST_SENTENCE) for text in lesson.drawn)
+    drawn = words["drawn so"].format(steps=steps) if steps.strip() else ""
+    return [text for text in (says, reason, drawn, numbers) if text]
+
+
+def _yours(one: Judged, language: str, calculation: str, both: str = "") -> str:
+    """Return what was found, and what is due where no calculation has told it in the same unit.
+
+    ``both``: how these are told, if not as usual.
+    """
+    words = WORDS[language]
+    if one.taken.pointed:
+        key, off = ("off", one.deviation) if one.own is None else ("off itself", abs(one.own))
+        return words[key].format(segment=shown(one.taken.segment), off=figure(off, 1, language))
+    unit = unit_name(one.unit, language)
+
+    def told(value: float) -> str:
+        text = figure(value, 1, language) if one.unit == "mm" else number(value, language)
+        return f"{text} {unit}".rstrip()
+
+    if calculation and calculation.endswith(unit):
+        return words["yours"].format(found=told(one.found))
+    segment = shown(one.taken.segment)
+    template = both or words["yours for"]
+    return template.format(segment=segment, found=told(one.found), due=told(one.due))

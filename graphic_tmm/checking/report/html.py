@@ -9,20 +9,20 @@ from typing import TYPE_CHECKING
 
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report
 from graphic_tmm.checking.report import rows
-from graphic_tmm.checking.report.chart import COLOURS, chart
-from graphic_tmm.checking.report.findings import finding_rows, headline, summary
-from graphic_tmm.checking.report.parts import (
+from graphic_tmm.checking.report.charts import COLOURS, chart, render, small_plan
+from graphic_tmm.checking.report.findings import (
     Part,
     doubtful_parts,
+    finding_rows,
     fine_grids,
     fine_ones,
     grids,
+    headline,
     legend,
+    summary,
     wrong_parts,
 )
-from graphic_tmm.checking.report.rendering import render
-from graphic_tmm.checking.report.small_plan import small_plan
-from graphic_tmm.checking.report.words import WORDS, plan_name
+from graphic_tmm.checking.report.rows import WORDS, plan_name
 
 if TYPE_CHECKING:
     from markupsafe import Markup

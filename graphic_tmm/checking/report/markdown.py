@@ -10,18 +10,19 @@ import re
 from collections.abc import Mapping
 
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report
-from graphic_tmm.checking.report.findings import finding_rows, headline, summary
-from graphic_tmm.checking.report.parts import (
+from graphic_tmm.checking.report.charts import small_plan
+from graphic_tmm.checking.report.findings import (
     doubtful_parts,
+    finding_rows,
     fine_grids,
     fine_ones,
     grids,
+    headline,
     legend,
+    summary,
     wrong_parts,
 )
-from graphic_tmm.checking.report.rows import FIGURES, SIGNS, Grid, notes, title, who
-from graphic_tmm.checking.report.small_plan import small_plan
-from graphic_tmm.checking.report.words import WORDS
+from graphic_tmm.checking.report.rows import FIGURES, SIGNS, WORDS, Grid, notes, title, who
 
 ENTITIES = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", "|": "&#124;"})
 ACTIVE = re.compile(r"[\\`*\[\]{}#~$]|:(?=\S)|(?<![^\W_])_|_(?![^\W_])|(?<=www)\.", re.IGNORECASE)

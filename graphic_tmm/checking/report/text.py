@@ -6,10 +6,16 @@ from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report
-from graphic_tmm.checking.report.findings import finding_rows, headline, summary
-from graphic_tmm.checking.report.parts import doubtful_parts, fine_ones, legend, wrong_parts
-from graphic_tmm.checking.report.rows import FIGURES, SIGNS, Grid, notes, title, who, worst
-from graphic_tmm.checking.report.words import WORDS
+from graphic_tmm.checking.report.findings import (
+    doubtful_parts,
+    finding_rows,
+    fine_ones,
+    headline,
+    legend,
+    summary,
+    wrong_parts,
+)
+from graphic_tmm.checking.report.rows import FIGURES, SIGNS, WORDS, Grid, notes, title, who, worst
 
 STYLES = {FINE: "green", DOUBTFUL: "yellow", WRONG: "bold red", "": ""}
 """How a row looks on a terminal."""

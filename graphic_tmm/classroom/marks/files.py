@@ -17,10 +17,9 @@ from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
-from graphic_tmm.checking.readings.workbook_writing import workbook_of
-from graphic_tmm.checking.report.chart import COLOURS
-from graphic_tmm.checking.report.rows import SIGNS
-from graphic_tmm.checking.report.words import shown
+from graphic_tmm.checking.readings.writing import workbook_of
+from graphic_tmm.checking.report.charts import COLOURS
+from graphic_tmm.checking.report.rows import SIGNS, shown
 from graphic_tmm.classroom.marks.marking import Marked
 from graphic_tmm.classroom.marks.summary import FIGURES, WORDS, lines, pairs, rule, skipped
 from graphic_tmm.files import environment

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from graphic_tmm.checking.cells import RESULTS, cells, points
+from graphic_tmm.checking.cells import RESULTS, cells, half_of, points
 from graphic_tmm.checking.check import Checked
 from graphic_tmm.checking.judging.comparison import Comparison
-from graphic_tmm.checking.readings.units import half_of
 from graphic_tmm.checking.records import DOUBTFUL, FINE, UNSEEN, WRONG, Judged, Report, Taken
 from graphic_tmm.checking.report.findings import explained, finding, headline, sure
 from graphic_tmm.checking.report.findings import summary as counted
-from graphic_tmm.checking.template.short import short
+from graphic_tmm.checking.template import short
 from graphic_tmm.classroom.marks.row import MM, SPOT, VALUE, Cause, Figure, Key, Plan, Row
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SheetError

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from graphic_tmm.checking.photo.picture import PHOTOGRAPH
-from graphic_tmm.checking.readings.decoding import READINGS
+from graphic_tmm.checking.readings.csv_cells import READINGS
 from graphic_tmm.classroom.batch.ledger import Ran
 from graphic_tmm.classroom.batch.run import USUAL, run
 from graphic_tmm.classroom.batch.work import Work

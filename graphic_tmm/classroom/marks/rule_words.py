@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from graphic_tmm.checking.report.words import plan_name, shown
+from graphic_tmm.checking.report.rows import plan_name, shown
 from graphic_tmm.classroom.marks.rule import Rule, decimal
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import decimal_sign

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from graphic_tmm.checking.report.words import LONGEST_SENTENCE, shown
+from graphic_tmm.checking.report.rows import LONGEST_SENTENCE, shown
 from graphic_tmm.classroom.marks.judging import REPORTS
 from graphic_tmm.classroom.marks.marking import Entry, Marked
 from graphic_tmm.classroom.marks.row import asked

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.checking.cells import cells
-from graphic_tmm.checking.template.whole import short_of
+from graphic_tmm.checking.template import short_of
 from graphic_tmm.classroom.batch.work import Done, Work
 from graphic_tmm.classroom.making import OPERATION, Asked
 from graphic_tmm.classroom.tasks.task import task_sheets

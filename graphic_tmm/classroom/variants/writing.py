@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from graphic_tmm.checking.readings.workbook_writing import workbook_of
-from graphic_tmm.checking.readings.writing import csv_text, is_workbook
+from graphic_tmm.checking.readings.writing import csv_text, is_workbook, workbook_of
 from graphic_tmm.classroom.variants.variant import Value, Variant
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import decimal_sign

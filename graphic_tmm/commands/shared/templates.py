@@ -18,7 +18,7 @@ def write_template(
     scene: Scene, short: bool, only: tuple[str, ...], position: str, output: str | None
 ) -> None:
     """Print a file to be filled in, or write it, with a picture of its letters where it is a short one."""
-    from graphic_tmm.checking.template.whole import short_of, template_of
+    from graphic_tmm.checking.template import short_of, template_of
     from graphic_tmm.files import write
 
     path = Path(output or "readings.csv")

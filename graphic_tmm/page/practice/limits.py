@@ -15,9 +15,9 @@ from graphic_tmm.board.values import Length
 from graphic_tmm.checking.cells import Cell
 from graphic_tmm.checking.check import TRIALS
 from graphic_tmm.checking.judging.own_errors import Run, run_log
-from graphic_tmm.checking.judging.reader import Reader, reader
 from graphic_tmm.checking.judging.scatter import Limits, Scatter, limited_figure
 from graphic_tmm.checking.judging.step_scatter import StepScatter, scatters_of
+from graphic_tmm.checking.judging.taken_marks import Reader, reader
 from graphic_tmm.page.practice.tasks import Row
 from graphic_tmm.scene.records import Scene
 

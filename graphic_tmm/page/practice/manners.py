@@ -10,9 +10,9 @@ from typing import Any
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.check import TRIALS
 from graphic_tmm.checking.judging import equivalents, step_scatter
-from graphic_tmm.checking.judging.reader import reader
 from graphic_tmm.checking.judging.scatter import Limits, Scatter
 from graphic_tmm.checking.judging.step_scatter import StepScatter
+from graphic_tmm.checking.judging.taken_marks import reader
 from graphic_tmm.page.practice.limits import (
     HAND,
     Named,

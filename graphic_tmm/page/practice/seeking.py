@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphic_tmm.checking.photo import bends, curl, flatten, frame_lines, lens
+from graphic_tmm.checking.photo import camera, flatten, frame_lines
 
 
 def seeking() -> dict[str, float]:
@@ -25,13 +25,13 @@ def seeking() -> dict[str, float]:
         "cut": frame_lines.CUT,
         "floor": frame_lines.FLOOR,
         "dim": frame_lines.DIM,
-        "share": lens.MOST,
-        "usual": curl.USUAL,
-        "doubt": curl.DOUBT,
-        "shortest": curl.SIZES[0],
-        "longest": curl.SIZES[1],
-        "stiff": bends.STIFF,
-        "clearer": bends.CLEARER,
+        "share": camera.MOST_BOWED,
+        "usual": camera.USUAL_CURL,
+        "doubt": camera.CURL_DOUBT,
+        "shortest": camera.CURL_SIZES[0],
+        "longest": camera.CURL_SIZES[1],
+        "stiff": camera.STIFF,
+        "clearer": camera.CLEARER,
     }
 
 

@@ -14,11 +14,11 @@ from support.trials import readings
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells
+from graphic_tmm.checking.check import known
 from graphic_tmm.checking.judging.groups import NAME, RARE, groups, tail
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardsticks
-from graphic_tmm.checking.known import known
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import UNKNOWN, WRONG, Judged, Likely, Taken
 from graphic_tmm.drawn import DrawnScene

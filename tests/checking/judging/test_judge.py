@@ -13,9 +13,8 @@ from support.trials import honest
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells
-from graphic_tmm.checking.judging.reader import Reader
-from graphic_tmm.checking.judging.sample import sample
-from graphic_tmm.checking.judging.scatter import Limits, scatter
+from graphic_tmm.checking.judging.scatter import Limits, sample, scatter
+from graphic_tmm.checking.judging.taken_marks import Reader
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import drawings, make
 

@@ -19,8 +19,7 @@ from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells, cells_and_points
 from graphic_tmm.checking.judging import yardstick as module
 from graphic_tmm.checking.judging.own_errors import run
-from graphic_tmm.checking.judging.sample import sample
-from graphic_tmm.checking.judging.scatter import Limits
+from graphic_tmm.checking.judging.scatter import Limits, sample
 from graphic_tmm.checking.judging.step_scatter import scatters_of
 from graphic_tmm.checking.judging.taken_marks import as_marks, steps_of
 from graphic_tmm.checking.judging.yardstick import Yardstick, Yardsticks, yardstick

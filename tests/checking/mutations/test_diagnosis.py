@@ -16,13 +16,11 @@ from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardsticks
-from graphic_tmm.checking.mutations import changed
+from graphic_tmm.checking.mutations import mutation
 from graphic_tmm.checking.mutations.diagnosis import diagnosed
-from graphic_tmm.checking.mutations.givens import mistaken
 from graphic_tmm.checking.mutations.grammar import mutations
-from graphic_tmm.checking.mutations.mistakes import Mistakes
-from graphic_tmm.checking.mutations.mutation import CRANK, Mutation
-from graphic_tmm.checking.mutations.scope import late
+from graphic_tmm.checking.mutations.mistakes import Mistakes, mistaken
+from graphic_tmm.checking.mutations.mutation import CRANK, Mutation, late
 from graphic_tmm.checking.mutations.telling import told
 from graphic_tmm.checking.records import INSTRUMENT, MISTAKE, SLIP, Likely, Taken
 from graphic_tmm.drawn import DrawnScene
@@ -44,7 +42,7 @@ def drawn_with(*some: Mutation, place: int | None = None, seed: int = SEED) -> l
     (board,) = made.boards
     log, given = board.construction, board.given
     for one in some:
-        log, given = changed.made(late(log), given, one, place)
+        log, given = mutation.made(late(log), given, one, place)
     other = replace(board, project=replace(board.project, construction=log), given=given)
     drawn = DrawnScene(made.scene, (other.drawn_by(HANDS["student"]._replace(seed=seed)),))
     rows = []

@@ -11,11 +11,11 @@ from support.gallery import ALL, exact
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import Curve, arrays
-from graphic_tmm.checking.mutations import changed
+from graphic_tmm.checking.mutations import mutation
 from graphic_tmm.checking.mutations.execution import executed
-from graphic_tmm.checking.mutations.givens import mistaken
 from graphic_tmm.checking.mutations.grammar import mutations
-from graphic_tmm.checking.mutations.scope import late
+from graphic_tmm.checking.mutations.mistakes import mistaken
+from graphic_tmm.checking.mutations.mutation import late
 
 SOME = ("arc-cam", "crank-rocker", "engine", "oscillating-cylinder", "planetary", "slider-diagrams")
 """Scenes of all chapters but few steps; with ``--measured`` it is every one."""
@@ -40,7 +40,7 @@ def test_each_is_what_it_is_alone(name: str, many: Callable[[int, int], int]) ->
         marks = [step.it for step in log.steps]
         beside = executed(log, board.given, some, marks)
         for row in range(0, len(some), EVERY):
-            other, given = changed.made(log, board.given, some[row])
+            other, given = mutation.made(log, board.given, some[row])
             alone = execute(other, given, marks)
             for mark in marks:
                 told, due = beside.whole(mark.slot), alone[mark]

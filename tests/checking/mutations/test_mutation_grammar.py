@@ -11,9 +11,9 @@ from graphic_tmm.board.grammar import OPERATIONS, operation
 from graphic_tmm.board.operations.instruments import lay_off, ray
 from graphic_tmm.board.record import Board, Construction, Step
 from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Side
-from graphic_tmm.checking.mutations import changed
-from graphic_tmm.checking.mutations.givens import digits_exchanged, free, mistaken
+from graphic_tmm.checking.mutations import mutation
 from graphic_tmm.checking.mutations.grammar import count, mutations
+from graphic_tmm.checking.mutations.mistakes import digits_exchanged, free, mistaken
 from graphic_tmm.checking.mutations.mutation import (
     EXCHANGED,
     FAMILIES,
@@ -22,8 +22,8 @@ from graphic_tmm.checking.mutations.mutation import (
     SCALE,
     TABLE,
     Mutation,
+    late,
 )
-from graphic_tmm.checking.mutations.scope import late
 
 
 def test_a_log_has_thousands() -> None:
@@ -117,7 +117,7 @@ def test_two_arcs_are_struck_with_one_another_s_opening() -> None:
     ]
     assert one.was is not None
     assert one.now is not None
-    log, given = changed.made(board.construction, board.given, one, None)
+    log, given = mutation.made(board.construction, board.given, one, None)
     arcs = [s.it for s in log.steps if s.it.slot in one.changes]
     ends = [s.uses[0] for s in board.construction.steps if s.it in arcs]
     assert one.at is not None
@@ -137,7 +137,7 @@ def test_a_circle_is_divided_into_another_number_of_parts() -> None:
     assert len(found) >= 4
     for one in found:
         assert one.was is not None
-        _, given = changed.made(log, board.given, one, None)
+        _, given = mutation.made(log, board.given, one, None)
         angles = np.ravel(np.asarray(given[one.was]))
         assert angles[0] == pytest.approx(float(np.ravel(np.asarray(board.given[one.was]))[0]))
         steps = np.abs(np.diff(angles))

@@ -5,10 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from graphic_tmm.checking.pencil.crossing import crossing
-from graphic_tmm.checking.pencil.doubting import DOUBT, Swaps
 from graphic_tmm.checking.pencil.expected import Line, Place, View
-from graphic_tmm.checking.pencil.fitting import Fit
+from graphic_tmm.checking.pencil.fitting import DOUBT, Fit, Swaps, crossing
 from graphic_tmm.checking.pencil.lines import Track
 from graphic_tmm.checking.pencil.points import Signs
 from graphic_tmm.checking.pencil.web import Solved, Web

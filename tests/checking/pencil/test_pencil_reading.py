@@ -1,4 +1,4 @@
-"""Sheets that a student drew in pencil: where points are found, and what is asked for instead of guessed."""
+"""A sheet read in pencil: where a plan stands on it, a second look, which points are readings."""
 
 from __future__ import annotations
 
@@ -8,14 +8,144 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from support.flat_sheets import FlatSheet, flat_sheet
+from support.photographed.rubbed import flat, paper, rubbed
 from support.photographed.student import Left, exact
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.pencil.darkness import Flat
-from graphic_tmm.checking.pencil.expected import views
-from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE
-from graphic_tmm.checking.pencil.reading import Found, Point, asked, read_plans, readings
+from graphic_tmm.checking.pencil.expected import Line, Place, View, views
+from graphic_tmm.checking.pencil.fitting import fit, robbed
+from graphic_tmm.checking.pencil.lines import Track
+from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE, Spot
+from graphic_tmm.checking.pencil.reading import (
+    SURELY,
+    THERE,
+    Found,
+    Point,
+    again,
+    asked,
+    read_plans,
+    readings,
+    stood,
+)
+from graphic_tmm.checking.pencil.web import Pin, Web
 from graphic_tmm.paper.ruled import Box
+
+ENDS = (30 + 30j, 100 + 40j, 60 + 80j)
+
+
+def plan() -> View:
+    """Return three vectors from a pole."""
+    places = 40 + 50j, *ENDS
+    count = len(places)
+    return View(
+        "velocities",
+        tuple(Place(at, ()) for at in places),
+        tuple(Line(places[0], at, (0, k)) for k, at in enumerate(ENDS, 1)),
+        {},
+        (np.empty((0, 2), dtype=np.complex128),) * count,
+        (None, 0, 0, 0),
+        np.zeros((4, count), dtype=np.complex128),
+    )
+
+
+@pytest.mark.parametrize("moved", [0j, 3 - 4j, 28 + 12j])
+def test_a_plan_is_found_wherever_it_was_drawn(moved: complex) -> None:
+    grey = paper()
+    for line in plan().lines:
+        grey = rubbed(grey, line.start + moved, line.end + moved)
+    shift, cover = stood(flat(grey), plan())
+    assert abs(shift - moved) < 1.5  # lines are followed from there
+    assert cover > SURELY
+
+
+def test_a_plan_that_is_nowhere_is_not_taken_for_another() -> None:
+    grey = paper()
+    for line in plan().lines:
+        middle = line.start + 20 + 10j
+        grey = rubbed(grey, middle, middle + (line.end - line.start) * np.exp(0.5j))
+    assert stood(flat(grey), plan())[1] < THERE
+
+
+def test_a_plan_of_one_position_has_points_and_lines() -> None:
+    made, sheets = exact("lever")
+    by = {one.name: one for one in views(made, sheets[0], HANDS["student"])}
+    names = {name for place in by["accelerations-4"].places for name in place.names}
+    assert {("accelerations", "a", "4"), ("accelerations", "b", "4")} <= names
+    assert len(by["accelerations-4"].lines) > 5
+    assert all(line.places for line in by["accelerations-4"].lines)
+
+
+NO_INK = np.empty((0, 2), dtype=np.complex128)
+POLE, LEFT, RIGHT = 20 + 20j, 20 + 80j, 110 + 30j
+
+
+def view(astray: float = 2.0, of: tuple[int | None, ...] = (None, 0, 0)) -> View:
+    """Return two points, seen from a pole, and the line between them."""
+    random = np.random.default_rng(5)
+    scatter = random.normal(0, 1, (60, 3)) + 1j * random.normal(0, 1, (60, 3))
+    places = POLE, LEFT, RIGHT
+    return View(
+        "velocities",
+        tuple(Place(at, ()) for at in places),
+        (Line(POLE, LEFT, (0, 1)), Line(POLE, RIGHT, (0, 2)), Line(LEFT, RIGHT, (1, 2))),
+        {},
+        (NO_INK,) * 3,
+        of,
+        scatter * np.array([0, astray, astray]),
+    )
+
+
+def test_a_point_that_was_seen_stands_where_it_was_seen() -> None:
+    moved = 1.5 - 0.5j
+    found = fit(view(), [(), (), ()], {1: Pin(moved, 0.2)})
+    assert abs(found.moved[1] - moved) < 0.1
+    assert found.spread(1, 1.0) < 0.25 < 1.0 < found.spread(2, 1.0)
+
+
+def test_of_two_lines_the_one_from_where_the_point_was_seen_is_chosen() -> None:
+    one = view()
+    near, far = Track(0.2, 0.0, 0.95, 0.1), Track(-3.0, 0.0, 0.9, 0.1)
+    assert fit(one, [(), (), (near, far)]).tracks[2] is near
+    left = 1j * one.lines[2].way
+    assert fit(one, [(), (), (near, far)], {1: Pin(-3.0 * left, 0.2)}).tracks[2] is far
+
+
+def test_a_line_is_followed_again_from_where_its_points_were_seen() -> None:
+    one = view()
+    moved = 4.0 + 2.0j  # both points are off together: farther than the line was sought at first
+    drawn = rubbed(paper(), LEFT + moved, RIGHT + moved)
+    seen = [
+        Spot(POLE, 0.1, UNSURE),
+        Spot(LEFT + moved, 0.1, SEEN),
+        Spot(RIGHT + moved, 0.1, SEEN),
+    ]
+    found = again(flat(drawn), one, 0j, [(), (), ()], seen).tracks[2]
+    assert found is not None
+    left = 1j * one.lines[2].way
+    aside = (moved / left).real
+    assert abs(found.start - aside) < 0.2
+    assert abs(found.end - aside) < 0.2
+    assert (
+        again(flat(drawn), one, 0j, [(), (), ()], [Spot(POLE, 0.1, UNSURE)] * 3).tracks[0] is None
+    )
+
+
+def test_a_line_that_has_anothers_pencil_is_doubted_by_how_far_they_should_be_apart() -> None:
+    at = [POLE, 90 + 24j, 90 + 20j]
+    one = view()._replace(
+        places=tuple(Place(z, ()) for z in at),
+        lines=(Line(POLE, at[1], (0, 1)), Line(POLE, at[2], (0, 2))),
+    )
+    mine = Track(0.0, -4.0, 1.0, 0.1)  # the upper line lies where the lower one should be
+    own = Track(0.0, 0.0, 1.0, 0.1)
+    doubts = robbed(Web(one, {}), [(mine,), (own,)], [mine, None])
+    assert set(doubts) == {0}
+    assert abs(doubts[0][1]) > 3.5
+    assert robbed(Web(one, {}), [(mine,), (own._replace(covered=0.4),)], [mine, None]) == {}
+    fan = one._replace(of=(None, 0, 1))
+    assert robbed(Web(fan, {}), [(mine,), (own,)], [mine, None]) == {}
+
 
 SHEETS = (("slider-diagrams", 1), ("crank-rocker", 2))
 

@@ -7,8 +7,7 @@ import pytest
 from support.photographed.rubbed import DOTS, HEIGHT, flat, paper, rubbed
 
 from graphic_tmm.checking.pencil.expected import _chords
-from graphic_tmm.checking.pencil.points import MOVED
-from graphic_tmm.checking.pencil.signs import Sign
+from graphic_tmm.checking.pencil.points import MOVED, Sign
 from graphic_tmm.paper.drawing import line
 
 LONG, WIDE = 4.5, 1.1

@@ -13,10 +13,9 @@ from support import photographs
 from support.gallery import SHEETS
 from support.photographs import CORNERS, FRAME, PAPER, Camera
 
-from graphic_tmm.checking.photo.curl import Curl
+from graphic_tmm.checking.photo.camera import Curl, Shot
 from graphic_tmm.checking.photo.frame_lines import EDGES, refine
 from graphic_tmm.checking.photo.perspective import homography, vertices
-from graphic_tmm.checking.photo.shot import Shot
 from graphic_tmm.paper.ruled import Box
 
 BOX = Box(*FRAME)

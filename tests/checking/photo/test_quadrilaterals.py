@@ -8,8 +8,7 @@ from PIL import Image, ImageDraw
 
 from graphic_tmm.checking.photo.long_lines import long_lines, smaller
 from graphic_tmm.checking.photo.perspective import homography, through, vertices
-from graphic_tmm.checking.photo.quadrilaterals import guesses
-from graphic_tmm.checking.photo.ruling import Ruled
+from graphic_tmm.checking.photo.quadrilaterals import Ruled, guesses
 from graphic_tmm.paper.ruled import Box
 
 pytest.importorskip("cv2")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from graphic_tmm.checking.photo.ruling import ruled
+from graphic_tmm.checking.photo.quadrilaterals import ruled
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.formats import size_of
 from graphic_tmm.paper.frame.frame import frame

@@ -9,7 +9,7 @@ from support import gallery
 from support.misspelt import misspelt
 
 from graphic_tmm.checking.cells import cells, points
-from graphic_tmm.checking.known import known
+from graphic_tmm.checking.check import known
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.errors import SceneError

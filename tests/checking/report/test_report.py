@@ -1,4 +1,4 @@
-"""Every form of a report: the same words, the same bytes."""
+"""Every form of a report: the same words, the same bytes; its rows read back."""
 
 from __future__ import annotations
 
@@ -17,19 +17,13 @@ from support.gallery import ROOT
 from support.reports import FORMS, HOSTILE, LANGUAGES, engine, judged, loaded, report
 
 from graphic_tmm.checking.records import DOUBTFUL, WRONG
-from graphic_tmm.checking.report import (
-    markdown as report_markdown,
-)
-from graphic_tmm.checking.report import (
-    rows as report_rows,
-)
-from graphic_tmm.checking.report import (
-    words as report_words,
-)
+from graphic_tmm.checking.report import markdown as report_markdown
+from graphic_tmm.checking.report import rows as report_rows
+from graphic_tmm.checking.report import rows as report_words
+from graphic_tmm.checking.report.findings import grids
 from graphic_tmm.checking.report.json import json_report
 from graphic_tmm.checking.report.markdown import markdown_report
-from graphic_tmm.checking.report.parts import grids
-from graphic_tmm.checking.report.words import LEGEND, WORDS, shown
+from graphic_tmm.checking.report.rows import LEGEND, WORDS, runs, shown
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -107,3 +101,14 @@ def test_bytes_do_not_depend_on_the_run() -> None:
 @pytest.mark.parametrize("module", [report_markdown, report_rows, report_words])
 def test_the_examples_of_the_docstrings_hold(module: Any) -> None:
     assert doctest.testmod(module).failed == 0
+
+
+@given(st.lists(st.integers(0, 60)))
+def test_runs_of_lines_read_back(lines: list[int]) -> None:
+    text = runs(lines)
+    back: set[int] = set()
+    for piece in text.removesuffix(", …").split(", ") if text else []:
+        low, _, high = piece.partition("–")
+        back |= set(range(int(low), int(high or low) + 1))
+    due = {line for line in lines if line}
+    assert back == due if "…" not in text else back < due

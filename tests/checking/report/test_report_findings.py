@@ -18,11 +18,18 @@ from graphic_tmm.checking.records import (
     Lesson,
     Likely,
 )
-from graphic_tmm.checking.report.findings import details, finding, finding_rows, headline, summary
+from graphic_tmm.checking.report.findings import (
+    details,
+    doubtful_parts,
+    finding,
+    finding_rows,
+    headline,
+    summary,
+    wrong_parts,
+)
 from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.json import json_report
 from graphic_tmm.checking.report.markdown import markdown_report
-from graphic_tmm.checking.report.parts import doubtful_parts, wrong_parts
 
 WHOLE = (SLIP, UNKNOWN)
 """What says a whole sentence of its own."""

@@ -22,21 +22,22 @@ from support.reports import (
 )
 
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG
-from graphic_tmm.checking.report.findings import finding_rows, headline, summary
-from graphic_tmm.checking.report.html import html_report
-from graphic_tmm.checking.report.json import json_report
-from graphic_tmm.checking.report.markdown import markdown_report
-from graphic_tmm.checking.report.parts import (
+from graphic_tmm.checking.report.findings import (
     doubtful_parts,
+    finding_rows,
     fine_grids,
     fine_ones,
     grids,
+    headline,
     legend,
+    summary,
     wrong_parts,
 )
-from graphic_tmm.checking.report.rows import SIGNS, notes, title, who
+from graphic_tmm.checking.report.html import html_report
+from graphic_tmm.checking.report.json import json_report
+from graphic_tmm.checking.report.markdown import markdown_report
+from graphic_tmm.checking.report.rows import SIGNS, WORDS, notes, title, who
 from graphic_tmm.checking.report.text import LISTED
-from graphic_tmm.checking.report.words import WORDS
 
 READER = MarkdownIt("commonmark", {"html": True}).enable(["table", "strikethrough"])
 BLOCKS = {"heading", "paragraph", "table", "thead", "tbody", "tr", "th", "td"}

@@ -15,13 +15,12 @@ from support.benches import Packed, practised, worked
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Point
-from graphic_tmm.checking.check import TRIALS
+from graphic_tmm.checking.check import TRIALS, known
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.equivalents import ways_of
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardstick, yardstick
-from graphic_tmm.checking.known import known
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Last, Taken
 from graphic_tmm.page.practice.manners import MANNERS
 

@@ -14,11 +14,9 @@ from support import photographs
 from support.photographs import CORNERS, FRAME, PAPER, Camera
 from support.scripts import run
 
-from graphic_tmm.checking.photo.curl import Curl
+from graphic_tmm.checking.photo.camera import Curl, Lens, Shot
 from graphic_tmm.checking.photo.frame_lines import EDGES, refine
-from graphic_tmm.checking.photo.lens import Lens
 from graphic_tmm.checking.photo.perspective import bilinear, homography, ordered
-from graphic_tmm.checking.photo.shot import Shot
 from graphic_tmm.errors import SheetError
 from graphic_tmm.page.practice.seeking import seeking
 from graphic_tmm.paper.ruled import Box

@@ -17,7 +17,7 @@ import { inverseOf, projected } from "./projection.js";
 const ALL_EDGES = 4;
 
 /**
- * Return the lens and the curl that make the frame's lines straight, as checking/photo/bends.py finds them.
+ * Return the lens and the curl that make the frame's lines straight, as checking/photo/camera.py finds them.
  * @param {Shot} shot
  * @param {SeenLine[]} lines
  * @param {Seeking} how

@@ -3,7 +3,7 @@
  * @typedef {import("./projection.js").Rectangle} Rectangle
  * @typedef {import("./projection.js").Spot} Spot
  * @typedef {import("./strip.js").Seeking} Seeking
- * How a sheet curls within its frame, as checking/photo/curl.py has it: `foot`: above which point of it the camera
+ * How a sheet curls within its frame, as checking/photo/camera.py has it: `foot`: above which point of it the camera
  * stands, mm; `upright`: about which direction; `parts`: mm aside, in the middle of an edge and what grows along it
  * @typedef {{box: Rectangle, foot: Spot, upright: boolean, parts: [number, number]}} Curl
  */

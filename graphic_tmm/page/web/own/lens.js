@@ -1,7 +1,7 @@
 import { leftOfLine } from "./fitting.js";
 
 /**
- * What a lens does, as checking/photo/lens.py has it: a ray seen at `off` from the middle a pinhole shows at
+ * What a lens does, as checking/photo/camera.py has it: a ray seen at `off` from the middle a pinhole shows at
  * `off · (1 + share · |off / radius|²)`.
  * @typedef {{x: number, y: number, radius: number, share: number}} Lens px, px, half the width, a share there
  * @typedef {import("./projection.js").Spot} Spot

@@ -8,12 +8,10 @@ import pytest
 from support import gallery
 
 from graphic_tmm.checking.cells import cells, points
-from graphic_tmm.checking.check import check
-from graphic_tmm.checking.known import known
+from graphic_tmm.checking.check import check, known
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.readings.writing import file_of
-from graphic_tmm.checking.template.letters import letters_sheet
-from graphic_tmm.checking.template.short import short
+from graphic_tmm.checking.template import letters_sheet, short
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.write.svg import svg
 

@@ -7,9 +7,8 @@ from support.gallery import exact
 from support.lessons_told import by, sums
 
 from graphic_tmm.checking.cells import cells
-from graphic_tmm.checking.lessons.by_figure import step_of_figure
 from graphic_tmm.checking.lessons.lessons import Teacher
-from graphic_tmm.checking.lessons.steps import Steps
+from graphic_tmm.checking.lessons.steps import Steps, step_of_figure
 from graphic_tmm.checking.records import WRONG, Judged, Lesson, Taken
 
 

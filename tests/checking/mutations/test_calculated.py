@@ -10,7 +10,7 @@ import pytest
 from graphic_tmm.board.formula import FORMULAS
 from graphic_tmm.board.formula_text import FUNCTIONS, text_of, tree_of
 from graphic_tmm.board.grammar import OPERATIONS
-from graphic_tmm.checking.mutations.formulas import is_product, otherwise, with_sense
+from graphic_tmm.checking.mutations.calculated import is_product, otherwise, with_sense
 from graphic_tmm.checking.mutations.mutation import FACTOR, LEFT_OUT, POWER, SENSE
 from graphic_tmm.scene.chapter import whole_book
 

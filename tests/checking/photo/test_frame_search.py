@@ -15,8 +15,8 @@ from support.photographed.student import exact
 from support.photographed.taking import SHEETS, Conditions, Taken, conditions, taken, turned
 
 from graphic_tmm.checking.photo.flatten import flatten
-from graphic_tmm.checking.photo.found import frame_found, tried
-from graphic_tmm.checking.photo.ruling import Ruled, ruled
+from graphic_tmm.checking.photo.frame_search import frame_found, tried
+from graphic_tmm.checking.photo.quadrilaterals import Ruled, ruled
 from graphic_tmm.errors import SheetError
 
 cv2 = pytest.importorskip("cv2")

@@ -12,12 +12,12 @@ from support import gallery
 from support.gallery import CASES
 
 from graphic_tmm.board.hand import HANDS
-from graphic_tmm.checking import known
+from graphic_tmm.checking import check as check_module
 from graphic_tmm.checking.cells import Cell, cells
 from graphic_tmm.checking.check import check, checks
 from graphic_tmm.checking.judging.judge import judge
-from graphic_tmm.checking.judging.reader import POINTS, reader
 from graphic_tmm.checking.judging.scatter import Limits, limited
+from graphic_tmm.checking.judging.taken_marks import POINTS, reader
 from graphic_tmm.checking.judging.yardstick import yardstick
 from graphic_tmm.checking.readings.figures import half_unit
 from graphic_tmm.checking.readings.read import read_readings
@@ -244,7 +244,7 @@ def test_a_reading_of_a_figure_that_is_not_sure_is_said_not_judged(
         del found["velocities", "ab", "2"]
         return found
 
-    monkeypatch.setattr(known, "cells", unsure)
+    monkeypatch.setattr(check_module, "cells", unsure)
     rows = "velocities,1,pb,68,,,,\nvelocities,2,ab,3,,,,\n"
     report = checked("sc", rows, tmp_path)
     assert [one.taken.segment for one in report.readings] == ["pb"]

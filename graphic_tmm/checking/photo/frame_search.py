@@ -9,14 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.checking.photo.curl import Curl
+from graphic_tmm.checking.photo.camera import Curl, Lens, Shot, pinhole
 from graphic_tmm.checking.photo.frame_lines import Lines, refine
-from graphic_tmm.checking.photo.lens import Lens, pinhole
 from graphic_tmm.checking.photo.long_lines import ALIKE, COLOURED, long_lines, smaller
 from graphic_tmm.checking.photo.perspective import bilinear, homography, through, vertices
-from graphic_tmm.checking.photo.quadrilaterals import Guess, guesses
-from graphic_tmm.checking.photo.ruling import Ruled
-from graphic_tmm.checking.photo.shot import Shot
+from graphic_tmm.checking.photo.quadrilaterals import Guess, Ruled, guesses
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.ruled import Box

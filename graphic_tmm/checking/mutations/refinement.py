@@ -1,0 +1,210 @@
+"""The last hypotheses refined: by a hand that draws with the mistake, by how much was misread."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from graphic_tmm.board import roles
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.record import Mark
+from graphic_tmm.checking.cells import Key
+from graphic_tmm.checking.judging.step_scatter import as_read, where_read
+from graphic_tmm.checking.mutations import mutation
+from graphic_tmm.checking.mutations.entries import Own, Told, entry_of
+from graphic_tmm.checking.mutations.evidence import Board, Evidence, Readings, nothing, of_mutations
+from graphic_tmm.checking.mutations.execution import executed
+from graphic_tmm.checking.mutations.hypotheses import Hypothesis, groups
+from graphic_tmm.checking.mutations.likelihood import BEYOND, explained
+from graphic_tmm.checking.mutations.mistakes import NONE, Offered, amiss_by, misread
+from graphic_tmm.checking.mutations.mutation import Mutation
+
+Array = NDArray[np.float64]
+FINALISTS, KEPT = 8, 100
+"""So many of the best that readings tell apart are weighed anew, of so many."""
+LEAST = 8.0
+"""What gains less (natural logarithm) is not worth that."""
+DRAWN = 50
+"""So often the hand draws with the mistake: a standard deviation is then known to a tenth of itself."""
+
+
+def reweighed(
+    readings: Readings, base_of: Callable[[int], Board], found: Sequence[Hypothesis]
+) -> list[Hypothesis]:
+    """Return hypotheses, the best of them weighed anew by a hand that draws with the mistake.
+
+    What no reading tells apart is weighed once, or the chance of its drawings would tell it apart.
+    """
+    best = [
+        one
+        for one in sorted(found, key=lambda one: -one.score)
+        if float(one.gain.sum()) > LEAST and not one.lost and isinstance(one.what, Mutation)
+    ][:KEPT]
+    anew: dict[int, Hypothesis] = {}
+    for group in groups(best)[:FINALISTS]:
+        first = group[0]
+        now = refined(readings, base_of(first.board), first)
+        for one in group:
+            anew[id(one)] = now._replace(
+                what=one.what,
+                board=one.board,
+                place=one.place,
+                score=one.score + now.score - first.score,
+                gain=one.gain + now.gain - first.gain,
+            )
+    return [anew.get(id(one), one) for one in found]
+
+
+def refined(readings: Readings, base: Board, one: Hypothesis) -> Hypothesis:
+    """Return a hypothesis weighed by the scatter of a hand that draws with it; of readings of marks only."""
+    what = one.what
+    work = readings.drawing.made.mechanism
+    if not isinstance(what, Mutation) or base.board is not work or not readings.found:
+        return one
+    log, given = mutation.made(base.log, base.given, what, one.place)
+    other = Board(base.board, log, given)
+    scatters = scatters_of(readings, other)
+    own = Own(readings.drawing, readings.found, log)
+    executed(log, given, (), readings.found, own.seen)
+    right = Own(readings.drawing, readings.found, base.log)
+    executed(base.log, base.given, (), readings.found, right.seen)
+    gain, far, fit = one.gain.copy(), one.far.copy(), np.array([one.moved, one.squares])
+    places = readings.places
+    for mark, errors in own.base.items():
+        read = readings.found[mark][0]
+        known = entry_of(readings.drawing, mark, right.base[mark][:, 0], read, None)
+        mine = entry_of(readings.drawing, mark, errors[:, 0], read, scatters)
+        if known is None or mine is None:
+            continue
+        plain, told = Told(known), Told(mine)
+        (before,), (off,), _ = plain.rows(errors[:, :1])
+        gain[:places] += told.likely - before
+        far[:places] += (told.off > BEYOND) * 1.0 - (off > BEYOND)
+        fit += _fit(told.off, plain.off) - _fit(off, plain.off)
+    score = one.score + float((gain - one.gain).sum())
+    beyond, (moved, squares) = int(far.sum()), map(float, fit)
+    return one._replace(
+        score=score, gain=gain, beyond=beyond, far=far, moved=moved, squares=squares
+    )
+
+
+def _fit(off: Array, before: Array) -> Array:
+    moved, squares = explained(off, before)
+    return np.array([moved.sum(), squares.sum()])
+
+
+def scatters_of(readings: Readings, other: Board) -> dict[Mark, Array]:
+    """Return the hand's own errors where it draws a log, root mean squares, (part, position)."""
+    by = readings.drawing.by.reader
+    hand = by.hand._replace(trials=DRAWN)
+    steps = {step.it: step for step in other.log.steps}
+    drawn = execute(other.log, other.given, readings.found, hand=hand)
+    places = readings.places
+    found: dict[Mark, Any] = {}
+    for mark, there in readings.found.items():
+        row = np.broadcast_to(drawn[mark], (DRAWN, places))
+        found[mark] = where_read(as_read(steps[mark], row, by), there)
+    own = Own(readings.drawing, found, other.log)
+    executed(other.log, other.given, (), found, own.seen)
+    with np.errstate(all="ignore"):
+        return {mark: _rms(errors) for mark, errors in own.base.items()}
+
+
+def _rms(errors: Array) -> Array:
+    finite = np.isfinite(errors)
+    squares = np.where(finite, errors, 0.0) ** 2
+    return np.asarray(np.sqrt(squares.sum(axis=1) / np.maximum(finite.sum(axis=1), 1)))
+
+
+GRID = (0.4, 0.5, 0.6, 0.7, 0.8, 0.88, 1.12, 1.25, 1.4, 1.6, 1.8, 2.2)
+"""Where the search begins: so many times as large a given was taken."""
+STEP, ROUNDS = 0.01, 3
+"""The step of the differences, and how often a step is taken: from a grid of 12 % the third is below 0.1 %."""
+NEAR = 0.1
+"""What is nearer to 1 is an instrument's, or a reading's, not a mistake."""
+FARTHEST = 0.2
+"""No step goes farther (of the logarithm): a parabola is none beyond."""
+STANDS = tuple(float(k) for k in range(-175, 180, 10))
+"""Where the search for a crank that stands amiss at one position begins, degrees."""
+TURN, FARTHEST_TURN, SEEN = 0.5, 6.0, 3.0
+"""The step of the differences, the farthest step, degrees; what stands nearer is an instrument's error."""
+KEPT_GIVENS = 3
+"""So many positions may be the one."""
+
+
+def fitted(
+    readings: Readings, offered: Offered, base: Board, least: Mapping[tuple[Key, bool], float]
+) -> tuple[list[Mutation], Evidence]:
+    """Return the givens that were misread, each as it fits the readings best, and the evidence for them.
+
+    The first row is the log as it is. ``least``: by how much a figure must move that is not fine.
+    """
+    trial = [NONE, *(misread(marks, 1.2) for marks in offered.free)]
+    rows = offered.moving(least, offered.run(trial, base)) if offered.free else np.zeros(1, int)
+    free = [offered.free[k - 1] for k in rows if k]
+    if not free:
+        return [], nothing(1, readings.places)
+
+    def gains(factors: Sequence[Sequence[float]]) -> np.ndarray:
+        """Return what each given gains, taken so many times as large; (given, factor)."""
+        some = [misread(m, f) for m, row in zip(free, factors, strict=True) for f in row]
+        found = _evidence(readings, offered, base, [NONE, *some]).gain[1:].sum(axis=1)
+        return np.asarray(found.reshape(len(free), -1))
+
+    first = gains([GRID] * len(free))
+    at = np.log(np.array(GRID)[np.argmax(first, axis=1)])
+    for _ in range(ROUNDS):
+        told = gains([np.exp(x + np.array([-STEP, 0.0, STEP])).tolist() for x in at])
+        at = at + np.clip(_newton(told.T, STEP), -FARTHEST, FARTHEST)
+    factors = np.exp(at)
+    kept = [misread(m, float(f)) for m, f in zip(free, factors, strict=True) if abs(f - 1.0) > NEAR]
+    return [NONE, *kept], _evidence(readings, offered, base, [NONE, *kept])
+
+
+def _evidence(
+    readings: Readings, offered: Offered, base: Board, some: Sequence[Mutation]
+) -> Evidence:
+    plain = offered.run(some, base)
+    return of_mutations(readings, base, some, plain, np.arange(len(some)))[0]
+
+
+def put_amiss(
+    readings: Readings, offered: Offered, base: Board, least: Mapping[tuple[Key, bool], float]
+) -> tuple[list[Mutation], Evidence]:
+    """Return the crank put amiss, by as much as fits the readings of a position best, and the evidence.
+
+    The first row is the log as it is; then the positions of which that explains most.
+    """
+    marks = [
+        mark for mark in base.log.given if mark.role == roles.CRANK_ANGLE and mark in base.given
+    ]
+    trial = [NONE, *(amiss_by([mark], STANDS[0]) for mark in marks)]
+    if not marks or offered.moving(least, offered.run(trial, base)).size < 2:
+        return [], nothing(1, readings.places)
+
+    def gains(angles: Array) -> Array:
+        """Return what the crank gains that stands amiss by angles; both (angle, position)."""
+        some = [amiss_by(marks, row) for row in angles]
+        found = _evidence(readings, offered, base, [NONE, *some]).gain[1:, :-1]
+        return np.asarray(np.broadcast_to(found, (len(angles), readings.places)))
+
+    grid = np.repeat(np.array(STANDS)[:, None], readings.places, axis=1)
+    at = np.array(STANDS)[np.argmax(gains(grid), axis=0)]
+    for _ in range(ROUNDS):
+        told = gains(at + np.array([[-TURN], [0.0], [TURN]]))
+        at = at + np.clip(_newton(told, TURN), -FARTHEST_TURN, FARTHEST_TURN)
+    most = np.argsort(-gains(at[None])[0])[:KEPT_GIVENS]
+    some = [NONE, *(amiss_by(marks, float(at[k])) for k in most if abs(at[k]) > SEEN)]
+    return some, _evidence(readings, offered, base, some)
+
+
+def _newton(told: Array, step: float) -> Array:
+    """Return where a parabola through gains at three places, (place, row), has its top, from the middle one."""
+    slope = (told[2] - told[0]) / (2.0 * step)
+    bend = (told[2] - 2.0 * told[1] + told[0]) / step**2
+    with np.errstate(all="ignore"):
+        found = np.where(bend < 0.0, -slope / bend, np.sign(slope) * step * 5.0)
+    return np.asarray(np.nan_to_num(found))
