@@ -19,7 +19,7 @@ from graphic_tmm.language.reader import asked, hear, reader
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
-    from graphic_tmm.classroom.batch.ledger import Ran
+    from graphic_tmm.classroom.batch.run import Ran
     from graphic_tmm.classroom.making import Asked
     from graphic_tmm.classroom.variants.variant import Base, Variant
 

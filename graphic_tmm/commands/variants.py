@@ -47,8 +47,8 @@ def variants(
     """Draw variants of SCENE from ranges: all of them assemble, and can be drawn and measured well."""
     from graphic_tmm.classroom.variants.drawing import drawn
     from graphic_tmm.classroom.variants.ranges import FILE, read_ranges
+    from graphic_tmm.classroom.variants.table import write_variants
     from graphic_tmm.classroom.variants.variant import base
-    from graphic_tmm.classroom.variants.writing import write_variants
     from graphic_tmm.files import write
     from graphic_tmm.paper.lettering.letters import missing
     from graphic_tmm.scene.packaged import scene_path

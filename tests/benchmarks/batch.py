@@ -20,10 +20,9 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from support.batches import sums
 from support.gallery import SHEETS
 
-from graphic_tmm.classroom.batch.answer import parcel
 from graphic_tmm.classroom.batch.record import place
 from graphic_tmm.classroom.batch.run import Ran, run
-from graphic_tmm.classroom.batch.work import Done, Work
+from graphic_tmm.classroom.batch.work import Done, Work, parcel
 from graphic_tmm.classroom.making import Asked, made
 from graphic_tmm.classroom.variants.variant import Value, Variant, base, source_of, text_of
 from graphic_tmm.fitting.composition import beside

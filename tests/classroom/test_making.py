@@ -10,9 +10,8 @@ from support.batches import files_of
 from support.command import printed
 from support.gallery import SHEETS
 
-from graphic_tmm.classroom.batch.digest import digest
 from graphic_tmm.classroom.batch.run import run
-from graphic_tmm.classroom.batch.work import Work, done
+from graphic_tmm.classroom.batch.work import Work, digest, done
 from graphic_tmm.classroom.making import MAKES, Asked, made, work
 from graphic_tmm.classroom.variants.variant import Value, Variant, base, source_of, text_of
 from graphic_tmm.errors import SceneError

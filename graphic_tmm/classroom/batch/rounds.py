@@ -1,19 +1,55 @@
-"""One loop over futures: a few more works are on their way than are done at once; nothing waits or piles up."""
+"""One loop over futures: a few more works under way than are done at once; Ctrl-C is heard between."""
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Future, wait
+from contextlib import contextmanager
 from itertools import chain
+from threading import current_thread, main_thread
 from time import monotonic
+from types import FrameType
 
-from graphic_tmm.classroom.batch.answer import Answer, answer, parcel
 from graphic_tmm.classroom.batch.executors import Pool, died, opened
-from graphic_tmm.classroom.batch.stopping import PULSE, Check
-from graphic_tmm.classroom.batch.work import Work
+from graphic_tmm.classroom.batch.work import Answer, Work, answer, parcel
 from graphic_tmm.errors import SheetError, TmmError
 from graphic_tmm.language.reader import reader
 from graphic_tmm.language.said import said
+
+PULSE = 0.2
+"""So often, s, it is looked whether it was pressed while works are waited for."""
+Check = Callable[[], None]
+"""What raises KeyboardInterrupt if Ctrl-C was pressed."""
+
+
+@contextmanager
+def hearing() -> Iterator[Check]:
+    """Give what raises KeyboardInterrupt if Ctrl-C was pressed within; pressed once more it comes at once.
+
+    Where this is not the main thread, or somebody else listens to it, nothing is changed.
+    """
+    before = signal.getsignal(signal.SIGINT)
+    if current_thread() is not main_thread() or before is not signal.default_int_handler:
+        yield lambda: None
+        return
+    heard: list[int] = []
+
+    def hear(number: int, frame: FrameType | None) -> None:
+        if heard:
+            raise KeyboardInterrupt
+        heard.append(number)
+
+    def check() -> None:
+        if heard:
+            raise KeyboardInterrupt
+
+    signal.signal(signal.SIGINT, hear)
+    try:
+        yield check
+    finally:
+        signal.signal(signal.SIGINT, before)
+
 
 WINDOW = 3
 """So many works are on their way for each that is done at once."""

@@ -1,4 +1,4 @@
-"""A hand-in judged, as a piece of work: its report as `check` would give it alone, and its row."""
+"""A hand-in judged, as a piece of work: its report, its row; and what is due of other variants."""
 
 from __future__ import annotations
 
@@ -18,8 +18,7 @@ from graphic_tmm.checking.records import Report, Taken
 from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.json import json_report
 from graphic_tmm.classroom.batch.work import Done, Work
-from graphic_tmm.classroom.marks.made import row_of
-from graphic_tmm.classroom.marks.row import Row, text
+from graphic_tmm.classroom.marks.row import Row, dues, row_of, text
 from graphic_tmm.classroom.variants.start import begun, drawn_by
 from graphic_tmm.errors import Fault, SceneError, SheetError, TmmError
 from graphic_tmm.fitting.composition import Composition, beside, known_composition
@@ -28,6 +27,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.paper.lettering.letters import missing
 from graphic_tmm.scene.read import judged
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.studio import make
 
 REPORTS, ROWS = "reports", "rows"
 """The folders of the reports, a page and a JSON each, and of the rows."""
@@ -192,3 +192,23 @@ def _numbered(seen: Photographed, taken: Sequence[Taken]) -> list[Taken]:
     """Return the points that a further photograph shows, if an earlier one does not, numbered on."""
     keys, first = {one.key for one in taken}, max((one.line for one in taken), default=0)
     return [one._replace(line=one.line + first) for one in seen.taken if one.key not in keys]
+
+
+def place(variant: str) -> str:
+    """Return the name of the file of a variant's row."""
+    return f"{ROWS}/variants/{variant}.json"
+
+
+def work_of_dues(variant: str, task: Task) -> Work:
+    """Return the work of drawing a variant exactly."""
+    return Work(f"variants/{variant}.json", f"{__name__}:due", (variant, task))
+
+
+def due(given: tuple[str, Task]) -> Done:
+    """Draw a variant exactly: a row that has nothing but what is due; that too if it cannot be drawn."""
+    variant, task = given
+    try:
+        row = Row(dues=dues(make(scene_of(task), exact=True, given=sizes_of(task))))
+    except TmmError:
+        row = Row()
+    return Done({place(variant): text(row)})

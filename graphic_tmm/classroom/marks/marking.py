@@ -14,11 +14,10 @@ from typing import NamedTuple
 
 from graphic_tmm.checking.photo.picture import PHOTOGRAPH
 from graphic_tmm.checking.readings.csv_cells import READINGS
-from graphic_tmm.classroom.batch.ledger import Ran
-from graphic_tmm.classroom.batch.run import USUAL, run
+from graphic_tmm.classroom.batch.run import USUAL, Ran, run
 from graphic_tmm.classroom.batch.work import Work
-from graphic_tmm.classroom.marks import variant_dues
-from graphic_tmm.classroom.marks.alike import Alike, alike
+from graphic_tmm.classroom.marks import judging
+from graphic_tmm.classroom.marks.copies import Alike, Other, alike, copied, is_suspect, looks_like
 from graphic_tmm.classroom.marks.judging import (
     ROWS,
     By,
@@ -27,10 +26,8 @@ from graphic_tmm.classroom.marks.judging import (
     scene_of,
     work,
 )
-from graphic_tmm.classroom.marks.made import plans_of
 from graphic_tmm.classroom.marks.names import HandIn, Skipped, hand_ins
-from graphic_tmm.classroom.marks.others import Other, copied, is_suspect, looks_like
-from graphic_tmm.classroom.marks.row import Row, asked, faults, known
+from graphic_tmm.classroom.marks.row import Row, asked, faults, known, plans_of
 from graphic_tmm.classroom.marks.rule import Mark, Rule, marked
 from graphic_tmm.classroom.variants.start import start_of
 from graphic_tmm.classroom.variants.variant import Base, Variant, source_of, text_of
@@ -262,12 +259,12 @@ def _others(
     tried = []
     for one in missing:
         try:
-            tried.append(variant_dues.work(one.name, _task(of, one, begun)))
+            tried.append(judging.work_of_dues(one.name, _task(of, one, begun)))
         except SceneError:
             continue  # of a variant that is not good nobody can have drawn anything
     _run(of, tried, out, tell)
     for name, _ in (one.given for one in tried):
-        dues[name] = known((out / variant_dues.place(name)).read_bytes()).dues
+        dues[name] = known((out / judging.place(name)).read_bytes()).dues
     found = {}
     for suspect in suspects:
         rest = {name: one for name, one in dues.items() if name != suspect.variant}

@@ -1,18 +1,17 @@
-"""The teacher's rule: what of 100 points is lost, and which mark the points make. Exact: no float is in it.
-
-A fault is punished once. What a student carries on from an earlier reading is fine in the report already; what
-one mistake that the report names makes wrong costs what the mistake costs; what is wrong of one segment in
-several positions costs no more than ``segment``. What nobody has handed in is counted by plans, and by readings
-of the plans that are there.
-"""
+"""The teacher's rule, exact and in words: what of 100 points is lost, which mark they make."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import floor
 from typing import NamedTuple
+
+from graphic_tmm.checking.report.rows import plan_name, shown
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import decimal_sign
+from graphic_tmm.language.said import joined, said
 
 WHOLE = Fraction(100)
 
@@ -131,3 +130,65 @@ def decimal(value: Fraction, places: int = 6) -> str:
     text = f"{whole:0{places + 1}d}"
     text = f"{text[:-places]}.{text[-places:]}".rstrip("0").rstrip(".")
     return f"-{text}" if value < 0 and text != "0" else text
+
+
+def told(rule: Rule, language: str, plans: tuple[str, ...] = ()) -> tuple[str, ...]:
+    """Return the rule, a sentence each; ``plans``: those that are asked for."""
+    return tuple(map(speaking(language), _told(rule, language, plans)))
+
+
+def _told(rule: Rule, language: str, plans: tuple[str, ...]) -> Iterator[str]:
+    def of(value: Fraction) -> str:
+        return decimal(value).replace(".", decimal_sign(language)).replace("-", "−")
+
+    yield said("Everybody begins with 100 points.")
+    if rule.wrong:
+        yield said(
+            "A wrong reading costs {wrong}, all wrong ones of one segment together no more than {segment}; "
+            "one that only follows from another is not wrong.",
+            wrong=of(rule.wrong),
+            segment=of(rule.segment),
+        )
+        yield said(
+            "What a mistake that is named makes wrong costs no more than {mistake} together: a mistake is "
+            "punished once.",
+            mistake=of(rule.mistake),
+        )
+    if rule.doubtful and rule.doubtful_most:
+        yield said(
+            "A doubtful reading costs {doubtful}, all of them no more than {most}.",
+            doubtful=of(rule.doubtful),
+            most=of(rule.doubtful_most),
+        )
+    if plans and (rule.plan or rule.reading):
+        listed = joined(", ", (plan_name(plan, language) for plan in plans))
+        yield said(
+            "A plan that is missing costs {plan}, a reading missing in a plan that is there {reading}. Asked "
+            "for are: {listed}.",
+            plan=of(rule.plan),
+            reading=of(rule.reading),
+            listed=listed,
+        )
+    if rule.variant:
+        yield said(
+            "Readings that fit another variant than the own one cost {variant}.",
+            variant=of(rule.variant),
+        )
+    if rule.steps:
+        rows = (
+            said("{mark} from {points}", mark=shown(name), points=of(least))
+            for name, least in rule.steps
+        )
+        yield said(
+            "The mark by points: {steps}, below that {below}.",
+            steps=joined(", ", rows),
+            below=shown(rule.below),
+        )
+    else:
+        yield said(
+            "The mark goes from {lowest} for no points to {scale} for all of them, rounded to {unit}, a half "
+            "up.",
+            lowest=of(rule.lowest),
+            scale=of(rule.scale),
+            unit=of(rule.round),
+        )

@@ -1,18 +1,117 @@
-"""The sheets of a task: bands one below the other on A4, as many sheets as they need, in their frames."""
+"""The sheets of a task: bands one below the other on A4, how close they are set, where they go on."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import cache
+from itertools import pairwise
 from typing import NamedTuple
 
-from graphic_tmm.classroom.tasks.breaks import Band, Paged, paged
-from graphic_tmm.classroom.tasks.setting import ROOMY, Setting
 from graphic_tmm.handout.sheets import CAPTION, TITLE, advance, framed, paper, set_rows
 from graphic_tmm.handout.words import Row, broken
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.scene.records import Scene
+
+
+class Setting(NamedTuple):
+    """How close a task is set; mm.
+
+    ``text``, ``heading``, ``rows``: heights of what is read, of headings, of letters in tables (ГОСТ 2.304);
+    ``between``, ``least``: between blocks, and between the sentences of one list; ``share``: of its usual
+    height that the scheme may take; ``run_in``: whether sentences begin on the line of their heading;
+    ``under``: whether they stand in what is free below the scheme beside its table, too.
+    """
+
+    text: float = 3.5
+    heading: float = 5.0
+    rows: float = 3.5
+    between: float = 4.0
+    least: float = 1.5
+    share: float = 1.0
+    run_in: bool = False
+    under: bool = False
+
+
+ROOMY = Setting()
+_CLOSE = Setting(between=3.0, least=0.8, under=True)
+_CLOSER = _CLOSE._replace(run_in=True, rows=2.5)
+_SMALL = Setting(2.5, 3.5, 2.5, 3.0, 1.0, 0.8, under=True)
+SETTINGS = (
+    ROOMY,
+    ROOMY._replace(share=0.72),
+    _CLOSE,
+    _CLOSE._replace(rows=2.5),
+    _CLOSER,
+    _CLOSER._replace(share=0.72),
+    _SMALL,
+    _SMALL._replace(share=0.6, run_in=True, between=2.2, least=0.4),
+)
+"""The first that saves a sheet is taken."""
+FILLING = tuple(
+    one._replace(share=share)
+    for one in (ROOMY, ROOMY._replace(under=True), _CLOSE._replace(rows=2.5))
+    for share in (1.0, 1.3, 1.6)
+)
+"""Where several sheets are needed in any of them: that is taken which leaves them the least white."""
+
+
+AMID = 0.12
+"""A break that is not before a heading is as bad as this share of a sheet left white, squared."""
+
+
+class Band(NamedTuple):
+    """What stands side by side: drawings and where their upper left corners (0) come to from that of the band.
+
+    ``height``, ``above``: how high it is, what is clear above, mm; ``heads``: whether a heading begins it.
+    """
+
+    parts: tuple[tuple[Drawing, complex], ...]
+    height: float
+    above: float
+    heads: bool
+
+
+class Paged(NamedTuple):
+    """The bands of each sheet, and how bad that is: sheets left white, squared, and breaks amid a list."""
+
+    sheets: tuple[Sequence[Band], ...]
+    bad: float
+
+
+Chosen = tuple[float, tuple[int, ...]]
+"""How bad breaks are, and before which bands they are."""
+
+
+def paged(bands: Sequence[Band], first: float, other: float, between: float) -> Paged:
+    """Return the bands of each sheet; ``first``, ``other``: what the first and other sheets hold, mm.
+
+    ``between``: clear above what begins a sheet, mm. What no sheet holds has one of its own.
+    """
+
+    @cache
+    def best(begin: int) -> tuple[int, Chosen]:
+        """Return how many sheets there are from a band on, how bad, and where they end."""
+        if begin == len(bands):
+            return 0, (0.0, ())
+        room = first if begin == 0 else other
+        found = list[tuple[int, Chosen]]()
+        used = 0.0
+        for end in range(begin + 1, len(bands) + 1):
+            last = bands[end - 1]
+            used += last.height + (last.above if end - 1 > begin or begin == 0 else between)
+            if used > room + 1e-9 and end > begin + 1:
+                break
+            count, (bad, ends) = best(end)
+            amid = AMID if end < len(bands) and not bands[end].heads else 0.0
+            cost = (1.0 - min(used / room, 1.0)) ** 2 + amid + bad
+            found.append((count + 1, (cost, (end, *ends))))
+        return min(found)
+
+    _, (bad, ends) = best(0)
+    return Paged(tuple(bands[at:end] for at, end in pairwise((0, *ends))), bad)
+
 
 BESIDE = 6.0
 """Between blocks beside one another, mm."""

@@ -12,8 +12,8 @@ from graphic_tmm.checking.cells import cells
 from graphic_tmm.checking.template import short_of
 from graphic_tmm.classroom.batch.work import Done, Work
 from graphic_tmm.classroom.making import OPERATION, Asked
+from graphic_tmm.classroom.tasks.sentences import SCALES, families
 from graphic_tmm.classroom.tasks.task import task_sheets
-from graphic_tmm.classroom.tasks.told import SCALES, families
 from graphic_tmm.classroom.variants.start import begun
 from graphic_tmm.classroom.variants.variant import Base, Variant, scene_of, source_of, text_of
 from graphic_tmm.errors import Fault, SceneError, first_of

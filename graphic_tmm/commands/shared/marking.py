@@ -73,8 +73,8 @@ def refuse_without_class(of_class: Sequence[object], form: str | None) -> None:
 def mark_folder(wanted: MarkedBy, by: tuple[str, str, int, float, float]) -> None:
     """Mark a class; the status is 1 if some hand-in could not be read."""
     from graphic_tmm.classroom.batch.record import write_files
-    from graphic_tmm.classroom.marks.files import summary_files
     from graphic_tmm.classroom.marks.marking import mark_class
+    from graphic_tmm.classroom.marks.summary import summary_files
 
     of = _class(wanted, by)
     place = TemporaryDirectory() if wanted.output is None else nullcontext(wanted.output)
@@ -140,7 +140,7 @@ def _processes() -> int:
 
 
 def _show(marked: Marked, form: str) -> None:
-    from graphic_tmm.classroom.marks.files import summary_csv, summary_html, text_summary
+    from graphic_tmm.classroom.marks.summary import summary_csv, summary_html, text_summary
 
     if form == "csv":
         show(summary_csv(marked), 160)

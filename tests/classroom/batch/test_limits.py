@@ -13,8 +13,8 @@ from support.batches import due, files_of, hangs, hangs_in_machine_code, hangs_o
 from support.each import each
 from support.gallery import ROOT
 
-from graphic_tmm.classroom.batch.answer import ending_after
 from graphic_tmm.classroom.batch.run import run
+from graphic_tmm.classroom.batch.work import ending_after
 
 LIMIT = 1.5
 
@@ -55,7 +55,7 @@ def test_nothing_holds_in_the_process_that_asks(tmp_path: Path) -> None:
 @each("told", [True, False])
 def test_where_it_was_is_told_where_faults_are(told: bool) -> None:
     code = (
-        "from graphic_tmm.classroom.batch.answer import ending_after\n"
+        "from graphic_tmm.classroom.batch.work import ending_after\n"
         "def never():\n    sum(range(10**18))\n"
         "with ending_after(0.3):\n    never()\n"
     )

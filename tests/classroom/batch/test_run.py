@@ -19,9 +19,8 @@ from support.batches import (
 )
 from support.each import each
 
-from graphic_tmm.classroom.batch import lock
-from graphic_tmm.classroom.batch.lock import locked
-from graphic_tmm.classroom.batch.record import place
+from graphic_tmm.classroom.batch import record
+from graphic_tmm.classroom.batch.record import locked, place
 from graphic_tmm.classroom.batch.run import run
 from graphic_tmm.errors import SheetError
 
@@ -199,11 +198,11 @@ def test_a_lock_that_was_taken_away_is_nobodys(tmp_path: Path) -> None:
         pass
     file = tmp_path / "lock"
     with file.open("ab") as stream:
-        assert lock._is_at(stream, file)
+        assert record._is_at(stream, file)
         file.unlink()
-        assert not lock._is_at(stream, file)
+        assert not record._is_at(stream, file)
         file.touch()
-        assert not lock._is_at(stream, file)
+        assert not record._is_at(stream, file)
 
 
 @pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")  # later Pythons, of their threads

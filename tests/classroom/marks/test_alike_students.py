@@ -11,9 +11,8 @@ from support.students.records import Hand
 
 from graphic_tmm.checking.check import Checker
 from graphic_tmm.checking.readings.read import read_readings
-from graphic_tmm.classroom.marks.alike import alike
-from graphic_tmm.classroom.marks.made import row_of
-from graphic_tmm.classroom.marks.row import Row, known, text
+from graphic_tmm.classroom.marks.copies import alike
+from graphic_tmm.classroom.marks.row import Row, known, row_of, text
 from graphic_tmm.scene.read import read
 
 HANDS = {

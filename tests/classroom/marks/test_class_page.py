@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 import pytest
 from support.browser import Opened
 
-from graphic_tmm.classroom.marks.files import summary_html
 from graphic_tmm.classroom.marks.marking import Entry, Marked
 from graphic_tmm.classroom.marks.names import HandIn, Skipped
 from graphic_tmm.classroom.marks.row import Row
 from graphic_tmm.classroom.marks.rule import FIVE, Mark
+from graphic_tmm.classroom.marks.summary import summary_html
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser

@@ -10,9 +10,17 @@ from pathlib import Path
 import pytest
 from support.each import each
 
-from graphic_tmm.classroom.marks.rule import FIVE, Faults, Rule, decimal, losses, mark_of, marked
+from graphic_tmm.classroom.marks.rule import (
+    FIVE,
+    Faults,
+    Rule,
+    decimal,
+    losses,
+    mark_of,
+    marked,
+    told,
+)
 from graphic_tmm.classroom.marks.rule_file import read_rule
-from graphic_tmm.classroom.marks.rule_words import told
 from graphic_tmm.errors import SceneError
 from graphic_tmm.language.catalogue import languages
 

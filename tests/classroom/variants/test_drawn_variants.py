@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -15,9 +16,15 @@ from support.each import each
 from support.gallery import SHEETS
 from support.turning_loops import LOOPS, Turn
 
+from graphic_tmm.board.hand import EXACT
 from graphic_tmm.classroom.variants import drawing
-from graphic_tmm.classroom.variants.drawing import DrawnVariants, drawn
-from graphic_tmm.classroom.variants.good import Measure, measure_of, refused
+from graphic_tmm.classroom.variants.drawing import (
+    DrawnVariants,
+    Measure,
+    drawn,
+    measure_of,
+    refused,
+)
 from graphic_tmm.classroom.variants.ranges import Good, Range, Ranges, read_ranges
 from graphic_tmm.classroom.variants.variant import (
     Base,
@@ -185,3 +192,37 @@ def test_a_wish_that_nothing_meets_is_soon_told_and_one_that_a_tenth_meets_is_me
     found = drawn(scene("shaper"), ranges("shaper"), 30, 1)
     assert len(found.variants) == 30
     assert 100 < found.tried < 900
+
+
+class Row(NamedTuple):
+    segment: str
+    mm: np.ndarray
+
+
+class Plans:
+    """A drawing: rows of mm as its own hand reads them, and as they are drawn exactly."""
+
+    def __init__(self, read: list[float], exact: list[float]) -> None:
+        self.read, self.exact = read, exact
+
+    def drawn_by(self, hand: object) -> Plans:
+        assert hand is EXACT
+        return Plans(self.exact, self.exact)
+
+
+@pytest.mark.parametrize(
+    ("read", "exact", "short"),
+    [
+        ([40.0, 3.5], [40.1, 3.4], False),
+        ([40.0, 2.5], [40.1, 2.4], True),
+        ([40.0, 0.0], [40.1, 0.0], False),  # at its dead centre a ram stands still
+        ([40.0, 0.0], [40.1, 0.3], True),  # the ruler reads nothing of what is there
+        ([40.0, 0.5], [40.1, 2e-4], False),
+        ([3.0, 9.0], [2.9, 9.0], False),  # the ruler says 3
+    ],
+)
+def test_a_vector_is_short_if_it_is_something_and_less_than_the_limit(
+    read: list[float], exact: list[float], short: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(drawing, "_vectors", lambda plans: [Row("pb", np.array([plans.read]))])
+    assert bool(list(drawing.shortest(Plans(read, exact), 3.0))) is short  # type: ignore[arg-type]

@@ -14,9 +14,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from support.each import each
 
-from graphic_tmm.classroom.variants.table import read_variants
+from graphic_tmm.classroom.variants.table import read_variants, write_variants
 from graphic_tmm.classroom.variants.variant import Value, Variant
-from graphic_tmm.classroom.variants.writing import write_variants
 from graphic_tmm.errors import SceneError
 
 DUE = (

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from support.each import each
 
-from graphic_tmm.classroom.marks.alike import alike, rareness, rounded_alike
+from graphic_tmm.classroom.marks.copies import alike, rareness, rounded_alike
 from graphic_tmm.classroom.marks.row import MM, SPOT, Figure, Row
 
 SLIP = 0.8

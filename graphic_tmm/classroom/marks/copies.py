@@ -1,17 +1,4 @@
-"""Hand-ins that are alike: more readings equal to the digit than two honest hands have by chance.
-
-Two people who measure the same length read each with a slip of their own, N(0, s), and round it to g mm. Their
-figures are equal with the chance that two such slips round alike,
-
-    p = E max(0, 1 - |d| / g),  d ~ N(0, 2 s²)
-
-whatever else of their drawings differs makes it smaller. The slips of two readings are independent, so that of
-n readings, m = sum of p expected equal, k or more are equal with a chance of at most exp(-n D(k/n, m/n)), D the
-divergence of a coin k/n from m/n (Chernoff). What follows from others (a rate, a length laid off) is not
-counted. s is the slip of the hand that is judged by, less if both drawings are so much nearer to what is due
-(whoever draws with a computer has no slip, and nobody is like him by copying). Told is a pair that among honest
-ones would be found in one class of a `RARE` only, however large the class.
-"""
+"""Hand-ins that may be copies: equal to the digit more often than by chance, or nearer another variant."""
 
 from __future__ import annotations
 
@@ -134,3 +121,90 @@ def _equal(one: Figure, other: Figure) -> bool:
     return all(
         abs(a - b) <= SAME * max(1.0, abs(a)) for a, b in zip(one.found, other.found, strict=True)
     )
+
+
+FEWEST_TELLING = 6
+"""So many readings, at the least, tell one variant from another."""
+MOST_OWN, LEAST_OTHER = 0.25, 0.75
+"""Of these so large a share, at the most, fits the own variant; so large a one, at the least, the other."""
+TELLING = 1.5
+"""What is due of both is apart by so many limits of the hand in a reading that tells one from the other."""
+SUSPECT = 0.1
+"""A drawing of which a smaller share is beyond the limits is of its own variant."""
+
+SAME_VARIANT = 1e-6
+"""What is due of both is the same if it differs by less, mm or its unit."""
+
+Dues = Mapping[tuple[Key, str], tuple[float, ...]]
+
+
+class Other(NamedTuple):
+    """The variant that a hand-in looks like: how many of the readings that tell both apart fit it."""
+
+    variant: str
+    fits: int
+    of: int
+
+
+def is_suspect(row: Row) -> bool:
+    """Whether so much of a hand-in is beyond the limits that it may be another variant's."""
+    off = sum(_apart(one, one.due) > one.limit for one in row.figures)
+    return off >= FEWEST_TELLING * LEAST_OTHER and off >= SUSPECT * len(row.figures)
+
+
+def looks_like(row: Row, variants: Mapping[str, Dues]) -> Other | None:
+    """Return the variant that a hand-in fits though it is not its own; None if it does not.
+
+    ``variants``: what is due of all others, by name.
+    """
+    found = [one for name, dues in variants.items() if (one := _compared(row, name, dues))]
+    return max(found, key=lambda one: (one.fits / one.of, one.fits), default=None)
+
+
+def copied(row: Row, variant: str, dues: Dues) -> Other | None:
+    """Return a variant, if most of a hand-in's readings are nearer to it than to the own one; else None.
+
+    It means little by itself: of a hand-in that is alike one of that variant it tells who drew for whom.
+    """
+    nearer = [
+        _apart(one, due) < _apart(one, one.due)
+        for one in row.figures
+        if (due := dues.get((one.key, one.kind))) is not None and _between(one, due) > SAME_VARIANT
+    ]
+    if len(nearer) < FEWEST_TELLING or sum(nearer) < LEAST_OTHER * len(nearer):
+        return None
+    return Other(variant, sum(nearer), len(nearer))
+
+
+def _compared(row: Row, name: str, dues: Dues) -> Other | None:
+    own = other = count = 0
+    for one, due in _telling(row, dues):
+        count += 1
+        own += _apart(one, one.due) <= one.limit
+        other += _apart(one, due) <= one.limit
+    if count < FEWEST_TELLING or own > MOST_OWN * count or other < LEAST_OTHER * count:
+        return None
+    return Other(name, other, count)
+
+
+def _telling(row: Row, dues: Dues) -> Iterator[tuple[Figure, tuple[float, ...]]]:
+    """Yield the readings that tell a variant from the own one, each with what is due of that."""
+    for one in row.figures:
+        due = dues.get((one.key, one.kind))
+        if due is not None and _between(one, due) > TELLING * one.limit:
+            yield one, due
+
+
+def _between(one: Figure, due: tuple[float, ...]) -> float:
+    return _distance(one.kind, one.due, due)
+
+
+def _apart(one: Figure, due: tuple[float, ...]) -> float:
+    return _distance(one.kind, one.found, due)
+
+
+def _distance(kind: str, one: tuple[float, ...], other: tuple[float, ...]) -> float:
+    """Return how far two figures are apart; lengths and quantities without their sense."""
+    if kind == SPOT:
+        return math.dist(one, other)
+    return abs(abs(one[0]) - abs(other[0]))

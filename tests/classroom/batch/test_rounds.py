@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from graphic_tmm.classroom.batch.stopping import hearing
+from graphic_tmm.classroom.batch.rounds import hearing
 
 
 @pytest.fixture(autouse=True)
