@@ -11,7 +11,7 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.handout.ink import in_hand
-from graphic_tmm.handout.sized import Draw
+from graphic_tmm.handout.series import Draw
 from graphic_tmm.handout.story import places_of
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.readers.protocol import Protocols, position_of

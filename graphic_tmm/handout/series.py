@@ -3,19 +3,135 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import cache
 from typing import NamedTuple
 
+import shapely
+
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.handout.ink import done, new
-from graphic_tmm.handout.sized import Draw, Manner, fitting, whole
+from graphic_tmm.handout.ink import Bare, bare, done, enlarged, new
 from graphic_tmm.handout.story import Told, story
 from graphic_tmm.handout.words import letters_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.paper.drawing import Ink, Label
+from graphic_tmm.paper.drawing import Drawing, Ink, Label
 from graphic_tmm.paper.packing import Box, bounds
+from graphic_tmm.paper.shapes import box
 from graphic_tmm.readers.narration import Line
 from graphic_tmm.scene.captions import view_name
+
+FACTORS = (10.0, 5.0, 4.0, 2.5, 2.0, 1.0, 1 / 2, 1 / 2.5, 1 / 4, 1 / 5, 1 / 10, 1 / 20, 1 / 50)
+"""How many times larger a view may be drawn: the row of ГОСТ 2.302 and ISO 5455."""
+REPEATED = 2.0
+"""Pictures of other positions are at least so many times smaller."""
+
+Draw = Callable[[float, bool], Drawing]
+"""A view for a picture so many times as large; lettered? else with about the room that its letters take."""
+
+
+class Manner(NamedTuple):
+    """How pictures stand on a sheet: in how many columns, whether their sentences stand beside them.
+
+    ``width``, ``height``: the room of a picture; ``text``: the width of its sentences, mm.
+    """
+
+    columns: int
+    beside: bool
+    width: float
+    height: float
+    text: float
+
+
+GAP = 6.0
+"""Between columns, and between a picture and sentences beside it, mm."""
+FULL = 174.0
+"""Of a sheet's width, mm."""
+COLUMN = (FULL - GAP) / 2
+WIDER = 100.0
+"""The width of a picture that has its sentences beside it, mm."""
+_BELOW, _BESIDE = (
+    Manner(2, False, COLUMN, 70.0, COLUMN),
+    Manner(1, True, WIDER, 64.0, FULL - WIDER - GAP),
+)
+MANNERS = (
+    (_BELOW, 1 / 2),
+    (_BESIDE, 1 / 2),
+    (_BELOW, 1 / 2.5),
+    (_BESIDE, 1 / 2.5),
+    (_BELOW._replace(height=165.0), 1 / 2),
+    (_BESIDE._replace(height=95.0), 1 / 2),
+    (Manner(1, False, FULL, 85.0, FULL), 1 / 2),
+    (_BELOW._replace(height=165.0), 1 / 4),
+    (Manner(1, False, FULL, 85.0, FULL), 1 / 4),
+    (Manner(1, False, FULL, 185.0, FULL), 1 / 2.5),
+)
+"""In this order they are tried, each with how small a view may become for it: four to six pictures on a sheet,
+three, two, one. Chosen by eye."""
+
+
+class Sized(NamedTuple):
+    """A view as large as it is drawn: how many times larger than on its own sheet, how it stands."""
+
+    bare: Bare
+    factor: float
+    manner: Manner
+
+
+def fitting(draw: Draw, names: Sequence[str]) -> Sized:
+    """Return a view in the first manner in which it is not much smaller and its letters have room.
+
+    ``names``: see `bare`.
+
+    Where there is none, it is as large as a sheet holds it.
+    """
+
+    @cache
+    def at(factor: float, lettered: bool = True) -> Bare:
+        made = bare(draw(factor, lettered), names)
+        return made._replace(view=enlarged(made.view, factor))
+
+    x0, y0, x1, y1 = bounds(whole(at(1.0, False).view)._replace(labels=()))
+
+    def holds(manner: Manner, factor: float, lettered: bool) -> bool:
+        if factor * (x1 - x0) > manner.width or factor * (y1 - y0) > manner.height:
+            return False
+        left, low, right, high = bounds(whole(at(factor, lettered).view))
+        return right - left <= manner.width and high - low <= manner.height
+
+    usual = crowded(at(1.0).view)
+
+    def largest(manner: Manner, least: float) -> float:
+        tried = (one for one in FACTORS if one >= least)
+        return next((f for f in tried if holds(manner, f, False) and holds(manner, f, True)), 0.0)
+
+    for manner, least in MANNERS:
+        factor = largest(manner, least)
+        if factor and crowded(at(factor).view) <= usual:
+            return Sized(at(factor), factor, manner)
+    factor = largest(manner, 0.0) or FACTORS[-1]
+    return Sized(at(factor), factor, manner)
+
+
+def smaller(factor: float) -> float:
+    """Return the standard factor of pictures that only repeat those of another.
+
+    >>> smaller(1.0), smaller(0.4)
+    (0.5, 0.2)
+    """
+    return next((one for one in FACTORS if one <= factor / REPEATED), FACTORS[-1])
+
+
+def whole(view: Drawing) -> Drawing:
+    """Return a view with what is rubbed out of it."""
+    return view._replace(strokes=(*view.strokes, *view.rubbed))
+
+
+def crowded(view: Drawing) -> int:
+    """Return how many pairs of letters stand on one another."""
+    there = [box(label) for label in view.labels]
+    pairs = shapely.STRtree(there).query(there, predicate="overlaps")
+    return int(pairs.shape[1]) // 2
+
 
 GIVEN = said("Given: what is there before the first step.")
 READY = said("Ready: what only helped is rubbed out.")

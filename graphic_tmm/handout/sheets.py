@@ -7,8 +7,7 @@ from itertools import groupby
 from typing import NamedTuple
 
 from graphic_tmm.handout.ink import FORMAT, times
-from graphic_tmm.handout.series import Picture, Series
-from graphic_tmm.handout.sized import COLUMN, FULL, GAP, smaller
+from graphic_tmm.handout.series import COLUMN, FULL, GAP, Picture, Series, smaller
 from graphic_tmm.handout.words import Row, broken, rows
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number

@@ -11,7 +11,7 @@ from support.each import each
 from support.gallery import ALL, EVERYDAY, LARGEST
 from support.handouts import lettered, papers, read, told
 
-from graphic_tmm.handout.contact import overview
+from graphic_tmm.handout.handout import overview
 from graphic_tmm.handout.ink import FORMAT
 from graphic_tmm.handout.sheets import pages, ratio
 from graphic_tmm.paper.drawing import Drawing, Sheet
