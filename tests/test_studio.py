@@ -24,9 +24,9 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.mechanism.records import Drive, Link, Mechanism, Row, Side
 from graphic_tmm.paper.drawing import Drawing, Sheet
-from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.shapes import box, shape
+from graphic_tmm.paper.sheet_frame import drawing_area
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.readers.findings import warnings
 from graphic_tmm.scene.packaged import packaged, scene_name, scene_path

@@ -12,8 +12,8 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.errors import SceneError
 from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.paper.drawing import Drawing, Stroke
-from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.shapes import box, shape
+from graphic_tmm.paper.sheet_frame import drawing_area
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import sheets

@@ -17,9 +17,9 @@ from graphic_tmm.language.said import said
 from graphic_tmm.paper.compose.sheets import pack
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke, line
 from graphic_tmm.paper.formats import size_of
-from graphic_tmm.paper.frame.frame import drawing_area, frame
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.packing import Room
+from graphic_tmm.paper.sheet_frame import drawing_area, frame
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 from graphic_tmm.paper.views import captioned
 from graphic_tmm.readers.columns import Readings

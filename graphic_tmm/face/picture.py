@@ -12,13 +12,13 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Drawing, Ink, Sheet, circle, line
 from graphic_tmm.paper.figure import added, body, figure
-from graphic_tmm.paper.finish import Named, finished, lettered, shared
-from graphic_tmm.paper.lettering.heights import HEIGHTS
-from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.formats import HEIGHTS
+from graphic_tmm.paper.labels import Named, finished, lettered, shared
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.rules import LEAST, PRICK
 from graphic_tmm.paper.seen import Seen, finite
-from graphic_tmm.paper.symbols.arrows import arrow
+from graphic_tmm.paper.symbols.dimensions import arrow
 from graphic_tmm.paper.views import captioned
 from graphic_tmm.scene.captions import view_name
 

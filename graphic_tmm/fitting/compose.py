@@ -21,8 +21,8 @@ from graphic_tmm.paper.compose import sheets
 from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import Drawing, Sheet, Within
 from graphic_tmm.paper.formats import size_of
-from graphic_tmm.paper.frame.frame import frame
 from graphic_tmm.paper.packing import Room, settled
+from graphic_tmm.paper.sheet_frame import frame
 from graphic_tmm.scene.chapter import MECHANISM
 from graphic_tmm.scene.records import Scene, SheetOrder
 

@@ -41,8 +41,8 @@ FAR_TOO_LARGE = 0.55
 
 def room_on(format: str, language: str, first: bool) -> Room:
     """Return the room of a sheet, the first of a set or one that follows."""
-    from graphic_tmm.paper.frame.frame import drawing_area
     from graphic_tmm.paper.packing import Room
+    from graphic_tmm.paper.sheet_frame import drawing_area
 
     area = drawing_area(format, language, first)
     return Room(area.inner, area.occupied)
@@ -62,7 +62,7 @@ def views_of(place: str, scene: Scene, boards: Sequence[Drawn], lettered: bool) 
 
 def left_out(scene: Scene, chapter: Chapter, place: str) -> list[Drawing]:
     """Return what a sheet shows of a chapter that is left out: a sentence, in the first of its places."""
-    from graphic_tmm.paper.lettering.heights import heights
+    from graphic_tmm.paper.formats import heights
     from graphic_tmm.paper.lettering.letters import escape
     from graphic_tmm.paper.ruled import table
     from graphic_tmm.paper.views import wrapped

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Label
-from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.paper.packing import bounds
 

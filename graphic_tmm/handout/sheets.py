@@ -14,9 +14,9 @@ from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Sheet, shifted
 from graphic_tmm.paper.formats import size_of
-from graphic_tmm.paper.frame.frame import drawing_area, frame
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.ruled import PITCH
+from graphic_tmm.paper.sheet_frame import drawing_area, frame
 
 EDGE = 5.0
 """White within the frame, mm."""

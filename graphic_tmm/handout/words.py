@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 from graphic_tmm.board.record import Construction
 from graphic_tmm.language.symbols import spoken, symbol
-from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.paper.lettering.letters import escape, letter
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.narration import Line
 from graphic_tmm.scene.captions import captions
 

@@ -36,7 +36,7 @@ from graphic_tmm.note.document import (
 )
 from graphic_tmm.note.figures import fit, is_figure, picture, readable
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.columns import Column, Tabled, known_at
 from graphic_tmm.readers.position_count import Finer, FinerRow, finer, is_sampled, sampled, told_off
 from graphic_tmm.readers.rounding import Figures, told

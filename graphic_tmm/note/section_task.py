@@ -30,7 +30,7 @@ from graphic_tmm.note.document import (
 from graphic_tmm.note.figures import in_hand, picture
 from graphic_tmm.note.protocol import Manner, protocol_blocks
 from graphic_tmm.note.steps import Told
-from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.columns import Readings
 from graphic_tmm.readers.protocol import SYNTHESIS
 from graphic_tmm.readers.protocol import synthesis as found_for

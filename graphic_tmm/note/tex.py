@@ -15,7 +15,7 @@ from graphic_tmm.language.symbols import function
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.document import Formula, Leaf, Number, Symbol, Tree
 from graphic_tmm.paper.lettering import markup
-from graphic_tmm.paper.lettering.indices import markup as indexed
+from graphic_tmm.paper.lettering.markup import markup as indexed
 
 SIGNS = {
     "·": r" \cdot ",

@@ -25,7 +25,7 @@ from graphic_tmm.page.pack import UNIT, Ints, Packer, packed
 from graphic_tmm.page.strands import STEP, Letter, Line, Strands, folded, strands
 from graphic_tmm.page.told import indexed
 from graphic_tmm.paper.drawing import Drawing, Label, Sheet
-from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import letter, plain, svg_path
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.pens import pens

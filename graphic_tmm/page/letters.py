@@ -16,7 +16,7 @@ from graphic_tmm.page.dense import Dense
 from graphic_tmm.page.moving import Moving
 from graphic_tmm.page.strands import Letter, Strands, bare
 from graphic_tmm.paper.drawing import Drawing, Label, Wanted
-from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.write.svg import shift
 

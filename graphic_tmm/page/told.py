@@ -10,7 +10,7 @@ from typing import Any
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.language.symbols import plain, spoken, symbol
-from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.equations import Equation, Term
 from graphic_tmm.readers.narration import Line
 from graphic_tmm.readers.sentences import Phrase, grounds, phrase

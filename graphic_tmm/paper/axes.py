@@ -11,9 +11,9 @@ import shapely
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.paper.drawing import Bezier, Ink, Label
-from graphic_tmm.paper.finish import Named
 from graphic_tmm.paper.graph_rules import TICK
 from graphic_tmm.paper.label_places import CLEAR, HEAVY, HEAVY_HALF
+from graphic_tmm.paper.labels import Named
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )

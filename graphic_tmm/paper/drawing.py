@@ -133,7 +133,7 @@ class Drawing(NamedTuple):
     comes apart into where no sheet holds it whole; None if it does not. ``stand``: how it stands among others,
     ``foot``: how high the caption at its lower edge is, mm: captions of a row begin on one line.
     ``rubbed``: what was drawn on the way and is rubbed out at the end: no sheet shows it. ``shows``: the views
-    of the log of which it is the picture. ``wanted``: letters that have no place yet (see `finish`).
+    of the log of which it is the picture. ``wanted``: letters that have no place yet (see `labels.finished`).
     ``numbers``: of the positions that stand in it together, by index, what they are called. ``begins``: the
     slots of the marks, its axes, with which everything appears that a view adds to its steps; none: it is there
     from the beginning. ``origins``: where the views of the log that it shows have their own origin, mm; see

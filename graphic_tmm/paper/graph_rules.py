@@ -19,7 +19,7 @@ from graphic_tmm.board.operations.graph_curves import graph_of_stretch
 from graphic_tmm.board.operations.instruments import join, lay_off, meet
 from graphic_tmm.board.record import Construction, Figure, Mark, Step
 from graphic_tmm.board.values import Curve, Kind, Line, Point
-from graphic_tmm.paper.curve_parts import cut
+from graphic_tmm.paper.clipping import cut
 from graphic_tmm.paper.drawing import Bezier, Ink, circle, line
 from graphic_tmm.paper.figure import Manner
 from graphic_tmm.paper.rules import LEAST, pricked, rule_of, segment

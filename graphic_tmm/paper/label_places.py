@@ -17,8 +17,7 @@ from numpy.typing import NDArray
 from graphic_tmm.board.values import Reals
 from graphic_tmm.paper.drawing import Ink, Stroke, Wanted
 from graphic_tmm.paper.lettering.letters import letter
-from graphic_tmm.paper.occupied import Rect
-from graphic_tmm.paper.raster import FAR, Raster, Spots
+from graphic_tmm.paper.occupied import FAR, Raster, Rect, Spots
 from graphic_tmm.paper.shapes import outline
 
 CLEAR = 0.8

@@ -10,13 +10,11 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable, fewest
 from graphic_tmm.paper.drawing import Drawing, Within
-from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
-from graphic_tmm.paper.lettering.indices import (
-    markup,
-)
+from graphic_tmm.paper.formats import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.packing import settled
 from graphic_tmm.paper.ruled import table
 from graphic_tmm.readers.columns import (

@@ -13,9 +13,9 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import small, unit
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing, Stroke, Wanted
-from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights, heights
-from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.formats import HEIGHTS, Heights, heights
 from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.protocol import synthesis
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.chapter import MECHANISM, Answer, chapters

@@ -14,7 +14,7 @@ from clock import ROOT, Row, in_turns, show, slope
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
 from graphic_tmm.chapters.kinematics.task import VELOCITIES
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
-from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
 

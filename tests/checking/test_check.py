@@ -14,7 +14,7 @@ from graphic_tmm.checking.check import check
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.errors import SceneError
-from graphic_tmm.paper.frame.frame import drawing_area
+from graphic_tmm.paper.sheet_frame import drawing_area
 from graphic_tmm.scene.read import read
 
 

@@ -16,10 +16,10 @@ from graphic_tmm.handout.ink import FORMAT
 from graphic_tmm.handout.sheets import pages, ratio
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.formats import size_of
-from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.lettering.letters import SIZES
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.shapes import box, shape
+from graphic_tmm.paper.sheet_frame import drawing_area
 
 SCENES = [name for name in ALL if name != "lettering"]
 CHEAP = [name for name in ("slider-diagrams",) if name in EVERYDAY]

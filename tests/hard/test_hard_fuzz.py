@@ -14,8 +14,7 @@ from support.command import invoke
 from support.gallery import NAMES, SHEETS
 from support.scenes import source
 
-from graphic_tmm.paper.symbols.hatching import MOST, hatched
-from graphic_tmm.paper.symbols.kinematic import MOST_HATCHES, hatching
+from graphic_tmm.paper.symbols.kinematic import MOST, MOST_HATCHES, hatched, hatching
 
 QUICK = (
     "crank-rocker",

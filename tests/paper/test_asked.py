@@ -27,8 +27,8 @@ from graphic_tmm.fitting.tried import Mechanism
 from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.mechanism.records import Row
 from graphic_tmm.paper.drawing import Sheet
-from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.packing import GAP, bounds
+from graphic_tmm.paper.sheet_frame import drawing_area
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import composed_sheets, make, sheets

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from graphic_tmm.paper.axes import on_axis, position_numbers
 from graphic_tmm.paper.drawing import Label, line
-from graphic_tmm.paper.finish import Named
+from graphic_tmm.paper.labels import Named
 from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.paper.symbols.dimensions import angular
 

@@ -18,8 +18,8 @@ from graphic_tmm.chapters.kinematics.views import position_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Bezier, Drawing
 from graphic_tmm.paper.figure import Picture, of_step, pictures, until
-from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph_rules import axes_of
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.rules import BY_KIND, RULES, TRACELESS
 from graphic_tmm.scene.chapter import whole_book
 

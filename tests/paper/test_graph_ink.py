@@ -17,11 +17,11 @@ from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
 from graphic_tmm.chapters.diagrams.task import KinematicTask
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.paper.curve_parts import points
+from graphic_tmm.paper.clipping import points
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
-from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.graph_rules import axes_of
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.shapes import box, flat, shape
 from graphic_tmm.paper.views import pole_figures
 from graphic_tmm.scene.read import read

@@ -13,7 +13,16 @@ from support.alphabet import ALL, DIGITS, LATIN, RUSSIAN, SPACES, upright
 from support.each import each
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.lettering.glyphs import BLANKS, characters, glyph
+from graphic_tmm.paper.lettering.glyphs import (
+    BLANKS,
+    SLANT,
+    centre,
+    characters,
+    extremes,
+    glyph,
+    lean,
+    parse,
+)
 from graphic_tmm.paper.lettering.letters import (
     SIZES,
     Lettering,
@@ -24,7 +33,6 @@ from graphic_tmm.paper.lettering.letters import (
     svg_path,
     width,
 )
-from graphic_tmm.paper.lettering.notation import SLANT, centre, extremes, lean, parse
 
 CAPITAL_WIDTHS = {5: "ГЕЁЗС", 7: "АДМХЫЮ", 8: "ЖФШЩЪ", 6: "БВИЙКЛНОПРТУЦЧЬЭЯ"}
 SMALL_WIDTHS = {6: "мъыю", 7: "жтфшщ", 4: "зс", 5: "абвгдеёийклнопрухцчьэя"}

@@ -7,7 +7,7 @@ import shapely
 
 from graphic_tmm.chapters.lettering.views import specimen_symbols
 from graphic_tmm.paper.drawing import Bezier, Stroke
-from graphic_tmm.paper.lettering.heights import HEIGHTS
+from graphic_tmm.paper.formats import HEIGHTS
 from graphic_tmm.paper.pens import pens
 from graphic_tmm.paper.shapes import shape
 

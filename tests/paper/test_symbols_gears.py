@@ -9,8 +9,16 @@ import shapely
 
 from graphic_tmm.paper.drawing import Stroke
 from graphic_tmm.paper.shapes import flat, shape
-from graphic_tmm.paper.symbols.gears import CENTRE_BEYOND, HEIGHT, RIM, cam, gear, gear_side, wavy
-from graphic_tmm.paper.symbols.kinematic import JOINT_RADIUS
+from graphic_tmm.paper.symbols.kinematic import (
+    CENTRE_BEYOND,
+    HEIGHT,
+    JOINT_RADIUS,
+    RIM,
+    cam,
+    gear,
+    gear_side,
+    wavy,
+)
 
 
 def circles(strokes: tuple[Stroke, ...]) -> list[float]:

@@ -19,7 +19,7 @@ from graphic_tmm.checking.readings.names import segment_meant, segments_of
 from graphic_tmm.checking.readings.writing import result_columns
 from graphic_tmm.checking.template import rows_of
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.columns import FORMER
 from graphic_tmm.readers.protocol import protocol
 from graphic_tmm.readers.table import scene_columns, scene_results

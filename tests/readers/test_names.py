@@ -27,7 +27,7 @@ from graphic_tmm.board.record import TALLY, Construction
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.language.symbols import plain, spoken, symbol
-from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.lettering.markup import plain as lettered
 from graphic_tmm.readers.narration import Line, protocol
 from graphic_tmm.readers.protocol import protocol as told

@@ -8,8 +8,8 @@ from types import MappingProxyType
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Names, draw_graph
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.seen import Rule
 from graphic_tmm.paper.views import pole_figures
 from support.figures import assert_pictures_make_the_view, without_ink, without_source

@@ -17,7 +17,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.mechanism.records import Link, Slide
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
-from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.shapes import box
 from graphic_tmm.paper.symbols.kinematic import GROUND_LENGTH
 from support.oracle import Pose, solve_from_points

@@ -22,8 +22,8 @@ from graphic_tmm.chapters.arc_cam.task import FLAT
 from graphic_tmm.chapters.cam.operations import slant
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing
-from graphic_tmm.paper.finish import Named, shared
-from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.formats import Heights
+from graphic_tmm.paper.labels import Named, shared
 from graphic_tmm.paper.seen import Seen, finite
 from graphic_tmm.paper.symbols.kinematic import channel, fixed_pivot, round_arrow
 

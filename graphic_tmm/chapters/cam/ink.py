@@ -29,7 +29,7 @@ from graphic_tmm.chapters.cam.profile import THEORETICAL, VIEW, WORKING
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing
-from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.seen import Rule, finite
 from graphic_tmm.paper.symbols.kinematic import arrowhead, channel, fixed_pivot, round_arrow
 

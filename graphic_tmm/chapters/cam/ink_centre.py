@@ -28,7 +28,7 @@ from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing
-from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.rules import segment
 from graphic_tmm.paper.seen import Rule, Seen, finite
 from graphic_tmm.paper.symbols.dimensions import dimension

@@ -19,9 +19,9 @@ from graphic_tmm.chapters.cam.operations import divide_semicircle, extreme_of_tw
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Label, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import Traces, body
-from graphic_tmm.paper.finish import Named, shared
+from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.graph_rules import DOT
-from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.labels import Named, shared
 from graphic_tmm.paper.rules import segment, struck_arc
 from graphic_tmm.paper.seen import Rule, Seen, finite
 from graphic_tmm.paper.symbols.kinematic import arrowhead

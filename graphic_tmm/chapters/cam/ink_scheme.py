@@ -23,7 +23,7 @@ from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import THEORETICAL, VIEW
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.figure import added, body
-from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.seen import finite
 from graphic_tmm.paper.symbols.dimensions import angular
 from graphic_tmm.paper.symbols.kinematic import channel, fixed_pivot, round_arrow

@@ -17,8 +17,8 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import added
-from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.lettering.heights import HEIGHTS
+from graphic_tmm.paper.formats import HEIGHTS
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.symbols.dimensions import ARROW, Dimension, dimension
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 from graphic_tmm.readers.task_sheet import (

@@ -26,9 +26,9 @@ from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.graph import Level, Names, Span, draw_graph
-from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.views import captioned, mu_text, pole_figures, stacked
 from graphic_tmm.readers.result_table import result_table, results
 from graphic_tmm.readers.task_sheet import given_views

@@ -12,7 +12,7 @@ from graphic_tmm.chapters.flywheel.views import graphs, results_of, sketch
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.views import stacked
 from graphic_tmm.readers.result_table import result_table
 from graphic_tmm.readers.task_sheet import given_views

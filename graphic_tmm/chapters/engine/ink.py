@@ -15,14 +15,12 @@ from graphic_tmm.chapters.engine.task import HARMONICS, VIEW
 from graphic_tmm.chapters.forces.ink_polygons import LEAST
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.figure import Manner, body, figure
-from graphic_tmm.paper.finish import Named, lettered, shared
-from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
-from graphic_tmm.paper.lettering.indices import (
-    markup,
-)
+from graphic_tmm.paper.formats import HEIGHTS, Heights
+from graphic_tmm.paper.labels import Named, lettered, shared
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.rules import drawn_line, segment
 from graphic_tmm.paper.seen import Rule, Seen, finite
-from graphic_tmm.paper.symbols.arrows import told_arrow
+from graphic_tmm.paper.symbols.dimensions import told_arrow
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot, pole, slider, turning_pair
 
 TRACELESS = frozenset({"measure"})

@@ -16,12 +16,11 @@ from graphic_tmm.chapters.engine.transfer import Transfer
 from graphic_tmm.chapters.forces.ink_polygons import LEAST
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, line
 from graphic_tmm.paper.figure import Manner, body, figure
-from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
-from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.formats import HEIGHTS, Heights
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.rules import segment
 from graphic_tmm.paper.seen import Rule, Seen, finite
-from graphic_tmm.paper.symbols.arrows import told_arrow
-from graphic_tmm.paper.symbols.dimensions import dimension
+from graphic_tmm.paper.symbols.dimensions import dimension, told_arrow
 from graphic_tmm.paper.symbols.kinematic import (
     channel,
     fixed_pivot,

@@ -21,10 +21,10 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.graph_rules import axes_of
-from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )

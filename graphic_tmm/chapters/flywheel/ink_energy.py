@@ -17,9 +17,9 @@ from graphic_tmm.chapters.flywheel.energy import EnergyMass
 from graphic_tmm.chapters.flywheel.task import ENERGY_MASS
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import Manner, body, figure
+from graphic_tmm.paper.formats import HEIGHTS, Heights
 from graphic_tmm.paper.graph import ASIDE
 from graphic_tmm.paper.graph_rules import OVER, axis, dot, ruled
-from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
 from graphic_tmm.paper.rules import stays as usual
 from graphic_tmm.paper.seen import Seen, finite
 from graphic_tmm.paper.shapes import flat

@@ -17,7 +17,7 @@ from graphic_tmm.language.units import millimetres, small
 from graphic_tmm.paper.drawing import Drawing, Stroke, arc, circle, line
 from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.symbols.dimensions import Dimension, dimension, shelf
-from graphic_tmm.paper.symbols.hatching import hatched
+from graphic_tmm.paper.symbols.kinematic import hatched
 
 KEYS = (
     (0.012, 4, 1.8), (0.017, 5, 2.3), (0.022, 6, 2.8), (0.030, 8, 3.3), (0.038, 10, 3.3), (0.044, 12, 3.3),

@@ -33,9 +33,9 @@ from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import millimetres, unit
 from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.graph import Names, draw_graph
-from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )

@@ -17,13 +17,13 @@ from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
 from graphic_tmm.chapters.kinematics.reaches import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.paper.drawing import Data, Ink, Stroke, Wanted, circle, line
-from graphic_tmm.paper.finish import Named, lettered, shared
-from graphic_tmm.paper.lettering.heights import Heights
-from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.formats import Heights
+from graphic_tmm.paper.labels import Named, lettered, shared
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.rules import PRICK, TRACELESS
 from graphic_tmm.paper.seen import Seen, finite
 from graphic_tmm.paper.shapes import shape
-from graphic_tmm.paper.symbols.arrows import arrow
+from graphic_tmm.paper.symbols.dimensions import arrow
 from graphic_tmm.paper.symbols.kinematic import round_arrow
 
 LONGEST, SHORTEST = 34.0, 12.0

@@ -21,9 +21,9 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing, Label
-from graphic_tmm.paper.lettering.heights import Heights
-from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.seen import Seen
 from graphic_tmm.readers.sentences import letters_of
 

@@ -39,10 +39,8 @@ from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, Wanted, circle, line
 from graphic_tmm.paper.figure import Manner, figure
-from graphic_tmm.paper.lettering.heights import Heights
-from graphic_tmm.paper.lettering.indices import (
-    markup,
-)
+from graphic_tmm.paper.formats import Heights
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.seen import Seen, finite
 
 SEEN = 2.0

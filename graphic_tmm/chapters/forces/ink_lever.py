@@ -32,11 +32,9 @@ from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import Manner, body, figure
-from graphic_tmm.paper.finish import Named, lettered, shared
-from graphic_tmm.paper.lettering.heights import Heights
-from graphic_tmm.paper.lettering.indices import (
-    markup,
-)
+from graphic_tmm.paper.formats import Heights
+from graphic_tmm.paper.labels import Named, lettered, shared
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.seen import Seen, finite
 from graphic_tmm.paper.symbols.kinematic import pole
 

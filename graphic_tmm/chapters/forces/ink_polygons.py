@@ -16,11 +16,11 @@ from graphic_tmm.chapters.forces.ink_arrows import LEAST, pricks
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import Manner, figure
-from graphic_tmm.paper.finish import Named, lettered, shared
-from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.formats import Heights
+from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.rules import BEYOND, drawn_line
 from graphic_tmm.paper.seen import Seen, finite
-from graphic_tmm.paper.symbols.arrows import told_arrow
+from graphic_tmm.paper.symbols.dimensions import told_arrow
 
 __all__ = ["LEAST", "bar", "draw_polygon", "spot", "whole"]
 

@@ -25,8 +25,8 @@ from graphic_tmm.language.units import unit
 from graphic_tmm.paper.axes import base_figures, tick_figures
 from graphic_tmm.paper.drawing import Drawing, Ink, Stand, Stroke, Wanted, circle, line
 from graphic_tmm.paper.figure import added
-from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.lettering.heights import Heights, heights
+from graphic_tmm.paper.formats import Heights, heights
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 from graphic_tmm.paper.views import captioned, mu_text
 from graphic_tmm.readers.task_sheet import SIZE, Given

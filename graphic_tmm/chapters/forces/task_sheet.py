@@ -21,8 +21,8 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.mechanism.records import Link
 from graphic_tmm.paper.drawing import Wanted
-from graphic_tmm.paper.lettering.indices import markup
-from graphic_tmm.paper.symbols.arrows import arrow
+from graphic_tmm.paper.lettering.markup import markup
+from graphic_tmm.paper.symbols.dimensions import arrow
 from graphic_tmm.paper.symbols.kinematic import round_arrow
 from graphic_tmm.readers.task_sheet import Acting, Listed, Posed, TaskSheet, figure
 from graphic_tmm.scene.captions import captions

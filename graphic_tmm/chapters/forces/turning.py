@@ -29,7 +29,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.page.moving import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.views import mu_text
 from graphic_tmm.project import Project
 from graphic_tmm.readers.any_angles.turn import Between, Told, Turn, Turning

@@ -41,8 +41,8 @@ from graphic_tmm.language.numbers import decimals_of, fixed, number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.paper.formats import heights
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )

@@ -14,10 +14,10 @@ from graphic_tmm.chapters.gears.outline import RULES, dotted, flank, outline, pa
 from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.chapters.gears.teeth import Wheel
 from graphic_tmm.language.numbers import fixed
-from graphic_tmm.paper.curve_parts import cut, nearest, points
+from graphic_tmm.paper.clipping import cut, nearest, points
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Label, Wanted, arc, line
 from graphic_tmm.paper.figure import body, figure, showing
-from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.seen import Rule, Seen
 from graphic_tmm.paper.symbols.dimensions import dimension

@@ -24,7 +24,7 @@ from graphic_tmm.chapters.gears.outline import (
 from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, line
 from graphic_tmm.paper.figure import body, figure, showing
-from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.seen import Rule, Seen, finite
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 

@@ -16,7 +16,7 @@ from graphic_tmm.language.units import unit
 from graphic_tmm.paper.axes import tick_figures
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.figure import added, figure, showing
-from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.seen import Rule, Seen
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 

@@ -11,7 +11,7 @@ from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.gears.rolling import along_arc, angle_at, measure_arc, smooth_through
 from graphic_tmm.chapters.gears.teeth import Flank, Tooth, Wheel
-from graphic_tmm.paper.curve_parts import Controls, cut, nearest
+from graphic_tmm.paper.clipping import Controls, cut, nearest
 from graphic_tmm.paper.drawing import Bezier, Ink, Stroke, arc, circle
 from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.rules import laid_off

@@ -20,7 +20,7 @@ from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.formats import Heights
 from graphic_tmm.readers.columns import Column, Tabled, listed, measured_columns
 from graphic_tmm.scene.captions import captions
 

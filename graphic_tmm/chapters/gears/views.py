@@ -17,8 +17,8 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.lettering.heights import Heights, heights
+from graphic_tmm.paper.formats import Heights, heights
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.views import captioned, mu_text
 from graphic_tmm.readers.task_sheet import given_views
 from graphic_tmm.scene.captions import captions

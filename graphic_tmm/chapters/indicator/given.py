@@ -10,7 +10,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.drawing import Wanted
-from graphic_tmm.paper.symbols.arrows import arrow
+from graphic_tmm.paper.symbols.dimensions import arrow
 from graphic_tmm.readers.task_sheet import SIZE, Acting, Given, Listed, Posed, figure
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene

@@ -15,10 +15,10 @@ from graphic_tmm.chapters.indicator.task import INDICATOR, VIEW
 from graphic_tmm.paper.axes import largest, position_numbers
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import Manner, body, figure
-from graphic_tmm.paper.finish import Named, lettered, shared
-from graphic_tmm.paper.graph_names import names_beside
+from graphic_tmm.paper.formats import HEIGHTS, Heights
+from graphic_tmm.paper.graph import names_beside
 from graphic_tmm.paper.graph_rules import OVER, axis, dot, ends_of, ruled
-from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
+from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.rules import BEYOND, segment
 from graphic_tmm.paper.rules import stays as usual
 from graphic_tmm.paper.seen import Seen, finite

@@ -36,7 +36,7 @@ from graphic_tmm.note.plans import Page, at_position, section, shown_and_listed
 from graphic_tmm.note.protocol import Known, Manner, protocol_blocks
 from graphic_tmm.note.steps import calculated, reason_runs
 from graphic_tmm.note.widths import broken
-from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.rounding import decimals
 from graphic_tmm.readers.text import column_name

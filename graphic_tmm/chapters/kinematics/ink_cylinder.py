@@ -14,7 +14,7 @@ import numpy as np
 
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.paper.drawing import Stroke, line
-from graphic_tmm.paper.finish import TOGETHER
+from graphic_tmm.paper.labels import TOGETHER
 from graphic_tmm.paper.symbols.kinematic import (
     JOINT_RADIUS,
     PISTON_LENGTH,

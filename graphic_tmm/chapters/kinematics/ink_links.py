@@ -22,7 +22,7 @@ from graphic_tmm.chapters.kinematics.ink_cylinder import Placed, cylinder
 from graphic_tmm.chapters.kinematics.reaches import VIEW, Reach
 from graphic_tmm.paper.drawing import Ink, Stroke, circle, line
 from graphic_tmm.paper.figure import body
-from graphic_tmm.paper.finish import TOGETHER
+from graphic_tmm.paper.labels import TOGETHER
 from graphic_tmm.paper.symbols.kinematic import (
     PISTON_WIDTH,
     SLIDER_WIDTH,

@@ -23,7 +23,7 @@ from graphic_tmm.chapters.kinematics.bodies import SLIDING
 from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk, named
 from graphic_tmm.paper.drawing import Ink, Label, Stroke, Wanted, circle, line
 from graphic_tmm.paper.figure import body
-from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.paper.symbols.kinematic import (
     FOOT_HEIGHT,

@@ -22,14 +22,14 @@ from graphic_tmm.chapters.kinematics.motion import Vector, vectors
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Stroke, Wanted
 from graphic_tmm.paper.figure import Manner, body, figure
-from graphic_tmm.paper.finish import Named, lettered, shared
-from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
-from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.formats import HEIGHTS, Heights
+from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.rules import segment
 from graphic_tmm.paper.rules import stays as usual
 from graphic_tmm.paper.seen import Seen, finite
-from graphic_tmm.paper.symbols.arrows import told_arrow
+from graphic_tmm.paper.symbols.dimensions import told_arrow
 from graphic_tmm.paper.symbols.kinematic import pole
 from graphic_tmm.readers.equations import Equation, Term, heading
 

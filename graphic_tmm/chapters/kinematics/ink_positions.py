@@ -30,11 +30,9 @@ from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.chapters.kinematics.task import EXTREMES
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Stroke, Wanted, circle
 from graphic_tmm.paper.figure import Manner, body, figure
-from graphic_tmm.paper.finish import Named, lettered, shared
-from graphic_tmm.paper.lettering.heights import HEIGHTS, Heights
-from graphic_tmm.paper.lettering.indices import (
-    markup,
-)
+from graphic_tmm.paper.formats import HEIGHTS, Heights
+from graphic_tmm.paper.labels import Named, lettered, shared
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.seen import Seen
 from graphic_tmm.paper.symbols.kinematic import GROUND_LENGTH, fixed_pivot, round_arrow
 

@@ -14,7 +14,7 @@ from graphic_tmm.note.figures import in_hand, picture, readable
 from graphic_tmm.note.plans import listed
 from graphic_tmm.note.protocol import Known
 from graphic_tmm.note.section_chapter import Noted
-from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.views import captioned, mu_text
 from graphic_tmm.readers.protocol import title_of

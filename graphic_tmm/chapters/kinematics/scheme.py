@@ -26,8 +26,8 @@ from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted
 from graphic_tmm.paper.figure import body
-from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.lettering.heights import HEIGHTS
+from graphic_tmm.paper.formats import HEIGHTS
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.symbols.kinematic import round_arrow
 from graphic_tmm.project import Project, record

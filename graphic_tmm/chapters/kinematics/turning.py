@@ -24,7 +24,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.page.moving import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing, Ink
 from graphic_tmm.paper.figure import Manner, figure
-from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.views import mu_text
 from graphic_tmm.project import Project
 from graphic_tmm.readers.any_angles.turn import Between, Passed, Plan, Quantity, Told, Turn, Turning

@@ -25,8 +25,8 @@ from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Stand, Stroke
-from graphic_tmm.paper.finish import TOGETHER, finished
-from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.paper.formats import heights
+from graphic_tmm.paper.labels import TOGETHER, finished
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.views import captioned, in_rows, mu_text, noted, width_of
 from graphic_tmm.readers.columns import Readings

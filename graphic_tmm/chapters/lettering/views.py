@@ -11,13 +11,14 @@ from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import Speech, Tongues, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke, circle, line
-from graphic_tmm.paper.lettering.glyphs import characters
-from graphic_tmm.paper.lettering.heights import Heights, heights
+from graphic_tmm.paper.formats import Heights, heights
+from graphic_tmm.paper.lettering.glyphs import SLANT, characters
 from graphic_tmm.paper.lettering.letters import SIZES, escape, letter
-from graphic_tmm.paper.lettering.notation import SLANT
-from graphic_tmm.paper.symbols.gears import cam, gear, gear_side, wavy
 from graphic_tmm.paper.symbols.kinematic import (
+    cam,
     fixed_pivot,
+    gear,
+    gear_side,
     guide,
     plate,
     rigid_joint,
@@ -25,6 +26,7 @@ from graphic_tmm.paper.symbols.kinematic import (
     slider,
     stone,
     turning_pair,
+    wavy,
 )
 from graphic_tmm.scene.records import Scene
 

@@ -33,13 +33,18 @@ from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.chapters.planetary.rates import RATES, VELOCITIES
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, circle, line
 from graphic_tmm.paper.figure import body, figure, showing
-from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.rules import rule_of
 from graphic_tmm.paper.seen import Rule, Seen
 from graphic_tmm.paper.shapes import box
-from graphic_tmm.paper.symbols.gears import CENTRE_BEYOND, RIM, ring_ground
-from graphic_tmm.paper.symbols.kinematic import HATCH_DEPTH, turning_pair
+from graphic_tmm.paper.symbols.kinematic import (
+    CENTRE_BEYOND,
+    HATCH_DEPTH,
+    RIM,
+    ring_ground,
+    turning_pair,
+)
 from graphic_tmm.paper.views import wrapped
 
 CROWDED = 9.0

@@ -9,9 +9,9 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.planetary.ink_scheme import ASIDE, LEAST, OVER, TrainInk
 from graphic_tmm.paper.drawing import Ink, Stroke, Wanted, circle, line
 from graphic_tmm.paper.figure import body
-from graphic_tmm.paper.finish import Named, lettered, shared
+from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.seen import Rule, Seen
-from graphic_tmm.paper.symbols.arrows import arrow
+from graphic_tmm.paper.symbols.dimensions import arrow
 from graphic_tmm.paper.symbols.kinematic import pole
 
 LETTERED = 8.0

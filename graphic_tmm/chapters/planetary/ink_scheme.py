@@ -12,10 +12,16 @@ from graphic_tmm.chapters.planetary.pictures import VIEW, Disc
 from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.chapters.planetary.task import Scheme
 from graphic_tmm.paper.drawing import Stroke, line
-from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.seen import Seen
-from graphic_tmm.paper.symbols.gears import CENTRE_BEYOND, RIM, gear_side
-from graphic_tmm.paper.symbols.kinematic import Strokes, guide, hatching
+from graphic_tmm.paper.symbols.kinematic import (
+    CENTRE_BEYOND,
+    RIM,
+    Strokes,
+    gear_side,
+    guide,
+    hatching,
+)
 
 WIDTH = 8.0
 """Width of a wheel, mm."""

@@ -27,7 +27,7 @@ from graphic_tmm.note.bricks import filled, result_number
 from graphic_tmm.note.document import Runs
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.ruled import PADDING, table
 from graphic_tmm.paper.views import wrapped

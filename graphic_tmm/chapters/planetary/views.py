@@ -17,8 +17,8 @@ from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.lettering.heights import heights
+from graphic_tmm.paper.formats import heights
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.views import mu_text
 from graphic_tmm.readers.task_sheet import given_views
 from graphic_tmm.scene.captions import captions

@@ -12,7 +12,7 @@ from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.structure import Pair, Structure
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.lettering.heights import Heights
+from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.readers.columns import Tabled
 from graphic_tmm.readers.protocol import Protocols

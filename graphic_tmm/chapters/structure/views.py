@@ -21,9 +21,9 @@ from graphic_tmm.language.numbers import number
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.drawing import Drawing, Ink, line
 from graphic_tmm.paper.figure import body
-from graphic_tmm.paper.finish import Named, finished, lettered, shared
-from graphic_tmm.paper.lettering.heights import Heights, heights
-from graphic_tmm.paper.lettering.indices import markup
+from graphic_tmm.paper.formats import Heights, heights
+from graphic_tmm.paper.labels import Named, finished, lettered, shared
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.symbols.kinematic import SLIDER_LENGTH, fixed_pivot
 from graphic_tmm.paper.views import captioned
 

@@ -15,8 +15,8 @@ from graphic_tmm.checking.photo.camera import Lens
 from graphic_tmm.checking.photo.long_lines import Lines, Small, opencv
 from graphic_tmm.checking.photo.perspective import cross, homography, vertices
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
-from graphic_tmm.paper.frame.frame import NAME, drawing_area
 from graphic_tmm.paper.ruled import Box
+from graphic_tmm.paper.sheet_frame import NAME, drawing_area
 
 SHORTEST = 4.0
 """mm: shorter lines of a title block tell nothing."""

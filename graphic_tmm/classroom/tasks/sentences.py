@@ -14,8 +14,8 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.formats import AUTO
-from graphic_tmm.paper.lettering.indices import markup
 from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.protocol import synthesis as read_synthesis
 from graphic_tmm.readers.task_sheet import TaskSheet
 from graphic_tmm.scene.captions import captions

@@ -10,7 +10,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.page.practice.seeking import seeking, too_much
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.formats import FORMATS
-from graphic_tmm.paper.frame.frame import drawing_area
+from graphic_tmm.paper.sheet_frame import drawing_area
 
 _WAYS = {"portrait": said("upright"), "landscape": said("lying")}
 """How a format of its own name does not lie."""

@@ -14,7 +14,7 @@ from functools import cache, lru_cache
 from typing import NamedTuple
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.lettering.glyphs import characters, glyph
+from graphic_tmm.paper.lettering.glyphs import SLANT, Stroke, characters, extremes, glyph, lean
 from graphic_tmm.paper.lettering.markup import (
     INDICES,
     Node,
@@ -24,7 +24,6 @@ from graphic_tmm.paper.lettering.markup import (
     parse_markup,
     plain,
 )
-from graphic_tmm.paper.lettering.notation import SLANT, Stroke, extremes, lean
 
 __all__ = [
     "SIZES",

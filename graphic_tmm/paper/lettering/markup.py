@@ -1,4 +1,4 @@
-r"""The mark-up of lettering, read into a tree.
+r"""The mark-up of lettering, read into a tree; letters of the log in it: figures as indices.
 
 =================== ============================================================================
 ``v_A  v_{BA}``     subscript: one character or a group; ``ω₁`` is the same as ``ω_1``
@@ -11,6 +11,7 @@ r"""The mark-up of lettering, read into a tree.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from functools import lru_cache
 from typing import NamedTuple
@@ -187,3 +188,16 @@ def _group(markup: str, at: int, depth: int) -> tuple[tuple[Node, ...], int]:
 
 def _faulty(markup: str, at: int, what: str) -> SheetError:
     return SheetError(f"lettering {markup!r}, character {at + 1}: {what}")
+
+
+def markup(letter: str, number: str = "") -> str:
+    """Return a letter of the log as lettered on the sheet: figures become indices, d3d -> d_{3}d.
+
+    The number of a position follows in the last index: a_{3,5}.
+    """
+    if "_" in letter:
+        return letter
+    text = re.sub(r"([^\W\d])(\d+)", r"\1_{\2}", letter)
+    if not number:
+        return text
+    return f"{text[:-1]},{number}}}" if text.endswith("}") else f"{text}_{{{number}}}"

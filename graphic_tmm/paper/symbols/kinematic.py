@@ -1,10 +1,13 @@
-"""Symbols of kinematic diagrams (ГОСТ 2.770), in millimetres on the paper, y upward.
+"""Symbols of kinematic diagrams, of gears and cams too (ГОСТ 2.770), y upward; hatching (ГОСТ 2.306).
 
 The standard shows the shapes; its sizes are left to the draughtsman and stand here as constants.
 Every function returns a tuple of strokes in sheet coordinates. Points and directions are complex,
 angles are in degrees, counter-clockwise. A slider ("body") hides the guide under it, and a rod
 (pen "rod") runs over the slider to the pin ("joint"), which hides them all. Strokes of a sign that is always
 the same know it (`Symbol`), so that a CAD program gets it as a block; a pin is a sign of its own.
+
+Seen from the end a gear is its pitch circle, a ring with internal teeth has the circle of its rim about it;
+seen from the side a gear is a rectangle with the shaft through it. A break is a wavy line (ГОСТ 2.303).
 """
 
 from __future__ import annotations
@@ -13,10 +16,40 @@ import cmath
 import math
 from collections.abc import Sequence
 
+import numpy as np
 import shapely
 
-from graphic_tmm.paper.drawing import Stroke, Symbol, arc, circle, line
-from graphic_tmm.paper.symbols.hatching import hatched
+from graphic_tmm.paper.drawing import Bezier, Stroke, Symbol, arc, circle, line
+
+HATCH = 2.5
+"""Pitch of section hatching, mm."""
+_LINE = 1
+"""The kind of a shape that is a line, as shapely counts them."""
+MOST = 1000
+"""Lines at the most: more than the largest sheet takes at the usual pitch."""
+
+
+def hatched(
+    area: shapely.Polygon, *, pitch: float = HATCH, rising: bool = True
+) -> tuple[Stroke, ...]:
+    """Return the hatching of a section: thin lines at 45°.
+
+    An area that no sheet holds is hatched more coarsely: it is refused only later, and not to be waited for.
+    """
+    left, low, right, high = area.bounds
+    span = right - left + high - low
+    pitch = max(pitch, span / MOST)
+    slope = 1 if rising else -1
+    count = math.ceil(span * math.sqrt(0.5) / pitch) + 1
+    middle = complex((left + right) / 2, (low + high) / 2)
+    along = cmath.rect(1.0, slope * math.pi / 4)
+    feet = middle + np.arange(-count, count + 1) * pitch * 1j * along
+    ends = np.stack([feet - span * along, feet + span * along], axis=1)
+    lines = shapely.linestrings(np.stack([ends.real, ends.imag], axis=2))
+    parts = shapely.get_parts(shapely.intersection(lines, area))
+    there = (shapely.get_type_id(parts) == _LINE) & (shapely.length(parts) > 0.2)
+    return tuple(line("thin", *(complex(x, y) for x, y in part.coords)) for part in parts[there])
+
 
 JOINT_RADIUS = 1.5
 """Of the circle of a turning pair, mm. ГОСТ 2.770 gives shapes, not sizes: this and those below were chosen by
@@ -195,3 +228,64 @@ def round_arrow(
 def pole(at: complex) -> Strokes:
     """Return the mark of a pole: a filled dot."""
     return (circle("main", at, POLE_RADIUS, filled=True),)
+
+
+RIM = 4.0
+"""From the pitch circle of a ring to the circle of its rim, mm."""
+CENTRE_BEYOND = 4.0
+"""How far the centre lines of a gear go on behind its circle, mm."""
+FIX = 2.0
+"""Half the cross that fixes a gear to its shaft, mm."""
+GROUND_PITCH, MOST_GROUND = 2.5, 600
+"""Way along a rim between the strokes of its ground, mm; their number at the most."""
+WAVE, HEIGHT = 12.0, 1.5
+"""Length and height of a wave of the line of a break, mm."""
+
+
+def gear(at: complex, radius: float, *, internal: bool = False) -> Strokes:
+    """Return a gear from its end: pitch circle, centre lines, turning pair; a ring has a rim outside."""
+    reach = radius + (RIM if internal else 0.0) + CENTRE_BEYOND
+    axes = tuple(line("centre", at - reach * way, at + reach * way) for way in (1, 1j))
+    rim = (circle("main", at, radius + RIM),) if internal else ()
+    return (*axes, circle("main", at, radius), *rim, *(() if internal else turning_pair(at)))
+
+
+def ring_ground(at: complex, radius: float) -> Strokes:
+    """Return the ground of a fixed ring: strokes at 45° outside its rim, all around and evenly."""
+    count = min(max(8, round(2 * math.pi * radius / GROUND_PITCH)), MOST_GROUND)
+    ways = (cmath.rect(1.0, math.radians(360.0 * (k + 0.5) / count)) for k in range(count))
+    slant = HATCH_DEPTH * (1 + 1j)
+    return tuple(line("thin", at + radius * way, at + (radius + slant) * way) for way in ways)
+
+
+def gear_side(at: complex, radius: float, width: float, *, fixed: bool = True) -> Strokes:
+    """Return a gear from its side, the shaft level: its outline; a cross fixes it to the shaft."""
+    half = width / 2
+    corners = (
+        complex(-half, -radius),
+        complex(half, -radius),
+        complex(half, radius),
+        complex(-half, radius),
+    )
+    box = line("main", *(at + z for z in corners), closed=True)
+    if not fixed:
+        return (box,)
+    ends = (complex(FIX, FIX), complex(FIX, -FIX))
+    return (box, *(line("main", at - z, at + z) for z in ends))
+
+
+def cam(at: complex, profile: Sequence[complex]) -> Strokes:
+    """Return a cam: its closed profile (points about its centre), its turning pair."""
+    return (line("main", *(at + z for z in profile), closed=True), *turning_pair(at))
+
+
+def wavy(start: complex, end: complex) -> Bezier:
+    """Return the wavy line of a break from ``start`` to ``end``: whole waves, thin."""
+    span = end - start
+    count = 2 * max(1, round(abs(span) / WAVE))
+    step, side = span / count, 1j * span / abs(span) * HEIGHT
+    controls = [start]
+    for k in range(count):
+        foot, lift = start + k * step, side * (1 if k % 2 == 0 else -1)
+        controls += [foot + step / 3 + lift, foot + 2 * step / 3 + lift, foot + step]
+    return Bezier("thin", tuple(controls))

@@ -27,8 +27,7 @@ from graphic_tmm.paper.pens import (
     refuse_unknown,
 )
 from graphic_tmm.paper.shapes import box, shape
-from graphic_tmm.paper.write.dxf_blocks import Blocks, gathered, symbol_of
-from graphic_tmm.paper.write.dxf_ink import Inker, weight
+from graphic_tmm.paper.write.dxf_ink import Blocks, Inker, gathered, symbol_of, weight
 from graphic_tmm.paper.write.dxf_text import Letterer, add_styles
 from graphic_tmm.paper.write.svg import clean
 

@@ -1,16 +1,79 @@
-"""Strokes as entities of a space of a DXF document: model space, or a block."""
+"""Strokes as entities of a DXF document: lines, circles, arcs, polylines; conventional signs as blocks.
+
+A block is what the strokes of a sign are about its own origin. Signs of one kind that look otherwise (a support
+whose hatching a letter interrupts) are blocks of their own, numbered.
+"""
 
 from __future__ import annotations
 
 import cmath
-from collections.abc import Mapping
-from typing import Any
+import math
+from collections.abc import Iterable, Mapping
+from itertools import pairwise
+from typing import Any, NamedTuple
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.drawing import Bezier, Ink, Path, Stroke
+from graphic_tmm.paper.drawing import Bezier, Ink, Path, Stroke, Symbol, Vertex
 from graphic_tmm.paper.pens import Pen
 from graphic_tmm.paper.shapes import shape
-from graphic_tmm.paper.write.dxf_shapes import Arc, Circle, Line, recognised
+
+SAME = 1e-6
+"""Places nearer to each other than this, mm, are one: a thousandth of what an SVG tells."""
+
+
+class Line(NamedTuple):
+    """A straight line."""
+
+    start: complex
+    end: complex
+
+
+class Circle(NamedTuple):
+    """A full circle."""
+
+    centre: complex
+    radius: float
+
+
+class Arc(NamedTuple):
+    """An arc, counter-clockwise from ``start`` to ``end``, degrees."""
+
+    centre: complex
+    radius: float
+    start: float
+    end: float
+
+
+def recognised(stroke: Stroke) -> Line | Circle | Arc | None:
+    """Return what a stroke is as a whole; None for a polyline."""
+    path = stroke.path
+    if len(path) == 2 and not stroke.closed and path[0][2] == 0.0:
+        return Line(complex(*path[0][:2]), complex(*path[1][:2]))
+    segments = [*pairwise(path), *([(path[-1], path[0])] if stroke.closed else [])]
+    bulges = [a[2] for a, _ in segments]
+    if not bulges or not (all(b > 0 for b in bulges) or all(b < 0 for b in bulges)):
+        return None
+    centres = [_centre(a, b) for a, b in segments]
+    centre = centres[0]
+    start, end = complex(*path[0][:2]), complex(*segments[-1][1][:2])
+    radius = abs(start - centre)
+    reaches = [abs(complex(*vertex[:2]) - centre) for vertex in path]
+    if max(abs(z - centre) for z in centres) > SAME or max(reaches) - min(reaches) > SAME:
+        return None
+    turn = sum(4 * math.atan(b) for b in bulges)
+    if abs(end - start) <= SAME and abs(abs(turn) - 2 * math.pi) < 1e-6:
+        return Circle(centre, radius)
+    if abs(turn) >= 2 * math.pi:
+        return None
+    ends = [math.degrees(cmath.phase(z - centre)) % 360.0 for z in (start, end)]
+    return Arc(centre, radius, *(ends if turn > 0 else reversed(ends)))
+
+
+def _centre(a: Vertex, b: Vertex) -> complex:
+    """Return the centre of the arc between two vertices; its bulge is not 0."""
+    start, chord, bulge = complex(*a[:2]), complex(b[0] - a[0], b[1] - a[1]), a[2]
+    return start + chord / 2 + 1j * chord * (1 - bulge * bulge) / (4 * bulge)
+
 
 DIGITS = 6
 """Decimals of a coordinate, mm: the same bytes whatever the last bits."""
@@ -97,3 +160,67 @@ class Inker:
                     vertices(stroke.path), format="xyb", close=stroke.closed, dxfattribs=style
                 )
                 made.dxf.flags |= RUNNING
+
+
+class Sign(NamedTuple):
+    """A sign on a drawing, its strokes, the uppermost of their pens, and the position that it belongs to."""
+
+    symbol: Symbol
+    strokes: tuple[Stroke, ...]
+    pen: str
+    position: int | None
+
+
+def symbol_of(stroke: Ink) -> Symbol | None:
+    """Return the sign of which a stroke is one; None for one that stands by itself."""
+    return stroke.symbol if isinstance(stroke, Stroke) else None
+
+
+def gathered(strokes: Iterable[Ink], pens: Mapping[str, Pen]) -> list[Sign]:
+    """Return the signs among strokes, in the order in which they are met; what stands twice, once."""
+    found: dict[tuple[Symbol, int | None], list[Stroke]] = {}
+    for stroke in strokes:
+        if isinstance(stroke, Stroke) and stroke.symbol is not None:
+            found.setdefault((stroke.symbol, stroke.position), []).append(stroke)
+    order = list(pens)
+    return [
+        Sign(symbol, tuple(some), max((s.pen for s in some), key=order.index), position)
+        for (symbol, position), some in found.items()
+    ]
+
+
+class Blocks:
+    """The blocks of a document, made when they are first needed."""
+
+    def __init__(self, document: Any, pens: Mapping[str, Pen]) -> None:
+        self.document, self.pens = document, pens
+        self.names: dict[tuple[object, ...], str] = {}
+
+    def insert(self, space: Any, sign: Sign, layer: str) -> None:
+        """Put a sign into a space as a block."""
+        turned = {"layer": layer, "rotation": round(sign.symbol.turn, DIGITS)}
+        space.add_blockref(self.name(sign), spot(sign.symbol.at), dxfattribs=turned)
+
+    def name(self, sign: Sign) -> str:
+        """Return the name of the block that looks like a sign."""
+        kind = sign.symbol.kind.upper()
+        own = tuple(dict.fromkeys(_about_origin(stroke, sign.symbol) for stroke in sign.strokes))
+        look = (kind, *((s.pen, s.path, s.closed, s.filled) for s in own))
+        if look not in self.names:
+            count = sum(known[0] == kind for known in self.names)
+            self.names[look] = name = f"{kind}_{count + 1}" if count else kind
+            ink = Inker(self.document.blocks.new(name), self.pens)
+            order = list(self.pens)
+            for stroke in sorted(own, key=lambda stroke: order.index(stroke.pen)):
+                width = self.pens[stroke.pen].width
+                ink.stroke(stroke, {"layer": "0", "lineweight": weight(width)})
+        return self.names[look]
+
+
+def _about_origin(stroke: Stroke, symbol: Symbol) -> Stroke:
+    """Return a bare stroke as it would be drawn at the origin, not turned."""
+    back = cmath.rect(1.0, -math.radians(symbol.turn))
+    spots = [((complex(x, y) - symbol.at) * back, bulge) for x, y, bulge in stroke.path]
+    path = tuple((z.real, z.imag, bulge) for z, bulge in spots)
+    clean = tuple((x + 0.0, y + 0.0, bulge + 0.0) for x, y, bulge in vertices(path))
+    return Stroke(stroke.pen, clean, stroke.closed, stroke.filled)

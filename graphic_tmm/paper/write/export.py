@@ -13,8 +13,8 @@ from typing import Any, Literal
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import code_of
 from graphic_tmm.language.said import said
+from graphic_tmm.paper import sheet_frame
 from graphic_tmm.paper.drawing import Sheet
-from graphic_tmm.paper.frame import frame
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.write.svg import clean, svg
 
@@ -84,7 +84,7 @@ def _bookmarks(sheet: Sheet, number: int) -> Iterator[str]:
     if number:
         yield _heading(1, f"{number}. {sheet.title}", 0.0, 0.0)
     for drawing in sheet.drawings:
-        if drawing.name != frame.NAME and (drawing.strokes or drawing.labels):
+        if drawing.name != sheet_frame.NAME and (drawing.strokes or drawing.labels):
             left, _, _, top = bounds(drawing)
             title = drawing.title or drawing.name
             yield _heading(2 if number else 1, title, left, sheet.height - top)

@@ -17,6 +17,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 from urllib.parse import quote
+from xml.etree.ElementTree import Element, SubElement
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import SOURCE, speaking
@@ -25,11 +26,72 @@ from graphic_tmm.language.units import unit_name
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Sheet, Stroke
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.pens import KINDS, LETTERING, Pen, fitted, pens, refuse_unknown, tracing
-from graphic_tmm.paper.write.elements import Made, text_of
 from graphic_tmm.paper.write.svg_path import clockwise, length, number, path_data
 
 if TYPE_CHECKING:
     import svgwrite
+
+
+_SPECIAL = re.compile('[&<>"\r\n\t]')
+_SIGNS = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"}
+
+
+class Made:
+    """An element that svgwrite takes into its groups as one of its own."""
+
+    __slots__ = ("xml",)
+
+    def __init__(self, tag: str, attributes: Mapping[str, str], title: str = "") -> None:
+        """``attributes``: by their names in SVG; those without a value are left out."""
+        named = {name: attributes[name] for name in sorted(attributes) if attributes[name]}
+        self.xml = Element(tag, named)
+        if title:
+            SubElement(self.xml, "title").text = title
+
+    def add(self, tag: str, attributes: Mapping[str, str]) -> None:
+        """Put an element into it; see `Made`."""
+        self.xml.append(Made(tag, attributes).xml)
+
+    def get_xml(self) -> Any:
+        """Return it as a tree, as svgwrite asks for it."""
+        return self.xml
+
+
+def text_of(tree: Element) -> str:
+    """Return a tree as text, one element a line."""
+    lines = list[str]()
+    _write(tree, lines)
+    return "\n".join(lines) + "\n"
+
+
+def _write(one: Element, lines: list[str]) -> None:
+    """Put the lines of an element behind others."""
+    told = "".join([f' {name}="{_safe(value)}"' for name, value in one.items()])
+    if len(one):
+        lines.append(f"<{one.tag}{told}>")
+        for inner in one:
+            _write(inner, lines)
+        lines.append(f"</{one.tag}>")
+    elif one.text:
+        lines.append(f"<{one.tag}{told}>{_SPECIAL.sub(_within, one.text)}</{one.tag}>")
+    else:
+        lines.append(f"<{one.tag}{told} />")
+
+
+def _safe(value: str) -> str:
+    return _SPECIAL.sub(_coded, value)
+
+
+def _coded(match: re.Match[str]) -> str:
+    sign = match[0]
+    return _SIGNS.get(sign) or f"&#{ord(sign):02d};"
+
+
+def _within(match: re.Match[str]) -> str:
+    """Return how a sign stands between tags: quotation marks and white space as they are."""
+    sign = match[0]
+    return _SIGNS[sign] if sign in "&<>" else sign
+
 
 FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 """Characters that XML 1.0 does not allow."""

@@ -12,8 +12,8 @@ from support.gallery import exact
 from graphic_tmm.chapters.arc_cam.contour import VIEW
 from graphic_tmm.chapters.arc_cam.ink import TRACELESS, ArcNames, draw_contour_ink
 from graphic_tmm.chapters.arc_cam.views import arc_views
-from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.lettering.heights import HEIGHTS
+from graphic_tmm.paper.formats import HEIGHTS
+from graphic_tmm.paper.labels import finished
 
 
 def test_steps_of_the_scene_are_its_ink() -> None:

@@ -29,8 +29,8 @@ from graphic_tmm.chapters.cam.task import (
 from graphic_tmm.chapters.cam.views import cam_views, scheme_views
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.figure import pictures
-from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.lettering.heights import HEIGHTS
+from graphic_tmm.paper.formats import HEIGHTS
+from graphic_tmm.paper.labels import finished
 
 WALL = HEIGHTS["A1"]
 LAWS = ("sine", "cosine", "constant acceleration", "3-4-5")

@@ -26,9 +26,9 @@ from graphic_tmm.chapters.cam.task import (
 )
 from graphic_tmm.chapters.cam.views import cam_views
 from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke
-from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.formats import HEIGHTS
 from graphic_tmm.paper.graph import Names, Span, draw_graph
-from graphic_tmm.paper.lettering.heights import HEIGHTS
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.shapes import box, flat, shape
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.records import Scene

@@ -20,7 +20,7 @@ from graphic_tmm.chapters.cycle.task import Moment
 from graphic_tmm.chapters.cycle.views import cycle_views
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.errors import SceneError
-from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.readers.protocol import part_protocol
 from graphic_tmm.scene.read import read
 

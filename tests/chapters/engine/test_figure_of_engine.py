@@ -16,7 +16,7 @@ from graphic_tmm.chapters.engine.plan import ENGINE_PLAN
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.scene.read import read
 
 ENGINES = asking("engine")

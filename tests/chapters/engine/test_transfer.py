@@ -26,7 +26,7 @@ from graphic_tmm.chapters.engine.transfer import Transfer
 from graphic_tmm.chapters.engine.views import transfer_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing, Stroke
-from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.readers.protocol import protocol
 from graphic_tmm.scene.read import read
 

@@ -17,9 +17,9 @@ from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
 from graphic_tmm.chapters.flywheel.task import VIEWS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing, Stroke
-from graphic_tmm.paper.finish import finished
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.graph_rules import axes_of
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.scene.read import read
 
 WHEELS = asking("flywheel")

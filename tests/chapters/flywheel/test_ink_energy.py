@@ -17,7 +17,7 @@ from graphic_tmm.chapters.indicator.ink import (
     draw_indicator_ink,
 )
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
-from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.shapes import box, flat, shape
 
 

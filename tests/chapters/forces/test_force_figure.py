@@ -22,7 +22,7 @@ from graphic_tmm.chapters.forces.views import force_table
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Stroke, line
 from graphic_tmm.paper.shapes import shape
-from graphic_tmm.paper.symbols.arrows import SHAFT
+from graphic_tmm.paper.symbols.dimensions import SHAFT
 from graphic_tmm.paper.symbols.kinematic import ARROW_LENGTH
 
 

@@ -9,7 +9,7 @@ import shapely
 
 from graphic_tmm.chapters.forces.ink_arrows import Arrows, Told
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.shapes import box, shape
 
 

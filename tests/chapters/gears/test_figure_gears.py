@@ -19,8 +19,8 @@ from graphic_tmm.chapters.gears.views import gear_views
 from graphic_tmm.errors import TmmError
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.figure import pictures
-from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.lettering.heights import HEIGHTS
+from graphic_tmm.paper.formats import HEIGHTS
+from graphic_tmm.paper.labels import finished
 
 WALL = HEIGHTS["A1"]
 

@@ -18,8 +18,8 @@ from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
 from graphic_tmm.chapters.gears.table import dimension_table, sliding_table
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke
-from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.lettering.heights import HEIGHTS
+from graphic_tmm.paper.formats import HEIGHTS
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.shapes import box, flat, shape
 from graphic_tmm.paper.write.svg import svg

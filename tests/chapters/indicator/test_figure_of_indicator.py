@@ -14,7 +14,7 @@ from support.graphs import assert_read_off_the_log
 from graphic_tmm.chapters.indicator.ink import draw_indicator_ink
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.scene.read import read
 
 CYLINDERS = asking("indicator")

@@ -21,10 +21,8 @@ from graphic_tmm.chapters.kinematics.ink_plans import (
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.table import kinematic_columns
 from graphic_tmm.paper.drawing import Drawing, Stroke
-from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.lettering.indices import (
-    markup,
-)
+from graphic_tmm.paper.labels import finished
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.rules import BEYOND
 from graphic_tmm.paper.shapes import box
 from graphic_tmm.paper.symbols.kinematic import POLE_RADIUS

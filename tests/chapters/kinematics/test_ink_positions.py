@@ -21,7 +21,7 @@ from graphic_tmm.chapters.kinematics.ink_positions import (
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke
-from graphic_tmm.paper.finish import finished
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot, round_arrow

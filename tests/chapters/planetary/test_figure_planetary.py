@@ -19,8 +19,8 @@ from graphic_tmm.chapters.planetary.task import PlanetaryTask
 from graphic_tmm.chapters.planetary.views import planetary_views
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.figure import pictures
-from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.lettering.heights import HEIGHTS
+from graphic_tmm.paper.formats import HEIGHTS
+from graphic_tmm.paper.labels import finished
 
 
 def drawn(order: PlanetaryTask) -> tuple[Construction, Drawing]:

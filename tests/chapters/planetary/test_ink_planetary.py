@@ -27,14 +27,13 @@ from graphic_tmm.chapters.planetary.table import (
 from graphic_tmm.chapters.planetary.task import PlanetaryTask
 from graphic_tmm.chapters.planetary.tooth_search import search
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
-from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.lettering.heights import HEIGHTS
+from graphic_tmm.paper.formats import HEIGHTS
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
 from graphic_tmm.paper.shapes import box, shape
-from graphic_tmm.paper.symbols.gears import RIM
-from graphic_tmm.paper.symbols.kinematic import HATCH_DEPTH
+from graphic_tmm.paper.symbols.kinematic import HATCH_DEPTH, RIM
 from graphic_tmm.paper.write.svg import svg
 
 C7 = PlanetaryTask("ring", 0.008, 302.4, ratio=4.55, tolerance=0.003, teeth=(25, None, None))

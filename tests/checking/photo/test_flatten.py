@@ -16,7 +16,7 @@ from support.photographs import CORNERS, FRAME, TARGETS, Camera
 from graphic_tmm.checking.photo.flatten import BENT, flatten, png
 from graphic_tmm.checking.photo.perspective import through
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.frame.frame import drawing_area
+from graphic_tmm.paper.sheet_frame import drawing_area
 
 CAMERAS = {
     "tilted": Camera((18, -12, 6), 1150, 2311.7),

@@ -8,7 +8,7 @@ import pytest
 from graphic_tmm.checking.photo.quadrilaterals import ruled
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.formats import size_of
-from graphic_tmm.paper.frame.frame import frame
+from graphic_tmm.paper.sheet_frame import frame
 
 FORM_1 = 185.0, 55.0
 """The title block of ГОСТ 2.104, mm; ISO 7200's is 180 mm wide."""

@@ -18,9 +18,9 @@ from graphic_tmm.classroom.tasks.task import task_sheets
 from graphic_tmm.classroom.tasks.work import works
 from graphic_tmm.classroom.variants.variant import base
 from graphic_tmm.paper.drawing import Sheet
-from graphic_tmm.paper.frame.frame import drawing_area
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.shapes import box, shape
+from graphic_tmm.paper.sheet_frame import drawing_area
 from graphic_tmm.scene.document import document
 from graphic_tmm.scene.read import SCENE, read
 

@@ -18,7 +18,7 @@ from support.photographs import PAPER, Camera
 
 from graphic_tmm.checking.cells import points
 from graphic_tmm.page.page import page as written
-from graphic_tmm.paper.frame.frame import drawing_area
+from graphic_tmm.paper.sheet_frame import drawing_area
 
 NAME, PLAN, POSITION = "crank-rocker", "positions", "0"
 SIZE = 210.0, 297.0

@@ -12,7 +12,7 @@ import numpy as np
 from graphic_tmm.checking.cells import pointed, points
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.paper.drawing import Sheet
-from graphic_tmm.paper.frame.frame import drawing_area
+from graphic_tmm.paper.sheet_frame import drawing_area
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene

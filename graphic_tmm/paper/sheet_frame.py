@@ -1,7 +1,7 @@
 """The frame of a sheet: margins, title block, columns in the binding margin and the 100 mm check line.
 
 ГОСТ 2.301 and 2.104 for Russian sheets, ISO 5457 and 7200 for others, as the catalogue of the language says
-(see `titleblock` for the forms). Sheet coordinates: mm from the lower left corner of the paper, y upward.
+(see `title_block` for the forms). Sheet coordinates: mm from the lower left corner of the paper, y upward.
 """
 
 from __future__ import annotations
@@ -17,7 +17,9 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke, line
 from graphic_tmm.paper.formats import FORMATS, size_of
-from graphic_tmm.paper.frame.titleblock import (
+from graphic_tmm.paper.pens import pens
+from graphic_tmm.paper.ruled import Box, Slot, set_text
+from graphic_tmm.paper.title_block import (
     COLUMN_26,
     COLUMN_26_UPRIGHT,
     FORM_1,
@@ -30,8 +32,6 @@ from graphic_tmm.paper.frame.titleblock import (
     lettered,
     ruled,
 )
-from graphic_tmm.paper.pens import pens
-from graphic_tmm.paper.ruled import Box, Slot, set_text
 
 MARGINS: Mapping[str, tuple[float, float]] = MappingProxyType(
     {"GOST": (20.0, 5.0), "ISO": (20.0, 10.0)}

@@ -10,8 +10,7 @@ import shapely
 from support.gallery import SHEETS
 
 from graphic_tmm.paper.drawing import Drawing, line
-from graphic_tmm.paper.formats import FORMATS
-from graphic_tmm.paper.lettering.heights import HEIGHTS, heights, heights_on
+from graphic_tmm.paper.formats import FORMATS, HEIGHTS, heights, heights_on
 from graphic_tmm.paper.lettering.letters import SIZES
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.shapes import box

@@ -12,9 +12,8 @@ import pytest
 import shapely
 
 from graphic_tmm.paper.drawing import Drawing, Wanted, circle, line
-from graphic_tmm.paper.finish import finished
-from graphic_tmm.paper.labels import place
-from graphic_tmm.paper.raster import CELL, MOST, Raster
+from graphic_tmm.paper.labels import finished, place
+from graphic_tmm.paper.occupied import CELL, MOST, Raster
 from graphic_tmm.paper.shapes import box, shape
 
 NOWHERE = (complex(math.nan, 0), complex(0, math.inf), complex(-math.inf, math.nan), 1e300 + 0j)

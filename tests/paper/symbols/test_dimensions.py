@@ -10,7 +10,7 @@ from support.each import each
 
 from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.paper.symbols.dimensions import dimension, shelf
-from graphic_tmm.paper.symbols.hatching import HATCH, hatched
+from graphic_tmm.paper.symbols.kinematic import HATCH, hatched
 
 ENDS = [
     (0j, 60 + 0j),

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from graphic_tmm.paper.curve_parts import at, cut, nearest, points
+from graphic_tmm.paper.clipping import at, cut, nearest, points
 
 CHAIN = (0j, 1 + 2j, 3 + 2j, 4 + 0j, 5 - 2j, 7 - 1j, 8 + 0j)
 places = st.floats(0.0, 2.0)

@@ -15,10 +15,10 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.paper import labels
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke
 from graphic_tmm.paper.formats import FORMATS, size_of
-from graphic_tmm.paper.frame.frame import FIELDS, drawing_area, frame
-from graphic_tmm.paper.frame.titleblock import BLOCKS, FORM_1, FORM_2A, Block
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.pens import pens
+from graphic_tmm.paper.sheet_frame import FIELDS, drawing_area, frame
+from graphic_tmm.paper.title_block import BLOCKS, FORM_1, FORM_2A, Block
 
 FILLED = {
     "designation": "ТММ 12.04.00.000",
