@@ -31,8 +31,8 @@ from click.testing import CliRunner
 
 import graphic_tmm
 from graphic_tmm.__main__ import main
+from graphic_tmm.scene.new import schema
 from graphic_tmm.scene.packaged import packaged
-from graphic_tmm.scene.schema import schema
 
 sys.path.insert(0, str(Path(__file__).parent / "hard"))
 

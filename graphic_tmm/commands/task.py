@@ -132,8 +132,8 @@ def _refuse(base: Base) -> None:
     """Refuse a scene that is not good before anything is made of it, in the reader's language."""
     from graphic_tmm.language.reader import asked, hear
     from graphic_tmm.paper.lettering.letters import missing
+    from graphic_tmm.scene.document import spoken
     from graphic_tmm.scene.read import judged
-    from graphic_tmm.scene.spoken import spoken
 
     hear(spoken(base.text))
     scene = judged(base.text.encode("utf-8"), base.file, missing=missing)

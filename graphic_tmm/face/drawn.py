@@ -22,7 +22,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.readers.findings import all_warnings
 from graphic_tmm.readers.protocol import plans, told
 from graphic_tmm.readers.table import facts_of, scales_of
-from graphic_tmm.scene.hands import drawn_by
+from graphic_tmm.scene.build import drawn_by
 from graphic_tmm.scene.records import Scene
 
 if TYPE_CHECKING:

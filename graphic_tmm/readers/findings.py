@@ -19,7 +19,7 @@ from graphic_tmm.readers.position_count import told_off
 from graphic_tmm.readers.protocol import title_of
 from graphic_tmm.readers.sentences import letters_of
 from graphic_tmm.scene.chapter import Answer
-from graphic_tmm.scene.remarks import unplaced
+from graphic_tmm.scene.checks import unplaced
 
 _WHY = {
     "touching": said("the figures touch"),

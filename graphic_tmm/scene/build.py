@@ -1,4 +1,4 @@
-"""From the checked sections of a file to the records of a scene."""
+"""From the checked sections of a file to the records of a scene; the scene drawn by another hand."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from graphic_tmm.mechanism.records import (
     Slide,
     shared,
 )
-from graphic_tmm.scene import drawing, geometry, places, registry
+from graphic_tmm.scene import drawing, mechanism, registry
 from graphic_tmm.scene import mechanism as m
 from graphic_tmm.scene.checks import centres_of
 from graphic_tmm.scene.declare import build
@@ -45,11 +45,11 @@ def scene(parts: Parts, source: str) -> Scene:
     assert head is not None
     links = [link for link in parts.links if link is not None]
     asked = {section.name for section, _ in parts.asked}
-    usual = places.usual(asked, mechanism=drive is not None)
+    usual = registry.usual(asked, mechanism=drive is not None)
     mechanism = _mechanism(frame, links, drive) if frame and drive else None
     sheets = parts.record("sheet") or [SheetOrder(place=())]
     formats = [sheet.format for sheet in sheets]
-    shown = places.attended([sheet.place or usual for sheet in sheets], formats, asked)
+    shown = registry.attended([sheet.place or usual for sheet in sheets], formats, asked)
     return Scene(
         source=source,
         title=head.title,
@@ -161,10 +161,10 @@ def _inertia(table: m.Link) -> float | None:
 
 def _slide(table: m.Slide, bodies: dict[int, m.Frame | m.Link], frame: int) -> Slide:
     on = frame if isinstance(table.on, str) else table.on
-    line = geometry.guide(table.along, bodies[on].points, bodies[on].guides)
+    line = mechanism.guide(table.along, bodies[on].points, bodies[on].guides)
     side = None
     if table.side is not None:
-        sign = geometry.sense(table.side, line, fixed=on == frame)
+        sign = mechanism.sense(table.side, line, fixed=on == frame)
         side = Side(sign, flips_at=table.flips_at)
     return Slide(on, line, table.offset, table.angle, side, table.cylinder or "")
 
@@ -182,3 +182,10 @@ def _row(drive: m.Drive) -> Row:
         extra=drive.extra,
         accelerations=accelerations,
     )
+
+
+def drawn_by(scene: Scene, hand: str | None, seed: int | None) -> Scene:
+    """Return the scene drawn by another hand, with that hand's own ruler."""
+    if hand is not None:
+        scene = replace(scene, hand=hand, ruler=DIVISIONS[hand])
+    return scene if seed is None else replace(scene, seed=seed)

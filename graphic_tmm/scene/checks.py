@@ -1,4 +1,4 @@
-"""What a file says against itself: places, sides, positions and scales that cannot go together."""
+"""What a file says against itself, and is refused; what comes to nothing, and is only remarked."""
 
 from __future__ import annotations
 
@@ -13,11 +13,13 @@ from graphic_tmm.board.bounds import TaskError
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.masses import free_points
 from graphic_tmm.mechanism.records import shared
-from graphic_tmm.scene import geometry, registry
+from graphic_tmm.scene import mechanism, registry
+from graphic_tmm.scene.chapter import chapters, places
 from graphic_tmm.scene.declare import Found, Path, Said, Section, build
 from graphic_tmm.scene.document import table
 from graphic_tmm.scene.mechanism import Drive, Extreme, Link, Slide
-from graphic_tmm.scene.places import of_section
+from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.registry import called, of_section, sections
 from graphic_tmm.scene.sections import Parts, pairing
 from graphic_tmm.scene.units import SI
 from graphic_tmm.scene.values import OTHER_EXTREME
@@ -107,10 +109,10 @@ def _places(
     for letter, place in points.items():
         if letter in centres or not cmath.isfinite(place):
             continue
-        x, y = (math.floor(size / geometry.SAME_PLACE) for size in (place.real, place.imag))
+        x, y = (math.floor(size / mechanism.SAME_PLACE) for size in (place.real, place.imag))
         about = (cells.get((x + i, y + k), ()) for i in (-1, 0, 1) for k in (-1, 0, 1))
         for first, other in chain.from_iterable(about):
-            if abs(place - other) < geometry.SAME_PLACE:
+            if abs(place - other) < mechanism.SAME_PLACE:
                 says = said(
                     "{first} and {letter} lie at the same place, so the length {first}{letter} is zero; "
                     "move one, or use one letter for both",
@@ -168,11 +170,11 @@ def _sense(path: Path, slide: Slide, parts: Parts) -> Iterator[Found]:
     if owner is None:
         return
     try:
-        line = geometry.guide(slide.along, owner.points, owner.guides)
+        line = mechanism.guide(slide.along, owner.points, owner.guides)
     except (KeyError, ValueError):
         return
     try:
-        geometry.sense(slide.side, line, fixed=fixed)
+        mechanism.sense(slide.side, line, fixed=fixed)
     except ValueError as error:
         yield Found((*path, "side"), error.args[0])
 
@@ -222,3 +224,82 @@ def _scales(scales: Said) -> Iterator[Found]:
                 factor=factor,
             )
             yield Found(("scales", drawn), says)
+
+
+GAINED = "accelerations"
+"""The plans that [drive] calls for at the positions that it names."""
+
+
+def remarks(parts: Parts) -> tuple[str, ...]:
+    """Return, one line each, the sections that nothing reads, and the defaults that matter."""
+    there = list(parts.asked)
+    idle = [line for section, told in there for line in section.idle(told, parts)]
+    centres = _centres(parts) if any(section.weighs for section, _ in there) else ()
+    defaults = [line for section, told in there for line in section.defaults(told, parts)]
+    return (*idle, *_unsaid(parts), *centres, *defaults)
+
+
+def _unsaid(parts: Parts) -> Iterator[str]:
+    """Tell of words for chapters that the scene does not call for."""
+    note = parts.said["note"]
+    asked = {section.name for section, _ in parts.asked}
+    there = [one for one in chapters() if called(one, asked, mechanism=parts.drive is not None)]
+    names = {one.name for one in there} | {name for one in there for name in one.builds_on}
+    for name in note.remarks if note is not None else ():
+        if name not in names:
+            yield said(
+                "note.remarks.{name}: the scene asks for nothing of this chapter, so the note has no "
+                "section for it",
+                name=name,
+            )
+
+
+def _centres(parts: Parts) -> Iterator[str]:
+    pins = shared(body.points for body in (parts.frame, *parts.links) if body is not None)
+    bare = [link for link in parts.links if link is not None and link.centre is None]
+    lone = {link.number: found[0] for link in bare if len(found := centres_of(link, pins)) == 1}
+    if lone:
+        first, letter = next(iter(lone.items()))
+        numbers, letters = ", ".join(map(str, lone)), ", ".join(lone.values())
+        yield said(
+            "centre: it is left out of link {numbers}, so the link's only point in no pair is taken for its "
+            'mass centre: {letters}; write centre = "{letter}" in link {first}',
+            numbers=numbers,
+            letters=letters,
+            letter=letter,
+            first=first,
+        )
+
+
+def unplaced(scene: Scene) -> tuple[str, ...]:
+    """Return, one line each, what the scene calls for and no sheet of it shows."""
+    return tuple(_unplaced(scene))
+
+
+def _unplaced(scene: Scene) -> Iterator[str]:
+    there = [section for section in sections() if section.name in scene.tasks]
+    seen = [section for section in there if scene.shown & set(of_section(section))]
+    shown = {name for section in seen for name in section.shows(scene.tasks[section.name])}
+    for section in there:
+        if section in seen or section.name in shown or not of_section(section):
+            continue
+        yield said(
+            "{section}: no sheet shows it (table does); add {listed} to the place of a [[sheet]]",
+            section=section.name,
+            listed=joined(said(" or "), (f'"{place}"' for place in of_section(section))),
+        )
+    there_too = {name: one for name, (_, one) in places().items()}
+    gained = {name for name, one in there_too.items() if GAINED in (*one.shows, *one.beside)}
+    if scene.row.accelerations and not scene.shown & {GAINED, *gained}:
+        yield said(
+            'drive.{plans}: no sheet shows them (table does); add "{plans}" to the place of a [[sheet]]',
+            plans=GAINED,
+        )
+    # other places show more than these plans
+    only = {GAINED, *(name for name, one in there_too.items() if one.shows == (GAINED,))}
+    if not scene.row.accelerations and (empty := sorted(scene.shown & only)):
+        yield said(
+            "{places}: nothing is there to be shown, for no position has a plan of accelerations; add "
+            'accelerations = "all" to [drive], or the positions that are to have one',
+            places=", ".join(empty),
+        )

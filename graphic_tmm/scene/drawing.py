@@ -8,7 +8,7 @@ from graphic_tmm.board.bounds import Bound
 from graphic_tmm.language.catalogue import languages
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.formats import AUTO, FORMATS, USUAL, others
-from graphic_tmm.scene import places
+from graphic_tmm.scene import registry
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Names, key, made
 from graphic_tmm.scene.misfits import stands
@@ -81,7 +81,7 @@ class Hand:
 
 
 def _listed(value: object, names: Names) -> tuple[str, ...]:
-    known = list(places.known())
+    known = list(registry.known())
     if not isinstance(value, list) or not value:
         raise ValueError(stands(value, said('a list of plans is wanted, ["positions"]')))
     for item in value:
@@ -94,7 +94,7 @@ def _listed(value: object, names: Names) -> tuple[str, ...]:
 
 _PLACES = Kind(
     _listed,
-    lambda: {"type": "array", "items": {"type": "string", "enum": list(places.known())}},
+    lambda: {"type": "array", "items": {"type": "string", "enum": list(registry.known())}},
 )
 
 

@@ -14,11 +14,11 @@ from graphic_tmm.language.catalogue import SOURCE, Speech, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities, tables
 from graphic_tmm.scene.declare import Key, Kind, Section, Sort, keys_of
+from graphic_tmm.scene.document import default_text, toml
 from graphic_tmm.scene.drawing import Head
 from graphic_tmm.scene.new import about, in_words
 from graphic_tmm.scene.sections import LENGTHS, declared
 from graphic_tmm.scene.units import UNITS
-from graphic_tmm.scene.written import default_text, toml
 
 HEAD = said(
     "# The keys of a scene\n\n"

@@ -1,4 +1,4 @@
-"""The scenes that come with the package, and the names of scenes."""
+"""The scenes that come with the package, and the names of scenes, by where they are read."""
 
 from __future__ import annotations
 
@@ -8,7 +8,15 @@ from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.files import STANDARD_INPUT
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.scene.misfits import near
-from graphic_tmm.scene.named import scene_name as scene_name
+
+
+def scene_name(source: str) -> str:
+    """Return the name that a scene's sheets bear: that of its folder, or of its file."""
+    if source == str(STANDARD_INPUT):
+        return "scene"
+    path = Path(source).resolve()
+    return path.parent.name if path.name == "scene.toml" else path.stem
+
 
 DEFAULT = "windrower"
 """The scene that is drawn when none is named."""

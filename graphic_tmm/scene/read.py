@@ -11,13 +11,12 @@ from graphic_tmm.files import Kind
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import build, checks, references
 from graphic_tmm.scene.bare import grouped
+from graphic_tmm.scene.checks import remarks
 from graphic_tmm.scene.declare import Found
 from graphic_tmm.scene.document import Document, document, parsed
-from graphic_tmm.scene.faults import fault, key_of
-from graphic_tmm.scene.lines import line_of, locate
+from graphic_tmm.scene.lines import fault, key_of, line_of, locate
 from graphic_tmm.scene.quantities import measuring
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.scene.remarks import remarks
 from graphic_tmm.scene.sections import measures, understand
 from graphic_tmm.scene.vary import told
 

@@ -16,8 +16,7 @@ from graphic_tmm.scene.author import Author
 from graphic_tmm.scene.drawing import Scales as Scales
 from graphic_tmm.scene.drawing import SheetOrder as SheetOrder
 from graphic_tmm.scene.mechanism import Task
-from graphic_tmm.scene.places import called_by
-from graphic_tmm.scene.registry import sections
+from graphic_tmm.scene.registry import called_by, sections
 
 
 @dataclass(frozen=True, repr=False)
@@ -102,7 +101,7 @@ class Scene:
         >>> round(faster.mechanism.drive.speed, 2)
         41.89
         """
-        from graphic_tmm.scene.named import scene_name
+        from graphic_tmm.scene.packaged import scene_name
         from graphic_tmm.scene.read import understood
         from graphic_tmm.scene.vary import changed
 

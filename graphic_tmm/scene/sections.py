@@ -20,8 +20,8 @@ from graphic_tmm.scene import author, drawing, lengths, letters, mechanism, quan
 from graphic_tmm.scene.bare import taken
 from graphic_tmm.scene.declare import Found, Path, Section, build, keys_of
 from graphic_tmm.scene.document import Document, raw_links, table
-from graphic_tmm.scene.places import of_section, without_mechanism
 from graphic_tmm.scene.references import Outline, outline
+from graphic_tmm.scene.registry import of_section, without_mechanism
 from graphic_tmm.scene.tables import MOST, understood, unknown_key
 from graphic_tmm.scene.units import SI, SYSTEMS, UNITS
 

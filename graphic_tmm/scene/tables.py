@@ -22,7 +22,7 @@ from graphic_tmm.scene.declare import (
     build,
     keys_of,
 )
-from graphic_tmm.scene.written import default_text, toml, value_of
+from graphic_tmm.scene.document import default_text, toml, value_of
 
 MOST = 100
 """So many faults of one table are put into words."""

@@ -18,7 +18,7 @@ from graphic_tmm.errors import SceneError, TmmError
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.reader import reader
 from graphic_tmm.language.said import said
-from graphic_tmm.scene.spoken import spoken
+from graphic_tmm.scene.document import spoken
 from graphic_tmm.serve import jobs
 from graphic_tmm.serve.folder import Folder
 from graphic_tmm.serve.jobs import Drafted, Refused, Task

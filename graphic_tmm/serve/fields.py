@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 from graphic_tmm.language.said import Said, joined
 from graphic_tmm.scene.declare import Key, Kind, Path, Sort
+from graphic_tmm.scene.document import default_text
 from graphic_tmm.scene.quantities import noun_of
-from graphic_tmm.scene.written import default_text
 
 
 class Field(NamedTuple):

@@ -19,8 +19,7 @@ from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Key, Kind, Path, Section, Sort, keys_of
 from graphic_tmm.scene.document import Document, parsed, table
 from graphic_tmm.scene.drawing import Head
-from graphic_tmm.scene.faults import key_of
-from graphic_tmm.scene.lines import Layout, layout
+from graphic_tmm.scene.lines import Layout, key_of, layout
 from graphic_tmm.scene.new import about
 from graphic_tmm.scene.sections import LENGTHS, declared
 from graphic_tmm.scene.tables import ByShape, Named, Several, Table

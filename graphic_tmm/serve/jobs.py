@@ -21,9 +21,9 @@ from graphic_tmm.page.page import page
 from graphic_tmm.paper.lettering.letters import missing
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.readers.findings import all_warnings
+from graphic_tmm.scene.document import spoken
 from graphic_tmm.scene.read import judged
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.scene.spoken import spoken
 from graphic_tmm.serve.edit import edited
 from graphic_tmm.serve.form import form
 from graphic_tmm.serve.form import told as fields_told

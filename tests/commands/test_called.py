@@ -17,8 +17,8 @@ from support.scenes import MECHANISM, SECTIONS, calling, written
 
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.project import record
+from graphic_tmm.scene.checks import unplaced
 from graphic_tmm.scene.read import judged, read
-from graphic_tmm.scene.remarks import unplaced
 from graphic_tmm.studio import make, sheets
 
 PLANS = {

@@ -18,9 +18,9 @@ from support.hostile import READINGS, SCENES
 from graphic_tmm.accuracy.geometrography import MINUTES, read_minutes
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.errors import SceneError
+from graphic_tmm.scene.document import several
+from graphic_tmm.scene.new import schema
 from graphic_tmm.scene.read import SCENE, read
-from graphic_tmm.scene.schema import schema
-from graphic_tmm.scene.syntax import several
 
 pytestmark = pytest.mark.skipif(
     not hasattr(signal, "SIGVTALRM"), reason="no clock of the processor"

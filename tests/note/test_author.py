@@ -23,8 +23,8 @@ from graphic_tmm.note.formats import FORMATS, files
 from graphic_tmm.note.note import note
 from graphic_tmm.note.pandoc import program
 from graphic_tmm.scene.author import Author
+from graphic_tmm.scene.document import toml
 from graphic_tmm.scene.read import read
-from graphic_tmm.scene.written import toml
 
 NAME = "slider-diagrams"
 NASTY = {

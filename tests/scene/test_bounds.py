@@ -18,8 +18,8 @@ from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.chapters.planetary.task import Limits, PlanetaryTask, scheme_of
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene.declare import Kind, keys_of
+from graphic_tmm.scene.new import schema
 from graphic_tmm.scene.read import read
-from graphic_tmm.scene.schema import schema
 
 GOOD: Mapping[str, dict[str, Any]] = {
     "cam": {"stroke": "20 mm", "rise": 90, "fall": 100, "upper_dwell": 30, "pressure": 30},

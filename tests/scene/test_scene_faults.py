@@ -12,7 +12,7 @@ from support.gallery import SHEETS
 
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene import build, checks, references, sections
-from graphic_tmm.scene.faults import fault
+from graphic_tmm.scene.lines import fault
 from graphic_tmm.scene.read import read
 
 pytestmark = pytest.mark.every

@@ -12,10 +12,9 @@ from support.gallery import SHEETS
 
 import graphic_tmm.scene
 from graphic_tmm.mechanism.records import Extreme, Guide, Side
-from graphic_tmm.scene.new import schema_text
+from graphic_tmm.scene.new import schema, schema_text
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scales, SheetOrder
-from graphic_tmm.scene.schema import schema
 
 pytestmark = pytest.mark.every
 

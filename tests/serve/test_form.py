@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from support.gallery import ROOT
 
-from graphic_tmm.scene.keyed import path_of
-from graphic_tmm.scene.schema import schema
+from graphic_tmm.scene.new import schema
+from graphic_tmm.scene.vary import path_of
 from graphic_tmm.serve.fields import Field
 from graphic_tmm.serve.form import MOST, form, told
 

@@ -23,7 +23,7 @@ from graphic_tmm.board.formula_text import FUNCTIONS
 from graphic_tmm.language import catalogue
 from graphic_tmm.language.catalogue import read
 from graphic_tmm.readers.protocol import plans
-from graphic_tmm.scene.schema import schema
+from graphic_tmm.scene.new import schema
 
 RUSSIAN = re.compile("[А-Яа-яЁё]{2,}")
 LATIN = re.compile(r"(?<![^\W\d_]|[\d_^{}\\./μ-])[A-Za-z]{3,}(?![\w}\\./(])")

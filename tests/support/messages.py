@@ -97,7 +97,7 @@ def _of_operations() -> Iterator[Message]:
 
 def _of_sections() -> Iterator[Message]:
     from graphic_tmm.scene.keys import sentences
-    from graphic_tmm.scene.schema import schema
+    from graphic_tmm.scene.new import schema
     from graphic_tmm.scene.sections import declared
 
     for text in (*sentences(), *_described(schema()), *(one.says for one in declared().values())):

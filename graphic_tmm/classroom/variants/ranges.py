@@ -26,8 +26,7 @@ from graphic_tmm.errors import Fault, SceneError, first_of
 from graphic_tmm.files import Kind
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.scene.document import Document, document
-from graphic_tmm.scene.faults import key_of
-from graphic_tmm.scene.lines import line_of, locate
+from graphic_tmm.scene.lines import key_of, line_of, locate
 from graphic_tmm.scene.misfits import meant, short
 from graphic_tmm.scene.quantities import NUMBER, parse
 from graphic_tmm.scene.units import UNITS, Dimension, plain

@@ -63,8 +63,8 @@ def read_scene(name: str | None, *, lettered: bool = False) -> Scene:
 
 def language_of(path: Path) -> str:
     """Return the language that a scene's file asks for, however wrong the rest of it is; "" if none."""
+    from graphic_tmm.scene.document import LOOKED, spoken
     from graphic_tmm.scene.read import FILE
-    from graphic_tmm.scene.spoken import LOOKED, spoken
 
     file = path / FILE if path.is_dir() else path
     if not file.is_file():
@@ -94,6 +94,6 @@ def hands(command: F) -> F:
 
 def drawn_by(scene: Scene, hand: str | None, seed: int | None) -> Scene:
     """Return the scene drawn by another hand, with that hand's own ruler."""
-    from graphic_tmm.scene.hands import drawn_by as drawn
+    from graphic_tmm.scene.build import drawn_by as drawn
 
     return drawn(scene, hand, seed)

@@ -14,7 +14,7 @@ from graphic_tmm.chapters.forces.task import ASKED, Load
 from graphic_tmm.chapters.forces.task import LOADS as PLACE
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing, Stroke
-from graphic_tmm.scene.places import attended
+from graphic_tmm.scene.registry import attended
 
 
 def diagram(work: Drawn) -> Drawing:

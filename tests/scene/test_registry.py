@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from graphic_tmm.scene.places import attended
+from graphic_tmm.scene.registry import attended
 
 FIRST, SECOND = ("positions", "given", "velocities"), ("accelerations", "equations", "results")
 
