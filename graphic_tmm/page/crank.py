@@ -20,10 +20,18 @@ from graphic_tmm.language.units import unit
 from graphic_tmm.page.cursors import Cursor, cursors
 from graphic_tmm.page.dense import Dense, dense
 from graphic_tmm.page.letters import lettered
-from graphic_tmm.page.moving import Moving, MovingFigures
 from graphic_tmm.page.pack import UNIT, Ints, Packer, packed
-from graphic_tmm.page.strands import STEP, Letter, Line, Strands, folded, strands
-from graphic_tmm.page.told import indexed
+from graphic_tmm.page.sentences import indexed
+from graphic_tmm.page.strands import (
+    STEP,
+    Letter,
+    Line,
+    Moving,
+    MovingFigures,
+    Strands,
+    folded,
+    strands,
+)
 from graphic_tmm.paper.drawing import Drawing, Label, Sheet
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import letter, plain, svg_path

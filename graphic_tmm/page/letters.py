@@ -13,8 +13,7 @@ import numpy as np
 
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.page.dense import Dense
-from graphic_tmm.page.moving import Moving
-from graphic_tmm.page.strands import Letter, Strands, bare
+from graphic_tmm.page.strands import Letter, Moving, Strands, bare
 from graphic_tmm.paper.drawing import Drawing, Label, Wanted
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import letter

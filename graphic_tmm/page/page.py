@@ -2,6 +2,11 @@
 
 One file that asks for nothing else. What it may do is told to the browser in it: its own style and program by
 their hashes, nothing from outside, no text made into elements.
+
+The program is the modules of ``web/`` joined: plain ES modules in their order, one scope, no names twice. It is
+begun by ``main.js``, with what that imports. A folder of ``web/`` holds what not every page has: its
+``enter.js`` enters its ways of looking into ``rooms.js`` before ``main.js`` runs; its style stands behind the
+page's.
 """
 
 from __future__ import annotations
@@ -10,24 +15,132 @@ import base64
 import gzip
 import hashlib
 import json
+import re
 from collections.abc import Mapping, Sequence
+from functools import cache
+from graphlib import TopologicalSorter
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+from posixpath import dirname, join, normpath
 from typing import Any
 
 from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.errors import SheetError
 from graphic_tmm.files import environment
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.page.crank import crank
-from graphic_tmm.page.join import folders, script, style
-from graphic_tmm.page.layers import PARTS
-from graphic_tmm.page.practice.own import own
-from graphic_tmm.page.practice.own_words import OWN
+from graphic_tmm.page.practice.own import OWN, own
 from graphic_tmm.page.practice.pack import practice
 from graphic_tmm.page.practice.words import practice_words
-from graphic_tmm.page.protocol import protocol_of
+from graphic_tmm.page.sentences import protocol_of
 from graphic_tmm.page.views import played
-from graphic_tmm.page.words import WORDS
+from graphic_tmm.page.words import PARTS, WORDS
 from graphic_tmm.paper.drawing import Drawing, Sheet
+from graphic_tmm.paper.formats import FORMATS
 from graphic_tmm.paper.write.svg import ids, svg
+
+LOWER = 0.2
+"""How much lower than its page a figure in print is, mm."""
+
+MAIN, ENTER, WRITTEN = "main", "enter", "written"
+"""The module that begins a page; that of a folder which enters its ways of looking; one of the page alone."""
+
+_IMPORT = re.compile(r'^import (?:\{[^}]*\} from )?"(\.{1,2}/[\w/-]+)\.js";\n', re.M)
+_EXPORT = re.compile(r"^export (?=(?:async )?(?:function|const|let|class)\b)", re.M)
+_NAME = re.compile(r"^(?:export )?(?:async )?(?:function\*?|const|let|class) (\w+)", re.M)
+_INDENT = re.compile(r"^[ \t]+", re.M)
+_WEB: Traversable = files(__package__) / "web"
+_COMMENT = re.compile(r"^[ \t]*/\*\*(?:(?!\*/).|\n)*\*/\n|^[ \t]*//.*\n", re.M)
+
+
+@cache
+def script(*further: str, written: str = "") -> str:
+    """Return the page's program: main.js behind all that it imports, without comments and indents.
+
+    ``further``: folders whose ways of looking the page has too; ``written``: a module for the page alone, that
+    runs before main.js as if it stood in the first of these. No text of a module goes over a line
+    (tests/page/test_page.py), so that indents are nobody's.
+
+    Raises SheetError where two modules have one name at their top.
+    """
+    modules, begun = modules_of(*further), [f"{folder}/{ENTER}" for folder in further]
+    if written:
+        begun = [f"{further[0]}/{WRITTEN}", *begun]
+        modules[begun[0]] = written
+    needs = {name: imported(name, text) for name, text in modules.items()}
+    taken: dict[str, str] = {}
+    parts = []
+    for name in _order(needs, begun):
+        text = modules[name]
+        for found in _NAME.findall(text):
+            if found in taken:
+                raise SheetError(f"page/web: {found} stands in {taken[found]}.js and in {name}.js")
+            taken[found] = name
+        bare = _EXPORT.sub("", _COMMENT.sub("", _IMPORT.sub("", text)))
+        parts.append(_INDENT.sub("", bare).strip("\n"))
+    return "\n" + "\n".join(parts) + "\n"
+
+
+@cache
+def style(*further: str) -> str:
+    """Return the page's style sheet: all of its parts in the order of their names, then the papers.
+
+    ``further``: folders whose parts stand behind those.
+    """
+    return "\n" + "".join(_texts(".css", *further).values()) + papers()
+
+
+def papers() -> str:
+    """Return the rules by which a sheet in print has a page of its own format.
+
+    A figure is a little lower than its page: one as high would, by the rounding of its pixels, begin another.
+    """
+    rules = []
+    for name, paper in FORMATS.items():
+        page = name.replace(" ", "-")
+        rules += [
+            f"@page {page} {{ size: {paper.width:g}mm {paper.height:g}mm; margin: 0; }}",
+            f'@media print {{ #sheets > figure[data-format="{name}"] {{ page: {page};'
+            f" width: {paper.width:g}mm; height: {paper.height - LOWER:g}mm; }} }}",
+        ]
+    return "".join(f"{rule}\n" for rule in rules)
+
+
+def modules_of(*folders: str) -> dict[str, str]:
+    """Return the modules of the page by their names: those of folders as practice/bench."""
+    return {name.removesuffix(".js"): text for name, text in _texts(".js", *folders).items()}
+
+
+def folders() -> tuple[str, ...]:
+    """Return the folders that enter ways of looking, practice before those that build on it."""
+    found = [one.name for one in _WEB.iterdir() if one.is_dir() and (one / f"{ENTER}.js").is_file()]
+    return tuple(sorted(found, reverse=True))
+
+
+def _texts(ending: str, *folders: str) -> dict[str, str]:
+    """Return the texts of the files with an ending: those of ``web/`` by their names, then those of folders."""
+    found: dict[str, str] = {}
+    for folder in ("", *folders):
+        names = sorted(one.name for one in (_WEB / folder).iterdir() if one.name.endswith(ending))
+        found |= {join(folder, name): (_WEB / folder / name).read_text("utf-8") for name in names}
+    return found
+
+
+def imported(name: str, text: str) -> list[str]:
+    """Return the names of the modules that a module imports."""
+    return sorted({normpath(join(dirname(name), path)) for path in _IMPORT.findall(text)})
+
+
+def _order(needs: dict[str, list[str]], before: list[str]) -> list[str]:
+    """Return the modules that a page needs in their order: ``before`` run before main.js."""
+    wanted, ahead = set(), [MAIN, *before]
+    while ahead:
+        name = ahead.pop()
+        if name not in wanted:
+            wanted.add(name)
+            ahead += needs[name]
+    graph = {name: needs[name] for name in sorted(wanted)}
+    return list(TopologicalSorter(graph | {MAIN: [*needs[MAIN], *before]}).static_order())
 
 
 def page(

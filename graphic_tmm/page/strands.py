@@ -1,4 +1,4 @@
-"""The ink of a figure that moves with the crank, as rows over the angles: stroke by stroke, vertex by vertex.
+"""Figures that move with the crank: as chapters draw them, and their ink as rows over the angles.
 
 The chapter's own ink is drawn at every fifth degree, and at each degree wherever that does not tell what lies
 between: where a stroke comes or goes, jumps, or bends more than four places tell. What
@@ -16,15 +16,48 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from math import isfinite
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.page.dense import Dense
-from graphic_tmm.page.moving import Moving
 from graphic_tmm.paper.drawing import Drawing, Stroke, Wanted
+from graphic_tmm.readers.columns import Column
+from graphic_tmm.scene.chapter import Answer
+
+
+@dataclass(frozen=True)
+class Moving:
+    """A figure that moves with the crank.
+
+    ``name``: of its view in the log; ``title``, ``caption``: what people do (mark-up), its scale factors.
+    ``at``: a position (index) -> its ink, its letters still wanted; empty where it cannot be drawn.
+    ``on_sheet``: what the view of a position is called that shows the same on a sheet, by its number.
+    ``still``: what stands about it and does not move. ``columns``: what is told of it along the positions.
+    ``crank``: of the mechanism itself the pivot and the pin of what is turned.
+    """
+
+    name: str
+    title: str
+    caption: str
+    at: Callable[[int], Drawing]
+    on_sheet: Callable[[str], str]
+    still: Callable[[], Drawing] | None = None
+    columns: Callable[[], Iterable[Column]] = lambda: ()
+    crank: tuple[Mark, Mark] | None = None
+
+
+@dataclass(frozen=True)
+class MovingFigures(Answer):
+    """The ``figures`` that a chapter shows of one position, whichever it is."""
+
+    stands: ClassVar[str] = "turning.FIGURES"
+    figures: Callable[[Drawn], Iterable[Moving]] = lambda drawn: ()
+
 
 STEP = 5
 """Degrees between two angles that are drawn anyway."""

@@ -17,7 +17,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.page.told import braced, marked_up
+from graphic_tmm.page.sentences import braced, marked_up
 from graphic_tmm.readers.columns import Column, row_of
 from graphic_tmm.readers.rounding import Figures, told
 from graphic_tmm.readers.table import columns_of

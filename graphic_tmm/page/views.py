@@ -1,28 +1,89 @@
-"""The views that the page plays: where they stand on the sheets, their stops, what is told in each."""
+"""The views that the page plays: where they stand on the sheets, their stops, the mechanism beside a plan."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from graphic_tmm.board.operations.instruments import measure_along
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length, Line, Point
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain as plainly
-from graphic_tmm.language.symbols import symbol
-from graphic_tmm.page.inset import with_mechanisms
+from graphic_tmm.language.symbols import spoken, symbol
+from graphic_tmm.page.sentences import head_of, indexed, line_of, sum_of
 from graphic_tmm.page.stops import Played, Stop, Told
-from graphic_tmm.page.told import head_of, indexed, line_of, sum_of
 from graphic_tmm.page.tools import Desk
 from graphic_tmm.page.values import Values
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.paper.packing import bounds
-from graphic_tmm.paper.seen import Seen
+from graphic_tmm.paper.seen import Seen, finite
 from graphic_tmm.paper.write.svg import clean, ids
 from graphic_tmm.readers.equations import called, polygon
 from graphic_tmm.readers.protocol import Protocols, title_of
+
+JOINTS = ("pair", "pivot")
+"""Parts of ink that stand on joints: their letters are always there."""
+
+
+def with_mechanisms(
+    views: Sequence[Played], told: list[dict[str, Any]], high: Sequence[float]
+) -> None:
+    """Tell of each view which one shows its mechanism, and of that one where its points stand.
+
+    A view that leads its sheet shows the mechanism of its board, if it shows the position too. ``high``: of the
+    sheets of the views, mm.
+    """
+    leading = [k for k, view in enumerate(views) if view.drawing.stand.kind == "lead"]
+    for data in told:
+        for k in leading:
+            lead = told[k]
+            same = data is not lead and data["board"] == lead["board"]
+            if same and data["position"] and data["position"] in lead["names"].values():
+                data["mechanism"] = k
+                if "joints" not in lead:
+                    lead["joints"], lead["joined"] = joints(views[k], high[k])
+                break
+
+
+def joints(view: Played, high: float) -> tuple[list[list[Any]], Mapping[str, list[int]]]:
+    """Return the points of a mechanism and which of them its lines join.
+
+    Of a point: slot, letter, whether the letter is always there, its places by position, sheet mm, y downward
+    (0, 0 if it is not there). By the slot of a line or of a distance: the points on it, at least two.
+    """
+    name = view.drawing.shows[-1]
+    reading = view.drawn.of(name)
+    assert reading is not None
+    seen, origin = (
+        Seen(view.log, reading, (name,), range(reading.positions)),
+        view.drawing.origin(name),
+    )
+    always = {of for ink in view.drawing.strokes if ink.part in JOINTS for of in ink.of}
+    found = {}
+    for mark in (*view.log.given, *(step.it for step in seen.steps)):
+        if mark.kind is Point and mark.view == name:
+            places: list[float] = []
+            for k in range(max(view.places) + 1):
+                own = view.place_in(name, k)
+                at = seen.point(mark, own) + origin if own is not None else complex("nan")
+                places += [round(at.real, 2), round(high - at.imag, 2)] if finite(at) else [0, 0]
+            letter = spoken(mark, view.language)
+            found[mark] = [mark.slot, letter, mark.slot in always, *places]
+    joined = {}
+    for step in seen.steps:
+        if step.it.kind in (Line, Length):
+            later = (one.it for one in seen.uses.get(step.it, ()))
+            on: dict[Mark, None] = dict.fromkeys(
+                mark for mark in (*step.uses, *later) if mark in found
+            )
+            if len(on) > 1:
+                joined[str(step.it.slot)] = [mark.slot for mark in on]
+    return list(found.values()), joined
+
 
 EDGE = 6.0
 """White about a view, mm."""

@@ -25,7 +25,7 @@ from support.photographs import CORNERS, DOTS, FRAME, PAPER, Camera
 from support.scripts import run
 
 from graphic_tmm.page.page import page
-from graphic_tmm.page.practice.seeking import seeking
+from graphic_tmm.page.practice.own import seeking
 
 COUNT = 10
 LOUPE = 0.25

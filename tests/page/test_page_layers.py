@@ -6,7 +6,7 @@ import re
 
 from support.gallery import SHEETS
 
-from graphic_tmm.page.layers import PARTS
+from graphic_tmm.page.words import PARTS
 
 PART = re.compile(r'data-part="([^"]*)"')
 

@@ -12,12 +12,13 @@ from support import gallery
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.page.dense import Dense, dense
 from graphic_tmm.page.letters import glide, lettered
-from graphic_tmm.page.moving import Moving, MovingFigures
 from graphic_tmm.page.strands import (
     NEAR,
     STEP,
     Letter,
     Line,
+    Moving,
+    MovingFigures,
     Strands,
     folded,
     line_key,

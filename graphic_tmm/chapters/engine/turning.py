@@ -10,7 +10,7 @@ from graphic_tmm.chapters.engine.task import ENGINE, VIEW
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.page.moving import Moving, MovingFigures
+from graphic_tmm.page.strands import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.views import mu_text

@@ -27,7 +27,7 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Extreme
-from graphic_tmm.page.moving import Moving, MovingFigures
+from graphic_tmm.page.strands import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.views import mu_text

@@ -21,7 +21,7 @@ from graphic_tmm.chapters.kinematics.survey import least_angle
 from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.page.moving import Moving, MovingFigures
+from graphic_tmm.page.strands import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing, Ink
 from graphic_tmm.paper.figure import Manner, figure
 from graphic_tmm.paper.formats import heights

@@ -26,13 +26,14 @@ from graphic_tmm.language.symbols import spoken, with_functions
 from graphic_tmm.language.units import unit
 from graphic_tmm.page.practice.limits import (
     HAND,
+    MANNERS,
     Named,
+    manner,
+    reader_of,
     told,
 )
-from graphic_tmm.page.practice.manners import MANNERS, manner, reader_of
-from graphic_tmm.page.practice.poses import posed
-from graphic_tmm.page.practice.tasks import Row, readable, sheet_row, with_others, written
-from graphic_tmm.page.told import indexed, marked_up, runs
+from graphic_tmm.page.practice.tasks import Row, posed, readable, sheet_row, with_others, written
+from graphic_tmm.page.sentences import indexed, marked_up, runs
 from graphic_tmm.page.tools import named as instruments
 from graphic_tmm.page.tools import symbol_of
 from graphic_tmm.paper.drawing import Sheet

@@ -1,5 +1,5 @@
 /**
- * What Python packs for the page; the names are those of page/views.py, page/told.py, page/values.py, page/tools.py.
+ * What Python packs for the page; the names are those of page/views.py, page/sentences.py, page/values.py, page/tools.py.
  *
  * @typedef {string | [string, number]} Run text, or the mark-up of a letter with the slot of its mark
  * @typedef {{s: string, u: number, of: number[], from: number, to: number}} Term a vector: its letter, how many
@@ -15,7 +15,7 @@
  * @typedef {{id: string, plan: string, family: string, title: string, board: string, sheet: number,
  *   box: number[], names: Record<string, string>, position: string, first: number, main: boolean, pictures: Picture[],
  *   values: Record<string, Row[]>, mechanism?: number, joints?: Joint[], joined?: Record<string, number[]>}} View
- * @typedef {[number, string, boolean, ...number[]]} Joint a point of a mechanism; page/inset.py
+ * @typedef {[number, string, boolean, ...number[]]} Joint a point of a mechanism; page/views.py
  * @typedef {{name: string, width: number, height: number, format: string}} SheetSize
  * @typedef {{language: string, title: string, words: Record<string, string>, sheets: SheetSize[],
  *   parts: Record<string, string>, views: View[], crank?: Dense, practice?: Practice,

@@ -17,9 +17,8 @@ from support.linkages import four_bar
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.mechanism.records import Row
 from graphic_tmm.page.dense import Dense, dense
-from graphic_tmm.page.moving import MovingFigures
 from graphic_tmm.page.page import page
-from graphic_tmm.page.strands import Line, strands
+from graphic_tmm.page.strands import Line, MovingFigures, strands
 from graphic_tmm.readers.rounding import told
 from graphic_tmm.readers.table import columns_of
 from graphic_tmm.scene.records import Scene, SheetOrder

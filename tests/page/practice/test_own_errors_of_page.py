@@ -22,7 +22,7 @@ from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardstick, yardstick
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Last, Taken
-from graphic_tmm.page.practice.manners import MANNERS
+from graphic_tmm.page.practice.limits import MANNERS
 
 DRAWINGS = 12
 """Of each scene."""

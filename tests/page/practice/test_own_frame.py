@@ -18,7 +18,7 @@ from graphic_tmm.checking.photo.camera import Curl, Lens, Shot
 from graphic_tmm.checking.photo.frame_lines import EDGES, refine
 from graphic_tmm.checking.photo.perspective import bilinear, homography, ordered
 from graphic_tmm.errors import SheetError
-from graphic_tmm.page.practice.seeking import seeking
+from graphic_tmm.page.practice.own import seeking
 from graphic_tmm.paper.ruled import Box
 
 BOX = Box(*FRAME)

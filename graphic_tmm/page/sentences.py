@@ -1,18 +1,21 @@
-"""Sentences of the protocol as the page shows them: runs of text and letters, each letter with its mark."""
+"""The protocol as the page shows it: plans and their steps, sentences as runs of text and letters."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import groupby
 from string import Formatter
-from typing import Any
+from typing import Any, NamedTuple
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.symbols import plain, spoken, symbol
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.equations import Equation, Term
 from graphic_tmm.readers.narration import Line
+from graphic_tmm.readers.protocol import plans, told
 from graphic_tmm.readers.sentences import Phrase, grounds, phrase
 
 Run = str | list[Any]
@@ -146,3 +149,37 @@ def braced(letter: str) -> str:
     ('a_{BA}^{n}', 'v_{A}')
     """
     return _SINGLE.sub(r"\1{\2}", markup(letter))
+
+
+class Lines(NamedTuple):
+    """Lines that follow one another, all of them steps (``numbered``) or all remarks."""
+
+    numbered: bool
+    lines: tuple[Line, ...]
+
+
+class Plan(NamedTuple):
+    """A plan: what it is headed by, its lines in runs."""
+
+    title: str
+    runs: tuple[Lines, ...]
+
+
+def protocol_of(made: DrawnScene, language: str) -> list[Plan]:
+    """Return the protocols of all plans of a scene, a reason only where it is another than before."""
+    return [
+        Plan(one.title, tuple(_in_lists(_reasoned(one.lines))))
+        for one in told(made, plans(), None, language)
+    ]
+
+
+def _in_lists(lines: Iterator[Line]) -> Iterator[Lines]:
+    for numbered, some in groupby(lines, lambda line: line.number > 0):
+        yield Lines(numbered, tuple(some))
+
+
+def _reasoned(lines: tuple[Line, ...]) -> Iterator[Line]:
+    before = ""
+    for line in lines:
+        yield line._replace(why="" if line.why == before else line.why)
+        before = line.why or before

@@ -14,8 +14,7 @@ from support.each import each
 from graphic_tmm.board.values import Length
 from graphic_tmm.page.dense import dense
 from graphic_tmm.page.practice.pack import Packing, practice
-from graphic_tmm.page.practice.poses import APART, SHORT, posed
-from graphic_tmm.page.practice.tasks import Row, sheet_row, with_others
+from graphic_tmm.page.practice.tasks import APART, SHORT, Row, posed, sheet_row, with_others
 from graphic_tmm.scene.packaged import packaged
 
 NAMES = ("windrower", "scotch-yoke", "crank-rocker", "toggle-press")

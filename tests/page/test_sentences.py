@@ -3,7 +3,7 @@
 import pytest
 from support.gallery import made
 
-from graphic_tmm.page.protocol import protocol_of
+from graphic_tmm.page.sentences import protocol_of
 from graphic_tmm.readers.protocol import plans, steps_of
 
 WHY = {"en": "Why", "ru": "Почему"}
