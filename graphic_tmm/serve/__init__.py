@@ -8,7 +8,7 @@ what an address says.
     folder.py --text--> desk.py --task--> worker.py, jobs.py --sheets, page--> kept.py --> routes.py
     what is there       when to draw      another process                     by hash     to browsers
         ^                  ^                                                                  |
-        +---- watch.py ----+   which files have changed               shell.py, web/ <--------+
+        +-- desk.watch ----+   which files have changed               shell.py, web/ <--------+
         |                                                             what a browser shows
         +---- edit.py, form.py   the values of a file as fields, set in it again
 """

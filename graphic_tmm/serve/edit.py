@@ -18,8 +18,7 @@ from graphic_tmm.scene.document import parsed
 from graphic_tmm.scene.read import SCENE, judged
 from graphic_tmm.scene.splice import Unplaced, literal, quoted, set_to
 from graphic_tmm.scene.vary import path_of
-from graphic_tmm.serve.fields import Field
-from graphic_tmm.serve.form import form
+from graphic_tmm.serve.form import Field, form
 
 MOST = 200
 """So many values may be set at once."""

@@ -1,4 +1,4 @@
-"""What a browser may ask of the studio, below its token.
+"""What a browser may ask of the studio, below its token; events for one that follows scenes.
 
     /                       the scenes of the folder; the only scene's studio where there is one
     /events                 how they stand, as they change: event "state" of each, with its name
@@ -16,26 +16,113 @@ from __future__ import annotations
 
 import asyncio
 import json
-from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
-from typing import NamedTuple
+from collections.abc import AsyncIterator, Sequence
+from contextlib import asynccontextmanager, suppress
+from typing import Any, NamedTuple
 from urllib.parse import quote
 
 from starlette.applications import Starlette
 from starlette.requests import ClientDisconnect, Request
 from starlette.responses import HTMLResponse, JSONResponse, RedirectResponse, Response
 from starlette.routing import Route
-from starlette.types import ASGIApp
+from starlette.types import ASGIApp, Receive, Scope, Send
 
-from graphic_tmm.serve.answers import Answers
-from graphic_tmm.serve.desk import IDLE, Desk, Scene
-from graphic_tmm.serve.downloads import forms
+from graphic_tmm.serve.answers import Answers, forms
+from graphic_tmm.serve.desk import IDLE, Desk, Scene, watch
 from graphic_tmm.serve.guard import Guard
 from graphic_tmm.serve.jobs import Refused, Task
-from graphic_tmm.serve.limits import BODY, BODY_TIME
+from graphic_tmm.serve.kept import Kept
+from graphic_tmm.serve.limits import BEAT, BODY, BODY_TIME, STREAMS
 from graphic_tmm.serve.shell import asset, gallery, studio
-from graphic_tmm.serve.stream import Stream, followed, followed_all
-from graphic_tmm.serve.watch import watch
+
+
+async def followed(kept: Kept) -> AsyncIterator[str]:
+    """Yield the state of a scene, now and whenever it has changed."""
+    told = -1
+    while True:
+        if kept.version > told:
+            told = kept.version
+            yield _event(kept.state())
+        with suppress(TimeoutError):
+            async with asyncio.timeout(BEAT):
+                await kept.after(told)
+                continue
+        yield _BEAT
+
+
+async def followed_all(several: Sequence[Kept]) -> AsyncIterator[str]:
+    """Yield the states of scenes, each with its name, now and whenever one has changed."""
+    told = [-1] * len(several)
+    while True:
+        for k, kept in enumerate(several):
+            if kept.version > told[k]:
+                told[k] = kept.version
+                yield _event({"name": kept.name, **kept.state()})
+        waiting = [
+            asyncio.create_task(kept.after(version))
+            for kept, version in zip(several, told, strict=True)
+        ]
+        try:
+            done: set[Any] = set()
+            if waiting:
+                done, _ = await asyncio.wait(
+                    waiting, timeout=BEAT, return_when=asyncio.FIRST_COMPLETED
+                )
+            else:
+                await asyncio.sleep(BEAT)
+            if not done:
+                yield _BEAT
+        finally:
+            for task in waiting:
+                task.cancel()
+
+
+_BEAT = ": here\n\n"
+
+
+def _event(state: dict[str, Any]) -> str:
+    return f"event: state\ndata: {json.dumps(state, ensure_ascii=False)}\n\n"
+
+
+class Stream(Response):
+    """Events sent until the browser has gone; only so many at once."""
+
+    media_type = "text/event-stream"
+    open = 0
+
+    def __init__(self, events: AsyncIterator[str]) -> None:
+        self.events = events
+        self.status_code = 200
+        self.background = None
+        self.init_headers(None)
+        del self.headers["content-length"]
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Send events as they come."""
+        if Stream.open >= STREAMS:
+            await Response(status_code=503)(scope, receive, send)
+            return
+        Stream.open += 1
+        sending = asyncio.create_task(self._sent(send))
+        gone = asyncio.create_task(_gone(receive))
+        try:
+            await asyncio.wait((sending, gone), return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            Stream.open -= 1
+            for task in (sending, gone):
+                task.cancel()
+            await asyncio.gather(sending, gone, return_exceptions=True)
+
+    async def _sent(self, send: Send) -> None:
+        await send({"type": "http.response.start", "status": 200, "headers": self.raw_headers})
+        async for event in self.events:
+            await send({"type": "http.response.body", "body": event.encode(), "more_body": True})
+
+
+async def _gone(receive: Receive) -> None:
+    while (await receive())["type"] != "http.disconnect":
+        pass
+
 
 FRAMED = {"content-security-policy": "frame-ancestors 'self'", "x-frame-options": "SAMEORIGIN"}
 """Of what the studio shows within its own page; the page of a scene says itself what it may do."""

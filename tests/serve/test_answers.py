@@ -16,7 +16,7 @@ from support.command import invoke, printed
 from support.served import SMALL, Browser, opened, run, small
 
 from graphic_tmm.serve import extra
-from graphic_tmm.serve.downloads import EXTRAS, FORMS, forms, zipped
+from graphic_tmm.serve.answers import EXTRAS, FORMS, forms, zipped
 
 CRANK = "link 1, points.A[1]"
 
@@ -120,7 +120,7 @@ def test_several_files_come_in_a_zip_of_the_same_bytes_always() -> None:
 
 def test_what_is_not_installed_is_not_offered(monkeypatch: pytest.MonkeyPatch) -> None:
     assert set(forms()) == set(FORMS)
-    monkeypatch.setattr("graphic_tmm.serve.downloads._there", lambda module: False)
+    monkeypatch.setattr("graphic_tmm.serve.answers._there", lambda module: False)
     assert set(forms()) == set(FORMS) - set(EXTRAS)
     monkeypatch.setattr(extra, "find_spec", lambda name: None)
     done = invoke("serve", "lever")

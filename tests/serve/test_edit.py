@@ -13,8 +13,7 @@ from support.gallery import ROOT
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene.read import judged
 from graphic_tmm.serve.edit import edited
-from graphic_tmm.serve.fields import Field
-from graphic_tmm.serve.form import form
+from graphic_tmm.serve.form import Field, form
 
 SCENES = sorted((ROOT / "sheets").glob("*/scene.toml"))
 WINDROWER = ROOT / "sheets" / "windrower" / "scene.toml"

@@ -12,8 +12,7 @@ from support.gallery import ROOT
 
 from graphic_tmm.scene.new import schema
 from graphic_tmm.scene.vary import path_of
-from graphic_tmm.serve.fields import Field
-from graphic_tmm.serve.form import MOST, form, told
+from graphic_tmm.serve.form import MOST, Field, form, told
 
 SCENES = sorted((ROOT / "sheets").glob("*/scene.toml"))
 WINDROWER = ROOT / "sheets" / "windrower" / "scene.toml"

@@ -15,7 +15,7 @@ from support.real_server import serving
 from support.served import HOST, SMALL, TOKEN, opened, run, small
 
 from graphic_tmm.errors import SceneError
-from graphic_tmm.serve import limits, routes, stream
+from graphic_tmm.serve import limits, routes
 from graphic_tmm.serve.folder import Folder, folder_of
 
 PATHS = [
@@ -190,7 +190,7 @@ def test_bodies_are_limited_in_size_and_time(
 
 def test_only_so_many_follow(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     file = small(tmp_path)
-    monkeypatch.setattr(stream, "STREAMS", 2)
+    monkeypatch.setattr(routes, "STREAMS", 2)
 
     async def serving() -> None:
         async with opened(file) as (browser, _):
@@ -203,7 +203,7 @@ def test_only_so_many_follow(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
             await browser.settled("small")
 
     run(serving)
-    assert stream.Stream.open == 0
+    assert routes.Stream.open == 0
 
 
 # files

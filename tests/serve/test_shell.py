@@ -11,8 +11,7 @@ from pathlib import Path
 import pytest
 
 from graphic_tmm.language.catalogue import languages
-from graphic_tmm.serve.shell import SHARED, asset, assets, gallery, studio, title_of
-from graphic_tmm.serve.words import FILES, WORDS
+from graphic_tmm.serve.shell import FILES, SHARED, WORDS, asset, assets, gallery, studio, title_of
 
 WEB = files("graphic_tmm.serve") / "web"
 HOSTILE = "</script><script>alert(1)</script><img src=x onerror='alert(1)'>&amp;\"'"
