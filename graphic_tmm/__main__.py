@@ -12,7 +12,7 @@ from pathlib import Path
 
 import click
 
-from graphic_tmm.commands.shared.group import Commands
+from graphic_tmm.commands.shared.ending import Commands
 from graphic_tmm.language.said import said
 
 

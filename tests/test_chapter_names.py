@@ -24,9 +24,9 @@ ALLOWED = {
     "paper/lettering/letters.py: 'lettering cannot stand at ('",
     "paper/lettering/markup.py: 'lettering '",
     # folders of scenes, and mechanisms to begin with, that are called so
-    "commands/shared/beginnings.py: 'cam'",
-    "commands/shared/beginnings.py: 'engine'",
-    "commands/shared/beginnings.py: 'planetary'",
+    "commands/new.py: 'cam'",
+    "commands/new.py: 'engine'",
+    "commands/new.py: 'planetary'",
     # what motion is asked for: a word of the face, and of a place of sheets
     "readers/any_angles/turn.py: 'forces'",
 }

@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from graphic_tmm.commands.shared.progress import progress
-from graphic_tmm.commands.shared.scenes import SceneName, drawn_by, hands, read_scene
+from graphic_tmm.commands.shared.options import SceneName, drawn_by, hands, read_scene
 from graphic_tmm.commands.shared.spoken import Command
-from graphic_tmm.commands.shared.telling import rendered, say, show
+from graphic_tmm.commands.shared.telling import progress, rendered, say, show
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:

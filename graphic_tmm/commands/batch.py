@@ -9,12 +9,9 @@ from typing import TYPE_CHECKING
 import click
 
 from graphic_tmm.commands.shared.ending import WRONG
-from graphic_tmm.commands.shared.formats import chosen
-from graphic_tmm.commands.shared.limits import limited
-from graphic_tmm.commands.shared.progress import progress, waiting
-from graphic_tmm.commands.shared.scenes import SceneName, hands, language_of
+from graphic_tmm.commands.shared.options import SceneName, chosen, hands, language_of, limited
 from graphic_tmm.commands.shared.spoken import Command
-from graphic_tmm.commands.shared.telling import tell
+from graphic_tmm.commands.shared.telling import progress, tell, waiting
 from graphic_tmm.language.reader import asked, hear, reader
 from graphic_tmm.language.said import said
 

@@ -8,20 +8,16 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from graphic_tmm.commands.shared.ending import WRONG
-from graphic_tmm.commands.shared.formats import form_of
-from graphic_tmm.commands.shared.limits import limited
-from graphic_tmm.commands.shared.marking import (
+from graphic_tmm.commands.shared.hand_ins import (
     MarkedBy,
     mark_folder,
     refuse_mixed,
     refuse_without_class,
+    write_template,
 )
-from graphic_tmm.commands.shared.numbers import Finite
-from graphic_tmm.commands.shared.progress import waiting
-from graphic_tmm.commands.shared.scenes import SceneName, read_scene
+from graphic_tmm.commands.shared.options import Finite, SceneName, form_of, limited, read_scene
 from graphic_tmm.commands.shared.spoken import Command
-from graphic_tmm.commands.shared.telling import show, tell
-from graphic_tmm.commands.shared.templates import write_template
+from graphic_tmm.commands.shared.telling import show, tell, waiting
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:

@@ -8,12 +8,17 @@ from typing import TYPE_CHECKING
 
 import click
 
-from graphic_tmm.commands.shared.budget import budgeted, within
-from graphic_tmm.commands.shared.formats import chosen
-from graphic_tmm.commands.shared.progress import waiting
-from graphic_tmm.commands.shared.scenes import SceneName, drawn_by, hands, read_scene
+from graphic_tmm.commands.shared.options import (
+    SceneName,
+    budgeted,
+    chosen,
+    drawn_by,
+    hands,
+    read_scene,
+    within,
+)
 from graphic_tmm.commands.shared.spoken import Command
-from graphic_tmm.commands.shared.telling import warn
+from graphic_tmm.commands.shared.telling import waiting, warn
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:

@@ -1,20 +1,163 @@
-"""new: a scene to begin with."""
+"""new: a scene to begin with, of the classical mechanisms or like another scene."""
 
 from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, NamedTuple
 
 import click
 
-from graphic_tmm.commands.shared.scenes import ParamType, SceneName
+from graphic_tmm.commands.shared.options import ParamType, SceneName
 from graphic_tmm.commands.shared.spoken import Command
+from graphic_tmm.language.catalogue import Speech, languages, speaking
 from graphic_tmm.language.reader import reader
 from graphic_tmm.language.said import said
 
-if TYPE_CHECKING:
-    from graphic_tmm.commands.shared.beginnings import Beginning
+
+class Beginning(NamedTuple):
+    """A mechanism to begin with: its name, the scene that it is taken from, a line about it, its title."""
+
+    name: str
+    scene: str
+    says: str
+    title: str
+
+
+BEGINNINGS = (
+    Beginning(
+        "slider-crank",
+        "offset-slider",
+        said("crank, connecting rod, slider; the guide is set off the crank"),
+        said("Slider-crank mechanism"),
+    ),
+    Beginning(
+        "four-bar",
+        "crank-rocker",
+        said("crank, coupler with a third point, rocker"),
+        said("Four-bar mechanism"),
+    ),
+    Beginning(
+        "stone-and-rocker",
+        "shaper",
+        said("crank, stone on a rocker, rod, ram: a shaper, quick return"),
+        said("Shaper: stone and rocker"),
+    ),
+    Beginning(
+        "swinging-cylinder",
+        "oscillating-cylinder",
+        said("crank, piston rod, cylinder that swings on a pin"),
+        said("Swinging cylinder"),
+    ),
+    Beginning(
+        "scotch-yoke",
+        "scotch-yoke",
+        said("crank, stone in the slot of a yoke, yoke in the frame"),
+        said("Scotch yoke"),
+    ),
+    Beginning(
+        "tangent",
+        "tangent-mechanism",
+        said("crank and rocker, a slotted lever drives a bar by a stone"),
+        said("Tangent mechanism"),
+    ),
+    Beginning(
+        "toggle",
+        "toggle-press",
+        said("crank and rocker, a knee of two links pushes the ram"),
+        said("Toggle press"),
+    ),
+    Beginning(
+        "crank-press",
+        "crank-press",
+        said("slider-crank under load: forces by groups, the lever, friction"),
+        said("Crank press"),
+    ),
+    Beginning(
+        "six-link",
+        "lever",
+        said("crank, coupler, rocker and slider under load: forces, the lever"),
+        said("Six-link mechanism"),
+    ),
+    Beginning(
+        "engine",
+        "engine",
+        said("slider-crank with gas in its cylinder: indicator diagram, flywheel"),
+        said("Engine"),
+    ),
+    Beginning(
+        "four-stroke",
+        "four-stroke",
+        said("four strokes over two turns: indicator diagram, flywheel over 4π"),
+        said("Four-stroke engine"),
+    ),
+    Beginning(
+        "moments",
+        "moment-cycle",
+        said("moments given over a cycle of turns, without a mechanism: flywheel"),
+        said("Flywheel for given moments"),
+    ),
+    Beginning(
+        "rocker-by-task",
+        "windrower",
+        said("lengths found from the stroke and K_v; forces, diagrams, flywheel"),
+        said("Rocker mechanism by its task"),
+    ),
+    Beginning(
+        "gear-pair",
+        "gear-pair",
+        said("two spur gears with shift: teeth, line of action, sliding"),
+        said("Gear train: a pair of gears"),
+    ),
+    Beginning(
+        "planetary",
+        "planetary",
+        said("planetary train 2K–H: tooth numbers, pictures of speeds"),
+        said("Planetary train"),
+    ),
+    Beginning(
+        "cam",
+        "cam",
+        said("disc cam with a roller: diagrams, least radius, profile"),
+        said("Cam mechanism"),
+    ),
+    Beginning(
+        "arc-cam",
+        "arc-cam",
+        said("cam of base circle, flanks and nose: what its follower does"),
+        said("Cam given by arcs"),
+    ),
+)
+
+
+def beginning(name: str) -> Beginning | None:
+    """Return a mechanism to begin with by its name; None if there is none."""
+    return next((one for one in BEGINNINGS if one.name == name), None)
+
+
+LINKS = (
+    said("crank", context="link"),
+    said("connecting rod", context="link"),
+    said("coupler", context="link"),
+    said("rocker", context="link"),
+    said("slotted rocker", context="link"),
+    said("lever", context="link"),
+    said("slider", context="link"),
+    said("ram", context="link"),
+    said("stone", context="link"),
+    said("piston", context="link"),
+    said("piston rod", context="link"),
+    said("cylinder", context="link"),
+    said("rack", context="link"),
+    said("knife", context="link"),
+)
+"""What the links of these mechanisms are called."""
+
+
+def link_name(name: str, speech: Speech) -> str:
+    """Return a link's name in a language, whatever language it is written in; one of no link here as it is."""
+    known = (link for link in LINKS if any(speaking(one)(link) == name for one in languages()))
+    return speech(next(known, name))
 
 
 class Mechanism(ParamType):
@@ -24,8 +167,6 @@ class Mechanism(ParamType):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
         """Return the name; refuse one that there is not."""
-        from graphic_tmm.commands.shared.beginnings import BEGINNINGS
-
         known = [one.name for one in BEGINNINGS]
         if value not in known:
             listed = ", ".join(known)
@@ -37,8 +178,6 @@ class Mechanism(ParamType):
     ) -> list[Any]:
         """Return the names that begin so."""
         from click.shell_completion import CompletionItem
-
-        from graphic_tmm.commands.shared.beginnings import BEGINNINGS
 
         return [
             CompletionItem(one.name, help=reader()(one.says))
@@ -57,8 +196,6 @@ def new(folder: str | None, mechanism: str | None, like: str | None, listed: boo
 
     Further sections stand in it as comments, with defaults. Without a MECHANISM the terminal asks.
     """
-    from graphic_tmm.commands.shared.beginnings import beginning
-
     if listed:
         click.echo("\n".join(_lines()))
         return
@@ -80,8 +217,6 @@ def _on_terminal() -> bool:
 
 def _lines() -> list[str]:
     """Return a line for each mechanism, in the reader's language."""
-    from graphic_tmm.commands.shared.beginnings import BEGINNINGS
-
     width = max(len(one.name) for one in BEGINNINGS)
     return [f"{one.name:<{width}}  {reader()(one.says)}" for one in BEGINNINGS]
 
@@ -105,7 +240,6 @@ def _refuse_old(target: Path) -> None:
 
 def _write(target: Path, one: Beginning | None, like: str | None) -> None:
     """Write the files of a new scene, and tell their names."""
-    from graphic_tmm.commands.shared.beginnings import link_name
     from graphic_tmm.files import write
     from graphic_tmm.scene.document import document
     from graphic_tmm.scene.new import begun, begun_with

@@ -6,11 +6,9 @@ from pathlib import Path
 
 import click
 
-from graphic_tmm.commands.shared.formats import chosen
-from graphic_tmm.commands.shared.progress import waiting
-from graphic_tmm.commands.shared.scenes import drawn_by, hands, read_scene
+from graphic_tmm.commands.shared.options import chosen, drawn_by, hands, read_scene
 from graphic_tmm.commands.shared.spoken import Command
-from graphic_tmm.commands.shared.telling import warn
+from graphic_tmm.commands.shared.telling import waiting, warn
 from graphic_tmm.language.said import said
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from graphic_tmm.commands.shared.scenes import SceneName
+from graphic_tmm.commands.shared.options import SceneName
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import tell
 from graphic_tmm.language.said import said

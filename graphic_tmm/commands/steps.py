@@ -8,11 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from graphic_tmm.commands.shared.formats import chosen
-from graphic_tmm.commands.shared.progress import waiting
-from graphic_tmm.commands.shared.scenes import SceneName, read_scene
+from graphic_tmm.commands.shared.options import SceneName, chosen, read_scene
 from graphic_tmm.commands.shared.spoken import Command
-from graphic_tmm.commands.shared.telling import show, warn
+from graphic_tmm.commands.shared.telling import show, waiting, warn
 from graphic_tmm.language.catalogue import languages, speaking
 from graphic_tmm.language.reader import reader
 from graphic_tmm.language.said import said

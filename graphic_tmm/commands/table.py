@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import click
 
-from graphic_tmm.commands.shared.budget import budgeted, within
-from graphic_tmm.commands.shared.formats import form_of
-from graphic_tmm.commands.shared.progress import waiting
-from graphic_tmm.commands.shared.scenes import SceneName, drawn_by, hands, read_scene
+from graphic_tmm.commands.shared.options import (
+    SceneName,
+    budgeted,
+    drawn_by,
+    form_of,
+    hands,
+    read_scene,
+    within,
+)
 from graphic_tmm.commands.shared.spoken import Command
-from graphic_tmm.commands.shared.telling import show, terminal_width, warn
+from graphic_tmm.commands.shared.telling import show, terminal_width, waiting, warn
 from graphic_tmm.language.said import said
 
 FORMS = ("text", "csv", "json")

@@ -7,12 +7,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from graphic_tmm.commands.shared.formats import chosen
-from graphic_tmm.commands.shared.limits import limited
-from graphic_tmm.commands.shared.progress import waiting
-from graphic_tmm.commands.shared.scenes import SceneName, language_of
+from graphic_tmm.commands.shared.options import SceneName, chosen, language_of, limited
 from graphic_tmm.commands.shared.spoken import Command
-from graphic_tmm.commands.shared.telling import tell
+from graphic_tmm.commands.shared.telling import tell, waiting
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:

@@ -6,10 +6,9 @@ from pathlib import Path
 
 import click
 
-from graphic_tmm.commands.shared.progress import progress
-from graphic_tmm.commands.shared.scenes import SceneName, language_of
+from graphic_tmm.commands.shared.options import SceneName, language_of
 from graphic_tmm.commands.shared.spoken import Command
-from graphic_tmm.commands.shared.telling import tell
+from graphic_tmm.commands.shared.telling import progress, tell
 from graphic_tmm.language.reader import asked, hear, reader
 from graphic_tmm.language.said import said
 

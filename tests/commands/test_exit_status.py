@@ -72,7 +72,7 @@ def test_where_the_program_is_at_fault_is_shown_on_request(monkeypatch: pytest.M
     done = invoke("table", "cam")
     assert done.exit_code == 70
     assert "Traceback" in done.stderr
-    assert "scenes.py" in done.stderr
+    assert "options.py" in done.stderr
 
 
 @pytest.mark.parametrize("arguments", ALL, ids=" ".join)

@@ -8,7 +8,7 @@ import pytest
 from support.command import invoke
 from support.each import each
 
-from graphic_tmm.commands.shared.limits import Time
+from graphic_tmm.commands.shared.options import Time
 
 
 @each("case", [("90", 90.0), ("90 s", 90.0), ("1,5 мин", 90.0), ("10 min", 600.0), (" .5 ", 0.5)])

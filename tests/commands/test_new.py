@@ -12,7 +12,7 @@ from support.boards import in_usual_size
 from support.command import invoke
 
 from graphic_tmm.commands import new as command
-from graphic_tmm.commands.shared.beginnings import BEGINNINGS
+from graphic_tmm.commands.new import BEGINNINGS
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.scene.declare import MISSING, Kind, keys_of
 from graphic_tmm.scene.new import MANNER, SCHEMA, shown

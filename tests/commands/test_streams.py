@@ -13,7 +13,7 @@ from support.command import column, invoke, printed, tabled
 from support.scenes import source
 
 from graphic_tmm.__main__ import main
-from graphic_tmm.commands.shared import progress
+from graphic_tmm.commands.shared import telling
 from graphic_tmm.scene.packaged import packaged
 
 
@@ -92,7 +92,7 @@ def test_a_quiet_command_shows_no_progress(quiet: bool, monkeypatch: pytest.Monk
     from graphic_tmm.commands.shared.spoken import Command
 
     shown = Terminal()
-    monkeypatch.setattr(progress, "PATIENCE", 0.0)
+    monkeypatch.setattr(telling, "PATIENCE", 0.0)
     monkeypatch.setenv("TERM", "xterm")
 
     @click.command(cls=Command)
@@ -100,7 +100,7 @@ def test_a_quiet_command_shows_no_progress(quiet: bool, monkeypatch: pytest.Monk
         import threading
 
         monkeypatch.setattr(sys, "stderr", shown)
-        with progress.waiting("drawing"):
+        with telling.waiting("drawing"):
             for one in threading.enumerate():
                 if isinstance(one, threading.Timer):
                     one.join()

@@ -8,7 +8,7 @@ import threading
 
 import pytest
 
-from graphic_tmm.commands.shared import progress
+from graphic_tmm.commands.shared import telling
 
 
 class Terminal(io.StringIO):
@@ -27,9 +27,9 @@ def test_only_what_takes_long_is_told_and_only_on_a_terminal(
 ) -> None:
     shown = stream()
     monkeypatch.setattr(sys, "stderr", shown)
-    monkeypatch.setattr(progress, "PATIENCE", patience)
+    monkeypatch.setattr(telling, "PATIENCE", patience)
     monkeypatch.setenv("TERM", "xterm")
-    with progress.waiting("composing the sheets"):
+    with telling.waiting("composing the sheets"):
         if patience == 0.0:
             for one in threading.enumerate():
                 if isinstance(one, threading.Timer):

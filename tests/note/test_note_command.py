@@ -11,7 +11,7 @@ from click.testing import CliRunner
 from support.gallery import SHEETS
 
 from graphic_tmm.__main__ import main
-from graphic_tmm.commands.shared import progress
+from graphic_tmm.commands.shared import telling
 
 SCENE = str(SHEETS / "slider-diagrams")
 
@@ -85,7 +85,7 @@ def test_who_waits_for_a_note_is_told_what_is_done(
 ) -> None:
     shown = Terminal()
     monkeypatch.setattr(sys, "stderr", shown)
-    monkeypatch.setattr(progress, "PATIENCE", 0.0)
+    monkeypatch.setattr(telling, "PATIENCE", 0.0)
     monkeypatch.setenv("TERM", "xterm")
     words = ["note", SCENE, "-f", "md", "-l", "en", "-o", str(tmp_path), *options]
     with pytest.raises(SystemExit, match="0"):

@@ -115,7 +115,7 @@ def _described(part: Any) -> Iterator[str]:
 
 def _of_beginnings() -> Iterator[Message]:
     """Yield what the authors of the scenes that mechanisms are begun from say beside them."""
-    from graphic_tmm.commands.shared.beginnings import BEGINNINGS
+    from graphic_tmm.commands.new import BEGINNINGS
     from graphic_tmm.scene.new import REMARK, mechanism_of
     from graphic_tmm.scene.packaged import scene_path
 

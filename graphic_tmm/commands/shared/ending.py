@@ -1,11 +1,13 @@
-"""How commands end: every error is one message, and every end has its own exit status."""
+"""The commands that there are, and how they end: every error is one message, every end has its exit status."""
 
 from __future__ import annotations
 
 import gc
+import pkgutil
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from importlib import import_module
 from typing import Any
 
 import click
@@ -124,3 +126,22 @@ def _hushed() -> int:
             os.dup2(nowhere, stream.fileno())
     os.close(nowhere)
     return NO_READER
+
+
+HOME = "graphic_tmm.commands"
+
+
+class Commands(People):
+    """A file `name.py` holds the command `name`; it is loaded when that, or the help of all, is asked for."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Return the names of the commands, sorted."""
+        files = pkgutil.iter_modules(import_module(HOME).__path__)
+        return sorted(file.name for file in files if not file.ispkg)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Return a command; None if there is none of that name."""
+        if cmd_name not in self.list_commands(ctx):
+            return None
+        found: click.Command = getattr(import_module(f"{HOME}.{cmd_name}"), cmd_name)
+        return found
