@@ -42,14 +42,13 @@ if TYPE_CHECKING:
     from graphic_tmm.face.drawn import Drawn as Drawn
     from graphic_tmm.face.drawn import draw as draw
     from graphic_tmm.face.motion import motion as motion
-    from graphic_tmm.face.quantity import Quantity as Quantity
     from graphic_tmm.face.reading import read as read
     from graphic_tmm.face.reading import scenes as scenes
     from graphic_tmm.face.sheets import Sheet as Sheet
+    from graphic_tmm.face.steps import Step, Steps
     from graphic_tmm.face.tables import Column as Column
+    from graphic_tmm.face.tables import Quantity
     from graphic_tmm.face.tables import Table as Table
-    from graphic_tmm.face.told import Step as Step
-    from graphic_tmm.face.told import Steps as Steps
     from graphic_tmm.readers.any_angles.results import Motion as Motion
     from graphic_tmm.readers.any_angles.results import PointMotion as PointMotion
     from graphic_tmm.scene.records import Scene as Scene
@@ -69,13 +68,13 @@ _HOMES = {
     "MissingError": "errors",
     "Motion": "readers.any_angles.results",
     "PointMotion": "readers.any_angles.results",
-    "Quantity": "face.quantity",
+    "Quantity": "face.tables",
     "Scene": "scene.records",
     "SceneError": "errors",
     "Sheet": "face.sheets",
     "SheetError": "errors",
-    "Step": "face.told",
-    "Steps": "face.told",
+    "Step": "face.steps",
+    "Steps": "face.steps",
     "StructureError": "errors",
     "Table": "face.tables",
     "TmmError": "errors",

@@ -16,12 +16,12 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Complexes, Point, Reals
 from graphic_tmm.drawn import MEASURED
 from graphic_tmm.errors import ConstructionError, SheetError
-from graphic_tmm.face.asked import absent, within
 from graphic_tmm.face.drafting import NUMBERS, Drafting
 from graphic_tmm.face.picture import picture
-from graphic_tmm.face.quantity import Quantity
+from graphic_tmm.face.refusals import absent, within
 from graphic_tmm.face.sheets import Sheet
-from graphic_tmm.face.told import Steps, steps_of
+from graphic_tmm.face.steps import Steps, steps_of
+from graphic_tmm.face.tables import Quantity
 from graphic_tmm.language.catalogue import languages, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import spoken

@@ -16,7 +16,7 @@ from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.json import json_report
 from graphic_tmm.checking.report.text import text_report
 from graphic_tmm.errors import Fault, SceneError
-from graphic_tmm.face.asked import absent, within
+from graphic_tmm.face.refusals import absent, within
 from graphic_tmm.language.said import said
 
 Readings = (

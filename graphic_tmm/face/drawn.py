@@ -9,13 +9,12 @@ from typing import TYPE_CHECKING
 
 from graphic_tmm.board.hand import HANDS, HandName
 from graphic_tmm.errors import AbsentError, SceneError, SheetError, TmmError
-from graphic_tmm.face.asked import Named, absent, within
 from graphic_tmm.face.html import rendered
-from graphic_tmm.face.quantity import Quantity
 from graphic_tmm.face.reading import Source, read
+from graphic_tmm.face.refusals import Named, absent, within
 from graphic_tmm.face.sheets import Sheet
-from graphic_tmm.face.tables import Table
-from graphic_tmm.face.told import Steps, steps_of
+from graphic_tmm.face.steps import Steps, steps_of
+from graphic_tmm.face.tables import Quantity, Table
 from graphic_tmm.face.work import Work
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said

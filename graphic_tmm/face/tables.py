@@ -1,4 +1,4 @@
-"""A plan's table as arrays: of every segment its mm on the sheet and its quantity, drawing by drawing."""
+"""Numbers with their units; a plan's table as arrays: mm on the sheet and quantity, drawing by drawing."""
 
 from __future__ import annotations
 
@@ -10,10 +10,56 @@ import numpy as np
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.errors import needed
-from graphic_tmm.face.asked import absent
 from graphic_tmm.face.html import grid
-from graphic_tmm.face.quantity import Quantity
+from graphic_tmm.face.refusals import absent
 from graphic_tmm.readers.columns import renamed
+
+
+class Quantity(float):
+    """A figure of a drawing: a float like any other, that knows its unit.
+
+    Parameters
+    ----------
+    value : float
+        The figure, of several drawings that of the first; NaN where it could not be drawn.
+    unit : str
+        Its unit, in English: ``"kg·m²"``; ``""`` of a bare number.
+    trials : array, optional
+        What it came to in each drawing, (trial,); left out, the one figure.
+
+    Examples
+    --------
+    >>> from graphic_tmm import Quantity
+    >>> inertia = Quantity(1.5, "kg·m²")
+    >>> inertia, 2 * inertia, inertia.unit
+    (1.5 kg·m², 3.0, 'kg·m²')
+    """
+
+    unit: str
+    trials: Reals
+
+    def __new__(cls, value: float, unit: str = "", trials: Reals | None = None) -> Quantity:
+        """Return the figure with its unit."""
+        made = super().__new__(cls, value)
+        made.unit = unit
+        made.trials = np.array([float(value)]) if trials is None else trials
+        return made
+
+    @property
+    def value(self) -> float:
+        """The bare figure."""
+        return float(self)
+
+    def __repr__(self) -> str:
+        return f"{float(self):.6g} {self.unit}".rstrip()
+
+    __str__ = __repr__
+
+    def __format__(self, spec: str) -> str:
+        return f"{float(self):{spec}} {self.unit}".rstrip() if spec else repr(self)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (float(self), self.unit, self.trials)
 
 
 @dataclass(frozen=True, eq=False)

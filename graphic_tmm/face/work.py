@@ -12,10 +12,10 @@ import numpy as np
 
 from graphic_tmm.drawn import DrawnScene, Results
 from graphic_tmm.face import tables
-from graphic_tmm.face.asked import Named
-from graphic_tmm.face.quantity import Quantity
 from graphic_tmm.face.reading import refuse_unlettered
+from graphic_tmm.face.refusals import Named
 from graphic_tmm.face.sheets import WRITERS, ending, saved
+from graphic_tmm.face.tables import Quantity
 from graphic_tmm.files import write
 from graphic_tmm.fitting.composition import Composition, beside, read_composition
 from graphic_tmm.language.numbers import decimals_of

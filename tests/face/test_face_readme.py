@@ -15,7 +15,7 @@ from support.gallery import ROOT, SHEETS
 PAGE = ROOT / "graphic_tmm" / "face" / "README.md"
 NOTEBOOK = SHEETS / "notebook.ipynb"
 FLAGS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
-TOLD = ["quantity", "reading", "drawn", "tables", "told", "sheets", "checks", "board"]
+TOLD = ["reading", "drawn", "tables", "steps", "sheets", "checks", "board"]
 
 
 @pytest.fixture(autouse=True)
