@@ -54,7 +54,7 @@ class Chart(NamedTuple):
     figure: tuple[Mark, ...] = ()
 
     @property
-    def letter(self) -> str:
+    def scale_name(self) -> str:
         """What its scale is called."""
         return f"μ_{self.symbol}" if len(self.symbol) == 1 else f"μ_{{{self.symbol}}}"
 

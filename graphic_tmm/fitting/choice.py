@@ -273,9 +273,9 @@ def _calculated(drawn: Drawn, ledger: Ledger) -> None:
 def _shared(charts: Iterable[Chart], ledger: Ledger) -> None:
     """Record that a graph has the scale factor of another, where it calls it by a letter of its own."""
     for chart in charts:
-        if chart.mu.slot in ledger.chosen and chart.letter != chart.mu.name:
+        if chart.mu.slot in ledger.chosen and chart.scale_name != chart.mu.name:
             ledger.of(chart.view)
-            ledger.same(chart.mu, chart.mu, chart.letter, why=_SHARED)
+            ledger.same(chart.mu, chart.mu, chart.scale_name, why=_SHARED)
 
 
 @dataclass(frozen=True)

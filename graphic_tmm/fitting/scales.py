@@ -221,7 +221,7 @@ def _graphs_on(scene: Scene, places: set[str]) -> float:
 def _told(project: Project, reading: Reading) -> dict[str, Scale]:
     """Return the scales of the graphs as drawn, by view."""
     return {
-        chart.view: Scale(chart.letter, float(reading[chart.mu][0, 0]), chart.mu.unit)
+        chart.view: Scale(chart.scale_name, float(reading[chart.mu][0, 0]), chart.mu.unit)
         for chart in project.charts
     }
 
