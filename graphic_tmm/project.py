@@ -22,12 +22,12 @@ from graphic_tmm.scene.chapter import (
     Holder,
     aside,
     boards,
-    calls_for,
     chapters,
     in_order,
     places,
 )
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.tasks import calls_for
 
 
 @dataclass(frozen=True)

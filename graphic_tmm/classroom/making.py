@@ -21,8 +21,8 @@ from graphic_tmm.paper.lettering.letters import missing
 from graphic_tmm.readers.findings import all_warnings
 from graphic_tmm.readers.table import table
 from graphic_tmm.scene.build import drawn_by
+from graphic_tmm.scene.packaged import FILE as SCENE
 from graphic_tmm.scene.packaged import scene_name
-from graphic_tmm.scene.read import FILE as SCENE
 from graphic_tmm.scene.read import judged
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import composed_sheets, files_of, make

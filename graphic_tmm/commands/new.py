@@ -231,7 +231,7 @@ def _chosen() -> str:
 
 def _refuse_old(target: Path) -> None:
     from graphic_tmm.errors import Fault, SceneError
-    from graphic_tmm.scene.read import FILE
+    from graphic_tmm.scene.packaged import FILE
 
     if (target / FILE).exists():
         fault = Fault("", 0, said("it exists already; choose another folder"))
@@ -243,8 +243,8 @@ def _write(target: Path, one: Beginning | None, like: str | None) -> None:
     from graphic_tmm.files import write
     from graphic_tmm.scene.document import document
     from graphic_tmm.scene.new import begun, begun_with
-    from graphic_tmm.scene.packaged import scene_path
-    from graphic_tmm.scene.read import FILE, SCENE, read
+    from graphic_tmm.scene.packaged import FILE, SCENE, scene_path
+    from graphic_tmm.scene.read import read
 
     source = scene_path(like if one is None else one.scene)
     file = source / FILE if source.is_dir() else source

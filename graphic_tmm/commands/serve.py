@@ -23,7 +23,8 @@ from graphic_tmm.language.said import said
 def serve(scene: str | None, host: str, port: int) -> None:
     """Serve SCENE, or all scenes of a folder, to a browser; what is edited is drawn again at once."""
     from graphic_tmm.language.reader import asked
-    from graphic_tmm.serve.extra import LOOPBACK, served
+    from graphic_tmm.serve.extra import served
+    from graphic_tmm.serve.limits import LOOPBACK
 
     if host not in LOOPBACK:
         tell(

@@ -14,8 +14,9 @@ from graphic_tmm.note.section_conclusions import conclusions, literature, symbol
 from graphic_tmm.note.section_opening import introduction, title_page
 from graphic_tmm.note.section_scales import scales
 from graphic_tmm.note.section_task import synthesis, task
-from graphic_tmm.scene.chapter import calls_for, chapters
+from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.tasks import calls_for
 
 
 def wanted(scene: Scene) -> set[str]:

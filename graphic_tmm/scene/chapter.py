@@ -1,4 +1,4 @@
-"""A chapter of the book: what it is, what a scene asks it for, what sheets can show of it.
+"""A chapter of the book: what it is, how it answers, what sheets can show of it.
 
 A chapter is a folder of `graphic_tmm.chapters` whose package declares a `Chapter` called CHAPTER. It is found
 by being there, and gone when its folder is. What a reader wants to know of chapters is declared in the reader's
@@ -20,7 +20,6 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, Self, TypeVa
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.declare import Section
-    from graphic_tmm.scene.records import Scene
 
 
 T = TypeVar("T")
@@ -214,27 +213,3 @@ def added(chapter: Chapter) -> Iterator[None]:
     finally:
         _ADDED.remove(chapter)
         _forget()
-
-
-@dataclass(frozen=True)
-class SectionKey(Generic[T]):
-    """The name of a section of a scene, by which what it asks for is got."""
-
-    section: str
-
-    def of(self, scene: Scene) -> T | None:
-        """Return what the scene asks for; None if it has no such section."""
-        task: T | None = scene.tasks.get(self.section)
-        return task
-
-    def put(self, scene: Scene, task: T | None) -> Scene:
-        """Return the scene asking for ``task`` instead; None: not asking."""
-        return scene.asking(**{self.section: task})
-
-
-def calls_for(scene: Scene, chapter: Chapter) -> bool:
-    """Whether a scene calls for a chapter."""
-    if chapter.always:
-        return scene.mechanism is not None
-    section = chapter.asking
-    return section is not None and scene.tasks.get(section.name) is not None

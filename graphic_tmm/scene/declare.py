@@ -18,7 +18,6 @@ from graphic_tmm.scene.bare import taken
 if TYPE_CHECKING:
     from graphic_tmm.board.bounds import Bound
     from graphic_tmm.mechanism.records import Mechanism
-    from graphic_tmm.scene.sections import Parts
 
 Path = tuple[str | int, ...]
 Names = Mapping[str, float]
@@ -166,7 +165,7 @@ class Others(Protocol):
         """Return the record of a section, a tuple where there may be several; None if it is not there."""
 
 
-Check = Callable[[Any, "Parts"], Iterator[Found]]
+Check = Callable[[Any, Any], Iterator[Found]]
 
 
 @dataclass(frozen=True)
@@ -195,8 +194,8 @@ class Section:
     check: Check = lambda said, parts: iter(())
     refuse: str = ""
     joined: Callable[[Others], Mapping[str, object]] = lambda others: {}
-    idle: Callable[[Any, Parts], Iterator[str]] = lambda said, parts: iter(())
-    defaults: Callable[[Any, Parts], Iterator[str]] = lambda said, parts: iter(())
+    idle: Callable[[Any, Any], Iterator[str]] = lambda said, parts: iter(())
+    defaults: Callable[[Any, Any], Iterator[str]] = lambda said, parts: iter(())
     weighs: bool = False
     metric: bool = False
     shows: Callable[[Any], tuple[str, ...]] = lambda record: ()

@@ -6,17 +6,18 @@ import json
 import math
 import re
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import MISSING
 from pathlib import Path
+from pkgutil import resolve_name
 from typing import Any, NoReturn
 
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.files import Kind, read
 from graphic_tmm.language.catalogue import languages
 from graphic_tmm.language.said import joined, said
-from graphic_tmm.scene.declare import Found, Key
+from graphic_tmm.scene.declare import Found, Key, Section
 from graphic_tmm.scene.declare import Path as Place
 from graphic_tmm.scene.letters import latin
 from graphic_tmm.scene.misfits import truth
@@ -87,17 +88,19 @@ def _twice(reason: str, number: int, line: str, match: re.Match[str] | None) -> 
 
 
 def _sections() -> list[str]:
-    from graphic_tmm.scene.sections import LENGTHS, declared
-
-    named = declared().items()
-    return [f"[{LENGTHS}]", *(f"[[{k}]]" if one.several else f"[{k}]" for k, one in named)]
+    named = _declared().items()
+    return ["[lengths]", *(f"[[{k}]]" if one.several else f"[{k}]" for k, one in named)]
 
 
 def several() -> frozenset[str]:
     """Return the sections that a scene may have several times."""
-    from graphic_tmm.scene.sections import declared
+    return frozenset(name for name, section in _declared().items() if section.several)
 
-    return frozenset(name for name, section in declared().items() if section.several)
+
+def _declared() -> Mapping[str, Section]:
+    """Return the sections by name: they stand above what reads TOML, and only its messages name them."""
+    found: Mapping[str, Section] = resolve_name("graphic_tmm.scene.sections:declared")()
+    return found
 
 
 def _key(line: str) -> str:

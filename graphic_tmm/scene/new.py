@@ -16,7 +16,7 @@ from graphic_tmm.scene.declare import Key, Schema, Section, keys_of
 from graphic_tmm.scene.document import default_text, toml
 from graphic_tmm.scene.drawing import Head
 from graphic_tmm.scene.letters import POLES
-from graphic_tmm.scene.read import FILE
+from graphic_tmm.scene.packaged import FILE
 from graphic_tmm.scene.sections import LENGTHS, declared
 from graphic_tmm.scene.tables import Named, key_schema, table_schema
 

@@ -5,9 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 
 from graphic_tmm.errors import Fault, SceneError
-from graphic_tmm.files import STANDARD_INPUT
+from graphic_tmm.files import STANDARD_INPUT, Kind
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.scene.misfits import near
+
+FILE = "scene.toml"
+SCENE = Kind(
+    said("a scene"), said("name a scene file, or a folder with a {file}", file=FILE), 256_000
+)
 
 
 def scene_name(source: str) -> str:
@@ -15,7 +20,7 @@ def scene_name(source: str) -> str:
     if source == str(STANDARD_INPUT):
         return "scene"
     path = Path(source).resolve()
-    return path.parent.name if path.name == "scene.toml" else path.stem
+    return path.parent.name if path.name == FILE else path.stem
 
 
 DEFAULT = "windrower"
@@ -26,7 +31,7 @@ def packaged() -> list[Path]:
     """Return the folders of the scenes that come with the package, by name."""
     package = Path(__file__).parents[1]
     homes = [package / "scenes", package.parent / "sheets"]
-    found = {path.parent.name: path.parent for home in homes for path in home.glob("*/scene.toml")}
+    found = {path.parent.name: path.parent for home in homes for path in home.glob(f"*/{FILE}")}
     return [found[name] for name in sorted(found)]
 
 
@@ -46,8 +51,6 @@ def scene_path(name: str | None) -> Path:
     found = {path.name: path for path in packaged()}
     if wanted in found:
         return found[wanted]
-    from graphic_tmm.scene.read import SCENE
-
     meant = near(wanted, found, 0.8)
     says = said("there is no such file; {remedy}", remedy=SCENE.remedy)
     if meant:

@@ -2,28 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
 from graphic_tmm.errors import Fault, SceneError, first_of
-from graphic_tmm.files import Kind
-from graphic_tmm.language.said import said
 from graphic_tmm.scene import build, checks, references
 from graphic_tmm.scene.bare import grouped
 from graphic_tmm.scene.checks import remarks
 from graphic_tmm.scene.declare import Found
 from graphic_tmm.scene.document import Document, document, parsed
 from graphic_tmm.scene.lines import fault, key_of, line_of, locate
+from graphic_tmm.scene.packaged import FILE, SCENE, scene_name
 from graphic_tmm.scene.quantities import measuring
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.sections import measures, understand
-from graphic_tmm.scene.vary import told
+from graphic_tmm.scene.vary import changed, told
 
-FILE = "scene.toml"
-SCENE = Kind(
-    said("a scene"), said("name a scene file, or a folder with a {file}", file=FILE), 256_000
-)
 TOLD = 50
 """So many faults of a file are told; a person mends these first."""
 
@@ -56,6 +51,12 @@ def read(path: Path | str, *, missing: Callable[[str], str] = lambda text: "") -
 def judged(data: bytes, file: Path, *, missing: Callable[[str], str] = lambda text: "") -> Scene:
     """Return the scene that a file would hold with these bytes; parameters and errors as `read`."""
     return _scene(file, *parsed(data, file), missing)
+
+
+def otherwise(scene: Scene, values: Mapping[str, object]) -> Scene:
+    """Return a scene that says something else at some of its keys: see `Scene.with_`."""
+    source = scene_name(scene.source)
+    return understood(changed(scene.doc, values, source), source)
 
 
 def understood(

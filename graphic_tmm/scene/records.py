@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from pkgutil import resolve_name
 from typing import Any
 
 from graphic_tmm.errors import StructureError
@@ -101,12 +102,11 @@ class Scene:
         >>> round(faster.mechanism.drive.speed, 2)
         41.89
         """
-        from graphic_tmm.scene.packaged import scene_name
-        from graphic_tmm.scene.read import understood
-        from graphic_tmm.scene.vary import changed
-
-        source = scene_name(self.source)
-        return understood(changed(self.doc, {**(values or {}), **named}, source), source)
+        # what reads scenes stands above what they are
+        changed: Scene = resolve_name("graphic_tmm.scene.read:otherwise")(
+            self, {**(values or {}), **named}
+        )
+        return changed
 
     def spoken_in(self, language: str) -> Scene:
         """Return the scene in another language, in its own units; "": as it is."""

@@ -9,8 +9,6 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import said
 
 NEEDED = ("starlette", "uvicorn", "watchfiles")
-LOOPBACK = ("127.0.0.1", "localhost", "::1")
-"""The names by which a computer asks itself."""
 
 
 def served(

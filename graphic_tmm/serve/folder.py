@@ -14,8 +14,7 @@ from graphic_tmm.files import Kind, call, read, write
 from graphic_tmm.fitting.composition import COMPOSITION, beside
 from graphic_tmm.fitting.composition import FILE as COMPOSED
 from graphic_tmm.language.said import said
-from graphic_tmm.scene.packaged import packaged, scene_name, scene_path
-from graphic_tmm.scene.read import FILE, SCENE
+from graphic_tmm.scene.packaged import FILE, SCENE, packaged, scene_name, scene_path
 from graphic_tmm.serve.limits import SCENES
 
 _OUTSIDE = said("this is a link that leads out of the folder; put the file itself there")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+LOOPBACK = ("127.0.0.1", "localhost", "::1")
+"""The names by which a computer asks itself."""
 BODY = 256_000
 """So many bytes a body that is sent may have, as a scene's file."""
 BODY_TIME = 5.0

@@ -14,9 +14,8 @@ from uvicorn.protocols.http.h11_impl import H11Protocol
 from graphic_tmm.errors import SheetError, reason_of
 from graphic_tmm.language.said import said
 from graphic_tmm.serve.desk import Desk
-from graphic_tmm.serve.extra import LOOPBACK
 from graphic_tmm.serve.folder import Folder
-from graphic_tmm.serve.limits import CONNECTIONS
+from graphic_tmm.serve.limits import CONNECTIONS, LOOPBACK
 from graphic_tmm.serve.routes import application
 
 TOKEN = 24

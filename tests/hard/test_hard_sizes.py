@@ -20,7 +20,8 @@ from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene.document import several
 from graphic_tmm.scene.new import schema
-from graphic_tmm.scene.read import SCENE, read
+from graphic_tmm.scene.packaged import SCENE
+from graphic_tmm.scene.read import read
 
 pytestmark = pytest.mark.skipif(
     not hasattr(signal, "SIGVTALRM"), reason="no clock of the processor"

@@ -16,7 +16,8 @@ from support.gallery import scene
 
 from graphic_tmm.drawn import Findings
 from graphic_tmm.scene.captions import Named
-from graphic_tmm.scene.chapter import Answer, Chapter, calls_for, chapters, places, whole_book
+from graphic_tmm.scene.chapter import Answer, Chapter, chapters, places, whole_book
+from graphic_tmm.scene.tasks import calls_for
 
 
 def questions() -> Iterator[type[Answer]]:

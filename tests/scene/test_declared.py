@@ -14,12 +14,13 @@ from graphic_tmm.board.bounds import Bound
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene import keys
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.chapter import Chapter, SectionKey, added
+from graphic_tmm.scene.chapter import Chapter, added
 from graphic_tmm.scene.declare import Found, Said, Section, key, keys_of, made
 from graphic_tmm.scene.new import schema
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.registry import size_keys
 from graphic_tmm.scene.sections import Parts, declared
+from graphic_tmm.scene.tasks import SectionKey
 
 HEAD = 'title = "T"\nlanguage = "en"\n[[sheet]]\nplace = ["lettering"]\n'
 

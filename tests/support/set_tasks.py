@@ -10,7 +10,7 @@ from graphic_tmm.classroom.tasks.task import task_sheets
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.document import document
-from graphic_tmm.scene.read import SCENE
+from graphic_tmm.scene.packaged import SCENE
 from support.gallery import ALL, SHEETS, scene
 
 

@@ -17,8 +17,9 @@ from graphic_tmm.paper.views import captioned, mu_text
 from graphic_tmm.project import Bench, Plan, Project
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.captions import Named
-from graphic_tmm.scene.chapter import Chapter, Made, Place, SectionKey
+from graphic_tmm.scene.chapter import Chapter, Made, Place
 from graphic_tmm.scene.declare import Section, key
+from graphic_tmm.scene.tasks import SectionKey
 
 
 @dataclass(frozen=True)

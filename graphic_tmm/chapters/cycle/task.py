@@ -12,9 +12,9 @@ from graphic_tmm.chapters.flywheel.task import FlywheelTask, aims
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.chapter import SectionKey
 from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, build, key, keys_of, made
 from graphic_tmm.scene.misfits import listed, stands
+from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts

@@ -17,8 +17,8 @@ from graphic_tmm.board.scales import nearest
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.chapter import SectionKey
 from graphic_tmm.scene.declare import Found, Said, Section, key, made
+from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts

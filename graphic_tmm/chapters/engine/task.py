@@ -10,9 +10,9 @@ from graphic_tmm.board.bounds import INTERVALS
 from graphic_tmm.chapters.indicator.task import IndicatorTask
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.chapter import SectionKey
 from graphic_tmm.scene.declare import Found, Said, Section, key, made
 from graphic_tmm.scene.references import no_moving
+from graphic_tmm.scene.tasks import SectionKey
 from graphic_tmm.scene.units import SI
 
 if TYPE_CHECKING:

@@ -11,9 +11,9 @@ from graphic_tmm.board.charts import STANDARD, ScaleOrder
 from graphic_tmm.chapters.indicator.task import IndicatorTask
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.chapter import SectionKey
 from graphic_tmm.scene.declare import Found, Said, Section, key, made
 from graphic_tmm.scene.quantities import kept
+from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts

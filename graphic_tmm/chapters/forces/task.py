@@ -9,10 +9,10 @@ from graphic_tmm.chapters.forces import kinds as w
 from graphic_tmm.chapters.indicator.task import IndicatorTask
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.chapter import SectionKey
 from graphic_tmm.scene.declare import Others, Said, key, made
 from graphic_tmm.scene.quantities import kept
 from graphic_tmm.scene.tables import Named
+from graphic_tmm.scene.tasks import SectionKey
 from graphic_tmm.scene.units import GRAVITY, KGF
 
 FORCES = "forces"

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import letters
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.chapter import SectionKey
 from graphic_tmm.scene.declare import Found, Said, Section, key
 from graphic_tmm.scene.tables import Named
+from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts

@@ -17,9 +17,9 @@ from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import Path
 from graphic_tmm.scene.document import Document, document, spoken
 from graphic_tmm.scene.lines import key_of
-from graphic_tmm.scene.packaged import scene_name
+from graphic_tmm.scene.packaged import FILE, SCENE, scene_name
 from graphic_tmm.scene.quantities import NUMBER
-from graphic_tmm.scene.read import FILE, SCENE, judged
+from graphic_tmm.scene.read import judged
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.splice import Unplaced, literal, quoted, set_to
 from graphic_tmm.scene.units import UNITS, plain

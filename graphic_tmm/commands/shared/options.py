@@ -68,7 +68,7 @@ def read_scene(name: str | None, *, lettered: bool = False) -> Scene:
 def language_of(path: Path) -> str:
     """Return the language that a scene's file asks for, however wrong the rest of it is; "" if none."""
     from graphic_tmm.scene.document import LOOKED, spoken
-    from graphic_tmm.scene.read import FILE
+    from graphic_tmm.scene.packaged import FILE
 
     file = path / FILE if path.is_dir() else path
     if not file.is_file():

@@ -22,7 +22,8 @@ from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.paper.sheet_frame import drawing_area
 from graphic_tmm.scene.document import document
-from graphic_tmm.scene.read import SCENE, read
+from graphic_tmm.scene.packaged import SCENE
+from graphic_tmm.scene.read import read
 
 ROOM = 100.0
 
