@@ -16,7 +16,8 @@ from support.gallery import ROOT
 
 TOP = {"pyproject.toml", "graphic_tmm", "sheets", "tests", "README.md", "LICENSE"}
 MOST = 400
-MEDIAN = 150
+MEDIAN = 200
+"""A file is one idea: at 115 lines in the median there were 861 files, and one was looked for in six."""
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 
 

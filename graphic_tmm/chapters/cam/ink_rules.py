@@ -26,7 +26,7 @@ from graphic_tmm.paper.rules import segment, struck_arc
 from graphic_tmm.paper.seen import Rule, Seen, finite
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
-TRACELESS = frozenset({phase_end.name, extreme_of_two.name, slant.name})
+TRACELESS = frozenset({phase_end.name, extreme_of_two.name, slant.name, "in_turn"})
 """Operations that leave no trace: points that are there already under another letter, angles measured with the
 protractor."""
 POINT = 0.4
@@ -264,10 +264,6 @@ def phase_letters(ink: CamInk) -> Iterator[Wanted]:
     for phase in _phases(ink):
         way = phase.start * cmath.rect(1.0, math.radians(phase.turn / 2))
         yield Wanted(f"φ_{{{phase.number}}}", radius * way, ink.heights.number, 0.5, way, of)
-
-
-DIAGRAM_TRACELESS = frozenset({"in_turn"})
-"""Operations of a cam that leave no trace on a diagram: what only chooses between two lengths."""
 
 
 def semicircle(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
