@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Generic, TypeVar
+from typing import TYPE_CHECKING, Generic, TypeVar
 
-from graphic_tmm.scene.chapter import Chapter
-from graphic_tmm.scene.records import Scene
+if TYPE_CHECKING:
+    from graphic_tmm.scene.chapter import Chapter
+    from graphic_tmm.scene.records import Scene
 
 T = TypeVar("T")
 
