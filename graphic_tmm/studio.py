@@ -12,7 +12,7 @@ from graphic_tmm.board.hand import MOST, Hand
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import TmmError, ViewError
 from graphic_tmm.fitting.absent import in_doubt, without_absent
-from graphic_tmm.fitting.composition import Composition, beside, text
+from graphic_tmm.fitting.composition import Composition, composition_file, text
 from graphic_tmm.fitting.formats import formatted
 from graphic_tmm.fitting.given import drawn_as, larger
 from graphic_tmm.fitting.remedies import refusal, refuse_tiny
@@ -217,5 +217,5 @@ def files_of(
             for name, sheet in zip(names, drawn, strict=True):
                 files[f"{name}.{form}"] = one[form](sheet)
     if composition:
-        files[beside(made.scene.source).name] = text(found.composition, found.scales)
+        files[composition_file(made.scene.source).name] = text(found.composition, found.scales)
     return files

@@ -104,7 +104,7 @@ def choose(scene: Scene, percent: float, tell: Tell | None = None) -> Taken:
         if errors and _worst(errors) <= percent:
             drawn, errors = _as_drawn(candidate, made)
             if drawn is not None and _worst(errors) <= percent:
-                sentence = _told("budget", scene, percent, candidate, errors, minutes)
+                sentence = _sentence("budget", scene, percent, candidate, errors, minutes)
                 return Taken(drawn, candidate, minutes, errors, sentence)
         if errors:
             tried.append((candidate, minutes, errors))
@@ -113,7 +113,7 @@ def choose(scene: Scene, percent: float, tell: Tell | None = None) -> Taken:
         raise SceneError(scene.source, (Fault("", 0, says),))
     candidate, minutes, errors = min(tried, key=lambda one: _worst(one[2]))
     errors = _measured(candidate, judge, float("inf"))
-    text = _told("budget none", scene, percent, candidate, errors, minutes)
+    text = _sentence("budget none", scene, percent, candidate, errors, minutes)
     raise SceneError(scene.source, (Fault("", 0, text),))
 
 
@@ -163,7 +163,7 @@ def _divided(scene: Scene) -> Iterator[tuple[tuple[tuple[str, str], ...], Scene]
     yield from found
 
 
-def _asked(scene: Scene, quantity: Quantity) -> bool:
+def _wanted(scene: Scene, quantity: Quantity) -> bool:
     return not quantity.places or bool(scene.called & set(quantity.places))
 
 
@@ -171,7 +171,7 @@ def _minutes(scene: Scene, scales: Pinned) -> float:
     """Return the minutes at the board that all asked quantities of a scene take together."""
     total = 0.0
     for drawing in draw(whole(scene), scales):
-        marks = [m for q in quantities(drawing) if _asked(scene, q) for m in q.marks]
+        marks = [m for q in quantities(drawing) if _wanted(scene, q) for m in q.marks]
         if marks:
             varies = varying(drawing.given)
             total += count(drawing.construction, varies, marks, positions=drawing.count).minutes
@@ -181,7 +181,7 @@ def _minutes(scene: Scene, scales: Pinned) -> float:
 def _errors(measure: Measure, setting: Setting, scene: Scene) -> dict[str, float]:
     """Return the errors of the quantities that the sheets of ``scene`` show."""
     there = (q for drawing in measure.drawings(setting) for q in quantities(drawing))
-    asked = [q.name for q in there if _asked(scene, q)]
+    asked = [q.name for q in there if _wanted(scene, q)]
     return {run.quantity: run.error for run in measure.runs(setting, "", "", asked)}
 
 
@@ -225,7 +225,7 @@ def _sheets(made: DrawnScene) -> int:
     return sheets_of(made.scene, made.boards)
 
 
-def _told(
+def _sentence(
     key: str,
     scene: Scene,
     percent: float,

@@ -70,11 +70,11 @@ def _left(step: Step, taken: tuple[Parts, ...]) -> Parts:
         return (False,) * size
     if op.name not in OPERATIONS:  # it owns a construction of its own
         return (True,) * size
-    return _asked(OPERATIONS[op.name], taken, tuple(sorted(step.choice.items())))
+    return _parts_of(OPERATIONS[op.name], taken, tuple(sorted(step.choice.items())))
 
 
 @lru_cache(maxsize=4096)
-def _asked(op: Operation, taken: tuple[Parts, ...], choice: Choice) -> Parts:
+def _parts_of(op: Operation, taken: tuple[Parts, ...], choice: Choice) -> Parts:
     values = [_ones(kind, parts) for kind, parts in zip(op.takes, taken, strict=True)]
     with np.errstate(all="ignore"):
         left = op.run(*values, **dict(choice))

@@ -57,7 +57,7 @@ def _draw(study: Study) -> Figure:
     from matplotlib.figure import Figure
 
     language, words = study.scene.language, WORDS[study.scene.language]
-    names = [name for name in study.quantities if _shown(study, name)]
+    names = [name for name in study.quantities if _plotted(study, name)]
     sides = (False, True) if study.timed else (False,)
     cells = [(name, machine) for name in names for machine in sides]
     columns = max(min(2, len(cells)), 1)
@@ -108,7 +108,7 @@ def _ticks(axes: Axes, language: str) -> None:
         axis.set_major_formatter(FuncFormatter(lambda value, _: number(value, language, 3)))
 
 
-def _shown(study: Study, name: str) -> bool:
+def _plotted(study: Study, name: str) -> bool:
     return any(run.quantity == name and run.error > 0.0 for run in study.runs)
 
 

@@ -27,7 +27,7 @@ def text_report(study: Study) -> list[Any]:
         Text(words["measure"].format(trials=study.trials)),
     ]
     made += [_divided(study, name) for name in study.quantities if _measured(study, name)]
-    made += [_others(study), _steps(study), Text(_choice(study))]
+    made += [_varied_table(study), _steps(study), Text(_choice(study))]
     for heading, lines in (
         ("slopes", slopes(study)),
         ("optima", best_numbers(study)),
@@ -103,7 +103,7 @@ def _quartiles(run: Run, language: str) -> str:
     return f"{median} ({low}…{high})"
 
 
-def _others(study: Study) -> Any:
+def _varied_table(study: Study) -> Any:
     """Return the table of settings in which one thing is varied."""
     language, words = study.scene.language, WORDS[study.scene.language]
     runs = [run for run in study.runs if run.axis not in dividing()]

@@ -156,7 +156,7 @@ def singly(own: Setting, trials: int) -> Iterator[Varied]:
     """Yield the settings that differ from the scene's own in one thing."""
     for axis in (_slips, _rulers, _sizes):
         yield from axis(own, trials)
-    yield from _told(own)
+    yield from _declared(own)
     student = HANDS["student"]._replace(seed=own.scene.seed)
     for n in (n for n in TRIALS if n <= 10 * trials):
         yield Varied("trials", str(n), own.by("student", student._replace(trials=n)))
@@ -182,7 +182,7 @@ def _sizes(own: Setting, trials: int) -> Iterator[Varied]:
         yield Varied("size", f"{times:g}", replace(own, enlarged=times))
 
 
-def _told(own: Setting) -> Iterator[Varied]:
+def _declared(own: Setting) -> Iterator[Varied]:
     """Yield what chapters tell of, each with its poles behind it; poles stand farther together."""
     moved = False
     for chapter in chapters():

@@ -81,7 +81,7 @@ def examine(
             if step.op.across:
                 found += _across(construction, step, reading, broken)
                 continue
-            told, lost[step.it] = _told(step, doubts.share(step.it), lost)
+            told, lost[step.it] = _own_share(step, doubts.share(step.it), lost)
             values = [reading[mark] for mark in step.uses]
             result = reading[step.it]
             found += _of_step(construction, step, values, result, told)
@@ -154,7 +154,7 @@ def _matters(step: Step, steps: Sequence[Step], doubts: Doubts) -> Any:
     return np.logical_or.reduce(np.broadcast_arrays(*after)) if after else ~none
 
 
-def _told(step: Step, share: Reals, lost: Mapping[Mark, Any]) -> tuple[Reals, Any]:
+def _own_share(step: Step, share: Reals, lost: Mapping[Mark, Any]) -> tuple[Reals, Any]:
     """Return the share by which a step is in doubt that used nothing in doubt, and where its mark is lost."""
     before = np.logical_or.reduce(
         np.broadcast_arrays(np.zeros((1, 1), bool), *(lost[m] for m in step.uses if m in lost))

@@ -15,7 +15,7 @@ from graphic_tmm.checking.judging.yardstick import Yardstick, Yardsticks
 from graphic_tmm.checking.lessons.lessons import Teacher
 from graphic_tmm.checking.mutations.diagnosis import diagnosed
 from graphic_tmm.checking.mutations.mistakes import Mistakes
-from graphic_tmm.checking.mutations.telling import Unseen, told, told_unseen
+from graphic_tmm.checking.mutations.telling import Unseen, likely_mistakes, told_unseen
 from graphic_tmm.checking.readings.mending import mended
 from graphic_tmm.checking.readings.read import TOLD
 from graphic_tmm.checking.records import Judged, Report, Taken
@@ -179,7 +179,7 @@ class Checker:
         rows, notes, by, judged = self._judged(readings, source)
         parts = [part for taken in rows for part in taken.parts()]
         compared = Comparison(made, parts, by, worse_of([one.times for one in judged]))
-        found = told(diagnosed(self._mistakes, compared, judged), compared, language)
+        found = likely_mistakes(diagnosed(self._mistakes, compared, judged), compared, language)
         found = found or groups(made, judged, by)
         notes = (*notes, *told_unseen(self._unseen.of(compared), language))
         lessons = self._teacher.lessons(judged, found, by.reader)

@@ -12,7 +12,7 @@ from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import views
 from graphic_tmm.checking.pencil.points import SEEN, UNSEEN
-from graphic_tmm.checking.pencil.reading import Found, Pole, asked, read_plans, readings
+from graphic_tmm.checking.pencil.reading import PhotoPoints, Pole, questions, read_plans, readings
 from graphic_tmm.checking.photo.camera import Shot
 from graphic_tmm.checking.pictures import Laid
 from graphic_tmm.checking.readings.read import write_readings
@@ -36,7 +36,7 @@ LETTERS = 2.5
 class Photographed(NamedTuple):
     """What a photograph gave: the points of its plans, the readings of those that were seen."""
 
-    found: Found
+    found: PhotoPoints
     taken: tuple[Taken, ...]
 
 
@@ -141,7 +141,7 @@ def judged(
         given=given,
         source=source,
     )
-    return report._replace(notes=(*report.notes, *asked(seen.found, scene.language)))
+    return report._replace(notes=(*report.notes, *questions(seen.found, scene.language)))
 
 
 def write_seen(file: str, seen: Photographed, language: str) -> tuple[Path, ...]:

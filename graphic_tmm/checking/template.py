@@ -15,7 +15,7 @@ from graphic_tmm.checking.judging.taken_marks import steps_of
 from graphic_tmm.checking.pictures import plan_view
 from graphic_tmm.checking.readings.mending import Names, names_of
 from graphic_tmm.checking.readings.names import Meant, plan_meant, position_meant, segment_meant
-from graphic_tmm.checking.readings.writing import asked, file_of, result_columns
+from graphic_tmm.checking.readings.writing import empty_rows, file_of, result_columns
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SheetError, printable
@@ -139,7 +139,7 @@ def letters_sheet(made: DrawnScene, places: Mapping[str, str]) -> Sheet | None:
         name = max(clear, key=lambda name: (name != place, clear[name]))
         title = f"{words.get(plan, plan)}, {words['position']} {escape(name)}"
         views.append(captioned(plan_view(made, plan, name, (), title), title))
-    return _beside(views, made.scene.title, language) if views else None
+    return _side_by_side(views, made.scene.title, language) if views else None
 
 
 def _clear(spots: Sequence[complex]) -> float:
@@ -151,7 +151,7 @@ def _clear(spots: Sequence[complex]) -> float:
     return sum(min(one, APART) for one in far)
 
 
-def _beside(views: list[Drawing], title: str, language: str) -> Sheet:
+def _side_by_side(views: list[Drawing], title: str, language: str) -> Sheet:
     """Return a paper as large as views side by side are."""
     moved, right, high = [], GAP, 0.0
     for view in views:
@@ -336,4 +336,4 @@ def rows_of(scene: Scene) -> list[Taken]:
     made = make(scene, exact=True)
     columns = [*scene_columns(made), *result_columns(scene_results(made))]
     letters = dict.fromkeys((plan, letter) for plan, letter, _ in points(made))
-    return asked(columns, position_names(made), tuple(letters))
+    return empty_rows(columns, position_names(made), tuple(letters))

@@ -12,7 +12,7 @@ from graphic_tmm.classroom.variants.start import begun
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.fitting.compose import Composed
 from graphic_tmm.fitting.composition import FILE as COMPOSITION
-from graphic_tmm.fitting.composition import Composition, beside, known_composition, text
+from graphic_tmm.fitting.composition import Composition, composition_file, known_composition, text
 from graphic_tmm.note.note import note_files
 from graphic_tmm.note.note import wanted as drawn_for
 from graphic_tmm.page import FORMAT
@@ -32,7 +32,7 @@ OPERATION = f"{__name__}:made"
 """The operation of works that make what is asked of a scene."""
 
 
-class Asked(NamedTuple):
+class Request(NamedTuple):
     """What is made of a scene.
 
     ``text``, ``source``: what its file holds, and where that would stand: files are called by it. ``makes``:
@@ -54,7 +54,7 @@ class Asked(NamedTuple):
     seed: int | None = None
 
 
-def work(name: str, asked: Asked) -> Work:
+def work(name: str, asked: Request) -> Work:
     """Return the work of making that of a scene; its files stand in a folder of its name.
 
     What is made in which formats stands in the name of the work: what else was made of it before stays.
@@ -64,7 +64,7 @@ def work(name: str, asked: Asked) -> Work:
     return Work(f"{name}/{'+'.join(made)}", OPERATION, (name, asked))
 
 
-def made(given: tuple[str, Asked]) -> Done:
+def make_request(given: tuple[str, Request]) -> Done:
     """Make what is asked of a scene: the name of its folder, and that.
 
     Raises
@@ -83,7 +83,7 @@ def made(given: tuple[str, Asked]) -> Done:
 class _Desk:
     """A scene, read once, and what is drawn of it, once for all that is made of that."""
 
-    def __init__(self, asked: Asked) -> None:
+    def __init__(self, asked: Request) -> None:
         self.asked = asked
         self.scene = scene_asked(asked)
         self.stem = scene_name(self.scene.source)
@@ -103,7 +103,7 @@ class _Desk:
         if self.asked.lent or not text:
             made, found = begun(self.scene, text, self.own)
         else:
-            given = known_composition(text.encode("utf-8"), beside(self.scene.source))
+            given = known_composition(text.encode("utf-8"), composition_file(self.scene.source))
             made, found = composed_sheets(self.scene, given)
         self.drawings.append((made, True))
         return made, found
@@ -114,7 +114,11 @@ class _Desk:
         text = self.asked.composition
         if self.asked.lent:
             return self.composed[1].composition
-        return known_composition(text.encode("utf-8"), beside(self.scene.source)) if text else None
+        return (
+            known_composition(text.encode("utf-8"), composition_file(self.scene.source))
+            if text
+            else None
+        )
 
     @cached_property
     def papers(self) -> Texts:
@@ -136,7 +140,7 @@ class _Desk:
         yield from dict.fromkeys(lines)
 
 
-def scene_asked(asked: Asked) -> Scene:
+def scene_asked(asked: Request) -> Scene:
     """Return the scene of what is asked: in the language and by the hand that are.
 
     Raises

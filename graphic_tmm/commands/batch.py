@@ -12,12 +12,12 @@ from graphic_tmm.commands.shared.ending import WRONG
 from graphic_tmm.commands.shared.options import SceneName, chosen, hands, language_of, limited
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import progress, tell, waiting
-from graphic_tmm.language.reader import asked, hear, reader
+from graphic_tmm.language.reader import asked_language, hear, reader
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
     from graphic_tmm.classroom.batch.run import Ran
-    from graphic_tmm.classroom.making import Asked
+    from graphic_tmm.classroom.making import Request
     from graphic_tmm.classroom.variants.variant import Base, Variant
 
 NAMED = 3
@@ -76,7 +76,7 @@ def batch(
 ) -> None:
     """Draw every variant of SCENE that the table VARIANTS (CSV, xlsx) names; nothing is made twice."""
     from graphic_tmm.classroom.batch.run import USUAL, BrokenOff, run
-    from graphic_tmm.classroom.making import Asked, work
+    from graphic_tmm.classroom.making import Request, work
     from graphic_tmm.classroom.variants.start import start_of
     from graphic_tmm.classroom.variants.table import read_variants
     from graphic_tmm.classroom.variants.variant import base
@@ -87,13 +87,13 @@ def batch(
             said("--jobs are processes here, --scheduler is elsewhere: take one")
         )
     of = base(scene_path(scene))
-    hear(asked() or language_of(of.file))
-    plain = Asked("", "", hand=hand, seed=seed, language=asked())
+    hear(asked_language() or language_of(of.file))
+    plain = Request("", "", hand=hand, seed=seed, language=asked_language())
     plain = _formatted(plain, makes, forms)
     named = read_variants(variants)
     with waiting(said("composing the sheets of the scene")):
         plain = plain if anew else plain._replace(composition=start_of(of), lent=True)
-        found, wrong = _told(of, named, variants)
+        found, wrong = _texts(of, named, variants)
     works = [work(one.name, plain._replace(text=text, source=name)) for one, text, name in found]
     names = {one.name: variant for one, (variant, *_) in zip(works, found, strict=True)}
     try:
@@ -148,7 +148,7 @@ def _listed(names: Sequence[str]) -> str:
     return said("{first} and {n} more", first=first, n=more) if more > 0 else first
 
 
-def _formatted(plain: Asked, makes: str, forms: str | None) -> Asked:
+def _formatted(plain: Request, makes: str, forms: str | None) -> Request:
     """Return what is made, in which formats; refuse what is none, and a format that nothing takes."""
     from graphic_tmm.classroom.making import MAKES, TABLES
     from graphic_tmm.errors import SheetError
@@ -186,7 +186,7 @@ def _formatted(plain: Asked, makes: str, forms: str | None) -> Asked:
     return plain
 
 
-def _told(
+def _texts(
     of: Base, variants: Sequence[Variant], table: Path
 ) -> tuple[list[tuple[Variant, str, str]], dict[str, str]]:
     """Return each variant with the text and the file's name of its scene; messages of those that have none."""

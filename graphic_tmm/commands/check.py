@@ -222,7 +222,7 @@ def check(
         click.echo(str(path), err=report is not None)  # a report has the other stream to itself
     if report is None:
         return
-    show(_told(report, form_of(form, output, FORMS)), 160, output)
+    show(_report_text(report, form_of(form, output, FORMS)), 160, output)
     if report.wrong:
         raise SystemExit(WRONG)
 
@@ -307,9 +307,9 @@ def _judged(scene: Scene, readings: str, by: _By) -> Report:
 
 def _composition(scene: Scene) -> Composition | None:
     """Return the composition beside a scene, by which its sheets are drawn; None if there is none."""
-    from graphic_tmm.fitting.composition import beside, read_composition
+    from graphic_tmm.fitting.composition import composition_file, read_composition
 
-    return read_composition(beside(scene.source))
+    return read_composition(composition_file(scene.source))
 
 
 def _of_photo(
@@ -381,7 +381,7 @@ def _overlaid(scene: Scene, report: Report, file: str | None, enlarge: float) ->
     return () if file is None else (overlay(scene, report, file, enlarge, _composition(scene)),)
 
 
-def _told(report: Report, form: str) -> str | list[Any]:
+def _report_text(report: Report, form: str) -> str | list[Any]:
     """Return a report as Markdown, JSON or HTML text, or as rich tables for ``form`` "text"."""
     from graphic_tmm.checking.report.html import html_report
     from graphic_tmm.checking.report.json import json_report

@@ -61,13 +61,13 @@ def draw(
 ) -> None:
     """Draw the sheets of SCENE as files, true to the millimetre."""
     from graphic_tmm.files import write
-    from graphic_tmm.fitting.composition import beside, read_composition
+    from graphic_tmm.fitting.composition import composition_file, read_composition
     from graphic_tmm.page import FORMAT
     from graphic_tmm.studio import FORMATS, sheet_files
 
     wanted = chosen(forms, (*FORMATS, FORMAT))
     task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget)
-    given = read_composition(beside(task.source))
+    given = read_composition(composition_file(task.source))
     with waiting(said("choosing scale factors and composing the sheets")):
         made, texts = sheet_files(
             task,

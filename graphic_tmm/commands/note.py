@@ -27,7 +27,7 @@ from graphic_tmm.language.said import said
 def note(scene: str | None, output: str, forms: str, hand: str | None, seed: int | None) -> None:
     """Write the explanatory note of SCENE: task, structure, plans with their calculations, conclusions."""
     from graphic_tmm.files import write
-    from graphic_tmm.fitting.composition import beside, read_composition
+    from graphic_tmm.fitting.composition import composition_file, read_composition
     from graphic_tmm.note.formats import FORMATS, refuse_missing
     from graphic_tmm.note.note import note_files
     from graphic_tmm.note.note import wanted as drawn_for
@@ -37,7 +37,7 @@ def note(scene: str | None, output: str, forms: str, hand: str | None, seed: int
     wanted = chosen(forms, FORMATS)
     refuse_missing(wanted)
     task = drawn_by(read_scene(scene, lettered=True), hand, seed)
-    given = read_composition(beside(task.source))
+    given = read_composition(composition_file(task.source))
     with waiting(said("choosing scale factors and writing the note")):
         made = make(task, wanted=drawn_for(task), given=given)
         texts = note_files(made, f"{scene_name(task.source)}-note", wanted)

@@ -30,13 +30,13 @@ def page(
     from functools import partial
 
     from graphic_tmm.files import write
-    from graphic_tmm.fitting.composition import beside, read_composition
+    from graphic_tmm.fitting.composition import composition_file, read_composition
     from graphic_tmm.page import FORMAT
     from graphic_tmm.page.page import page as written
     from graphic_tmm.studio import sheet_files
 
     task = drawn_by(read_scene(scene, lettered=True), hand, None if practice else seed)
-    given = read_composition(beside(task.source))
+    given = read_composition(composition_file(task.source))
     whole = partial(written, practised=practice, seed=seed)
     with waiting(said("choosing scale factors and composing the sheets")):
         made, texts = sheet_files(task, (FORMAT,), given=given, whole={FORMAT: whole})

@@ -22,7 +22,7 @@ from graphic_tmm.language.said import said
 )
 def serve(scene: str | None, host: str, port: int) -> None:
     """Serve SCENE, or all scenes of a folder, to a browser; what is edited is drawn again at once."""
-    from graphic_tmm.language.reader import asked
+    from graphic_tmm.language.reader import asked_language
     from graphic_tmm.serve.extra import served
     from graphic_tmm.serve.limits import LOOPBACK
 
@@ -34,4 +34,4 @@ def serve(scene: str | None, host: str, port: int) -> None:
                 host=host,
             )
         )
-    served(scene, host=host, port=port, language=asked(), tell=click.echo)
+    served(scene, host=host, port=port, language=asked_language(), tell=click.echo)

@@ -109,13 +109,13 @@ def steps(
     forms: str | None,
 ) -> None:
     """Print the numbered protocol of a plan in one position, with the calculation note."""
-    from graphic_tmm.fitting.composition import beside, read_composition
+    from graphic_tmm.fitting.composition import composition_file, read_composition
     from graphic_tmm.readers.protocol import steps_of
     from graphic_tmm.studio import make
 
     formats = _formats(forms, sheets=sheets)
     task = read_scene(scene, lettered=sheets)
-    given = read_composition(beside(task.source))
+    given = read_composition(composition_file(task.source))
     with waiting(said("drawing the plans")):
         drawn = make(task, exact=exact, given=given)
     lines = steps_of(drawn, wanted, position, task.language, why=why)

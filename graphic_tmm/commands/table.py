@@ -67,13 +67,13 @@ def table(
     budget: str | None,
 ) -> None:
     """Print what SCENE calls for, whether or not a sheet shows it: segments in mm, quantities in SI."""
-    from graphic_tmm.fitting.composition import beside, read_composition
+    from graphic_tmm.fitting.composition import composition_file, read_composition
     from graphic_tmm.readers.table import WIDTH
     from graphic_tmm.readers.table import table as told
     from graphic_tmm.studio import make
 
     task = within(drawn_by(read_scene(scene), hand, seed), budget)
-    given = read_composition(beside(task.source))
+    given = read_composition(composition_file(task.source))
     wide = width or (terminal_width() if output is None else WIDTH)
     form = form_of(form, output, FORMS)
     with waiting(said("drawing the plans")):

@@ -85,7 +85,7 @@ def task(
     from graphic_tmm.classroom.variants.table import read_variants
     from graphic_tmm.classroom.variants.variant import base as base_of
     from graphic_tmm.errors import SheetError
-    from graphic_tmm.language.reader import asked, hear
+    from graphic_tmm.language.reader import asked_language, hear
     from graphic_tmm.note.formats import FORMATS as NOTES
     from graphic_tmm.note.formats import refuse_missing
     from graphic_tmm.scene.packaged import scene_path
@@ -111,7 +111,7 @@ def task(
             keys=held,
             notes=written,
             start=start_of(base) if (held or readings) and found else "",
-            language=asked() or "",
+            language=asked_language() or "",
             readings=readings,
         )
         ran = run(pieces, Path(output), executor=jobs, limit=limit or USUAL)
@@ -127,11 +127,11 @@ def task(
 
 def _refuse(base: Base) -> None:
     """Refuse a scene that is not good before anything is made of it, in the reader's language."""
-    from graphic_tmm.language.reader import asked, hear
+    from graphic_tmm.language.reader import asked_language, hear
     from graphic_tmm.paper.lettering.letters import missing
     from graphic_tmm.scene.document import spoken
     from graphic_tmm.scene.read import judged
 
     hear(spoken(base.text))
     scene = judged(base.text.encode("utf-8"), base.file, missing=missing)
-    hear(asked() or scene.language)
+    hear(asked_language() or scene.language)

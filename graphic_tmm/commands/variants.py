@@ -9,7 +9,7 @@ import click
 from graphic_tmm.commands.shared.options import SceneName, language_of
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import progress, tell
-from graphic_tmm.language.reader import asked, hear, reader
+from graphic_tmm.language.reader import asked_language, hear, reader
 from graphic_tmm.language.said import said
 
 
@@ -58,7 +58,7 @@ def variants(
             said("-o: a table of variants is a CSV or an xlsx file; name it .csv or .xlsx")
         )
     path = scene_path(scene)
-    spoken = asked() or language_of(path)
+    spoken = asked_language() or language_of(path)
     hear(spoken)
     of = base(path)
     wanted = read_ranges(Path(ranges) if ranges else of.file.with_name(FILE), of)

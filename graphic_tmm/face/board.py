@@ -27,7 +27,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import spoken
 from graphic_tmm.readers.findings import why_of
 from graphic_tmm.readers.narration import protocol
-from graphic_tmm.readers.protocol import Told
+from graphic_tmm.readers.protocol import PlanProtocol
 from graphic_tmm.scene.build import DIVISIONS
 from graphic_tmm.scene.captions import view_name
 
@@ -182,7 +182,7 @@ class Board(Drafting):
         told = []
         for view in dict.fromkeys(step.it.view for step in log.steps):
             lines = protocol(log, view, doubted, position, self._language)
-            told.append(Told(view_name(view, self._language), tuple(lines)))
+            told.append(PlanProtocol(view_name(view, self._language), tuple(lines)))
         return steps_of(told, self._language, why=why)
 
     @property

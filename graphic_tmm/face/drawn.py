@@ -19,7 +19,7 @@ from graphic_tmm.face.work import Work
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.findings import all_warnings
-from graphic_tmm.readers.protocol import plans, told
+from graphic_tmm.readers.protocol import plan_protocols, plans
 from graphic_tmm.readers.table import facts_of, scales_of
 from graphic_tmm.scene.build import drawn_by
 from graphic_tmm.scene.records import Scene
@@ -197,7 +197,7 @@ class Drawn:
         wanted = plans() if plan == "all" else (plan,)
         at = None if position is None else str(position)
         try:
-            found = told(self._work.made, wanted, at, language)
+            found = plan_protocols(self._work.made, wanted, at, language)
         except SceneError as error:
             if error.faults[0].key.startswith("--"):  # an option of the command, here a parameter
                 raise AbsentError(error.faults[0].message) from None

@@ -8,7 +8,7 @@ from typing import NamedTuple, overload
 from graphic_tmm.face.html import rendered
 from graphic_tmm.language.symbols import spoken
 from graphic_tmm.readers.narration import Line
-from graphic_tmm.readers.protocol import Told, text_of
+from graphic_tmm.readers.protocol import PlanProtocol, text_of
 
 
 class Step(NamedTuple):
@@ -83,7 +83,7 @@ class Steps(Sequence[Step]):
         return rendered("steps.html", parts=self.parts)
 
 
-def steps_of(told: Sequence[Told], language: str, *, why: bool) -> Steps:
+def steps_of(told: Sequence[PlanProtocol], language: str, *, why: bool) -> Steps:
     """Return protocols as their reader tells them; ``why``: print the reasons, too."""
     parts = [Part(one.title, tuple(_step(line, language) for line in one.lines)) for one in told]
     return Steps(parts, "\n".join(line for one in told for line in text_of(one, language, why)))

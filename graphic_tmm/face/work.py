@@ -17,7 +17,7 @@ from graphic_tmm.face.refusals import Named
 from graphic_tmm.face.sheets import WRITERS, ending, saved
 from graphic_tmm.face.tables import Quantity
 from graphic_tmm.files import write
-from graphic_tmm.fitting.composition import Composition, beside, read_composition
+from graphic_tmm.fitting.composition import Composition, composition_file, read_composition
 from graphic_tmm.language.numbers import decimals_of
 from graphic_tmm.language.symbols import plain
 from graphic_tmm.readers.columns import Column, Positions
@@ -48,7 +48,7 @@ class Work:
     def given(self) -> Composition | None:
         """The composition that stands beside the scene's file."""
         source = self.scene.source
-        return read_composition(beside(source)) if Path(source).is_file() else None
+        return read_composition(composition_file(source)) if Path(source).is_file() else None
 
     @cached_property
     def made(self) -> DrawnScene:

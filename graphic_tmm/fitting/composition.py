@@ -58,7 +58,7 @@ class Composition(NamedTuple):
     sheets: tuple[Placed, ...]
 
 
-def beside(scene: str) -> Path:
+def composition_file(scene: str) -> Path:
     """Return where the composition of a scene's file stands."""
     file = Path(scene)
     return file.with_name(FILE if file.stem == "scene" else f"{file.stem}.{FILE}")

@@ -44,7 +44,7 @@ class TooLarge(NamedTuple):
     share: float
 
 
-class Shown(NamedTuple):
+class SheetView(NamedTuple):
     """A view on a sheet: its place, its cell, what a sheet of its order offers, how high that is (mm)."""
 
     place: str
@@ -148,7 +148,7 @@ class Rooms:
         """Return how many views depend on a size."""
         return len(list(self._depending(size, sizes)))
 
-    def _depending(self, size: str, sizes: Sizes) -> Iterator[Shown]:
+    def _depending(self, size: str, sizes: Sizes) -> Iterator[SheetView]:
         for one in self.shown(sizes):
             if size in sizes_of(one.place, one.view.name, self.scene):
                 yield one
@@ -164,18 +164,18 @@ class Rooms:
                 found.append(taken / (self._sheets(number, sizes) * room))
         return float(min(found))
 
-    def shown(self, sizes: Sizes) -> Iterator[Shown]:
+    def shown(self, sizes: Sizes) -> Iterator[SheetView]:
         """Yield the views of all sheets."""
         for number in range(len(self.orders)):
             yield from self._of(number, sizes)
 
-    def _of(self, number: int, sizes: Sizes) -> Iterator[Shown]:
+    def _of(self, number: int, sizes: Sizes) -> Iterator[SheetView]:
         order, rooms = self.orders[number]
         within, format = rooms[0].within, FORMATS[order.format]
         height = min(format.height, format.width / WIDE)
         for place in self._single(order.place):
             for view in self._room(place, within, sizes):
-                yield Shown(place, view, within, height)
+                yield SheetView(place, view, within, height)
 
     def _single(self, named: Sequence[str]) -> Iterator[str]:
         known = places()
@@ -279,6 +279,6 @@ def _area(box: tuple[float, float, float, float]) -> float:
     return (box[2] - box[0]) * (box[3] - box[1])
 
 
-def _share(shown: Shown) -> float:
+def _share(shown: SheetView) -> float:
     left, low, right, top = bounds(shown.view)
     return max(top - low, WIDE * (right - left)) / shown.height

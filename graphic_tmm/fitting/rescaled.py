@@ -147,7 +147,7 @@ def _larger(value: Any, times: float) -> Any:
     return value * times
 
 
-class _Shown(Mapping[int, Any]):
+class _Rescaled(Mapping[int, Any]):
     """Values of which some are not there, at some positions; each found when it is asked for."""
 
     def __init__(
@@ -193,9 +193,9 @@ class Rescaling:
         count = len(project.names)
         gone = {**doubts.lost, **self.nothing}
         own = {
-            view: Reading(_Shown(values, doubts.lost, places), len(places), doubts, places)
+            view: Reading(_Rescaled(values, doubts.lost, places), len(places), doubts, places)
             for view, places in project.rows.items()
             if places
         }
-        whole = Reading(_Shown(values, gone), count, doubts)
+        whole = Reading(_Rescaled(values, gone), count, doubts)
         return Numbers(whole, own, Reading(values, count))

@@ -155,7 +155,7 @@ def executed(
     found = numbers(given) if numbers is not None else read(project, given, hand, doubts)
     # on a board of its own every view is drawn to a scale of its own; graphs may share one
     views = view_scales(project, found.whole) if project.board != MECHANISM else {}
-    scales |= views | _told(project, found.whole)
+    scales |= views | _scales_of_graphs(project, found.whole)
     for chapter in project.chapters:
         scales |= ScaleFactors.of(chapter).named(project, found.whole, told)
     missing = {
@@ -218,7 +218,7 @@ def _graphs_on(scene: Scene, places: set[str]) -> float:
     return narrowest(sheet.format for sheet in scene.sheets if places & set(sheet.place)).graph
 
 
-def _told(project: Project, reading: Reading) -> dict[str, Scale]:
+def _scales_of_graphs(project: Project, reading: Reading) -> dict[str, Scale]:
     """Return the scales of the graphs as drawn, by view."""
     return {
         chart.view: Scale(chart.scale_name, float(reading[chart.mu][0, 0]), chart.mu.unit)

@@ -10,7 +10,7 @@ import shapely
 
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.handout.ink import Bare, bare, done, enlarged, new
-from graphic_tmm.handout.story import Told, story
+from graphic_tmm.handout.story import StoryPicture, story
 from graphic_tmm.handout.words import letters_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -208,7 +208,7 @@ def series(drawn: Drawn, draw: Draw, place: int, untold: frozenset[int] = frozen
     )
 
 
-def _begun(made: Sequence[Told]) -> Iterator[tuple[int, Told]]:
+def _begun(made: Sequence[StoryPicture]) -> Iterator[tuple[int, StoryPicture]]:
     """Yield pictures with their numbers; where nothing is given, what is told of it goes with a step."""
     waiting: tuple[Line, ...] = ()
     for n, one in enumerate(made):
@@ -219,7 +219,7 @@ def _begun(made: Sequence[Told]) -> Iterator[tuple[int, Told]]:
         waiting = ()
 
 
-def _lines(one: Told, speech: Callable[..., str]) -> tuple[Line, ...]:
+def _lines(one: StoryPicture, speech: Callable[..., str]) -> tuple[Line, ...]:
     """Return what a picture tells: the given and repetitions in a sentence of their own."""
     if one.picture.given:
         return (Line(0, speech(GIVEN)), *one.lines)

@@ -19,7 +19,7 @@ from graphic_tmm.scene.captions import view_name
 from graphic_tmm.scene.chapter import MECHANISM
 
 
-class Told(NamedTuple):
+class StoryPicture(NamedTuple):
     """A picture and the lines of the protocol that it tells.
 
     ``position``: what the position is called in which it draws again what was drawn in the first one.
@@ -44,7 +44,7 @@ def name_of(drawn: Drawn, view: Drawing, index: int) -> str:
 
 def story(
     drawn: Drawn, view: Drawing, place: int, language: str, untold: Set[int] = frozenset()
-) -> tuple[Told, ...]:
+) -> tuple[StoryPicture, ...]:
     """Return the pictures of a view, the first position of which is ``place`` (index), and what they tell.
 
     ``untold``: slots of marks whose steps other pictures tell.
@@ -60,7 +60,7 @@ def story(
     ]
     told = _shared_out(log, lines, first)
     return tuple(
-        Told(
+        StoryPicture(
             one,
             tuple(told.get(n, ())),
             name_of(drawn, view, one.position) if one.again and one.position is not None else "",

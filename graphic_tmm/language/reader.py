@@ -26,7 +26,7 @@ def reading(language: str = "") -> Iterator[None]:
         _HEARD.reset(tokens[1])
 
 
-def asked() -> str:
+def asked_language() -> str:
     """Return the language that was asked for, "" if none was."""
     return _ASKED.get()
 

@@ -14,7 +14,7 @@ from graphic_tmm.board.record import Board, Construction, Mark
 from graphic_tmm.board.values import Number
 
 
-class Found(NamedTuple):
+class SynthesisLog(NamedTuple):
     """A synthesis: its log, the values given, and the marks of the lengths it finds."""
 
     construction: Construction
@@ -27,7 +27,7 @@ class Found(NamedTuple):
         return {name: float(reading[mark][0, 0]) for name, mark in self.lengths.items()}
 
 
-def rocker(K_v: float, stroke: float, OB: float) -> Found:
+def rocker(K_v: float, stroke: float, OB: float) -> SynthesisLog:
     """Record the synthesis of the rocker mechanism; K_v > 1, ``stroke`` and ``OB`` in metres."""
     board = Board()
     board.open("synthesis")
@@ -38,7 +38,7 @@ def rocker(K_v: float, stroke: float, OB: float) -> Found:
     crank = board.draw(sine_of_half, "l_{OA}", centres, theta, unit="m")
     arm = board.draw(half_chord, "l_{BC}", travel, theta, unit="m")
     given: dict[Mark, object] = {ratio: K_v, travel: stroke, centres: OB}
-    return Found(board.construction(), given, {"OA": crank, "BC": arm, "OB": centres})
+    return SynthesisLog(board.construction(), given, {"OA": crank, "BC": arm, "OB": centres})
 
 
 def rocker_lengths(K_v: float, stroke: float, OB: float) -> dict[str, float]:

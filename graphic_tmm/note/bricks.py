@@ -17,7 +17,6 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import result_symbol, symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.document import (
-    Beside,
     Block,
     Heading,
     Letter,
@@ -27,6 +26,7 @@ from graphic_tmm.note.document import (
     Ref,
     Run,
     Runs,
+    SideBySide,
     Source,
     Symbol,
     Table,
@@ -39,12 +39,12 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.columns import Column, Tabled, known_at
 from graphic_tmm.readers.position_count import Finer, FinerRow, finer, is_sampled, sampled, told_off
-from graphic_tmm.readers.rounding import Figures, told
+from graphic_tmm.readers.rounding import Figures, rounded_figures
 from graphic_tmm.readers.text import column_name
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.chapter import Chapter, Place
 
-Figure = Picture | Beside
+Figure = Picture | SideBySide
 
 ACROSS = 13
 """So many positions stand beside one another in a table of a page's width."""
@@ -105,16 +105,16 @@ def referred(
 def paired(blocks: Iterable[Block]) -> Iterator[Block]:
     """Yield the blocks of a section, figures that are narrow two and two beside one another."""
     held: list[Block | None] = list(blocks)
-    places = [k for k, one in enumerate(held) if isinstance(one, Picture | Beside)]
+    places = [k for k, one in enumerate(held) if isinstance(one, Picture | SideBySide)]
     for k, other in pairwise(places):
         first, second = held[k], held[other]
         if isinstance(first, Picture) and isinstance(second, Picture) and fit((first, second)):
-            (held[k],) = beside((first, second))
+            (held[k],) = side_by_side((first, second))
             held[other] = None
     yield from (one for one in held if one is not None)
 
 
-def beside(shown: Sequence[Picture]) -> tuple[Figure, ...]:
+def side_by_side(shown: Sequence[Picture]) -> tuple[Figure, ...]:
     """Return views as one figure, beside one another; one alone, or none, as it is."""
     if len(shown) < 2:
         return tuple(shown)
@@ -122,7 +122,7 @@ def beside(shown: Sequence[Picture]) -> tuple[Figure, ...]:
     for k, one in enumerate(shown):
         whole += [Text("; ")] if k else []
         whole += [Letter(k), Text(") "), *one.caption]
-    return (Beside(f"{shown[0].id}-beside", tuple(whole), tuple(shown)),)
+    return (SideBySide(f"{shown[0].id}-beside", tuple(whole), tuple(shown)),)
 
 
 def figures_of(
@@ -190,13 +190,13 @@ def _block(
         *(text(names[k]) for k in shown),
     )
     rows: list[tuple[Runs, ...]] = []
-    for column, figures in zip(cells, told(cells), strict=True):
+    for column, figures in zip(cells, rounded_figures(cells), strict=True):
         name = column_name(column, language)
         if column.drawn:
-            lengths = _told(drawn, column, figures, shown, language, mm=True)
+            lengths = _cells(drawn, column, figures, shown, language, mm=True)
             rows.append((_lettered(name), _unit("mm", language), *lengths))
             name = symbol(column.quantity, language) if column.quantity else name
-        values = _told(drawn, column, figures, shown, language, mm=False)
+        values = _cells(drawn, column, figures, shown, language, mm=False)
         rows.append((_lettered(name), _unit(column.unit, language), *values))
     lead = 0.1 if len(shown) > MANY else 0.13
     each = min((1.01 - 2 * lead) / len(shown), WIDEST)
@@ -238,7 +238,7 @@ def _unit(name: str, language: str) -> Runs:
     return text(unit(name, language) or "—")
 
 
-def _told(
+def _cells(
     drawn: Drawn,
     column: Column,
     figures: Figures,
@@ -311,7 +311,7 @@ def result_number(drawn: Drawn, results: Results, name: str, language: str) -> N
     return Number(number(value, language), of, Source("result", drawn.board, name), value)
 
 
-def asked(drawn: Drawn, section: str, key: str, of: str, language: str) -> Number:
+def asked_number(drawn: Drawn, section: str, key: str, of: str, language: str) -> Number:
     """Return what a section of the scene asks for by a key, as a number with its unit."""
     value = float(getattr(drawn.scene.tasks[section], key))
     source = Source("asked", drawn.board, f"{section}.{key}")

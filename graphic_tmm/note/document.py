@@ -159,7 +159,7 @@ class Picture(NamedTuple):
     alt: str
 
 
-class Beside(NamedTuple):
+class SideBySide(NamedTuple):
     """Views beside one another as one figure: its id, what it shows; each view is a part with a letter."""
 
     id: str
@@ -175,7 +175,7 @@ class Break(NamedTuple):
     """A new page."""
 
 
-Block = Heading | Paragraph | Display | Listed | Table | Picture | Beside | Contents | Break
+Block = Heading | Paragraph | Display | Listed | Table | Picture | SideBySide | Contents | Break
 
 
 class Document(NamedTuple):
@@ -203,7 +203,7 @@ def walk(blocks: Sequence[Block]) -> Iterator[Block]:
         if isinstance(block, Listed):
             for item in block.items:
                 yield from walk(item.blocks)
-        elif isinstance(block, Beside):
+        elif isinstance(block, SideBySide):
             yield from block.parts
 
 
@@ -213,7 +213,7 @@ def runs_of(block: Block) -> Iterator[Run]:
         yield from block.runs
     elif isinstance(block, Display):
         yield from block.formulas
-    elif isinstance(block, Picture | Beside):
+    elif isinstance(block, Picture | SideBySide):
         yield from block.caption
     elif isinstance(block, Table):
         yield from block.caption
@@ -339,10 +339,10 @@ def numbered(document: Document) -> Numbered:
     wholes: dict[str, str] = {}
     count = 0
     for block in document.blocks:
-        if isinstance(block, Picture | Beside):
+        if isinstance(block, Picture | SideBySide):
             count += 1
             figures[block.id] = str(count)
-        if isinstance(block, Beside):
+        if isinstance(block, SideBySide):
             for k, part in enumerate(block.parts):
                 figures[part.id] = f"{count}, {letter_of(k, document.language)}"
                 wholes[part.id] = block.id

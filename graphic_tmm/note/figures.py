@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.note.document import Beside, Document, Picture, letter_of, text
+from graphic_tmm.note.document import Document, Picture, SideBySide, letter_of, text
 from graphic_tmm.paper.drawing import Drawing, Label, Sheet
 from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.paper.packing import bounds
@@ -160,12 +160,12 @@ def drawn_figures(document: Document) -> dict[str, DrawnFigure]:
     """Return the figures of a note by id, each on a paper of its size."""
     found: dict[str, DrawnFigure] = {}
     for block in document.blocks:
-        if isinstance(block, Picture | Beside):
+        if isinstance(block, Picture | SideBySide):
             _draw(block, document.language, found)
     return found
 
 
-def _draw(block: Picture | Beside, language: str, found: dict[str, DrawnFigure]) -> None:
+def _draw(block: Picture | SideBySide, language: str, found: dict[str, DrawnFigure]) -> None:
     """Enter a figure, or the parts of one, each with its letter."""
     parts = (block,) if isinstance(block, Picture) else block.parts
     times = scales_of(parts)

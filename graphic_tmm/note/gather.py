@@ -22,7 +22,7 @@ from graphic_tmm.board.record import Step
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note.document import Run, Runs, Text
-from graphic_tmm.note.steps import Told, marks_of, put, sentence_runs
+from graphic_tmm.note.steps import NumberSource, marks_of, put, sentence_runs
 from graphic_tmm.readers.sentences import phrase
 
 ELEMENTARY = (join, lay_off, meet, parallel, ray, square, strike)
@@ -45,7 +45,7 @@ AND_CARRY = said(", likewise ")
 class Work(NamedTuple):
     """A step of drawing, and where its words are read."""
 
-    here: Told
+    here: NumberSource
     step: Step
 
 

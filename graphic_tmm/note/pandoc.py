@@ -18,7 +18,6 @@ from graphic_tmm.language.catalogue import code_of, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.document import (
-    Beside,
     Block,
     Break,
     Contents,
@@ -33,6 +32,7 @@ from graphic_tmm.note.document import (
     Picture,
     Ref,
     Run,
+    SideBySide,
     Symbol,
     Table,
     Text,
@@ -91,7 +91,7 @@ class Target(NamedTuple):
     captioned: bool = True
     linked: bool = True
     headed: bool = False
-    figure: Callable[[Picture | Beside, Tree], list[Tree]] | None = None
+    figure: Callable[[Picture | SideBySide, Tree], list[Tree]] | None = None
     styled_rows: bool = False
     word: Callable[[str], list[Tree]] = lambda word: _plain(word)
 
@@ -139,7 +139,7 @@ class _Writer:
         if isinstance(block, Table):
             made = self.table(block)
             return self.target.tabled(made, block)
-        if isinstance(block, Picture | Beside):
+        if isinstance(block, Picture | SideBySide):
             return self.figure(block)
         if isinstance(block, Contents):
             return self.target.contents(self.outline())
@@ -203,16 +203,16 @@ class _Writer:
         inside = [_of("Plain", self.inlines(runs))] if runs else []
         return [NONE, {"t": "AlignDefault"}, 1, 1, inside]
 
-    def figure(self, block: Picture | Beside) -> list[Tree]:
+    def figure(self, block: Picture | SideBySide) -> list[Tree]:
         number = self.speech(FIGURE, number=self.numbers.figures[block.id])
         caption = [*_words(number), *self.inlines(block.caption)]
-        parts = block.parts if isinstance(block, Beside) else (block,)
+        parts = block.parts if isinstance(block, SideBySide) else (block,)
         shown = [one for part in parts for one in (self.target.picture(part), {"t": "Space"})][:-1]
         if not self.target.captioned:
             return [_of("Para", shown), _of("Para", caption)]
         if self.target.figure is not None:
             return self.target.figure(block, _of("Plain", caption))
-        if isinstance(block, Beside) and self.target.styled_rows:
+        if isinstance(block, SideBySide) and self.target.styled_rows:
             row = classed(_of("Para", shown), "Captioned Figure", block.id)
             return [row, classed(_of("Para", caption), "Image Caption")]
         whole = [[block.id, [], []], [None, [_of("Plain", caption)]], [_of("Plain", shown)]]

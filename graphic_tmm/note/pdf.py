@@ -12,7 +12,7 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import code_of, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note import pandoc
-from graphic_tmm.note.document import Beside, Document, Picture, Table
+from graphic_tmm.note.document import Document, Picture, SideBySide, Table
 from graphic_tmm.note.figures import DrawnFigure
 from graphic_tmm.note.pandoc import CONTENTS, Target, Tree, raw
 from graphic_tmm.note.styles import APART, NEARER, TYPST
@@ -33,8 +33,10 @@ def pdf(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dict
     """Return the note as PDF: tagged, with bookmarks, its title and its language."""
     typst = typesetter("pdf")
 
-    def figure(block: Picture | Beside, caption: Tree) -> list[Tree]:
-        parts = [shown[one.id] for one in (block.parts if isinstance(block, Beside) else [block])]
+    def figure(block: Picture | SideBySide, caption: Tree) -> list[Tree]:
+        parts = [
+            shown[one.id] for one in (block.parts if isinstance(block, SideBySide) else [block])
+        ]
         told = [
             f'image("{one.name}.svg", width: {one.width}mm, alt: {quoted(one.alt)})'
             for one in parts

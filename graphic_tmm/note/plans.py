@@ -22,14 +22,14 @@ from graphic_tmm.note.document import (
     text,
 )
 from graphic_tmm.note.protocol import Known, Manner, protocol_blocks, protocol_parts
-from graphic_tmm.note.steps import Told, calculated
+from graphic_tmm.note.steps import NumberSource, calculated
 from graphic_tmm.readers.protocol import covering, title_of
 from graphic_tmm.scene.chapter import MECHANISM
 
 ALIKE = said("Axes, divisions and ordinates are drawn as on the diagrams before.")
 
 
-def at_position(drawn: Drawn, view: str, place: int, language: str) -> Told | None:
+def at_position(drawn: Drawn, view: str, place: int, language: str) -> NumberSource | None:
     """Return where the numbers of a view are read in a position; None where it is not drawn there."""
     reading, row = drawn.of(view), drawn.row(view)
     if reading is None or not row:
@@ -38,7 +38,7 @@ def at_position(drawn: Drawn, view: str, place: int, language: str) -> Told | No
         if place not in row:
             place = row[0]
         place = row.index(place)
-    return Told(drawn.board, drawn.construction, reading, view, place, language)
+    return NumberSource(drawn.board, drawn.construction, reading, view, place, language)
 
 
 def plan(
@@ -159,7 +159,7 @@ AXES = "axes"
 """The kind of figure that a graph has and no other view."""
 
 
-def _elsewhere(drawn: Drawn, told: Told) -> list[tuple[int, str]]:
+def _elsewhere(drawn: Drawn, told: NumberSource) -> list[tuple[int, str]]:
     """Return other positions of a part, so that what is not there in one is told in another."""
     if drawn.board == MECHANISM:
         return []
@@ -186,11 +186,11 @@ class Page:
         """Return a sentence with runs in the places of its names."""
         return Paragraph(filled(self.speech(told), {**self.lettered, **put, **named}))
 
-    def of(self, view: str, at: int | None = None) -> Told | None:
+    def of(self, view: str, at: int | None = None) -> NumberSource | None:
         """Return where the numbers of a view are read in a position: in that which is worked."""
         return at_position(self.drawn, view, self.at if at is None else at, self.language)
 
-    def worked_out(self, told: Told, *marks: Mark) -> Iterator[Block]:
+    def worked_out(self, told: NumberSource, *marks: Mark) -> Iterator[Block]:
         """Yield the calculations of marks as formulas on lines of their own, each once."""
         found: dict[object, Formula] = {}
         for step in map(told.log.step, marks):

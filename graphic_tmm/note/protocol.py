@@ -28,7 +28,7 @@ from graphic_tmm.note.document import (
     Text,
 )
 from graphic_tmm.note.gather import ELEMENTARY, Work, gathered
-from graphic_tmm.note.steps import Told, calculated, reason_runs, sentence_runs
+from graphic_tmm.note.steps import NumberSource, calculated, reason_runs, sentence_runs
 from graphic_tmm.note.tex import tex
 from graphic_tmm.note.widths import broken
 from graphic_tmm.readers.equations import equations, heading
@@ -62,7 +62,7 @@ class Manner(NamedTuple):
     brief: bool = False
 
 
-def protocol_blocks(told: Told, manner: Manner) -> Iterator[Block]:
+def protocol_blocks(told: NumberSource, manner: Manner) -> Iterator[Block]:
     """Yield the protocol of a view as blocks: headings of groups, equations, sentences, formulas.
 
     What is not there in the position is left out.
@@ -81,7 +81,7 @@ class Parts(NamedTuple):
     sentences: tuple[Runs, ...]
 
 
-def protocol_parts(told: Told, manner: Manner) -> Parts:
+def protocol_parts(told: NumberSource, manner: Manner) -> Parts:
     """Return the protocol of a view in parts, calculations of one kind together; see `protocol_blocks`."""
     page = _Page(told, manner, listed=True)
     for line in page.lines():
@@ -100,7 +100,7 @@ def _all(blocks: Iterator[Block]) -> None:
 class _Page:
     """What was told so far and stands in no block yet: words, or formulas on lines of their own."""
 
-    def __init__(self, told: Told, manner: Manner, *, listed: bool) -> None:
+    def __init__(self, told: NumberSource, manner: Manner, *, listed: bool) -> None:
         self.told, self.manner, self.listed = told, manner, listed
         self.known: Known = set() if manner.known is None else manner.known
         self.before = frozenset(self.known)
@@ -145,7 +145,7 @@ class _Page:
             terms = _terms(some) if len(some) > 1 else ()
             yield from self.step(self.told._replace(place=at), step, terms)
 
-    def step(self, here: Told, step: Step, terms: tuple[Mark, ...]) -> Iterator[Block]:
+    def step(self, here: NumberSource, step: Step, terms: tuple[Mark, ...]) -> Iterator[Block]:
         """Tell a step: as a formula on a line of its own, or as a sentence."""
         formula = calculated(here, step, terms)
         if formula is None:
@@ -163,7 +163,7 @@ class _Page:
             yield from self.worked()
             yield from self.calculated(here, step, formula)
 
-    def wait(self, here: Told, step: Step) -> bool:
+    def wait(self, here: NumberSource, step: Step) -> bool:
         """Keep why something is read until it is told; return whether that is new."""
         new = bool(step.reason) and step.reason not in self.known
         if new:
@@ -171,7 +171,7 @@ class _Page:
             self.waiting.append(Once(step.reason, reason_runs(here, step)))
         return new
 
-    def calculated(self, here: Told, step: Step, formula: Formula) -> Iterator[Block]:
+    def calculated(self, here: NumberSource, step: Step, formula: Formula) -> Iterator[Block]:
         """Tell a calculation: on a line of its own, or among words."""
         alone = bool(step.op.formula) and step.op not in PLAIN
         if not alone or len(formula.sides) <= LEAST:
@@ -240,7 +240,7 @@ class _Page:
             for reason in waiting:
                 yield from self.say((reason,), new=True)
 
-    def row(self, here: Told, step: Step, formula: Formula) -> None:
+    def row(self, here: NumberSource, step: Step, formula: Formula) -> None:
         """Keep a calculation for the table; what was read is of one kind, whatever it was read with."""
         told = {tex(formula, here.language), repr(formula)}
         if told & self.known:
@@ -252,7 +252,7 @@ class _Page:
         reason: Runs = (Once(step.reason, runs),) if runs and plain else runs
         self.rows.append(Row(kind, self.group, step.reason, reason, formula._replace(flat=True)))
 
-    def reason(self, here: Told, step: Step) -> Iterator[Block]:
+    def reason(self, here: NumberSource, step: Step) -> Iterator[Block]:
         """Say why a step is done; once, whatever letters it is said of."""
         if step.reason and step.reason not in self.known:
             self.known.add(step.reason)

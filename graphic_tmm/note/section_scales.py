@@ -29,7 +29,7 @@ from graphic_tmm.note.document import (
     Text,
     text,
 )
-from graphic_tmm.note.steps import Told, calculated, reason_runs
+from graphic_tmm.note.steps import NumberSource, calculated, reason_runs
 from graphic_tmm.readers.protocol import title_of
 from graphic_tmm.scene.captions import captions, view_name
 
@@ -44,7 +44,7 @@ OWN |= {choice.scale_by_turning.name}
 """Operations of the choice alone: their reasons are told here, others where their formulas are used."""
 
 
-class Found(NamedTuple):
+class ScaleReasons(NamedTuple):
     """What is told of the choice on a board: its reasons, by view the formulas."""
 
     reasons: list[Once]
@@ -53,7 +53,7 @@ class Found(NamedTuple):
 
 def scales(made: DrawnScene, language: str) -> Iterator[Block]:
     """Yield the section of the scale factors; none where nothing is drawn to scale."""
-    found = [(drawn, _found(drawn, language)) for drawn in made.boards]
+    found = [(drawn, _scale_reasons(drawn, language)) for drawn in made.boards]
     rows = [row for drawn, one in found for row in _rows(drawn, one.formulas, language)]
     if not rows:
         return
@@ -68,14 +68,14 @@ def scales(made: DrawnScene, language: str) -> Iterator[Block]:
     yield Table("table-scales", text(words[SCALES]), heads, tuple(rows), "lll", SHARES, long=True)
 
 
-def _found(drawn: Drawn, language: str) -> Found:
+def _scale_reasons(drawn: Drawn, language: str) -> ScaleReasons:
     """Return how the scale factors of a board were chosen."""
     chosen = choices(drawn)
     log, given = chosen.construction, chosen.given
-    found = Found([], {})
+    found = ScaleReasons([], {})
     if not log.steps:
         return found
-    told = Told(_aside(drawn), log, execute(log, given), SCALES, 0, language)
+    told = NumberSource(_aside(drawn), log, execute(log, given), SCALES, 0, language)
     view = ""
     for step in log.steps:
         view = _view(step) or view

@@ -29,7 +29,7 @@ from graphic_tmm.note.document import (
 )
 from graphic_tmm.note.figures import in_hand, picture
 from graphic_tmm.note.protocol import Manner, protocol_blocks
-from graphic_tmm.note.steps import Told
+from graphic_tmm.note.steps import NumberSource
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.columns import Readings
 from graphic_tmm.readers.protocol import SYNTHESIS
@@ -124,5 +124,5 @@ def synthesis(made: DrawnScene, language: str) -> Iterator[Block]:
     reading = execute(found.construction, found.given)
     yield heading(view_name(SYNTHESIS, language), 1)
     yield from protocol_blocks(
-        Told(SYNTHESIS, found.construction, reading, SYNTHESIS, 0, language), Manner()
+        NumberSource(SYNTHESIS, found.construction, reading, SYNTHESIS, 0, language), Manner()
     )

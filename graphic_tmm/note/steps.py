@@ -32,7 +32,7 @@ LEAST = 3
 _INDEX = re.compile(r"_(\w[\w–-]+)")
 
 
-class Told(NamedTuple):
+class NumberSource(NamedTuple):
     """Where the numbers of a view are read: the board's name, the log, the reading, the view, a position."""
 
     board: str
@@ -64,12 +64,12 @@ class Told(NamedTuple):
         return self.symbol(mark) if mark.name else self.number(mark)
 
 
-def sentence_runs(told: Told, step: Step) -> Runs:
+def sentence_runs(told: NumberSource, step: Step) -> Runs:
     """Return what is done in a step, its letters as symbols."""
     return put(phrase(step, told.language, told.reading, told.place), marks_of(step), told)
 
 
-def reason_runs(told: Told, step: Step) -> Runs:
+def reason_runs(told: NumberSource, step: Step) -> Runs:
     """Return why a step is done, its letters as symbols; none if nobody gave a reason."""
     found = grounds(step, told.language, told.reading, told.place)
     return put(found, marks_of(step), told) if found is not None else ()
@@ -80,7 +80,7 @@ def marks_of(step: Step) -> dict[str, Mark]:
     return dict(zip(step.op.arguments, step.uses, strict=True)) | {"it": step.it}
 
 
-def put(said: Phrase, marks: dict[str, Mark], told: Told) -> Runs:
+def put(said: Phrase, marks: dict[str, Mark], told: NumberSource) -> Runs:
     """Return a sentence: what stands for the names of its template, letters as symbols."""
     template, words = said
     found: list[Run] = []
@@ -100,7 +100,7 @@ def put(said: Phrase, marks: dict[str, Mark], told: Told) -> Runs:
     return tuple(_run_together(found))
 
 
-def _number_or_word(told: Told, mark: Mark | None, word: str) -> list[Run]:
+def _number_or_word(told: NumberSource, mark: Mark | None, word: str) -> list[Run]:
     if mark is None or mark.name or not any(c.isdigit() for c in word):
         return [Text(word)]
     return [told.number(mark, unit=True)]
@@ -131,7 +131,7 @@ def _run_together(runs: Sequence[Run]) -> Iterator[Run]:
         yield held
 
 
-def calculated(told: Told, step: Step, terms: tuple[Mark, ...] = ()) -> Formula | None:
+def calculated(told: NumberSource, step: Step, terms: tuple[Mark, ...] = ()) -> Formula | None:
     """Return the calculation of a step with its numbers put in, or what was read; None if it has none.
 
     ``terms``: of a sum that was added up in several steps.
@@ -167,7 +167,7 @@ def calculated(told: Told, step: Step, terms: tuple[Mark, ...] = ()) -> Formula 
 _SEGMENT = re.compile(r"\{(\w+)\}\{(\w+)\}")
 
 
-def _proportion(told: Told, step: Step) -> Formula | None:
+def _proportion(told: NumberSource, step: Step) -> Formula | None:
     """Return the segment sought by the proportion of a figure drawn similar to another: pc = pb·AC/AB."""
     marks = marks_of(step)
     segments = [(marks[a], marks[b]) for a, b in _SEGMENT.findall(step.op.proportion)]
@@ -183,7 +183,7 @@ def _proportion(told: Told, step: Step) -> Formula | None:
     return Formula((names[0], letters, figures, sought._replace(unit="mm")))
 
 
-def _segment(told: Told, first: Mark, second: Mark) -> Number:
+def _segment(told: NumberSource, first: Mark, second: Mark) -> Number:
     """Return how long a segment between two points is, mm."""
     rows = (told.reading[mark][0] for mark in (first, second))
     start, end = (row[told.place if row.size > 1 else 0] for row in rows)
@@ -192,7 +192,7 @@ def _segment(told: Told, first: Mark, second: Mark) -> Number:
     return Number(number(value, told.language), "", source, value)
 
 
-def _between(told: Told, first: Mark, second: Mark) -> Symbol:
+def _between(told: NumberSource, first: Mark, second: Mark) -> Symbol:
     """Return the letters of a segment."""
     ends = [told.symbol(mark).markup for mark in (first, second)]
     dash = "" if all(END.fullmatch(end) for end in ends) else "–"

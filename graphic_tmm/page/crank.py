@@ -39,7 +39,7 @@ from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.pens import pens
 from graphic_tmm.paper.write.svg import clean, shift
 from graphic_tmm.paper.write.svg_path import path_data
-from graphic_tmm.readers.rounding import told
+from graphic_tmm.readers.rounding import rounded_figures
 
 EDGE = 4.0
 """White about a figure, mm."""
@@ -257,7 +257,7 @@ def _values(
     language = found.drawn.scene.language
     at_angles = {(c.plan, c.segment): c for c in moving.columns()}
     on_sheet = list(own.columns())
-    for column, figures in zip(on_sheet, told(on_sheet), strict=True):
+    for column, figures in zip(on_sheet, rounded_figures(on_sheet), strict=True):
         dense_ = at_angles.get((column.plan, column.segment))
         if dense_ is None or not np.isfinite(dense_.value).any():
             continue

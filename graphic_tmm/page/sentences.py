@@ -15,7 +15,7 @@ from graphic_tmm.language.symbols import plain, spoken, symbol
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.equations import Equation, Term
 from graphic_tmm.readers.narration import Line
-from graphic_tmm.readers.protocol import plans, told
+from graphic_tmm.readers.protocol import plan_protocols, plans
 from graphic_tmm.readers.sentences import Phrase, grounds, phrase
 
 Run = str | list[Any]
@@ -169,7 +169,7 @@ def protocol_of(made: DrawnScene, language: str) -> list[Plan]:
     """Return the protocols of all plans of a scene, a reason only where it is another than before."""
     return [
         Plan(one.title, tuple(_in_lists(_reasoned(one.lines))))
-        for one in told(made, plans(), None, language)
+        for one in plan_protocols(made, plans(), None, language)
     ]
 
 

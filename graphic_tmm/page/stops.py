@@ -19,7 +19,7 @@ from graphic_tmm.readers.narration import Line, protocol
 from graphic_tmm.scene.chapter import MECHANISM
 
 
-class Told(NamedTuple):
+class StepLine(NamedTuple):
     """A line of the protocol that tells a step: its view, the remarks before it, its number in the log."""
 
     view: str
@@ -42,7 +42,7 @@ class Stop(NamedTuple):
 
     picture: Picture | None
     place: int
-    told: tuple[Told, ...]
+    told: tuple[StepLine, ...]
     missing: tuple[Mark, ...] = ()
 
 
@@ -82,7 +82,7 @@ class Played:
         """The positions (indices) in which something is drawn, the first one among them."""
         return sorted({self.first, *(p.position for p in self.shown if p.position is not None)})
 
-    def lines(self, place: int) -> list[Told]:
+    def lines(self, place: int) -> list[StepLine]:
         """Return the lines of the protocol of all plans of the view in a position, in the order of the log."""
         found = []
         turned = self.drawn.scene.turned and self.drawn.board == MECHANISM
@@ -96,7 +96,7 @@ class Played:
                     heads.append(line)
                     continue
                 if line.step.it.slot in self.needed:
-                    found.append(Told(view, tuple(heads), line, self.order[line.step.it.slot]))
+                    found.append(StepLine(view, tuple(heads), line, self.order[line.step.it.slot]))
                     heads = []
         return sorted(found, key=lambda told: told.at)
 
@@ -170,7 +170,7 @@ class _Telling:
         self.own = {told.slot: told for told in self.waiting}
         self.waiting = [told for told in self.waiting if told.slot not in self.inked]
         self.done: set[int] = set()
-        self.rows: dict[int, list[Told]] = {}
+        self.rows: dict[int, list[StepLine]] = {}
         self.gone: dict[int, set[int]] = {}
 
     def stops(self) -> Iterator[Stop]:
@@ -206,7 +206,7 @@ class _Telling:
                 self.done.add(told.slot)
                 yield Stop(None, self.played.first, (told,))
 
-    def ready(self, told: Told) -> bool:
+    def ready(self, told: StepLine) -> bool:
         """Whether what the step of a line uses is there."""
         step = told.line.step
         assert step is not None
@@ -225,7 +225,7 @@ class _Telling:
                 wanted += [mark.slot for mark in self.played.steps[slot].uses]
         return found
 
-    def again(self, one: Picture, place: int) -> Iterator[Told]:
+    def again(self, one: Picture, place: int) -> Iterator[StepLine]:
         """Yield what is told of another position: what has other figures there, what was not told before."""
         if place not in self.rows:
             self.rows[place] = self.played.lines(place)

@@ -19,7 +19,7 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.page.sentences import braced, marked_up
 from graphic_tmm.readers.columns import Column, row_of
-from graphic_tmm.readers.rounding import Figures, told
+from graphic_tmm.readers.rounding import Figures, rounded_figures
 from graphic_tmm.readers.table import columns_of
 
 OFF = 0.02
@@ -52,7 +52,7 @@ class Values:
         """Yield what some columns tell of marks, plan by plan as their tables do."""
         for _, same in groupby(sorted(columns, key=_plan), key=_plan):
             some = list(same)
-            for column, figures in zip(some, told(some), strict=True):
+            for column, figures in zip(some, rounded_figures(some), strict=True):
                 yield from (Entry(mark, column, figures) for mark in self.marks(column))
 
     def column(self, mark: Mark, mm: Reals) -> Column | None:

@@ -14,7 +14,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain as plainly
 from graphic_tmm.language.symbols import spoken, symbol
 from graphic_tmm.page.sentences import head_of, indexed, line_of, sum_of
-from graphic_tmm.page.stops import Played, Stop, Told
+from graphic_tmm.page.stops import Played, StepLine, Stop
 from graphic_tmm.page.tools import Desk
 from graphic_tmm.page.values import Values
 from graphic_tmm.paper.drawing import Drawing, Sheet
@@ -195,7 +195,7 @@ class _View:
                 found["lines"].append(self.missing(stop))
             yield found
 
-    def begun(self, told: Told, *, title: bool) -> Iterator[dict[str, Any]]:
+    def begun(self, told: StepLine, *, title: bool) -> Iterator[dict[str, Any]]:
         """Yield what stands above the steps of a plan: its name, the equation of its polygon."""
         if title:
             name = title_of(self.drawn.project, told.view, self.language)
@@ -209,7 +209,7 @@ class _View:
         if terms and all(term.line is None or term.line.slot in self.made for term in terms):
             yield sum_of(terms, self.made, self.language)
 
-    def line(self, told: Told, stop: Stop, *, again: bool) -> Iterator[dict[str, Any]]:
+    def line(self, told: StepLine, stop: Stop, *, again: bool) -> Iterator[dict[str, Any]]:
         """Yield what is told of a step: its heads, its sentence with its calculation or its reading."""
         if not again:
             yield from (head_of(head, self.made, self.language) for head in told.heads)

@@ -68,7 +68,7 @@ def narrowest(names: Iterable[str]) -> Format:
     return min(there, key=lambda one: one.room, default=FORMATS[USUAL])
 
 
-def others() -> dict[str, str]:
+def other_names() -> dict[str, str]:
     """Return the other names of formats that scenes may write, each with the format that is meant."""
     return {other: name for name, one in FORMATS.items() for other in one.called}
 

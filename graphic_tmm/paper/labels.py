@@ -128,7 +128,7 @@ def _weighed(
     """Return what the best of some places costs with its neighbours and its leader, and the place."""
     cost = few.cost + _CROSSED * occupied.leaders_at(*few.grown(CLEAR / 2))
     cost += _PASSED * occupied.leaders_at(*few.grown(CLEAR / 2 + _PAST))
-    cost += _beside(few, inks, occupied)
+    cost += _level_cost(few, inks, occupied)
     ways, best = way(one.at, few), int(np.argmin(cost))
     led = np.flatnonzero(np.abs(ways) > one.radius + BESIDE)
     if best in led:  # leaders only cost more: they matter where the best place so far has one
@@ -141,7 +141,7 @@ def _weighed(
     return float(cost[best]), few.rect(best)
 
 
-def _beside(boxes: Boxes, inks: Sequence[Lines], occupied: Occupied) -> Reals:
+def _level_cost(boxes: Boxes, inks: Sequence[Lines], occupied: Occupied) -> Reals:
     """Return what it costs that labels stand level with others, as one term or with a minus between."""
     which, *gap = occupied.level(*boxes.grown(CLEAR / 2))
     if not which.size:

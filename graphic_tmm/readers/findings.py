@@ -127,10 +127,10 @@ def warnings(drawn: Drawn, language: str = SOURCE, *, remedies: bool = True) -> 
 
     ``remedies``: with what the scene's author may write instead, which no reader of a note can use.
     """
-    return tuple(dict.fromkeys(_told(drawn, language, remedies)))
+    return tuple(dict.fromkeys(_sentences(drawn, language, remedies)))
 
 
-def _told(drawn: Drawn, language: str, remedies: bool) -> Iterator[str]:
+def _sentences(drawn: Drawn, language: str, remedies: bool) -> Iterator[str]:
     project, names = drawn.project, drawn.names
     if drawn.undrawn:
         missing = ", ".join(names[i] for i in drawn.undrawn)

@@ -111,11 +111,11 @@ def _remarks(step: Step, solved: Mapping[str, Equation], language: str) -> list[
         found.append(Line(0, heading(note, language)))
         if note in solved:
             equation = solved[note]
-            found.append(Line(0, _told(equation, language), equation=equation))
+            found.append(Line(0, _equation_text(equation, language), equation=equation))
     return found
 
 
-def _told(equation: Equation, language: str) -> str:
+def _equation_text(equation: Equation, language: str) -> str:
     """Return an equation and its directions as plain text, its indices in a language."""
     text = symbol(equation.text, language).replace("{", "").replace("}", "")
     return f"{text};  {plain(symbol(equation.directions, language))}"

@@ -16,7 +16,7 @@ from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.fitting.choice import SCALES, Choices, choices
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.synthesis import Found, rocker
+from graphic_tmm.mechanism.synthesis import SynthesisLog, rocker
 from graphic_tmm.project import Project
 from graphic_tmm.readers.narration import Line
 from graphic_tmm.readers.narration import protocol as narrate
@@ -77,7 +77,7 @@ BESIDE = (SYNTHESIS, SCALES)
 """The plans that are calculated beside the drawing."""
 
 
-class Told(NamedTuple):
+class PlanProtocol(NamedTuple):
     """A plan's protocol in one position: what it is headed by, its lines."""
 
     title: str
@@ -108,14 +108,14 @@ def steps_of(
     """
     return [
         line
-        for one in told(made, wanted, position, language)
+        for one in plan_protocols(made, wanted, position, language)
         for line in text_of(one, language, why)
     ]
 
 
-def told(
+def plan_protocols(
     made: DrawnScene, wanted: Sequence[str], position: str | None, language: str
-) -> list[Told]:
+) -> list[PlanProtocol]:
     """Return the protocols of plans in one position, of the mechanism and of the parts.
 
     Raises
@@ -124,12 +124,12 @@ def told(
         If the scene has none of the plans (those it has are told), or no such position.
     """
 
-    def found(some: Sequence[str], place: str | None) -> list[Told]:
-        every: list[Told] = []
+    def found(some: Sequence[str], place: str | None) -> list[PlanProtocol]:
+        every: list[PlanProtocol] = []
         for drawn in made.boards:
             own = drawn.board == MECHANISM
             at = place if own or made.mechanism is None else None
-            every += (_told if own else _part_told)(drawn, some, at, language)
+            every += (_plan_protocols if own else _part_told)(drawn, some, at, language)
         return every
 
     every = found(wanted, position)
@@ -159,7 +159,7 @@ def protocol(
     SceneError
         If there is no such position, or the only plan asked for is not drawn in it.
     """
-    for one in _told(drawn, wanted, position, language):
+    for one in _plan_protocols(drawn, wanted, position, language):
         yield from text_of(one, language, why)
 
 
@@ -185,16 +185,16 @@ def part_protocol(
         yield from text_of(one, language, why)
 
 
-def text_of(one: Told, language: str, why: bool) -> Iterator[str]:
+def text_of(one: PlanProtocol, language: str, why: bool) -> Iterator[str]:
     """Yield a protocol as lines of text; ``why``: with the reasons of its steps, in a language."""
     yield one.title
     yield from _printed(one.lines, language if why else "")
     yield ""
 
 
-def _told(
+def _plan_protocols(
     drawn: Drawn, wanted: Sequence[str], position: str | None, language: str
-) -> Iterator[Told]:
+) -> Iterator[PlanProtocol]:
     place = position_of(drawn, position)
     for plan in wanted:
         for view in _views_of(drawn, plan):
@@ -207,9 +207,9 @@ def _told(
 
 def _part_told(
     drawn: Drawn, wanted: Sequence[str], position: str | None, language: str
-) -> Iterator[Told]:
+) -> Iterator[PlanProtocol]:
     if SCALES in wanted:
-        yield from _beside(drawn, SCALES, language)
+        yield from _calculated_plan(drawn, SCALES, language)
     if not set(wanted) & {plan for one in drawn.project.chapters for plan in Named.of(one).plans}:
         return
     log, names = drawn.construction, drawn.names
@@ -221,7 +221,7 @@ def _part_told(
     at = f", {captions(language)['position']} {names[places[0]]}" if len(names) > 1 else ""
     for view in dict.fromkeys(step.it.view for step in log.steps):
         lines = narrate(log, view, drawn.reading, places[0], language, elsewhere=others)
-        yield Told(f"{view_name(view, language)}{at}", tuple(lines))
+        yield PlanProtocol(f"{view_name(view, language)}{at}", tuple(lines))
 
 
 def _no_position(scene: Scene, name: str, names: Sequence[str]) -> SceneError:
@@ -251,9 +251,9 @@ def _views_of(drawn: Drawn, plan: str) -> list[str]:
     return [view for view in views if view in found]
 
 
-def _plan_told(drawn: Drawn, view: str, place: int, language: str) -> Iterator[Told]:
+def _plan_told(drawn: Drawn, view: str, place: int, language: str) -> Iterator[PlanProtocol]:
     if view in BESIDE:
-        yield from _beside(drawn, view, language)
+        yield from _calculated_plan(drawn, view, language)
         return
     at, row = drawn.of(view), drawn.row(view)
     if at is None or place not in row:
@@ -270,18 +270,18 @@ def _plan_told(drawn: Drawn, view: str, place: int, language: str) -> Iterator[T
         for text in Protocols.of(one).equations(drawn, view, language)
     ]
     heading = f"{title}, {captions(language)['position']} {drawn.names[place]}"
-    yield Told(heading, (*equations, *lines))
+    yield PlanProtocol(heading, (*equations, *lines))
 
 
-def _beside(drawn: Drawn, plan: str, language: str) -> Iterator[Told]:
+def _calculated_plan(drawn: Drawn, plan: str, language: str) -> Iterator[PlanProtocol]:
     """Yield a plan that is calculated beside the drawing, if there is anything in it."""
-    found: Found | Choices | None
+    found: SynthesisLog | Choices | None
     found = synthesis(drawn.scene) if plan == SYNTHESIS else choices(drawn)
     if found is None or not found.construction.steps:
         return
     log = found.construction
     reading = execute(log, found.given).doubted(Doubts(log.steps, found.given))
-    yield Told(view_name(plan, language), tuple(narrate(log, plan, reading, 0, language)))
+    yield PlanProtocol(view_name(plan, language), tuple(narrate(log, plan, reading, 0, language)))
 
 
 def position_of(drawn: Drawn, name: str | None) -> int:
@@ -309,6 +309,6 @@ def _refused(drawn: Drawn, plan: str, name: str) -> SceneError:
     return SceneError(drawn.scene.source, (Fault(f"drive.{plan}", 0, text),))
 
 
-def synthesis(scene: Scene) -> Found | None:
+def synthesis(scene: Scene) -> SynthesisLog | None:
     """Return the recorded synthesis of a scene that states a task."""
     return rocker(**scene.task.given) if scene.task is not None else None

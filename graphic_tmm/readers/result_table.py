@@ -21,7 +21,7 @@ from graphic_tmm.readers.columns import (
     Column,
     known_at,
 )
-from graphic_tmm.readers.rounding import told
+from graphic_tmm.readers.rounding import rounded_figures
 from graphic_tmm.scene.captions import captions
 
 SIZE = 3.5
@@ -45,7 +45,7 @@ def result_table(
     words = captions(language)
     shown = known_at(columns)
     rows = []
-    for column, figures in zip(columns, told(columns), strict=True):
+    for column, figures in zip(columns, rounded_figures(columns), strict=True):
         letter = words.get(column.letter) or markup(symbol(column.letter, language))
         if column.drawn:
             cells = [fixed(figures.mm[k], figures.mm_places, language) for k in shown]

@@ -36,7 +36,7 @@ class Figures(NamedTuple):
     places: int
 
 
-def told(columns: Sequence[Column]) -> list[Figures]:
+def rounded_figures(columns: Sequence[Column]) -> list[Figures]:
     """Return the figures of the columns of a table, in order."""
     found: dict[int, Figures] = {}
     order = sorted(range(len(columns)), key=lambda k: _kind(columns[k]))

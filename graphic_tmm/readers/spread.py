@@ -189,7 +189,7 @@ class Spread:
     def add(self, columns: Sequence[Column], results: Results, trials: int) -> None:
         """Take the same columns, and the results, of a block of so many drawings in."""
         for held, base, column in zip(self._scattered, self._columns, columns, strict=True):
-            held.add(_beside(column.placed_as(base)), trials)
+            held.add(_paired(column.placed_as(base)), trials)
         for name, figure in self._figures.items():
             rows = results[name][0] if name in results else np.full(1, np.nan)
             figure.add(rows[:, None], trials)
@@ -220,7 +220,7 @@ class Spread:
         return found
 
 
-def _beside(column: Column) -> Reals:
+def _paired(column: Column) -> Reals:
     """Return mm and figures of a column beside one another, (trial, place)."""
     count = max(len(column.mm), len(column.value))
     rows = (np.broadcast_to(one, (count, one.shape[1])) for one in (column.mm, column.value))

@@ -13,7 +13,7 @@ from graphic_tmm.language.said import joined, said
 from graphic_tmm.scene import letters
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.chapter import chapters
-from graphic_tmm.scene.declare import FAULTY, Found, Kind, Names, Path, Schema, key
+from graphic_tmm.scene.declare import FAULTY, Flaw, Kind, Names, Path, Schema, key
 from graphic_tmm.scene.misfits import meant, stands
 from graphic_tmm.scene.tables import Named
 
@@ -110,7 +110,7 @@ YEAR = v.number(Bound(1900, 2200, whole=True))
 class ByChapter(Named):
     """A table whose keys are names of chapters."""
 
-    def understood(self, value: object, at: Path, names: Names, found: list[Found]) -> Any:
+    def understood(self, value: object, at: Path, names: Names, found: list[Flaw]) -> Any:
         """Return the values by chapter, or FAULTY."""
         told = super().understood(value, at, names, found)
         known = [one.name for one in chapters()]
@@ -119,7 +119,7 @@ class ByChapter(Named):
             says = said('there is no chapter "{name}"', name=name[:40])
             there = said("chapters are {listed}", listed=", ".join(known))
             found.append(
-                Found((*at, name), joined("; ", filter(None, (says, meant(name, known), there))))
+                Flaw((*at, name), joined("; ", filter(None, (says, meant(name, known), there))))
             )
         return FAULTY if strange else told
 

@@ -36,7 +36,7 @@ class Holder(Protocol):
 
 
 @dataclass(frozen=True)
-class Made(Generic[T]):
+class Recorded(Generic[T]):
     """What a chapter made on a board, by the name of the chapter."""
 
     chapter: str
@@ -149,7 +149,7 @@ _ADDED: list[Chapter] = []
 @cache
 def chapters(board: str | None = None) -> tuple[Chapter, ...]:
     """Return the chapters that there are, in the order of the book; only those of a ``board`` if it is told."""
-    found = sorted((*_found(), *_ADDED), key=lambda chapter: chapter.number)
+    found = sorted((*_discovered(), *_ADDED), key=lambda chapter: chapter.number)
     return tuple(one for one in found if board is None or one.board == board)
 
 
@@ -186,7 +186,7 @@ def in_order(board: str) -> tuple[Chapter, ...]:
 
 
 @cache
-def _found() -> tuple[Chapter, ...]:
+def _discovered() -> tuple[Chapter, ...]:
     book = import_module("graphic_tmm.chapters")
     rooms = sorted(module.name for module in pkgutil.iter_modules(book.__path__))
     return tuple(

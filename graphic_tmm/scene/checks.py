@@ -15,7 +15,7 @@ from graphic_tmm.mechanism.masses import free_points
 from graphic_tmm.mechanism.records import shared
 from graphic_tmm.scene import mechanism, registry
 from graphic_tmm.scene.chapter import chapters, places
-from graphic_tmm.scene.declare import Found, Path, Said, Section, build
+from graphic_tmm.scene.declare import Flaw, Path, Said, Section, build
 from graphic_tmm.scene.document import table
 from graphic_tmm.scene.mechanism import Drive, Extreme, Link, Slide
 from graphic_tmm.scene.records import Scene
@@ -25,7 +25,7 @@ from graphic_tmm.scene.units import SI
 from graphic_tmm.scene.values import OTHER_EXTREME
 
 
-def check(parts: Parts) -> Iterator[Found]:
+def check(parts: Parts) -> Iterator[Flaw]:
     """Every contradiction in the sections that could be understood."""
     if parts.frame is not None:
         yield from _places(("frame",), parts.frame.points)
@@ -55,7 +55,7 @@ def check(parts: Parts) -> Iterator[Found]:
     yield from _placed(parts)
 
 
-def _units(parts: Parts) -> Iterator[Found]:
+def _units(parts: Parts) -> Iterator[Flaw]:
     """Sections whose sizes are told in mm, in a scene of feet and pounds."""
     for section, _ in parts.asked:
         if section.metric and parts.head is not None and parts.head.units != SI:
@@ -64,20 +64,20 @@ def _units(parts: Parts) -> Iterator[Found]:
                 section=section.name,
                 si=SI,
             )
-            yield Found(("units",), says)
+            yield Flaw(("units",), says)
 
 
-def _refused(section: Section, told: Any) -> Iterator[Found]:
+def _refused(section: Section, told: Any) -> Iterator[Flaw]:
     """Yield what the plan of a part refuses of its task, before anything is drawn."""
     if not section.refuse:
         return
     try:
         resolve_name(section.refuse)(build(section.record, told))
     except TaskError as error:
-        yield Found(error.key, error.says)
+        yield Flaw(error.key, error.says)
 
 
-def _placed(parts: Parts) -> Iterator[Found]:
+def _placed(parts: Parts) -> Iterator[Flaw]:
     """A sheet that places what the scene does not ask for."""
     asked = [(place, one) for one in registry.sections() for place in of_section(one)]
     sheets = parts.doc.get("sheet")
@@ -91,7 +91,7 @@ def _placed(parts: Parts) -> Iterator[Found]:
                     section=section.name,
                     begin=section.begin,
                 )
-                yield Found(("sheet", i, "place"), says)
+                yield Flaw(("sheet", i, "place"), says)
 
 
 def slides_of(path: Path, link: Link) -> list[tuple[Path, Slide]]:
@@ -103,7 +103,7 @@ def slides_of(path: Path, link: Link) -> list[tuple[Path, Slide]]:
 
 def _places(
     path: Path, points: Mapping[str, complex], centres: Collection[str] = ()
-) -> Iterator[Found]:
+) -> Iterator[Flaw]:
     """Two letters of one link at one place; a mass centre that is no pin may lie on another letter."""
     cells: dict[tuple[int, int], list[tuple[str, complex]]] = {}
     for letter, place in points.items():
@@ -119,7 +119,7 @@ def _places(
                     first=first,
                     letter=letter,
                 )
-                yield Found((*path, letter), says)
+                yield Flaw((*path, letter), says)
                 break
         else:
             cells.setdefault((x, y), []).append((letter, place))
@@ -132,7 +132,7 @@ def centres_of(link: Link, pins: Collection[str]) -> tuple[str, ...]:
     return free_points(link.points, pins)
 
 
-def _masses(path: Path, link: Link, centres: tuple[str, ...]) -> Iterator[Found]:
+def _masses(path: Path, link: Link, centres: tuple[str, ...]) -> Iterator[Flaw]:
     """A mass without its centre, where more than one point may be meant."""
     if link.centre is None and len(centres) > 1:
         says = said(
@@ -141,25 +141,25 @@ def _masses(path: Path, link: Link, centres: tuple[str, ...]) -> Iterator[Found]
             number=link.number,
             listed=joined(said(" or "), (f'centre = "{letter}"' for letter in centres)),
         )
-        yield Found((*path, "centre"), says)
+        yield Flaw((*path, "centre"), says)
 
 
-def _rod(path: Path, link: Link) -> Iterator[Found]:
+def _rod(path: Path, link: Link) -> Iterator[Flaw]:
     """A rod that has no mass, or a J of its own."""
     if link.rod is None:
         return
     if not link.mass:
-        yield Found((*path, "rod"), said("the J of a rod is m·l²/12: give its mass, too"))
+        yield Flaw((*path, "rod"), said("the J of a rod is m·l²/12: give its mass, too"))
     if link.J is not None:
-        yield Found((*path, "rod"), said("J is given, too: leave one of the two out"))
+        yield Flaw((*path, "rod"), said("J is given, too: leave one of the two out"))
 
 
-def _flips(path: Path, owner: Link | Slide) -> Iterator[Found]:
+def _flips(path: Path, owner: Link | Slide) -> Iterator[Flaw]:
     if owner.flips_at and owner.side is None:
-        yield Found((*path, "flips_at"), said('it needs a side to flip; write "side" as well'))
+        yield Flaw((*path, "flips_at"), said('it needs a side to flip; write "side" as well'))
 
 
-def _sense(path: Path, slide: Slide, parts: Parts) -> Iterator[Found]:
+def _sense(path: Path, slide: Slide, parts: Parts) -> Iterator[Flaw]:
     """Whether the word for the side tells the two senses of the guide apart."""
     frame = parts.frame
     if slide.side is None or frame is None:
@@ -176,10 +176,10 @@ def _sense(path: Path, slide: Slide, parts: Parts) -> Iterator[Found]:
     try:
         mechanism.sense(slide.side, line, fixed=fixed)
     except ValueError as error:
-        yield Found((*path, "side"), error.args[0])
+        yield Flaw((*path, "side"), error.args[0])
 
 
-def _row(drive: Drive, moving: Sequence[str]) -> Iterator[Found]:
+def _row(drive: Drive, moving: Sequence[str]) -> Iterator[Flaw]:
     """Positions named for acceleration plans, and extras, that the row does not have."""
     extreme = isinstance(drive.zero, Extreme)
     if OTHER_EXTREME in drive.extra and not extreme:
@@ -187,17 +187,17 @@ def _row(drive: Drive, moving: Sequence[str]) -> Iterator[Found]:
             'the other extreme of what? write zero = {{ point = "{point}", at = "left" }}',
             point=moving[-1] if moving else "D",
         )
-        yield Found(("drive", "extra"), says)
+        yield Flaw(("drive", "extra"), says)
     if drive.accelerations == ("all",):
         return
     for i, name in enumerate(drive.accelerations):
         path: Path = ("drive", "accelerations", i)
         yield from _position(drive, path, name)
         if name in drive.accelerations[:i]:
-            yield Found(path, said("position {name} is named twice; leave one out", name=name))
+            yield Flaw(path, said("position {name} is named twice; leave one out", name=name))
 
 
-def _position(drive: Drive, path: Path, name: str) -> Iterator[Found]:
+def _position(drive: Drive, path: Path, name: str) -> Iterator[Flaw]:
     """A position named that the row does not have."""
     last = drive.first + drive.positions - 1
     if not drive.first <= int(name.rstrip("*")) <= last:
@@ -207,15 +207,15 @@ def _position(drive: Drive, path: Path, name: str) -> Iterator[Found]:
             first=drive.first,
             last=last,
         )
-        yield Found(path, says)
+        yield Flaw(path, says)
     elif name.endswith("*") and not drive.extra:
         says = said(
             'there is no position {name}; name it first, extra = ["other extreme"]', name=name
         )
-        yield Found(path, says)
+        yield Flaw(path, says)
 
 
-def _scales(scales: Said) -> Iterator[Found]:
+def _scales(scales: Said) -> Iterator[Flaw]:
     for factor, drawn in (("mu_l", "OA"), ("mu_v", "pa"), ("mu_a", "pi_a")):
         if getattr(scales, factor) is not None and getattr(scales, drawn) is not None:
             says = said(
@@ -223,7 +223,7 @@ def _scales(scales: Said) -> Iterator[Found]:
                 drawn=drawn,
                 factor=factor,
             )
-            yield Found(("scales", drawn), says)
+            yield Flaw(("scales", drawn), says)
 
 
 GAINED = "accelerations"

@@ -26,7 +26,7 @@ Said = SimpleNamespace
 """What a section says, by key; a default where it says nothing."""
 
 
-class Found(NamedTuple):
+class Flaw(NamedTuple):
     """Something wrong at a path of the parsed document; no ``fault``: only to be told."""
 
     path: Path
@@ -44,7 +44,7 @@ FAULTY = _Faulty()
 class Sort(Protocol):
     """What may stand for a key: one value, or a table or list of others."""
 
-    def understood(self, value: object, at: Path, names: Names, found: list[Found]) -> Any:
+    def understood(self, value: object, at: Path, names: Names, found: list[Flaw]) -> Any:
         """Return what a value of the file means, or FAULTY with what is wrong at the end of ``found``."""
 
     def schema(self, tables: dict[str, Schema]) -> Schema:
@@ -66,14 +66,14 @@ class Kind:
     unit: str = ""
     each: str = ""
 
-    def understood(self, value: object, at: Path, names: Names, found: list[Found]) -> Any:
+    def understood(self, value: object, at: Path, names: Names, found: list[Flaw]) -> Any:
         """Return what a value means, or FAULTY."""
         try:
             meant = self.read(value, names)
         except ValueError as error:
-            found.append(Found(at, error.args[0]))
+            found.append(Flaw(at, error.args[0]))
             return FAULTY
-        found.extend(Found(at, line, fault=False) for line in taken(value, self.each or self.unit))
+        found.extend(Flaw(at, line, fault=False) for line in taken(value, self.each or self.unit))
         return meant
 
     def schema(self, tables: dict[str, Schema]) -> Schema:
@@ -117,7 +117,7 @@ def key(
     return field(default=default, metadata=about)
 
 
-def made(make: Callable[[Said], Any], default: Any = MISSING, **keys: Any) -> Any:
+def combined_key(make: Callable[[Said], Any], default: Any = MISSING, **keys: Any) -> Any:
     """Return a field that is made of several keys; ``make``: all that the section says -> its value.
 
     ``default``: of the record, where a program leaves it out.
@@ -154,7 +154,7 @@ def bound_of(record: type, name: str) -> Bound:
     return kind.bound
 
 
-class Others(Protocol):
+class OtherSections(Protocol):
     """What else a scene asks for, as far as it is known when a task is put together."""
 
     @property
@@ -165,7 +165,7 @@ class Others(Protocol):
         """Return the record of a section, a tuple where there may be several; None if it is not there."""
 
 
-Check = Callable[[Any, Any], Iterator[Found]]
+Check = Callable[[Any, Any], Iterator[Flaw]]
 
 
 @dataclass(frozen=True)
@@ -193,7 +193,7 @@ class Section:
     begin: str = ""
     check: Check = lambda said, parts: iter(())
     refuse: str = ""
-    joined: Callable[[Others], Mapping[str, object]] = lambda others: {}
+    joined: Callable[[OtherSections], Mapping[str, object]] = lambda others: {}
     idle: Callable[[Any, Any], Iterator[str]] = lambda said, parts: iter(())
     defaults: Callable[[Any, Any], Iterator[str]] = lambda said, parts: iter(())
     weighs: bool = False

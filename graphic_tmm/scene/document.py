@@ -17,7 +17,7 @@ from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.files import Kind, read
 from graphic_tmm.language.catalogue import languages
 from graphic_tmm.language.said import joined, said
-from graphic_tmm.scene.declare import Found, Key, Section
+from graphic_tmm.scene.declare import Flaw, Key, Section
 from graphic_tmm.scene.declare import Path as Place
 from graphic_tmm.scene.letters import latin
 from graphic_tmm.scene.misfits import truth
@@ -300,7 +300,7 @@ def _spelled(one: Key) -> Iterator[str]:
 
 def _read(one: Key, text: str) -> object:
     """Return what a value means that is written so; None if it is none."""
-    found: list[Found] = []
+    found: list[Flaw] = []
     value = one.kind.understood(value_of(text), (), {}, found)
     return None if found else value
 

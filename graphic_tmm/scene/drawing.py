@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from graphic_tmm.board.bounds import Bound
 from graphic_tmm.language.catalogue import languages
 from graphic_tmm.language.said import said
-from graphic_tmm.paper.formats import AUTO, FORMATS, USUAL, others
+from graphic_tmm.paper.formats import AUTO, FORMATS, USUAL, other_names
 from graphic_tmm.scene import registry
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Kind, Names, key, made
+from graphic_tmm.scene.declare import Kind, Names, combined_key, key
 from graphic_tmm.scene.misfits import stands
 from graphic_tmm.scene.units import SI, SYSTEMS
 
@@ -45,13 +45,13 @@ class Scales:
     """
 
     mu_l: float | None = key(v.MU_L, 'm/mm, or "1:5"', "0.005 m/mm", None)
-    mu_v: float | None = made(
+    mu_v: float | None = combined_key(
         lambda said: None if said.mu_v == v.MU_L_OMEGA else said.mu_v,
         None,
         mu_v=key(v.MU_V, f'(m/s)/mm, or "{v.MU_L_OMEGA}"', "0.25 (m/s)/mm", None),
     )
     mu_a: float | None = key(v.MU_A, "(m/s²)/mm", "12.5 (m/s^2)/mm", None)
-    mu_v_is_mu_l_omega: bool = made(lambda said: said.mu_v == v.MU_L_OMEGA, False)
+    mu_v_is_mu_l_omega: bool = combined_key(lambda said: said.mu_v == v.MU_L_OMEGA, False)
     OA: float | None = key(v.DRAWN, "drawn length of the crank, instead of mu_l", "60 mm", None)
     pa: float | None = key(
         v.DRAWN, "drawn velocity of the crank pin, instead of mu_v", "60 mm", None
@@ -106,12 +106,12 @@ class SheetOrder:
     """
 
     format: str = key(
-        v.choice(*FORMATS, AUTO, **others()),
+        v.choice(*FORMATS, AUTO, **other_names()),
         "the format of the sheet; auto: the smallest that holds it",
         USUAL,
         USUAL,
     )
-    place: tuple[str, ...] = made(
+    place: tuple[str, ...] = combined_key(
         lambda said: said.place or (),
         ("positions", "velocities", "accelerations"),
         place=key(

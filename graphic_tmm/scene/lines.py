@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from graphic_tmm.errors import Fault
-from graphic_tmm.scene.declare import Found, Path
+from graphic_tmm.scene.declare import Flaw, Path
 
 _SPACE = re.compile(r"[ \t]*")
 _BLANK = re.compile(r"(?:[ \t\r\n]+|#[^\n]*)*")
@@ -236,7 +236,7 @@ def _spoken(raw: str) -> str:
         raise _Lost from error
 
 
-def fault(doc: Mapping[str, Any], lines: Mapping[Path, int], found: Found) -> Fault:
+def fault(doc: Mapping[str, Any], lines: Mapping[Path, int], found: Flaw) -> Fault:
     """Return a finding as the fault that a person reads."""
     return Fault(key_of(doc, found.path), line_of(lines, found.path), found.message)
 

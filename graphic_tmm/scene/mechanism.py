@@ -13,7 +13,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Guide as MechanismGuide
 from graphic_tmm.scene import letters, misfits
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import FAULTY, Found, Names, Path, Schema, Sort, key, made
+from graphic_tmm.scene.declare import FAULTY, Flaw, Names, Path, Schema, Sort, combined_key, key
 from graphic_tmm.scene.tables import ByShape, Named, Several, Table
 
 
@@ -28,7 +28,7 @@ class Guide:
 class _Place:
     """A point of the frame, by its letter; something else there may be a misspelt number."""
 
-    def understood(self, value: object, at: Path, names: Names, found: list[Found]) -> Any:
+    def understood(self, value: object, at: Path, names: Names, found: list[Flaw]) -> Any:
         """Return the place, or FAULTY."""
         if isinstance(value, list):
             return v.POINT.understood(value, at, names, found)
@@ -37,7 +37,7 @@ class _Place:
             "a key of the frame is number, a point, O = [0, 0], or a guide, "
             'y = { through = [0, 0], angle = "0 deg" }'
         )
-        found.append(Found(at, misfits.stands(value, meant, keys)))
+        found.append(Flaw(at, misfits.stands(value, meant, keys)))
         return FAULTY
 
     def schema(self, tables: dict[str, Schema]) -> Schema:
@@ -52,7 +52,7 @@ class Frame:
     OTHERS: ClassVar[Sort] = ByShape(dict, Table(Guide), _Place())
 
     number: int = key(v.LINK_NUMBER, "the number of the fixed link", 6, 0)
-    others: Mapping[str, complex | Guide] = made(lambda said: said.others, ())
+    others: Mapping[str, complex | Guide] = combined_key(lambda said: said.others, ())
 
     @property
     def points(self) -> dict[str, complex]:

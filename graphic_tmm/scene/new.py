@@ -135,7 +135,7 @@ def _examples(there: Container[str], speech: Speech) -> Iterator[str]:
         keys = {
             name: value
             for name, one in keys_of(section.record).items()
-            if (value := shown(one, speech)) is not None
+            if (value := example_of(one, speech)) is not None
         }
         if keys:
             yield from (f"# {line}".rstrip() for line in _example(section, keys, speech))
@@ -155,7 +155,7 @@ def about(record: type) -> str:
     return (record.__doc__ or "").partition("\n")[0]
 
 
-def shown(one: Key, speech: Speech) -> str | None:
+def example_of(one: Key, speech: Speech) -> str | None:
     """Return a key's default as a scene writes it, or its example if it has none; None if there is neither."""
     default = default_text(one)
     return default or (None if one.example is None else toml(in_words(one.example, speech)))

@@ -10,14 +10,14 @@ from graphic_tmm.errors import Fault, SceneError, first_of
 from graphic_tmm.scene import build, checks, references
 from graphic_tmm.scene.bare import grouped
 from graphic_tmm.scene.checks import remarks
-from graphic_tmm.scene.declare import Found
+from graphic_tmm.scene.declare import Flaw
 from graphic_tmm.scene.document import Document, document, parsed
 from graphic_tmm.scene.lines import fault, key_of, line_of, locate
 from graphic_tmm.scene.packaged import FILE, SCENE, scene_name
 from graphic_tmm.scene.quantities import measuring
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.sections import measures, understand
-from graphic_tmm.scene.vary import changed, told
+from graphic_tmm.scene.vary import changed, lines_by_key
 
 TOLD = 50
 """So many faults of a file are told; a person mends these first."""
@@ -78,10 +78,10 @@ def _scene(file: Path, text: str | None, doc: Document, missing: Callable[[str],
         lines = None if text is None else locate(text)
         asides = grouped((key_of(doc, one.path), one.message) for one in found)
         told_of = (*asides, *remarks(parts))
-    return replace(made, remarks=told_of, told=told(doc, lines), doc=doc)
+    return replace(made, remarks=told_of, told=lines_by_key(doc, lines), doc=doc)
 
 
-def _in_order(text: str, doc: Document, found: list[Found]) -> tuple[Fault, ...]:
+def _in_order(text: str, doc: Document, found: list[Flaw]) -> tuple[Fault, ...]:
     """Return the faults in the order of the file; of very many the first."""
     lines = locate(text)
     first = sorted(found, key=lambda item: line_of(lines, item.path))[:TOLD]

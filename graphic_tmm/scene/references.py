@@ -10,7 +10,7 @@ from typing import NamedTuple, TypeGuard
 
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.scene import letters
-from graphic_tmm.scene.declare import Found, Path
+from graphic_tmm.scene.declare import Flaw, Path
 from graphic_tmm.scene.document import Document, raw_links, table, texts
 from graphic_tmm.scene.values import link_side
 
@@ -58,7 +58,7 @@ def outline(doc: Document) -> Outline:
     return Outline(fixed, bodies, complete, tuple(letters), moving)
 
 
-def check(doc: Document, missing: Callable[[str], str]) -> Iterator[Found]:
+def check(doc: Document, missing: Callable[[str], str]) -> Iterator[Flaw]:
     """Everything that is wrong with the names of a file.
 
     Parameters
@@ -71,7 +71,7 @@ def check(doc: Document, missing: Callable[[str], str]) -> Iterator[Found]:
     names = outline(doc)
     yield from _numbers(doc, names)
     for path, text in texts(doc):
-        yield from (Found(path, says) for says in letters.undrawable(text, missing(text)))
+        yield from (Flaw(path, says) for says in letters.undrawable(text, missing(text)))
     yield from _letters(doc)
     for path, link in raw_links(doc):
         yield from _slides(path, link, names)
@@ -95,7 +95,7 @@ def _is_number(value: object) -> bool:
     return _is_whole(value) and 0 <= value <= 999
 
 
-def _numbers(doc: Document, names: Outline) -> Iterator[Found]:
+def _numbers(doc: Document, names: Outline) -> Iterator[Flaw]:
     free = next((n for n in range(1, 1000) if n not in names.bodies), 0)
     for path, link in raw_links(doc):
         number = link.get("number")
@@ -107,21 +107,21 @@ def _numbers(doc: Document, names: Outline) -> Iterator[Found]:
             taken=FRAME if number == names.frame else said("another link", context="of"),
             free=free,
         )
-        yield Found((*path, "number"), says)
+        yield Flaw((*path, "number"), says)
 
 
-def _letters(doc: Document) -> Iterator[Found]:
+def _letters(doc: Document) -> Iterator[Flaw]:
     """Faults of single letters, then of letters that are confused with an earlier one."""
     seen: dict[str, str] = {}
     told: set[str] = set()
     for path, letter, is_point in _written(doc):
         if says := letters.letter_fault(letter, pole=is_point):
-            yield Found(path, says)
+            yield Flaw(path, says)
         elif is_point:
             first = seen.setdefault(letters.folded(letter), letter)
             if letter not in told and (says := letters.clash(first, letter)):
                 told.add(letter)
-                yield Found(path, says)
+                yield Flaw(path, says)
 
 
 def _written(doc: Document) -> Iterator[tuple[Path, str, bool]]:
@@ -134,7 +134,7 @@ def _written(doc: Document) -> Iterator[tuple[Path, str, bool]]:
                 yield (*path, part, key), key, part == "points"
 
 
-def _slides(path: Path, link: Document, names: Outline) -> Iterator[Found]:
+def _slides(path: Path, link: Document, names: Outline) -> Iterator[Flaw]:
     slides = link.get("slides", [])
     several = isinstance(slides, list)
     for i, slide in enumerate(slides if several else [slides]):
@@ -147,18 +147,18 @@ def _slides(path: Path, link: Document, names: Outline) -> Iterator[Found]:
             yield from no_link((*at, "on"), number, names)
         elif number == link.get("number"):
             says = said("link {number} cannot slide on itself; write another number", number=number)
-            yield Found((*at, "on"), says)
+            yield Flaw((*at, "on"), says)
         elif number == names.frame and "cylinder" in slide:
             says = said(
                 "a cylinder is a link that moves, and link {number} slides on the frame; leave cylinder out",
                 number=link.get("number"),
             )
-            yield Found((*at, "cylinder"), says)
+            yield Flaw((*at, "cylinder"), says)
         else:
             yield from _along((*at, "along"), slide.get("along"), number, names)
 
 
-def no_link(path: Path, number: int, names: Outline) -> Iterator[Found]:
+def no_link(path: Path, number: int, names: Outline) -> Iterator[Flaw]:
     """Tell that there is no link of that number, if all numbers could be read."""
     if names.complete:
         says = said(
@@ -167,10 +167,10 @@ def no_link(path: Path, number: int, names: Outline) -> Iterator[Found]:
             listed=", ".join(str(n) for n in sorted(names.bodies)),
             frame=names.frame,
         )
-        yield Found(path, says)
+        yield Flaw(path, says)
 
 
-def _along(path: Path, along: object, number: int, names: Outline) -> Iterator[Found]:
+def _along(path: Path, along: object, number: int, names: Outline) -> Iterator[Flaw]:
     body = names.bodies[number]
     if not isinstance(along, str) or along in body.guides:
         return
@@ -183,12 +183,12 @@ def _along(path: Path, along: object, number: int, names: Outline) -> Iterator[F
         wrong = letters.unknown(says, along, body.guides, said("guides of {of}", of=of))
         listed = ", ".join(body.letters) or said("none", context="letters")
         there = said("letters are {listed}", listed=listed)
-        yield Found(path, joined("; ", (wrong, there)))
+        yield Flaw(path, joined("; ", (wrong, there)))
     elif pair[0] == pair[1]:
         says = said(
             '"{along}" names one letter twice; name two letters of {of}', along=along, of=of
         )
-        yield Found(path, says)
+        yield Flaw(path, says)
     else:
         yield from _known(path, pair, body.letters, of)
 
@@ -201,12 +201,12 @@ def of_link(number: int) -> str:
     return said("link {number}", context="of", number=number)
 
 
-def _known(path: Path, wanted: tuple[str, ...], known: tuple[str, ...], of: str) -> Iterator[Found]:
+def _known(path: Path, wanted: tuple[str, ...], known: tuple[str, ...], of: str) -> Iterator[Flaw]:
     for letter in wanted:
         if letter not in known:
             says = said('"{letter}" is not a letter of {of}', letter=letter, of=of)
             what = said("letters of {of}", of=of)
-            yield Found(path, letters.unknown(says, letter, known, what))
+            yield Flaw(path, letters.unknown(says, letter, known, what))
 
 
 def no_moving(letter: str, names: Outline) -> str:
@@ -215,7 +215,7 @@ def no_moving(letter: str, names: Outline) -> str:
     return letters.unknown(says, letter, names.moving, said("moving points"))
 
 
-def _sides(path: Path, link: Document, names: Outline) -> Iterator[Found]:
+def _sides(path: Path, link: Document, names: Outline) -> Iterator[Flaw]:
     try:
         pair = link_side(link["side"])[1] if "side" in link else ()
     except ValueError:
@@ -223,7 +223,7 @@ def _sides(path: Path, link: Document, names: Outline) -> Iterator[Found]:
     yield from _known((*path, "side"), pair, names.letters, MECHANISM)
 
 
-def _centre(path: Path, link: Document) -> Iterator[Found]:
+def _centre(path: Path, link: Document) -> Iterator[Flaw]:
     if isinstance(link.get("centre"), str) and isinstance(link.get("points", {}), dict):
         known = tuple(link.get("points", {}))
         yield from _known(
@@ -231,7 +231,7 @@ def _centre(path: Path, link: Document) -> Iterator[Found]:
         )
 
 
-def _drive(drive: Document, names: Outline) -> Iterator[Found]:
+def _drive(drive: Document, names: Outline) -> Iterator[Flaw]:
     number = drive.get("link")
     if _is_whole(number) and number not in names.bodies:
         yield from no_link(("drive", "link"), number, names)
@@ -239,23 +239,23 @@ def _drive(drive: Document, names: Outline) -> Iterator[Found]:
         says = said(
             "link {number} is the frame, which does not turn; name the crank", number=number
         )
-        yield Found(("drive", "link"), says)
+        yield Flaw(("drive", "link"), says)
     point = table(drive.get("zero")).get("point")
     if isinstance(point, str):
         yield from _moving(("drive", "zero", "point"), point, names)
 
 
-def _trajectories(items: object, names: Outline) -> Iterator[Found]:
+def _trajectories(items: object, names: Outline) -> Iterator[Flaw]:
     for i, letter in enumerate(items if isinstance(items, list) else []):
         if isinstance(letter, str):
             yield from _moving(("plans", "trajectories", i), letter, names)
 
 
-def _moving(path: Path, letter: str, names: Outline) -> Iterator[Found]:
+def _moving(path: Path, letter: str, names: Outline) -> Iterator[Flaw]:
     if letter not in names.moving and letter in names.letters:
         says = said(
             '"{letter}" stands on the frame and does not move; name a moving point', letter=letter
         )
-        yield Found(path, says)
+        yield Flaw(path, says)
     else:
         yield from _known(path, (letter,), names.letters, MECHANISM)

@@ -65,7 +65,7 @@ def attended(
     The smallest sheets hold nothing but what they are asked for.
     """
     large = [not format.startswith(SMALLEST) for format in formats]
-    found = _told(orders, large)
+    found = _moved(orders, large)
     for name, (one, place) in places().items():
         if not called(one, asked, mechanism=True):
             continue
@@ -76,7 +76,7 @@ def attended(
     return tuple(found)
 
 
-def _told(orders: Sequence[tuple[str, ...]], large: Sequence[bool]) -> list[tuple[str, ...]]:
+def _moved(orders: Sequence[tuple[str, ...]], large: Sequence[bool]) -> list[tuple[str, ...]]:
     """Return what stands on sheets with parts of places moved to where what they tell of is shown.
 
     Nothing is moved onto the smallest sheets.

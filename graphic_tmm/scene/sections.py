@@ -18,7 +18,7 @@ from graphic_tmm.errors import TmmError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import author, drawing, lengths, letters, mechanism, quantities, registry
 from graphic_tmm.scene.bare import taken
-from graphic_tmm.scene.declare import Found, Path, Section, build, keys_of
+from graphic_tmm.scene.declare import Flaw, Path, Section, build, keys_of
 from graphic_tmm.scene.document import Document, raw_links, table
 from graphic_tmm.scene.references import Outline, outline
 from graphic_tmm.scene.registry import of_section, without_mechanism
@@ -109,15 +109,15 @@ class Parts:
             if said is not None and (said or section.name in self.doc):
                 yield section, said
 
-    def moves(self, path: Path, letter: str) -> Iterator[Found]:
+    def moves(self, path: Path, letter: str) -> Iterator[Flaw]:
         """Tell of a letter that is no point of a moving link."""
         there = [name for _, link in raw_links(self.doc) for name in table(link.get("points"))]
         if there and letter not in there:
             says = said('"{letter}" is no point of a moving link', letter=letter[:20])
             what = said("points of moving links")
-            yield Found(path, letters.unknown(says, letter, there, what))
+            yield Flaw(path, letters.unknown(says, letter, there, what))
 
-    def intervals(self, section: str) -> Iterator[Found]:
+    def intervals(self, section: str) -> Iterator[Flaw]:
         """Tell of a row that is too short for a diagram of a section."""
         if self.drive is not None and not INTERVALS.holds(self.drive.positions):
             says = said(
@@ -126,7 +126,7 @@ class Parts:
                 least=INTERVALS.least,
                 there=self.drive.positions,
             )
-            yield Found((section,), says)
+            yield Flaw((section,), says)
 
 
 def measures(doc: Document) -> quantities.Measures:
@@ -139,7 +139,7 @@ def measures(doc: Document) -> quantities.Measures:
     return quantities.Measures(system)
 
 
-def understand(doc: Document) -> tuple[Parts, list[Found]]:
+def understand(doc: Document) -> tuple[Parts, list[Flaw]]:
     """Check every section of a parsed document.
 
     Returns
@@ -166,25 +166,25 @@ def understand(doc: Document) -> tuple[Parts, list[Found]]:
 
 
 def _several(
-    section: Section, items: object, names: Mapping[str, float], found: list[Found]
+    section: Section, items: object, names: Mapping[str, float], found: list[Flaw]
 ) -> list[Any]:
     name = section.name
     if not isinstance(items, list):
         says = said("write [[{name}]] in double brackets: there can be several", name=name)
-        found.append(Found((name,), says))
+        found.append(Flaw((name,), says))
         return []
     return [
         understood(section.record, item, (name, i), names, found) for i, item in enumerate(items)
     ]
 
 
-def _top_level(doc: Document) -> list[Found]:
+def _top_level(doc: Document) -> list[Flaw]:
     known = [*keys_of(drawing.Head), LENGTHS, *declared()]
     strange = [key for key in doc if key not in known]
-    found = [Found((key,), unknown_key(key, known)) for key in strange[:MOST]]
+    found = [Flaw((key,), unknown_key(key, known)) for key in strange[:MOST]]
     for key, example in _EXAMPLES.items():
         if needs_mechanism(doc) and (key not in doc or doc[key] == []):
-            found.append(Found((key,), said("it is missing; write {example}", example=example)))
+            found.append(Flaw((key,), said("it is missing; write {example}", example=example)))
     return found
 
 
@@ -204,7 +204,7 @@ def _listed(value: object) -> list[object]:
     return list(value) if isinstance(value, (list, tuple)) else [value]
 
 
-def _task(doc: Document, found: list[Found]) -> tuple[Any, dict[str, float]]:
+def _task(doc: Document, found: list[Flaw]) -> tuple[Any, dict[str, float]]:
     """Return what the task says, and the lengths it gives (NaN where they cannot be told)."""
     if "task" not in doc:
         return None, {}
@@ -216,32 +216,32 @@ def _task(doc: Document, found: list[Found]) -> tuple[Any, dict[str, float]]:
     try:
         return task, dict(rocker_lengths(task.K_v, task.stroke, task.OB))
     except (ValueError, TmmError) as error:
-        found.append(Found(("task",), error.args[0]))
+        found.append(Flaw(("task",), error.args[0]))
         return task, dict.fromkeys(_FOUND_BY_TASK, math.nan)
 
 
 def _named_lengths(
-    doc: Document, given: Mapping[str, float], found: list[Found]
+    doc: Document, given: Mapping[str, float], found: list[Flaw]
 ) -> dict[str, float]:
     """Return the lengths named by ``[lengths]`` and the task, m; NaN for one that is faulty."""
     raw = doc.get("lengths", {})
     if not isinstance(raw, dict):
         found.append(
-            Found(("lengths",), said('write a section [lengths] with, for example, r = "0.3 m"'))
+            Flaw(("lengths",), said('write a section [lengths] with, for example, r = "0.3 m"'))
         )
         return dict(given)
     names = dict(given)
     for name, value in raw.items():
         if message := _name_fault(name, given):
-            found.append(Found(("lengths", name), message))
+            found.append(Flaw(("lengths", name), message))
         try:
             names[name] = quantities.parse(value, "length")
             found.extend(
-                Found(("lengths", name), line, fault=False) for line in taken(value, "length")
+                Flaw(("lengths", name), line, fault=False) for line in taken(value, "length")
             )
         except ValueError as error:
             names[name] = math.nan
-            found.append(Found(("lengths", name), error.args[0]))
+            found.append(Flaw(("lengths", name), error.args[0]))
     return names
 
 

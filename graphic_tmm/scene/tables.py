@@ -11,7 +11,7 @@ from graphic_tmm.language.said import joined, said
 from graphic_tmm.scene import misfits
 from graphic_tmm.scene.declare import (
     FAULTY,
-    Found,
+    Flaw,
     Key,
     Kind,
     Names,
@@ -39,7 +39,7 @@ class Table:
 
     record: type
 
-    def understood(self, value: object, at: Path, names: Names, found: list[Found]) -> Any:
+    def understood(self, value: object, at: Path, names: Names, found: list[Flaw]) -> Any:
         """Return the record of a table, or FAULTY."""
         told = understood(self.record, value, at, names, found)
         return FAULTY if told is None else build(self.record, told)
@@ -58,7 +58,7 @@ class Named:
 
     each: Sort
 
-    def understood(self, value: object, at: Path, names: Names, found: list[Found]) -> Any:
+    def understood(self, value: object, at: Path, names: Names, found: list[Flaw]) -> Any:
         """Return the values by name, or FAULTY."""
         if not isinstance(value, dict):
             return _no_table(value, at, found)
@@ -79,11 +79,11 @@ class Several:
 
     each: Sort
 
-    def understood(self, value: object, at: Path, names: Names, found: list[Found]) -> Any:
+    def understood(self, value: object, at: Path, names: Names, found: list[Flaw]) -> Any:
         """Return the values, or FAULTY."""
         if not isinstance(value, list):
             wanted = said("a list of tables is wanted, [{ ... }]")
-            found.append(Found(at, misfits.stands(value, wanted)))
+            found.append(Flaw(at, misfits.stands(value, wanted)))
             return FAULTY
         read = tuple(
             self.each.understood(one, (*at, i), names, found) for i, one in enumerate(value)
@@ -103,7 +103,7 @@ class ByShape:
     such: Sort
     other: Sort
 
-    def understood(self, value: object, at: Path, names: Names, found: list[Found]) -> Any:
+    def understood(self, value: object, at: Path, names: Names, found: list[Flaw]) -> Any:
         """Return what a value means, or FAULTY."""
         sort = self.such if isinstance(value, self.shape) else self.other
         return sort.understood(value, at, names, found)
@@ -113,9 +113,7 @@ class ByShape:
         return {"oneOf": [self.other.schema(tables), self.such.schema(tables)]}
 
 
-def understood(
-    record: type, raw: object, at: Path, names: Names, found: list[Found]
-) -> Said | None:
+def understood(record: type, raw: object, at: Path, names: Names, found: list[Flaw]) -> Said | None:
     """Return what a table says, by key; None if anything but a key that means nothing is wrong.
 
     What is wrong is put at the end of ``found``.
@@ -126,7 +124,7 @@ def understood(
     known: Mapping[str, Key] = keys_of(record)
     others: Sort | None = getattr(record, "OTHERS", None)
     strange = [name for name in raw if name not in known]
-    faults: list[Found] = []
+    faults: list[Flaw] = []
     values, fine = _known(known, raw, at, names, (set() if others else set(strange), faults))
     if others is not None:
         rest = {name: raw[name] for name in strange}
@@ -134,14 +132,14 @@ def understood(
         fine = fine and values["others"] is not FAULTY
     else:
         listed = list(known)
-        faults += (Found((*at, name), unknown_key(name, listed)) for name in strange[:MOST])
+        faults += (Flaw((*at, name), unknown_key(name, listed)) for name in strange[:MOST])
     found += faults[:MOST]
     return SimpleNamespace(**values) if fine else None
 
 
 def _known(
     known: Mapping[str, Key], raw: Mapping[str, Any], at: Path, names: Names,
-    faults: tuple[set[str], list[Found]],
+    faults: tuple[set[str], list[Flaw]],
 ) -> tuple[dict[str, Any], bool]:  # fmt: skip
     """Return the values of the keys, and whether they are all there and sound."""
     strange, found = faults
@@ -154,13 +152,13 @@ def _known(
         else:
             values[name] = one.left_out()
             if one.default is MISSING and name not in misspelt:
-                found.append(Found((*at, name), missing_key(name, one)))
+                found.append(Flaw((*at, name), missing_key(name, one)))
         fine = fine and values[name] is not FAULTY and values[name] is not MISSING
     return values, fine
 
 
-def _no_table(value: object, at: Path, found: list[Found], record: type | None = None) -> Any:
-    found.append(Found(at, misfits.stands(value, _table_wanted(at, record))))
+def _no_table(value: object, at: Path, found: list[Flaw], record: type | None = None) -> Any:
+    found.append(Flaw(at, misfits.stands(value, _table_wanted(at, record))))
     return FAULTY
 
 

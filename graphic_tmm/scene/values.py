@@ -24,7 +24,7 @@ def quantity(dimension: Dimension, bound: Bound | None = None) -> Kind:
     def read(value: object, names: Names) -> float:
         number = quantities.parse(value, dimension)
         if bound is not None and not bound.holds(number):
-            text, least = _told(value), bound.least
+            text, least = _show(value), bound.least
             if bound.above:
                 raise ValueError(
                     said("{text} is not greater than {least:g}", text=text, least=least)
@@ -43,7 +43,7 @@ def _quantity_schema(dimension: Dimension) -> Schema:
     }
 
 
-def _told(value: object) -> str:
+def _show(value: object) -> str:
     if isinstance(value, (int, float)):
         return misfits.digits_of(value)
     return f'"{value}"'
@@ -191,12 +191,12 @@ def _speed(value: object, names: Names) -> float:
             said(
                 "{text}: a drive that stands still moves nothing; for what stands, or starts from rest, write "
                 'a speed so small that nothing comes of it, "0.001 rad/s"',
-                text=_told(value),
+                text=_show(value),
             )
         )
     if number < 0:
         raise ValueError(
-            said('{text} is negative; write it positive and turns = "clockwise"', text=_told(value))
+            said('{text} is negative; write it positive and turns = "clockwise"', text=_show(value))
         )
     return number
 
@@ -242,7 +242,7 @@ def _positive_scale(number: float, value: object) -> float:
         raise ValueError(
             said(
                 "{text} cannot be a scale factor; it is what 1 mm of paper stands for",
-                text=_told(value),
+                text=_show(value),
             )
         )
     return number
@@ -254,7 +254,7 @@ def _drawn(value: object, names: Names) -> float:
         raise ValueError(
             said(
                 '{text} is {metres:g} m on the sheet (a number is in metres); write "60 mm"',
-                text=_told(value),
+                text=_show(value),
                 metres=metres,
             )
         )
@@ -267,7 +267,7 @@ def _ruler(value: object, names: Names) -> float | str:
     metres = quantities.in_si(value, "length", "0.1 mm")
     if not _DIVISION.holds(metres * 1000):
         raise ValueError(
-            said('{text} is no ruler; write "0.1 mm", "0.5 mm" or "exact"', text=_told(value))
+            said('{text} is no ruler; write "0.1 mm", "0.5 mm" or "exact"', text=_show(value))
         )
     return metres * 1000
 

@@ -23,11 +23,11 @@ _PART = re.compile(r"([^.\[\]]+)((?:\[\d{1,6}\])*)")
 
 def path_of(doc: Document, key: str) -> Path:
     """Return the path of a key; of a text that cannot be one, itself as a key before the first section."""
-    found = _found(doc, key) if len(key) <= LONGEST else None
+    found = _path_of(doc, key) if len(key) <= LONGEST else None
     return found or (key[:LONGEST],)
 
 
-def _found(doc: Document, key: str) -> Path | None:
+def _path_of(doc: Document, key: str) -> Path | None:
     item, comma, rest = key.partition(", ")
     match = _ITEM.fullmatch(item)
     if match is None:
@@ -207,7 +207,7 @@ def paths(doc: Document) -> list[Path]:
     return found
 
 
-def told(doc: Document, lines: Mapping[Path, int] | None) -> dict[str, int]:
+def lines_by_key(doc: Document, lines: Mapping[Path, int] | None) -> dict[str, int]:
     """Return the sections and keys as people write them, each with its line; 0 where no file holds them."""
     there = dict.fromkeys(paths(doc), 0) if lines is None else lines
     return {key_of(doc, path): line for path, line in there.items() if len(path) < 4}

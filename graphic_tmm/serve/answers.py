@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from graphic_tmm.errors import SceneError, TmmError
-from graphic_tmm.fitting.composition import beside, known_composition
+from graphic_tmm.fitting.composition import composition_file, known_composition
 from graphic_tmm.note.note import note_files, wanted
 from graphic_tmm.page import FORMAT
 from graphic_tmm.page.page import page
@@ -18,8 +18,8 @@ from graphic_tmm.readers.table import table
 from graphic_tmm.scene.packaged import scene_name
 from graphic_tmm.serve import jobs
 from graphic_tmm.serve.desk import URGENT, Desk, Scene, said_of
-from graphic_tmm.serve.jobs import File, Refused, Task, scene_of, told
-from graphic_tmm.serve.kept import Told, hashed
+from graphic_tmm.serve.jobs import File, Refused, Task, refusing, scene_of
+from graphic_tmm.serve.kept import SceneFault, hashed
 from graphic_tmm.serve.limits import DOWNLOAD, JUDGING
 from graphic_tmm.serve.worker import Broken, Gone, TooLong
 from graphic_tmm.studio import make, sheet_files
@@ -40,7 +40,7 @@ def _there(module: str) -> bool:
     return find_spec(module) is not None
 
 
-@told
+@refusing
 def downloaded(task: Task, form: str) -> File:
     """Return the file of a scene in a format; of several a ZIP."""
     found = FORMS[form](task)
@@ -67,7 +67,7 @@ def _sheets(form: str) -> Callable[[Task], Files]:
     def files(task: Task) -> Files:
         given = None
         if task.given is not None:
-            given = known_composition(task.given, beside(task.file))
+            given = known_composition(task.given, composition_file(task.file))
         return sheet_files(scene_of(task), (form,), given=given, whole={FORMAT: page})[1]
 
     return files
@@ -175,14 +175,14 @@ class Answers:
         try:
             return await self.desk.aside.ask(downloaded, task, form, limit=DOWNLOAD)
         except (TooLong, Gone, Broken) as error:
-            return Refused((Told(0, "", said_of(error, self.desk.speech(task))),))
+            return Refused((SceneFault(0, "", said_of(error, self.desk.speech(task))),))
 
     async def _judged(self, job: Callable[..., Any], *given: Any) -> Any:
         try:
             return await self.desk.front.ask(job, *given, limit=JUDGING, urgency=URGENT)
         except (TooLong, Gone, Broken) as error:
             speech = self.desk.speech(next(filter(_is_task, given), None))
-            return Refused((Told(0, "", said_of(error, speech)),))
+            return Refused((SceneFault(0, "", said_of(error, speech)),))
 
 
 def _is_task(given: object) -> bool:

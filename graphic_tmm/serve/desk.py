@@ -22,7 +22,7 @@ from graphic_tmm.scene.document import spoken
 from graphic_tmm.serve import jobs
 from graphic_tmm.serve.folder import Folder
 from graphic_tmm.serve.jobs import Drafted, Refused, Task
-from graphic_tmm.serve.kept import Kept, Told, as_sheets, hashed, with_lines
+from graphic_tmm.serve.kept import Kept, SceneFault, as_sheets, hashed, with_lines
 from graphic_tmm.serve.limits import DRAWING, JUDGING
 from graphic_tmm.serve.worker import Broken, Gone, TooLong, Worker
 
@@ -128,7 +128,7 @@ class Desk:
             scene.drawing.cancel()
             scene.drawing = None
 
-    def unread(self, scene: Scene, error: TmmError) -> tuple[Told, ...]:
+    def unread(self, scene: Scene, error: TmmError) -> tuple[SceneFault, ...]:
         """Return what is told of a file that cannot be read or written."""
         return jobs.faults(error, str(scene.file), self.speech(None))
 
@@ -142,7 +142,7 @@ class Desk:
         try:
             refused = await self._stages(scene, task)
         except (TooLong, Gone, Broken) as error:
-            refused = Refused((Told(0, "", said_of(error, self.speech(task))),))
+            refused = Refused((SceneFault(0, "", said_of(error, self.speech(task))),))
         if refused is not None:
             _refuse(scene.kept, version, with_lines(refused.faults, task.data))
             return
@@ -202,7 +202,7 @@ def _show(scene: Scene, drawn: Drafted, **told: Any) -> None:
     scene.kept.tell(ok=True, fresh=True, errors=(), sheets=sheets, **told)
 
 
-def _refuse(kept: Kept, version: str, faults: tuple[Told, ...]) -> None:
+def _refuse(kept: Kept, version: str, faults: tuple[SceneFault, ...]) -> None:
     """Tell what a text is refused for; the sheets that are there stay."""
     kept.tell(ok=False, busy=False, text_version=version, errors=faults)
 

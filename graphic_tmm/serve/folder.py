@@ -11,7 +11,7 @@ from typing import NoReturn
 
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.files import Kind, call, read, write
-from graphic_tmm.fitting.composition import COMPOSITION, beside
+from graphic_tmm.fitting.composition import COMPOSITION, composition_file
 from graphic_tmm.fitting.composition import FILE as COMPOSED
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.packaged import FILE, SCENE, packaged, scene_name, scene_path
@@ -74,7 +74,7 @@ class Folder:
 
     def composition(self, file: Path) -> bytes | None:
         """Return what the composition beside a scene holds, None if there is none; raises as `read`."""
-        there = beside(str(file))
+        there = composition_file(str(file))
         return self._read(there, COMPOSITION) if there.exists() else None
 
     def write(self, file: Path, data: bytes) -> None:

@@ -114,7 +114,7 @@ def form(data: bytes, file: File) -> list[Group]:
     return [group for group in found if group.fields]
 
 
-def told(groups: list[Group], language: str) -> list[dict[str, Any]]:
+def form_json(groups: list[Group], language: str) -> list[dict[str, Any]]:
     """Return a form as JSON takes it, in a language."""
     speech = speaking(language)
     return [
@@ -122,13 +122,13 @@ def told(groups: list[Group], language: str) -> list[dict[str, Any]]:
             "title": speech(group.title) if isinstance(group.title, Said) else group.title,
             "says": speech(group.says),
             "there": group.there,
-            "fields": [_told(one, speech) for one in group.fields],
+            "fields": [_field_json(one, speech) for one in group.fields],
         }
         for group in groups
     ]
 
 
-def _told(one: Field, speech: Speech) -> dict[str, Any]:
+def _field_json(one: Field, speech: Speech) -> dict[str, Any]:
     return {
         "key": one.key,
         "label": one.label,

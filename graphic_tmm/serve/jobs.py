@@ -14,7 +14,7 @@ from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SceneError, TmmError, printable
 from graphic_tmm.fitting import compose
 from graphic_tmm.fitting.compose import Composed
-from graphic_tmm.fitting.composition import Composition, beside, known_composition, text
+from graphic_tmm.fitting.composition import Composition, composition_file, known_composition, text
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.reader import reader, reading
 from graphic_tmm.page.page import page
@@ -26,8 +26,8 @@ from graphic_tmm.scene.read import judged
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.serve.edit import edited
 from graphic_tmm.serve.form import form
-from graphic_tmm.serve.form import told as fields_told
-from graphic_tmm.serve.kept import Told
+from graphic_tmm.serve.form import form_json as fields_told
+from graphic_tmm.serve.kept import SceneFault
 from graphic_tmm.serve.shell import title_of
 from graphic_tmm.studio import composed_sheets, make
 
@@ -65,7 +65,7 @@ class Sheets(NamedTuple):
 class Refused(NamedTuple):
     """What a scene is refused for."""
 
-    faults: tuple[Told, ...]
+    faults: tuple[SceneFault, ...]
 
 
 class File(NamedTuple):
@@ -75,7 +75,7 @@ class File(NamedTuple):
     data: bytes
 
 
-def told(job: Callable[P, T]) -> Callable[P, T | Refused]:
+def refusing(job: Callable[P, T]) -> Callable[P, T | Refused]:
     """Make a task (its first argument is a `Task`) return what its scene is refused for."""
 
     def held(*given: P.args, **named: P.kwargs) -> T | Refused:
@@ -97,15 +97,15 @@ def _language(task: Task) -> str:
     return task.language or spoken(task.data.decode("utf-8", "replace")) or reader().language
 
 
-def faults(error: TmmError, file: str, speech: Speech) -> tuple[Told, ...]:
+def faults(error: TmmError, file: str, speech: Speech) -> tuple[SceneFault, ...]:
     """Return the faults of a scene; its file is known, and not told."""
     if isinstance(error, SceneError):
         shown = [fault.shown(speech) for fault in error.faults]
-        return tuple(Told(one.line, one.key, one.message) for one in shown)
+        return tuple(SceneFault(one.line, one.key, one.message) for one in shown)
     says = printable(error.told(speech))
     place = re.match(rf"{re.escape(printable(file))}(?::(\d+))?: ", says)
     line = int(place[1] or 0) if place else 0
-    return (Told(line, "", says[place.end() :] if place else says),)
+    return (SceneFault(line, "", says[place.end() :] if place else says),)
 
 
 def scene_of(task: Task) -> Scene:
@@ -127,10 +127,12 @@ def composed(task: Task) -> tuple[DrawnScene, Composed]:
 
 
 def _given(task: Task) -> Composition | None:
-    return None if task.given is None else known_composition(task.given, beside(task.file))
+    return (
+        None if task.given is None else known_composition(task.given, composition_file(task.file))
+    )
 
 
-@told
+@refusing
 def drawn(task: Task) -> Sheets:
     """Return the sheets of a scene."""
     made, found = composed(task)
@@ -138,7 +140,7 @@ def drawn(task: Task) -> Sheets:
     return Sheets(_svg(found), warnings, text(found.composition, found.scales).encode())
 
 
-@told
+@refusing
 def drafted(task: Task) -> Drafted:
     """Return the sheets of a scene in the sizes, and where it can be at the places, that another had."""
     given = _given(task)
@@ -151,7 +153,7 @@ def _svg(found: Composed) -> Drafted:
     return tuple((one.name, one.width, one.height, svg(one)) for one in found.sheets)
 
 
-@told
+@refusing
 def meant(task: Task) -> str:
     """Return a name for what a scene says: comments, layout and the lines it stands on are nothing to it."""
     scene = scene_of(task)
@@ -159,14 +161,14 @@ def meant(task: Task) -> str:
     return hashlib.sha256(repr([getattr(scene, name) for name in names]).encode()).hexdigest()
 
 
-@told
+@refusing
 def paged(task: Task) -> bytes:
     """Return a scene as a page for a browser, with what lets a person draw its plans himself."""
     made, found = composed(task)
     return page(made, found.sheets, practised=True).encode()
 
 
-@told
+@refusing
 def formed(task: Task) -> list[dict[str, Any]]:
     """Return the values of a scene as a form, as JSON takes it."""
     return fields_told(form(task.data, Path(task.file)), _language(task))
@@ -177,7 +179,7 @@ def titled(tasks: Sequence[Task]) -> list[str]:
     return [title_of(task.data, Path(task.file)) for task in tasks]
 
 
-@told
+@refusing
 def changed(task: Task, changes: Mapping[str, str]) -> bytes:
     """Return what a scene's file holds with values set in it."""
     return edited(task.data, changes, Path(task.file), missing)

@@ -12,7 +12,7 @@ from graphic_tmm.errors import printable
 from graphic_tmm.serve.limits import KEPT, KEPT_BYTES, LINE
 
 
-class Told(NamedTuple):
+class SceneFault(NamedTuple):
     """A fault of a scene: its line (0: unknown), its key, what is said of it, what stands on that line."""
 
     line: int
@@ -21,7 +21,7 @@ class Told(NamedTuple):
     source: str = ""
 
 
-class Shown(NamedTuple):
+class KeptSheet(NamedTuple):
     """A sheet that is shown: its name, the hash of its SVG, its size in mm."""
 
     name: str
@@ -44,9 +44,9 @@ class Kept:
     ok: bool = True
     busy: bool = False
     fresh: bool = False
-    errors: tuple[Told, ...] = ()
+    errors: tuple[SceneFault, ...] = ()
     warnings: tuple[str, ...] = ()
-    sheets: tuple[Shown, ...] = ()
+    sheets: tuple[KeptSheet, ...] = ()
     page: str | None = None
     contents: dict[str, bytes] = field(default_factory=dict)
     _news: asyncio.Event = field(default_factory=asyncio.Event)
@@ -93,7 +93,7 @@ class Kept:
         return name
 
 
-def with_lines(faults: Sequence[Told], data: bytes) -> tuple[Told, ...]:
+def with_lines(faults: Sequence[SceneFault], data: bytes) -> tuple[SceneFault, ...]:
     """Return the faults of a text with what stands on their lines; of a long line its beginning."""
     lines = data.decode("utf-8", "replace").split("\n")
     return tuple(
@@ -109,8 +109,9 @@ def hashed(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()[:32]
 
 
-def as_sheets(kept: Kept, drawn: Sequence[tuple[str, float, float, str]]) -> tuple[Shown, ...]:
+def as_sheets(kept: Kept, drawn: Sequence[tuple[str, float, float, str]]) -> tuple[KeptSheet, ...]:
     """Keep sheets (name, width, height, SVG), and return them as they are shown."""
     return tuple(
-        Shown(name, kept.keep(svg.encode()), width, height) for name, width, height, svg in drawn
+        KeptSheet(name, kept.keep(svg.encode()), width, height)
+        for name, width, height, svg in drawn
     )

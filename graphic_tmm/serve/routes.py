@@ -135,7 +135,7 @@ DRAWN = {
 
 def application(desk: Desk, token: str, *, open: bool = False) -> ASGIApp:
     """Return the application that serves a desk to who knows a token; ``open``: to other computers, too."""
-    asked = Asked(desk)
+    asked = AnswerRoutes(desk)
 
     @asynccontextmanager
     async def life(_: Starlette) -> AsyncIterator[None]:
@@ -171,7 +171,7 @@ class Change(NamedTuple):
     changes: dict[str, str]
 
 
-class Asked:
+class AnswerRoutes:
     """The answers, one a route."""
 
     def __init__(self, desk: Desk) -> None:

@@ -56,7 +56,7 @@ class _Yields(Exception):
     """A task has kept others waiting for too long."""
 
 
-class _Asked(NamedTuple):
+class _Job(NamedTuple):
     urgency: int
     number: int
     job: Callable[..., Any]
@@ -74,8 +74,8 @@ class Worker:
 
     def __init__(self, first: Callable[[], object] = int, *, patient: bool = False) -> None:
         self._first, self._patient = first, patient
-        self._waiting: asyncio.PriorityQueue[_Asked] = asyncio.PriorityQueue(WAITING)
-        self._queued: dict[int, _Asked] = {}
+        self._waiting: asyncio.PriorityQueue[_Job] = asyncio.PriorityQueue(WAITING)
+        self._queued: dict[int, _Job] = {}
         self._numbers = itertools.count()
         self._thread = ThreadPoolExecutor(1)
         self._process: Any = None
@@ -100,11 +100,11 @@ class Worker:
         if self._turns is None:
             self._turns = asyncio.create_task(self._take_turns())
         answer: asyncio.Future[T] = asyncio.get_running_loop().create_future()
-        asked = _Asked(urgency, next(self._numbers), job, given, limit, answer)
+        asked = _Job(urgency, next(self._numbers), job, given, limit, answer)
         self._queue(asked)
         return await answer
 
-    def _queue(self, asked: _Asked) -> None:
+    def _queue(self, asked: _Job) -> None:
         try:
             self._waiting.put_nowait(asked)
         except asyncio.QueueFull:
@@ -138,7 +138,7 @@ class Worker:
 
     # ------------------------------------------------------------ in the thread
 
-    def _exchanged(self, asked: _Asked) -> Any:
+    def _exchanged(self, asked: _Job) -> Any:
         try:
             line = self._begun()
             line.send((asked.job, asked.given))
@@ -154,7 +154,7 @@ class Worker:
             raise Broken(found)
         return found
 
-    def _await(self, line: Connection, asked: _Asked) -> None:
+    def _await(self, line: Connection, asked: _Job) -> None:
         """Await an answer; raises TooLong beyond its limit, _Yields if others have waited too long for it."""
         begun = time.monotonic()
         while (spent := time.monotonic() - begun) < asked.limit:
@@ -165,7 +165,7 @@ class Worker:
                 raise _Yields
         raise TooLong(asked.limit)
 
-    def _keeps_waiting(self, asked: _Asked) -> bool:
+    def _keeps_waiting(self, asked: _Job) -> bool:
         """Whether something waits that is as urgent, and has kept nobody waiting itself."""
         waiting = (one for one in self._queued.copy().values() if not one.answer.done())
         return any(one.urgency <= asked.urgency and one.urgency != LAST for one in waiting)

@@ -22,14 +22,14 @@ from graphic_tmm.errors import SceneError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench, Plan, Project
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.chapter import Chapter, Made, Place, added
+from graphic_tmm.scene.chapter import Chapter, Place, Recorded, added
 from graphic_tmm.scene.declare import Section, key
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.scene.tasks import SectionKey
 
 ASKED: SectionKey[int] = SectionKey("strip")
-STRIP: Made[Any] = Made("strip")
+STRIP: Recorded[Any] = Recorded("strip")
 WHOLE = 120.0
 
 

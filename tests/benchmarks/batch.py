@@ -23,17 +23,17 @@ from support.gallery import SHEETS
 from graphic_tmm.classroom.batch.record import place
 from graphic_tmm.classroom.batch.run import Ran, run
 from graphic_tmm.classroom.batch.work import Done, Work, parcel
-from graphic_tmm.classroom.making import Asked, made
+from graphic_tmm.classroom.making import Request, make_request
 from graphic_tmm.classroom.variants.variant import Value, Variant, base, source_of, text_of
-from graphic_tmm.fitting.composition import beside
+from graphic_tmm.fitting.composition import composition_file
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheet_files
 
 
-def timed(given: tuple[str, Asked]) -> Done:
+def timed(given: tuple[str, Request]) -> Done:
     """Make what is asked, and tell what it cost: s of the processor, MB that the process has had at most."""
     begun = time.process_time()
-    done = made(given)
+    done = make_request(given)
     spent = time.process_time() - begun
     return done._replace(told=(f"{os.getpid()} {spent:.4f} {largest():.1f}",))
 
@@ -46,9 +46,9 @@ def largest() -> float:
 def variants(count: int, makes: tuple[str, ...]) -> list[Work]:
     """Return works of so many variants of the shaper: lengths of the crank and of the rocker."""
     scene = read(SHEETS / "shaper")
-    own = sheet_files(scene, (), composition=True)[1][beside(scene.source).name]
+    own = sheet_files(scene, (), composition=True)[1][composition_file(scene.source).name]
     of = base(SHEETS / "shaper")
-    asked = Asked("", "", makes, composition=str(own), lent=True)
+    asked = Request("", "", makes, composition=str(own), lent=True)
     found = []
     for k in range(count):
         lengths = Value("OA", f"{105 + k % 20}"), Value("BC", f"{590 + k // 20}")

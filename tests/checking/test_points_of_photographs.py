@@ -8,7 +8,7 @@ import pytest
 from support.command import invoke
 
 from graphic_tmm.checking.pencil.points import SEEN
-from graphic_tmm.checking.pencil.reading import Found, Point, readings
+from graphic_tmm.checking.pencil.reading import PhotoPoints, Point, readings
 from graphic_tmm.checking.photographed import Photographed, points_drawing, poles_of, write_seen
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import FINE, Judged, Report
@@ -39,7 +39,7 @@ def test_points_seen_come_back_from_their_file(language: str, tmp_path: Path) ->
         Point(("velocities", letter, "3"), z, z - 10, SEEN, z)
         for letter, z in (("a", 12.344 + 5.678j), ("b", -3.5 - 0.25j))
     )
-    seen = Photographed(Found(points, ()), readings(points))
+    seen = Photographed(PhotoPoints(points, ()), readings(points))
     (file,) = write_seen(str(tmp_path / "seen.csv"), seen, language)
     back = read_readings(file)
     assert [one._replace(last=seen.taken[0].last) for one in back] == list(seen.taken)
@@ -54,7 +54,7 @@ def test_every_point_seen_is_shown_with_its_letter_and_error() -> None:
             ("c", 0j, "unseen"),
         )
     )
-    seen = Photographed(Found(points, ()), readings(points))
+    seen = Photographed(PhotoPoints(points, ()), readings(points))
     judged = Judged(seen.taken[0], 50.0, 51.0, 1.26, 2.0, 0.5, FINE, own=0.84)
     report = Report("scene", "", "en", "student", (judged,), ())
     drawing = points_drawing(seen, report, Sheet("s", "", "A4", 210.0, 297.0, ()))
@@ -69,7 +69,7 @@ def test_letters_of_points_that_lie_together_keep_off_each_other_and_off_the_she
         Point(("velocities", letter, "3"), z, z, SEEN, z)
         for letter, z in zip(letters, (50 + 50j, 50.4 + 50j, 51 + 50.5j) * 2, strict=True)
     )
-    seen = Photographed(Found(points, ()), readings(points))
+    seen = Photographed(PhotoPoints(points, ()), readings(points))
     own = Label("c", 52 + 46j, 5.0)
     sheet = Sheet("s", "", "A4", 210.0, 297.0, (Drawing("plan", "", (), (own,)),))
     drawing = points_drawing(seen, Report("scene", "", "en", "student", (), ()), sheet)

@@ -12,11 +12,11 @@ from support.gallery import SHEETS
 
 from graphic_tmm.classroom.batch.run import run
 from graphic_tmm.classroom.batch.work import Work, digest, done
-from graphic_tmm.classroom.making import MAKES, Asked, made, work
+from graphic_tmm.classroom.making import MAKES, Request, make_request, work
 from graphic_tmm.classroom.variants.variant import Value, Variant, base, source_of, text_of
 from graphic_tmm.errors import SceneError
 from graphic_tmm.files import write
-from graphic_tmm.fitting.composition import beside
+from graphic_tmm.fitting.composition import composition_file
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import sheet_files
 
@@ -27,13 +27,13 @@ SCENE = SHEETS / "shaper"
 def composition() -> str:
     scene = read(SCENE)
     files = sheet_files(scene, (), composition=True)[1]
-    return str(files[beside(scene.source).name])
+    return str(files[composition_file(scene.source).name])
 
 
 def works(composition: str, makes: tuple[str, ...] = tuple(MAKES)) -> list[Work]:
     of = base(SCENE)
     some = [Variant(f"в{k}", (Value("OA", f"{108 + 4 * k}"),)) for k in range(2)]
-    asked = Asked("", "", makes, composition=composition, lent=True)
+    asked = Request("", "", makes, composition=composition, lent=True)
     return [
         work(one.name, asked._replace(text=text_of(of, one), source=source_of(of, one).name))
         for one in some
@@ -48,7 +48,7 @@ def by_commands(work: Work, home: Path) -> dict[str, bytes]:
     if asked.composition:
         told = done(work._replace(given=(name, asked._replace(makes=("scene",))))).files
         write(out, {path.partition("/")[2]: text for path, text in told.items()})
-        beside(str(file)).write_bytes((out / "composition.toml").read_bytes())
+        composition_file(str(file)).write_bytes((out / "composition.toml").read_bytes())
     formats = {"draw": (), "note": ("-f", "md"), "page": ()}
     for command in asked.makes:
         if command in formats:
@@ -91,9 +91,11 @@ def test_a_scene_that_is_not_good_is_refused_in_its_own_words() -> None:
     (one, _) = works("")
     name, asked = one.given
     with pytest.raises(SceneError, match="в0"):
-        made((name, asked._replace(text=asked.text.replace("22 kg", "-"), source="в0.toml")))
+        make_request(
+            (name, asked._replace(text=asked.text.replace("22 kg", "-"), source="в0.toml"))
+        )
 
 
 def test_what_is_made_in_which_formats_stands_in_the_name() -> None:
-    asked = Asked("", "x.toml", ("draw", "table"), sheets=("svg", "pdf"))
+    asked = Request("", "x.toml", ("draw", "table"), sheets=("svg", "pdf"))
     assert work("7", asked).name == "7/draw-svg-pdf+table-csv"

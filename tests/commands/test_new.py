@@ -15,7 +15,7 @@ from graphic_tmm.commands import new as command
 from graphic_tmm.commands.new import BEGINNINGS
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.scene.declare import MISSING, Kind, keys_of
-from graphic_tmm.scene.new import MANNER, SCHEMA, shown
+from graphic_tmm.scene.new import MANNER, SCHEMA, example_of
 from graphic_tmm.scene.packaged import packaged
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.sections import declared
@@ -79,7 +79,7 @@ def test_a_section_in_comments_is_one_when_the_signs_are_taken_away(tmp_path: Pa
                 or not isinstance(one.kind, Kind)
             ):
                 continue
-            assert shown(one, speaking("en")) is not None
+            assert example_of(one, speaking("en")) is not None
             defaults += one.kind.understood(value, (), {}, []) == default
             asked += 1
     assert asked > 40

@@ -8,10 +8,10 @@ import pytest
 from support.notes import looked_up, noted, spoken, stands_for, words_of, worth_of_a_last_digit
 
 from graphic_tmm.note.document import (
-    Beside,
     Paragraph,
     Picture,
     Ref,
+    SideBySide,
     Table,
     Text,
     numbers,
@@ -45,7 +45,7 @@ def test_every_number_stands_in_the_log(name: str, language: str) -> None:
 @pytest.mark.parametrize(("name", "language"), SCENES)
 def test_what_is_referred_to_is_there_once(name: str, language: str) -> None:
     blocks = list(walk(noted(name, language).blocks))
-    ids = [block.id for block in blocks if isinstance(block, Picture | Beside | Table)]
+    ids = [block.id for block in blocks if isinstance(block, Picture | SideBySide | Table)]
     assert len(set(ids)) == len(ids)
     wanted = {run.to for block in blocks for run in runs_of(block) if isinstance(run, Ref)}
     assert wanted <= set(ids)

@@ -11,7 +11,7 @@ from graphic_tmm.language.numbers import fixed
 from graphic_tmm.page.crank import crank
 from graphic_tmm.page.pack import unpacked
 from graphic_tmm.page.strands import unfolded
-from graphic_tmm.readers.rounding import told
+from graphic_tmm.readers.rounding import rounded_figures
 from graphic_tmm.readers.table import columns_of
 
 NAME = "crank-rocker"
@@ -40,7 +40,7 @@ def test_texts_at_the_positions_are_those_of_the_tables() -> None:
         columns = [one for one in columns_of(made.mechanism) if one.plan == plan]
         due = [
             [fixed(v, one.places, "en") if v is not None else None for v in one.value]
-            for one in told(columns)
+            for one in rounded_figures(columns)
         ]
         assert [value["texts"] for value in by_plan[plan]["values"]] == due
 

@@ -19,7 +19,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.language.numbers import percent_decimals
 from graphic_tmm.readers.columns import Column
-from graphic_tmm.readers.rounding import told
+from graphic_tmm.readers.rounding import rounded_figures
 from graphic_tmm.scene.read import read
 
 PUMP = slider_crank(
@@ -107,7 +107,7 @@ def test_steps_tell_differences_as_tables_do(tmp_path: Path) -> None:
 def test_a_length_of_nothing_has_no_digits() -> None:
     """An arm of 0.02 mm on paper, μ_l = 0.001 m/mm: 0.00002 m, not 0.0000200."""
     column = Column("forces", "h23", "h_{23}", "m", np.array([[0.02]]), np.array([[2e-5]]))
-    (figures,) = told([column])
+    (figures,) = rounded_figures([column])
     assert figures.places == 5
 
 

@@ -22,7 +22,7 @@ from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.result_table import result_table
-from graphic_tmm.readers.rounding import told
+from graphic_tmm.readers.rounding import rounded_figures
 from graphic_tmm.readers.table import columns_of
 from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.read import read
@@ -140,7 +140,7 @@ def test_equal_lengths_stand_for_equal_quantities(seed: int) -> None:
         for k, row in enumerate(lengths)
     ]
     found: dict[float, float] = {}
-    figures = told(columns)
+    figures = rounded_figures(columns)
     for column, one in zip(columns, figures, strict=True):
         for (mm, value), (length, figure) in zip(
             zip(*column.told, strict=True), zip(one.mm, one.value, strict=True), strict=True
@@ -162,7 +162,7 @@ def test_equal_lengths_stand_for_equal_quantities(seed: int) -> None:
 def test_what_no_length_stands_for_has_three_digits() -> None:
     one = Column("plan", "w", "ω", "1/s", along(None, None), along(12.345, -0.06))
     other = Column("plan", "d", "d", "%", along(None, None), along(1.5, 0.25))
-    assert [(f.value, f.places) for f in told([one, other])] == [
+    assert [(f.value, f.places) for f in rounded_figures([one, other])] == [
         ([12.345, -0.06], 1),
         ([1.5, 0.25], 2),
     ]
@@ -171,7 +171,7 @@ def test_what_no_length_stands_for_has_three_digits() -> None:
 def test_a_length_laid_off_is_told_to_a_hundredth_of_a_mm() -> None:
     laid = Column("velocities", "pa", "pa", "m/s", along(72.453, 72.453), along(5.43398, 5.43398))
     read_off = Column("velocities", "ab", "ab", "m/s", along(72.5, 3.1), along(5.4375, 0.2325))
-    (one, two) = told([laid, read_off])
+    (one, two) = rounded_figures([laid, read_off])
     assert (one.mm, one.value, one.places) == ([72.45, 72.45], [5.43, 5.43], 2)
     assert (two.mm, two.value, two.places) == ([72.5, 3.1], [5.44, 0.23], 2)
     view = result_table("velocities", [laid, read_off], ["1", "2"], "en")
@@ -181,7 +181,7 @@ def test_a_length_laid_off_is_told_to_a_hundredth_of_a_mm() -> None:
 def test_columns_of_a_scene_keep_their_order() -> None:
     (drawn,) = gallery.made("shaper").boards
     columns = columns_of(drawn)
-    for column, one in zip(columns, told(columns), strict=True):
+    for column, one in zip(columns, rounded_figures(columns), strict=True):
         there = [x for x in column.told[1] if x is not None]
         assert math.isclose(
             max(map(abs, there), default=0.0),

@@ -15,7 +15,7 @@ from graphic_tmm.errors import SceneError
 from graphic_tmm.scene import keys
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.chapter import Chapter, added
-from graphic_tmm.scene.declare import Found, Said, Section, key, keys_of, made
+from graphic_tmm.scene.declare import Flaw, Said, Section, combined_key, key, keys_of
 from graphic_tmm.scene.new import schema
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.registry import size_keys
@@ -30,7 +30,7 @@ class Spring:
     """A helical spring."""
 
     coils: int = key(v.number(Bound(2, 40, whole=True)), "its coils", 8)
-    ends: tuple[float, float] = made(
+    ends: tuple[float, float] = combined_key(
         lambda said: (said.free, said.loaded),
         free=key(v.POSITIVE_LENGTH, "its free length", "60 mm"),
         loaded=key(v.POSITIVE_LENGTH, "its length under load", "40 mm", 0.01, fixes="size"),
@@ -38,9 +38,9 @@ class Spring:
     set_by_a_program: int = 3
 
 
-def _check(said: Said, parts: Parts) -> Iterator[Found]:
+def _check(said: Said, parts: Parts) -> Iterator[Flaw]:
     if said.loaded > said.free:
-        yield Found(("spring", "loaded"), "a load shortens it; write a shorter length")
+        yield Flaw(("spring", "loaded"), "a load shortens it; write a shorter length")
 
 
 ASKED: SectionKey[Spring] = SectionKey("spring")
@@ -113,6 +113,6 @@ def test_every_key_says_what_it_is_and_its_example_can_be_read() -> None:
                 continue
             assert one.says, (name, other)
             if one.example is not None:
-                found: list[Found] = []
+                found: list[Flaw] = []
                 one.kind.understood(one.example, (name, other), {}, found)
                 assert not found, found

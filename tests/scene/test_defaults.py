@@ -13,8 +13,8 @@ from support.scenes import slider_crank
 from graphic_tmm.language.catalogue import languages, speaking
 from graphic_tmm.readers.table import table
 from graphic_tmm.scene import keys
-from graphic_tmm.scene.declare import Found, Key
-from graphic_tmm.scene.new import shown
+from graphic_tmm.scene.declare import Flaw, Key
+from graphic_tmm.scene.new import example_of
 from graphic_tmm.scene.read import understood
 from graphic_tmm.scene.tables import key_schema
 
@@ -25,7 +25,7 @@ SCENE = slider_crank(
 
 
 def _taken(one: Key, at: str, value: Any) -> Any:
-    found: list[Found] = []
+    found: list[Flaw] = []
     taken = one.kind.understood(value, (at,), {}, found)
     assert not any(told.fault for told in found), (at, value, found)
     return taken
@@ -45,7 +45,10 @@ def test_a_default_is_accepted_as_it_is_printed() -> None:
     for at, one in said:
         printed = keys._default(one, speaking("en"))
         assert printed[0] == printed[-1] == "`", (at, printed)
-        for text in (printed.strip("`"), *(shown(one, speaking(other)) for other in languages())):
+        for text in (
+            printed.strip("`"),
+            *(example_of(one, speaking(other)) for other in languages()),
+        ):
             assert _taken(one, at, tomllib.loads(f"it = {text}")["it"]) == one.default, at
 
 

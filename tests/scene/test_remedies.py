@@ -17,7 +17,7 @@ from support.scenes import slider_crank
 from support.wrong_scenes import CASES
 
 from graphic_tmm.errors import SceneError, TmmError
-from graphic_tmm.scene.declare import Found, Key
+from graphic_tmm.scene.declare import Flaw, Key
 from graphic_tmm.scene.read import judged
 from graphic_tmm.studio import make
 
@@ -113,7 +113,7 @@ VALUE = re.compile(
 
 
 def _messages(one: Key, value: object) -> set[str]:
-    found: list[Found] = []
+    found: list[Flaw] = []
     one.kind.understood(value, ("key",), {}, found)
     return {told.message for told in found if told.fault and "is missing" not in told.message}
 

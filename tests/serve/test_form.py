@@ -12,7 +12,7 @@ from support.gallery import ROOT
 
 from graphic_tmm.scene.new import schema
 from graphic_tmm.scene.vary import path_of
-from graphic_tmm.serve.form import MOST, Field, form, told
+from graphic_tmm.serve.form import MOST, Field, form, form_json
 
 SCENES = sorted((ROOT / "sheets").glob("*/scene.toml"))
 WINDROWER = ROOT / "sheets" / "windrower" / "scene.toml"
@@ -92,7 +92,7 @@ def test_what_a_field_says() -> None:
 
 def test_a_form_is_json_in_a_language() -> None:
     groups = form(WINDROWER.read_bytes(), WINDROWER)
-    russian = json.loads(json.dumps(told(groups, "ru")))
+    russian = json.loads(json.dumps(form_json(groups, "ru")))
     every = {one["key"]: one for group in russian for one in group["fields"]}
     assert every["drive.speed"]["unit"] == "угловая скорость"
     assert [group["title"] for group in russian][1:3] == ["task", "frame"]
@@ -119,7 +119,7 @@ def test_a_form_is_json_in_a_language() -> None:
 )
 def test_a_scene_may_be_as_wrong_as_it_likes(text: str) -> None:
     groups = form(text.encode(), WINDROWER)
-    json.dumps(told(groups, "en"))
+    json.dumps(form_json(groups, "en"))
 
 
 def test_a_giant_has_no_more_fields_than_can_be_shown() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from graphic_tmm.serve import kept as keeping
-from graphic_tmm.serve.kept import Kept, Shown
+from graphic_tmm.serve.kept import Kept, KeptSheet
 
 
 def kept_of(sizes: list[int]) -> tuple[Kept, list[str]]:
@@ -30,7 +30,7 @@ def test_the_oldest_go_when_there_are_too_many(monkeypatch: pytest.MonkeyPatch) 
 def test_what_is_shown_stays_however_old_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(keeping, "KEPT_BYTES", 1000)
     kept, (sheet, page) = kept_of([300, 300])
-    kept.sheets, kept.page = (Shown("s", sheet, 1.0, 1.0),), page
+    kept.sheets, kept.page = (KeptSheet("s", sheet, 1.0, 1.0),), page
     kept.keep(b"a" * 900)
     last = kept.keep(b"b" * 900)
     assert list(kept.contents) == [sheet, page, last]

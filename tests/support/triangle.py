@@ -17,7 +17,7 @@ from graphic_tmm.paper.views import captioned, mu_text
 from graphic_tmm.project import Bench, Plan, Project
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.captions import Named
-from graphic_tmm.scene.chapter import Chapter, Made, Place
+from graphic_tmm.scene.chapter import Chapter, Place, Recorded
 from graphic_tmm.scene.declare import Section, key
 from graphic_tmm.scene.tasks import SectionKey
 
@@ -38,7 +38,7 @@ class Triangle(NamedTuple):
 
 
 ASKED: SectionKey[Sides] = SectionKey("triangle")
-TRIANGLE: Made[Triangle] = Made("triangle")
+TRIANGLE: Recorded[Triangle] = Recorded("triangle")
 
 
 def record(bench: Bench) -> Triangle:

@@ -25,7 +25,7 @@ from graphic_tmm.note.document import Block, Item, Listed, Number, Run, Runs, So
 from graphic_tmm.note.figures import is_figure, picture, readable
 from graphic_tmm.note.plans import Page
 from graphic_tmm.note.section_chapter import Noted
-from graphic_tmm.note.steps import Told
+from graphic_tmm.note.steps import NumberSource
 from graphic_tmm.readers.columns import Column
 
 CONTOUR, MOTION = said("Contour of the cam"), said("Displacements by reversed motion")
@@ -175,7 +175,7 @@ class _Page(Page):
         yield from self._diagrams(told)
         yield from columns(self.drawn, arc_columns(self.drawn), self.language)
 
-    def _diagrams(self, told: Told) -> Iterator[Block]:
+    def _diagrams(self, told: NumberSource) -> Iterator[Block]:
         yield heading(self.speech(DIAGRAMS))
         yield self.says(CHORDS)
         for view in (VIEWS["V"], VIEWS["A"]):
@@ -200,7 +200,7 @@ class _Page(Page):
     def _there(self, mark: Mark) -> bool:
         return math.isfinite(self._read(VIEW).value(mark))
 
-    def _read(self, view: str) -> Told:
+    def _read(self, view: str) -> NumberSource:
         found = self.of(view)
         assert found is not None
         return found

@@ -20,7 +20,7 @@ from graphic_tmm.chapters.arc_cam.follower import Follower, draw_follower
 from graphic_tmm.chapters.arc_cam.geometry import SAME, Lie, lie
 from graphic_tmm.chapters.arc_cam.task import ARC_CAM, ASKED, ROCKER, ArcTask
 from graphic_tmm.project import Bench
-from graphic_tmm.scene.chapter import Made
+from graphic_tmm.scene.chapter import Recorded
 
 VIEWS = {"S": "arc cam S", "V": "arc cam dS", "A": "arc cam ddS"}
 LETTERS = {"S": "S", "V": "S′", "A": "S″"}
@@ -50,7 +50,7 @@ class ArcCam:
     charts: dict[str, Chart]
 
 
-ARC_CAM_PLAN: Made[ArcCam] = Made(ARC_CAM)
+ARC_CAM_PLAN: Recorded[ArcCam] = Recorded(ARC_CAM)
 
 
 def record(bench: Bench) -> ArcCam | None:

@@ -16,13 +16,13 @@ from graphic_tmm.chapters.arc_cam.contour import Contour
 from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, record
 from graphic_tmm.chapters.arc_cam.task import ARC_CAM, ROCKER
 from graphic_tmm.project import Bench, Plan
-from graphic_tmm.scene.chapter import Made, aside
+from graphic_tmm.scene.chapter import Recorded, aside
 
 VIEW = "arc_cam-calculation"
 """The view of what is calculated."""
 
 
-class Beside(NamedTuple):
+class Aside(NamedTuple):
     """What the follower does, found without differentiation.
 
     ``second``: d²S/dφ² (m; of a lever 1) on the arc before a change, and on that behind it. ``velocity`` and
@@ -37,17 +37,17 @@ class Beside(NamedTuple):
     acceleration: tuple[Mark, Mark] | None = None
 
 
-BESIDE: Made[Beside] = Made(aside(ARC_CAM))
+BESIDE: Recorded[Aside] = Recorded(aside(ARC_CAM))
 
 
-def record_beside(bench: Bench) -> Beside:
+def record_beside(bench: Bench) -> Aside:
     """Find the second derivative by the arcs' centres; with a speed, velocity and acceleration."""
     made, draft = ARC_CAM_PLAN.on(bench), bench.draft
     draft.open(VIEW)
     centres = _centres(draft, made.contour)
     second = second_derivatives(draft, made)
     if made.order.speed is None:
-        return Beside(second, centres)
+        return Aside(second, centres)
     rocks = made.order.follower == ROCKER
     omega = draft.take(Number, "ω_1", made.order.speed, "1/s")
     letters, unit = (("ω_{B}", "ε_{B}"), "1/s") if rocks else (("v_{B}", "a_{B}"), "m/s")
@@ -57,7 +57,7 @@ def record_beside(bench: Bench) -> Beside:
         draft.draw(f.acceleration, letter, omega, mark, unit=f"{unit}²")
         for letter, mark in zip((letters[1], after), second, strict=True)
     )
-    return Beside(second, centres, velocity, (before, behind))
+    return Aside(second, centres, velocity, (before, behind))
 
 
 def _centres(draft: Draft, contour: Contour) -> dict[str, tuple[Mark, Mark]]:

@@ -11,7 +11,7 @@ from graphic_tmm.board.bounds import Bound
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, key, made
+from graphic_tmm.scene.declare import Flaw, Kind, Names, Said, Section, combined_key, key
 from graphic_tmm.scene.misfits import stands
 from graphic_tmm.scene.tasks import SectionKey
 
@@ -78,13 +78,13 @@ class ArcTask:
         v.POSITIVE_LENGTH, "how far the nose's centre stands from the cam's", "22 mm"
     )
     nose: float = key(_LEAST, "the radius of the nose; 0 for a sharp one", "6 mm", 0.0)
-    rise: Flank = made(
+    rise: Flank = combined_key(
         _rise,
         Flank(None),
         flank=key(_FLANK, 'the radius of the flanks, or "straight"', "60 mm"),
         hollow=key(v.SWITCH, "whether the flanks are hollow: for rollers only", True, False),
     )
-    fall: Flank = made(
+    fall: Flank = combined_key(
         _return,
         Flank(None),
         return_flank=key(
@@ -98,7 +98,7 @@ class ArcTask:
     centres: float | None = key(
         v.POSITIVE_LENGTH, "distance of the rocker's pivot and the cam's", "70 mm", None
     )
-    same_sense: bool = made(
+    same_sense: bool = combined_key(
         lambda said: said.sense == "along",
         False,
         sense=key(
@@ -127,22 +127,22 @@ class ArcTask:
 ASKED: SectionKey[ArcTask] = SectionKey("arc_cam")
 
 
-def check(cam: Said, parts: Parts) -> Iterator[Found]:
+def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
     """Every contradiction of the section: keys of another follower, sizes that are missing."""
     at = ASKED.section
     for name in ("lever", "centres"):
         if cam.follower == ROCKER and getattr(cam, name) is None:
-            yield Found((at, name), said('a rocker needs it; write, for example, "80 mm"'))
+            yield Flaw((at, name), said('a rocker needs it; write, for example, "80 mm"'))
         if cam.follower != ROCKER and getattr(cam, name) is not None:
             says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
-            yield Found((at, name), says)
+            yield Flaw((at, name), says)
     for name, follower in (("offset", ROLLER), ("sense", ROCKER)):
         if name in parts.doc[at] and cam.follower != follower:
             says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
-            yield Found((at, name), says)
+            yield Flaw((at, name), says)
     if cam.follower == FLAT and cam.roller:
         says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
-        yield Found((at, "roller"), says)
+        yield Flaw((at, "roller"), says)
 
 
 SECTIONS = (

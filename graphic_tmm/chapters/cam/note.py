@@ -24,7 +24,7 @@ from graphic_tmm.chapters.cam.turn import CURVATURE, PRESSURE
 from graphic_tmm.drawn import Drawn, results_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.note.bricks import asked, columns, filled, heading, result_number, results
+from graphic_tmm.note.bricks import asked_number, columns, filled, heading, result_number, results
 from graphic_tmm.note.document import Block, Paragraph, Run, Runs, Text
 from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.scene.chapter import chapters
@@ -50,8 +50,8 @@ def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
     if "pressure_rise" in results:
         back = "pressure" if made.order.pressure_return is None else "pressure_return"
         limits = {
-            "allowed": asked(drawn, "cam", "pressure", "°", language),
-            "behind": asked(drawn, "cam", back, "°", language),
+            "allowed": asked_number(drawn, "cam", "pressure", "°", language),
+            "behind": asked_number(drawn, "cam", back, "°", language),
         }
         both = {"rise": told("pressure_rise"), "back": told("pressure_return")}
         yield filled(_(PRESSURE_KEPT), {**both, **limits})

@@ -30,8 +30,8 @@ from graphic_tmm.note.document import (
 from graphic_tmm.note.figures import is_figure, picture, readable
 from graphic_tmm.note.plans import Page, listed
 from graphic_tmm.note.protocol import Known
-from graphic_tmm.note.steps import Told, calculated
-from graphic_tmm.readers.rounding import told as as_told
+from graphic_tmm.note.steps import NumberSource, calculated
+from graphic_tmm.readers.rounding import rounded_figures as as_told
 
 LAW, CENTRES = said("Diagrams of the motion"), said("Least radius, region of centres")
 LIMITS, PROFILE = said("Pressure angle and curvature"), said("Profile by reversed motion")
@@ -177,7 +177,7 @@ class CamPage(Page):
         if found:
             yield Display(found)
 
-    def _steps_of(self, view: str, ops: Sequence[Operation]) -> Iterator[tuple[Told, Step]]:
+    def _steps_of(self, view: str, ops: Sequence[Operation]) -> Iterator[tuple[NumberSource, Step]]:
         for step in self.drawn.construction.steps:
             if step.it.view != view or step.op not in ops:
                 continue

@@ -21,7 +21,7 @@ from graphic_tmm.chapters.cam.turn import TurnDiagram, draw_curvature, draw_pres
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
-from graphic_tmm.scene.chapter import Made
+from graphic_tmm.scene.chapter import Recorded
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class Cam:
         return self.centre.least
 
 
-CAM_PLAN: Made[Cam] = Made(CAM)
+CAM_PLAN: Recorded[Cam] = Recorded(CAM)
 
 
 def record(bench: Bench) -> Cam | None:

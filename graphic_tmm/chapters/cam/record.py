@@ -15,13 +15,13 @@ from graphic_tmm.chapters.cam.refusals import risen
 from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CAM, CamTask, FlatFollower, RockerFollower
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench, Plan
-from graphic_tmm.scene.chapter import Made, aside
+from graphic_tmm.scene.chapter import Recorded, aside
 
 VIEW = "cam-calculation"
 """The view of what is calculated."""
 
 
-class Beside(NamedTuple):
+class Aside(NamedTuple):
     """Marks (Number).
 
     ``along``: what a mm of the diagrams' base stands for, °/mm. ``dwells``: of those that there are, rad, by
@@ -39,17 +39,17 @@ class Beside(NamedTuple):
     peaks: dict[str, Mark]
 
 
-BESIDE: Made[Beside] = Made(aside(CAM))
+BESIDE: Recorded[Aside] = Recorded(aside(CAM))
 
 
-def record_beside(bench: Bench) -> Beside:
+def record_beside(bench: Bench) -> Aside:
     """Calculate what the drawing of a cam does not need."""
     cam, draft = CAM_PLAN.on(bench), bench.draft
     draft.open(VIEW)
     along = draft.draw(f.degrees_per_mm, "μ_φ", cam.diagrams.base.length, unit="°/mm")
     dwells = _dwells(draft, cam.order)
     left, motion = _left(draft, cam, cam.order), _motion(draft, cam, cam.order)
-    return Beside(along, dwells, left, *motion, _peaks(draft, cam))
+    return Aside(along, dwells, left, *motion, _peaks(draft, cam))
 
 
 def _peaks(draft: Draft, cam: Cam) -> dict[str, Mark]:

@@ -12,7 +12,7 @@ from graphic_tmm.board.bounds import POSITIVE, Bound
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, key, made
+from graphic_tmm.scene.declare import Flaw, Kind, Names, Said, Section, combined_key, key
 from graphic_tmm.scene.misfits import listed, stands
 from graphic_tmm.scene.tasks import SectionKey
 
@@ -209,18 +209,18 @@ class CamTask:
 
     stroke: float = key(_STROKE, "the stroke of the follower; an angle for a rocker", "28 mm")
     rise: float = key(_MOVING, "the angle of the rise", "100 deg")
-    upper_dwell: float = made(
+    upper_dwell: float = combined_key(
         lambda said: said.upper_dwell,
         upper_dwell=key(_DWELL, "the angle of the upper dwell", "20 deg", 0.0),
     )
     fall: float = key(_MOVING, "the angle of the return", "90 deg")
-    lower_dwell: float = made(
+    lower_dwell: float = combined_key(
         _rest,
         lower_dwell=key(
             _DWELL, "the angle of the lower dwell; the rest of the turn", "150 deg", None
         ),
     )
-    rise_law: Law = made(
+    rise_law: Law = combined_key(
         _rise_law,
         Law("sine"),
         law=key(_LAW, "the law of motion of the rise", "sine", "sine"),
@@ -232,7 +232,7 @@ class CamTask:
             None,
         ),
     )
-    return_law: Law = made(
+    return_law: Law = combined_key(
         _return_law,
         Law("sine"),
         return_law=key(_LAW, "the law of the return, if it is another", "3-4-5", None),
@@ -252,7 +252,7 @@ class CamTask:
             )
         },
     )
-    follower: Follower = made(
+    follower: Follower = combined_key(
         _follower,
         RollerFollower(),
         follower=key(
@@ -277,7 +277,7 @@ class CamTask:
         ),
     )
     turns: str = key(v.TURNS, "which way the cam turns", "counterclockwise", v.COUNTERCLOCKWISE)
-    pressure: float = made(
+    pressure: float = combined_key(
         _pressure,
         30.0,
         pressure=key(_LIMIT, "largest pressure angle allowed", "30 deg", None),
@@ -316,24 +316,24 @@ class CamTask:
 ASKED: SectionKey[CamTask] = SectionKey("cam")
 
 
-def check(cam: Said, parts: Parts) -> Iterator[Found]:
+def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
     """Every contradiction of the section."""
     rocks, angle = cam.follower == "rocker", is_angle(parts.doc["cam"]["stroke"])
     if rocks and not angle:
-        yield Found(("cam", "stroke"), said('a rocker swings through an angle; write "20 deg"'))
+        yield Flaw(("cam", "stroke"), said('a rocker swings through an angle; write "20 deg"'))
     if not rocks and angle:
-        yield Found(
+        yield Flaw(
             ("cam", "stroke"), said('this follower moves along its guide; write a length, "28 mm"')
         )
     for name in ("lever", "centres"):
         if rocks and getattr(cam, name) is None:
-            yield Found(("cam", name), said('a rocker needs it; write, for example, "80 mm"'))
+            yield Flaw(("cam", name), said('a rocker needs it; write, for example, "80 mm"'))
         if not rocks and getattr(cam, name) is not None:
             says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
-            yield Found(("cam", name), says)
+            yield Flaw(("cam", name), says)
     if cam.pressure is not None and cam.transmission is not None:
         says = said("pressure says the same; leave one of them out")
-        yield Found(("cam", "transmission"), says)
+        yield Flaw(("cam", "transmission"), says)
     for name in ("mu_dS", "mu_ddS"):
         if (
             name in parts.doc["cam"]
@@ -343,33 +343,31 @@ def check(cam: Said, parts: Parts) -> Iterator[Found]:
             says = said(
                 'it is told in {unit} here: write, for example, "{example}"', **_UNITS[rocks]
             )
-            yield Found(("cam", name), says)
+            yield Flaw(("cam", name), says)
     yield from _laws(cam)
 
 
-def _laws(cam: Said) -> Iterator[Found]:
+def _laws(cam: Said) -> Iterator[Flaw]:
     """The law diagram without points, and points of another law."""
     for law, points in (("law", "law_points"), ("return_law", "return_points")):
         given, name = getattr(cam, points) is not None, getattr(cam, law)
         others = points == "return_points" and cam.law_points
         if name == BY_DIAGRAM and not given and not others:
             says = said("the law diagram needs points, [[0, 0], [0.25, 1], ...]")
-            yield Found(("cam", points), says)
+            yield Flaw(("cam", points), says)
         if given and name not in (BY_DIAGRAM, None):
             says = said('only {law} = "diagram" takes points; leave them out', law=law)
-            yield Found(("cam", points), says)
+            yield Flaw(("cam", points), says)
     way = getattr(cam, RETURN)
     if way is None:
         return
     if BY_DIAGRAM not in (cam.return_law or cam.law, cam.law):
-        yield Found(("cam", RETURN), said("the other laws are the same both ways; leave it out"))
+        yield Flaw(("cam", RETURN), said("the other laws are the same both ways; leave it out"))
     elif way == AS_GIVEN and cam.return_points is None:
-        yield Found(
-            ("cam", RETURN), said("the return needs points of its own: write return_points")
-        )
+        yield Flaw(("cam", RETURN), said("the return needs points of its own: write return_points"))
     elif way == MIRRORED and (cam.return_points is not None or cam.return_law is not None):
         says = said("the return is the rise run backwards: leave its own law and points out")
-        yield Found(("cam", RETURN), says)
+        yield Flaw(("cam", RETURN), says)
 
 
 SECTIONS = (

@@ -33,7 +33,7 @@ from graphic_tmm.chapters.flywheel.task import VIEWS
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
-from graphic_tmm.scene.chapter import Made
+from graphic_tmm.scene.chapter import Recorded
 
 
 class Cycle(NamedTuple):
@@ -44,7 +44,7 @@ class Cycle(NamedTuple):
     speed: Mark
 
 
-CYCLE_PLAN: Made[Cycle] = Made(CYCLE)
+CYCLE_PLAN: Recorded[Cycle] = Recorded(CYCLE)
 
 
 def record(bench: Bench) -> Cycle | None:

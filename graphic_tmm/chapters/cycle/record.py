@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN, record
-from graphic_tmm.chapters.flywheel.record import Beside, calculate
+from graphic_tmm.chapters.flywheel.record import Aside, calculate
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench, Plan
-from graphic_tmm.scene.chapter import Made, aside
+from graphic_tmm.scene.chapter import Recorded, aside
 
-BESIDE: Made[Beside] = Made(aside("cycle"))
+BESIDE: Recorded[Aside] = Recorded(aside("cycle"))
 
 
-def record_beside(bench: Bench) -> Beside:
+def record_beside(bench: Bench) -> Aside:
     """Calculate the mean moment and its power."""
     made = CYCLE_PLAN.on(bench)
     return calculate(bench.draft, made.flywheel, made.speed)

@@ -12,7 +12,17 @@ from graphic_tmm.chapters.flywheel.task import FlywheelTask, aims
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, build, key, keys_of, made
+from graphic_tmm.scene.declare import (
+    Flaw,
+    Kind,
+    Names,
+    Said,
+    Section,
+    build,
+    combined_key,
+    key,
+    keys_of,
+)
 from graphic_tmm.scene.misfits import listed, stands
 from graphic_tmm.scene.tasks import SectionKey
 
@@ -78,7 +88,7 @@ class CycleTask:
     """
 
     speed: float = key(v.SPEED, "mean angular velocity of the shaft", "300 rpm")
-    flywheel: FlywheelTask = made(
+    flywheel: FlywheelTask = combined_key(
         _order,
         **{
             name: key(one.kind, one.says, one.example, one.default, fixes=one.fixes)
@@ -104,16 +114,14 @@ class CycleTask:
 ASKED: SectionKey[CycleTask] = SectionKey("cycle")
 
 
-def _check(asked: Said, parts: Parts) -> Iterator[Found]:
+def _check(asked: Said, parts: Parts) -> Iterator[Flaw]:
     yield from aims(asked, "cycle")
     if "moment" not in parts.doc:
         says = said("no moment is given over the cycle; write [[moment]] with its points")
-        yield Found(("cycle",), says)
+        yield Flaw(("cycle",), says)
 
 
-def _check_moments(
-    all_of_them: list[tuple[tuple[str, int], Said]], parts: Parts
-) -> Iterator[Found]:
+def _check_moments(all_of_them: list[tuple[tuple[str, int], Said]], parts: Parts) -> Iterator[Flaw]:
     asked = parts.said.get("cycle")
     if asked is None:
         return
@@ -121,7 +129,7 @@ def _check_moments(
     for path, one in all_of_them:
         if (one.points[0][0], one.points[-1][0]) != (0.0, whole):
             says = said("the points go from 0 to {whole:g}°, over the whole cycle", whole=whole)
-            yield Found((*path, "points"), says)
+            yield Flaw((*path, "points"), says)
 
 
 def _idle(asked: object, parts: Parts) -> Iterator[str]:

@@ -33,8 +33,8 @@ from graphic_tmm.note.document import (
 from graphic_tmm.note.figures import is_figure, picture, readable
 from graphic_tmm.note.plans import Page
 from graphic_tmm.note.section_chapter import Noted
-from graphic_tmm.note.steps import Told
-from graphic_tmm.readers.rounding import told as as_told
+from graphic_tmm.note.steps import NumberSource
+from graphic_tmm.readers.rounding import rounded_figures as as_told
 from graphic_tmm.scene.captions import captions
 
 
@@ -61,7 +61,7 @@ def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
     end = made.charts["S"].end if "S" in made.charts else None
     if end is not None:
         view = made.charts["S"].view
-        told = Told(drawn.board, drawn.construction, drawn.reading, view, 0, language)
+        told = NumberSource(drawn.board, drawn.construction, drawn.reading, view, 0, language)
         yield filled(_(words.CLOSED), {"end": told.number(end, unit=True)})
 
 
@@ -192,7 +192,7 @@ class _Page(Page):
         if chart.end is not None:
             yield self.says(words.CLOSURE, {"end": told.number(chart.end, unit=True)})
 
-    def _worked(self, told: Told, chart: Chart) -> Iterator[Block]:
+    def _worked(self, told: NumberSource, chart: Chart) -> Iterator[Block]:
         """Yield the ordinate of a diagram in the position that is worked, and what it stands for."""
         column, figures = self.columns[chart.symbol]
         mm, value = (row[self.at] for row in column.told)
@@ -249,7 +249,7 @@ class _Page(Page):
         self.told.add(steps)
         return Listed(tuple(Item("", (self.says(one, put),)) for one in steps))
 
-    def _pole(self, told: Told, chart: Chart) -> Iterator[Block]:
+    def _pole(self, told: NumberSource, chart: Chart) -> Iterator[Block]:
         """Yield how the pole distance follows from the scale factors, or one of these from it."""
         for step in told.log.steps:
             if step.it in (chart.mu, self.made.poles[chart.symbol]):

@@ -15,7 +15,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.document import Runs, Symbol, Table, text
-from graphic_tmm.note.steps import Told
+from graphic_tmm.note.steps import NumberSource
 from graphic_tmm.scene.captions import captions
 
 OF = said(
@@ -122,7 +122,7 @@ def intervals(drawn: Drawn, made: Kinematic) -> dict[int, str]:
 
 
 def middles_table(
-    told: Told, chart: Chart, middle: Middle, intervals: Mapping[int, str], digits: int
+    told: NumberSource, chart: Chart, middle: Middle, intervals: Mapping[int, str], digits: int
 ) -> Iterator[Table]:
     """Yield the middles of intervals: mm, and what they stand for, to some decimals."""
     language = told.language

@@ -36,7 +36,7 @@ from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
-from graphic_tmm.scene.chapter import Made
+from graphic_tmm.scene.chapter import Recorded
 
 UNITS = {"S": "m", "V": "m/s", "a": "m/s²"}
 """Of the diagrams over time."""
@@ -68,7 +68,7 @@ class Kinematic:
         return "V" if self.order.start == "velocity" else "S"
 
 
-DIAGRAMS_PLAN: Made[Kinematic] = Made(DIAGRAMS)
+DIAGRAMS_PLAN: Recorded[Kinematic] = Recorded(DIAGRAMS)
 
 
 class _Derived(NamedTuple):
@@ -85,7 +85,7 @@ class _Derived(NamedTuple):
     middles: Middles | None = None
 
 
-class _Found(NamedTuple):
+class _Diagrams(NamedTuple):
     """The diagrams by quantity, the length laid off in the first, those found from others."""
 
     charts: dict[str, Chart]
@@ -207,7 +207,7 @@ def _base(
 
 def _from_displacement(
     draft: Draft, positions: Positions, leg: GuideLeg, base: Base, order: KinematicTask
-) -> _Found:
+) -> _Diagrams:
     point = positions.point(order.point)
     draft.open(POSITIONS)
     start = draft.draw(at_zero, f"{order.point}_0", point, free=True)
@@ -222,12 +222,12 @@ def _from_displacement(
     speeds = _derivative(draft, "V", axes, at, curve, order)
     rates = _derivative(draft, "a", speeds.axes, speeds.at, speeds.curve, order)
     charts |= {"V": speeds.chart, "a": rates.chart}
-    return _Found(charts, length, (speeds, rates))
+    return _Diagrams(charts, length, (speeds, rates))
 
 
 def _from_velocity(
     draft: Draft, velocities: Motion, leg: GuideLeg, base: Base, order: KinematicTask
-) -> _Found:
+) -> _Diagrams:
     draft.open(VIEWS["V"])
     mu = draft.scale("μ_V", "(m/s)/mm")
     length = draft.draw(rescaled, "y_V", velocities.readings[leg.link], mu)
@@ -238,9 +238,9 @@ def _from_velocity(
     rates = _derivative(draft, "a", axes, at, curve, order)
     charts["a"] = rates.chart
     if order.integral != "drawn":
-        return _Found(charts, length, (rates,))
+        return _Diagrams(charts, length, (rates,))
     ways = _integral(draft, axes, curve, order)
-    return _Found({"S": ways.chart, **charts}, length, (ways, rates))
+    return _Diagrams({"S": ways.chart, **charts}, length, (ways, rates))
 
 
 def _derivative(

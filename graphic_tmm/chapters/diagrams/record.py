@@ -20,7 +20,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.task import FULL_TURN, VELOCITIES
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench, Plan
-from graphic_tmm.scene.chapter import Made, aside
+from graphic_tmm.scene.chapter import Recorded, aside
 
 WHOLE = 1e-9
 """An extra position that is nearer to one of the row, in intervals, stands on its boundary."""
@@ -69,7 +69,7 @@ class Middle(NamedTuple):
     value: Mark
 
 
-class Beside(NamedTuple):
+class Aside(NamedTuple):
     """``time``: of a turn (s), ``interval``: its share of the base (Length).
 
     ``middles``: by the symbol of a diagram found by chords; ``places``: of the extra positions that stand
@@ -82,10 +82,10 @@ class Beside(NamedTuple):
     places: tuple[Place, ...]
 
 
-BESIDE: Made[Beside] = Made(aside(DIAGRAMS))
+BESIDE: Recorded[Aside] = Recorded(aside(DIAGRAMS))
 
 
-def record_beside(bench: Bench) -> Beside:
+def record_beside(bench: Bench) -> Aside:
     """Calculate what the diagrams do not need."""
     made, plans, draft = DIAGRAMS_PLAN.on(bench), KINEMATICS_PLAN.on(bench), bench.draft
     assert plans.velocities is not None
@@ -95,7 +95,7 @@ def record_beside(bench: Bench) -> Beside:
     intervals = draft.take(Number, "N", float(plans.count))
     interval = draft.draw(interval_of, "L_1", made.base.length, intervals)
     middles = {symbol: _middle(bench, made, symbol) for symbol in made.middles}
-    return Beside(time, interval, middles, tuple(_places(bench, plans, interval)))
+    return Aside(time, interval, middles, tuple(_places(bench, plans, interval)))
 
 
 def _middle(bench: Bench, made: Kinematic, symbol: str) -> Middle:

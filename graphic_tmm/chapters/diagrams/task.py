@@ -17,7 +17,7 @@ from graphic_tmm.board.scales import nearest
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Found, Said, Section, key, made
+from graphic_tmm.scene.declare import Flaw, Said, Section, combined_key, key
 from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ class KinematicTask:
         v.DRAWN, "length of the base", "120 mm", None,
         fixes="size",
     )  # fmt: skip
-    mu_along: float | None = made(
+    mu_along: float | None = combined_key(
         lambda said: said.mu_t or said.mu_phi,
         None,
         mu_t=key(
@@ -69,7 +69,7 @@ class KinematicTask:
             fixes="size",
         ),
     )  # fmt: skip
-    S: ScaleOrder = made(
+    S: ScaleOrder = combined_key(
         lambda said: ScaleOrder(said.mu_S, said.H_S),
         STANDARD,
         mu_S=key(v.MU_L, "m/mm", "0.001 m/mm", None, fixes="size"),
@@ -81,7 +81,7 @@ class KinematicTask:
             fixes="size",
         ),
     )
-    V: ScaleOrder = made(
+    V: ScaleOrder = combined_key(
         lambda said: ScaleOrder(said.mu_V, said.H_V),
         STANDARD,
         mu_V=key(v.mu("scale of velocities"), "(m/s)/mm", "0.075 (m/s)/mm", None, fixes="size"),
@@ -89,7 +89,7 @@ class KinematicTask:
             v.DRAWN, "pole distance of the velocities, instead of mu_V", "20 mm", None, fixes="size"
         ),
     )
-    a: ScaleOrder = made(
+    a: ScaleOrder = combined_key(
         lambda said: ScaleOrder(said.mu_a, said.H_a),
         STANDARD,
         mu_a=key(v.MU_A, "(m/s²)/mm", "2 (m/s^2)/mm", None, fixes="size"),
@@ -115,14 +115,14 @@ class KinematicTask:
 ASKED: SectionKey[KinematicTask] = SectionKey("diagrams")
 
 
-def check(asked: Said, parts: Parts) -> Iterator[Found]:
+def check(asked: Said, parts: Parts) -> Iterator[Flaw]:
     """Every contradiction of the section: two keys that fix one size, a base that is another's."""
     yield from parts.moves(("diagrams", "point"), asked.point)
     yield from parts.intervals("diagrams")
     lengths = [name for name in ("base", "mu_t", "mu_phi") if getattr(asked, name) is not None]
     for name in lengths[1:]:
         says = said("{key} fixes the base already; leave one of them out", key=lengths[0])
-        yield Found(("diagrams", name), says)
+        yield Flaw(("diagrams", name), says)
     other = {"time": ("mu_phi", "mu_t"), "angle": ("mu_t", "mu_phi")}[asked.over]
     if other[0] in lengths:
         says = said(
@@ -131,7 +131,7 @@ def check(asked: Said, parts: Parts) -> Iterator[Found]:
             key=other[1],
             instead={"time": "angle", "angle": "time"}[asked.over],
         )
-        yield Found(("diagrams", other[0]), says)
+        yield Flaw(("diagrams", other[0]), says)
     for symbol in ("S", "V", "a"):
         if getattr(asked, f"mu_{symbol}") is not None and getattr(asked, f"H_{symbol}") is not None:
             says = said(
@@ -139,7 +139,7 @@ def check(asked: Said, parts: Parts) -> Iterator[Found]:
                 drawn=f"H_{symbol}",
                 factor=f"mu_{symbol}",
             )
-            yield Found(("diagrams", f"H_{symbol}"), says)
+            yield Flaw(("diagrams", f"H_{symbol}"), says)
     first = {"displacement": "S", "velocity": "V"}[asked.start]
     if getattr(asked, f"H_{first}") is not None:
         says = said(
@@ -148,22 +148,22 @@ def check(asked: Said, parts: Parts) -> Iterator[Found]:
             symbol=first,
             key=f"mu_{first}",
         )
-        yield Found(("diagrams", f"H_{first}"), says)
+        yield Flaw(("diagrams", f"H_{first}"), says)
     yield from _without_integral(asked)
 
 
-def _without_integral(asked: Said) -> Iterator[Found]:
+def _without_integral(asked: Said) -> Iterator[Flaw]:
     """What contradicts the wish that nothing is integrated."""
     if asked.integral == "none" and asked.start == "displacement":
         says = said(
             'the displacements are laid off, not integrated; write start = "velocity", or leave it out'
         )
-        yield Found(("diagrams", "integral"), says)
+        yield Flaw(("diagrams", "integral"), says)
         return
     for name in ("mu_S", "H_S"):
         if asked.integral == "none" and getattr(asked, name) is not None:
             says = said("nothing is integrated, so {key} scales nothing; leave it out", key=name)
-            yield Found(("diagrams", name), says)
+            yield Flaw(("diagrams", name), says)
 
 
 SECTIONS = (

@@ -40,7 +40,7 @@ BELOW = 22.0
 """How far below the cylinder's line the arm OB is dimensioned, mm."""
 
 
-class Shown(NamedTuple):
+class TransferFigure(NamedTuple):
     """What is told of a figure: its name, title and position (index), μ_F, the unit of forces, how it turns."""
 
     name: str
@@ -67,7 +67,7 @@ def draw_all_forces(
     construction: Construction,
     reading: Reading,
     made: Transfer,
-    shown: Shown,
+    shown: TransferFigure,
     heights: Heights = HEIGHTS["A1"],
 ) -> Drawing:
     """Return the mechanism of one position with all its forces."""
@@ -101,7 +101,7 @@ def draw_all_forces(
     )
 
 
-def _manner(seen: Seen, made: Transfer, shown: Shown) -> Manner:
+def _manner(seen: Seen, made: Transfer, shown: TransferFigure) -> Manner:
     """Return how it is inked: forces as vectors, thin what closes a parallelogram; all else is rubbed out."""
     by_end = {one.end: one for one in made.vectors}
     closed = {s.uses[0]: s.it for s in seen.steps if s.op is meet and s.it in by_end}
@@ -155,7 +155,7 @@ def _cylinder(at: _Points) -> Iterator[Ink]:
     yield line("main", near + half, at.d + half, at.d - half, near - half)
 
 
-def _angles(made: Transfer, at: _Points, shown: Shown, seen: Seen) -> Iterator[Ink]:
+def _angles(made: Transfer, at: _Points, shown: TransferFigure, seen: Seen) -> Iterator[Ink]:
     """The arcs of φ, β and φ + β, the arm of Q, the arrows of both couples."""
     k, (o, a, *_) = shown.place, made.points
     for arc_ in _arcs(made, at, shown.sense):
@@ -213,7 +213,7 @@ def _phase(way: complex) -> float:
     return math.degrees(cmath.phase(way))
 
 
-def _turns(made: Transfer, at: _Points, shown: Shown, seen: Seen) -> Iterator[_Arc]:
+def _turns(made: Transfer, at: _Points, shown: TransferFigure, seen: Seen) -> Iterator[_Arc]:
     """Yield the arrows of both couples, where no force acts at the bearing: M, and M′ against it."""
     value, o = seen.number(made.moments[0], shown.place), made.points[0]
     if not finite(value, at.a, at.o) or value == 0.0:
@@ -229,7 +229,7 @@ def _turns(made: Transfer, at: _Points, shown: Shown, seen: Seen) -> Iterator[_A
 
 
 def _letters(
-    made: Transfer, at: _Points, shown: Shown, seen: Seen, heights: Heights
+    made: Transfer, at: _Points, shown: TransferFigure, seen: Seen, heights: Heights
 ) -> Iterator[Wanted]:
     """The letters of pins, angles, of the arm and of the couples."""
     k, (o, a, b, *_) = shown.place, made.points

@@ -26,7 +26,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.note.bricks import asked, columns, heading, referred
+from graphic_tmm.note.bricks import asked_number, columns, heading, referred
 from graphic_tmm.note.document import Block, Item, Listed, Paragraph, Picture, Run, Symbol, Text
 from graphic_tmm.note.figures import in_hand, picture, readable
 from graphic_tmm.note.section_chapter import Noted
@@ -212,7 +212,9 @@ class _Engine(Worked):
         share = self.made.order.share
         if share is not None:
             told = USUAL if LEAST <= share <= MOST else UNUSUAL
-            yield self.says(told, share=asked(self.drawn, ENGINE, "share", "", self.language))
+            yield self.says(
+                told, share=asked_number(self.drawn, ENGINE, "share", "", self.language)
+            )
 
     def _newtons(self, force: Mark) -> tuple[Mark, ...]:
         """Return a force with what it was converted from, if it was."""

@@ -44,7 +44,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
-from graphic_tmm.scene.chapter import Made
+from graphic_tmm.scene.chapter import Recorded
 
 ROOM = 55.0
 """Room for the highest ordinate of a diagram, mm."""
@@ -85,7 +85,7 @@ class Engine:
     turning: tuple[Axes, Mark]
 
 
-ENGINE_PLAN: Made[Engine] = Made(ENGINE)
+ENGINE_PLAN: Recorded[Engine] = Recorded(ENGINE)
 
 
 def record(bench: Bench) -> Engine | None:

@@ -33,7 +33,7 @@ from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, FULL_TURN, VELOC
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Link
 from graphic_tmm.project import Bench, Plan
-from graphic_tmm.scene.chapter import Made, aside
+from graphic_tmm.scene.chapter import Recorded, aside
 from graphic_tmm.scene.records import Scene
 
 _SQUARE = "the rod stands square to the guide"
@@ -149,7 +149,7 @@ class _Plan(NamedTuple):
     part: Mark
 
 
-class Beside(NamedTuple):
+class Aside(NamedTuple):
     """Marks (Number; angles in degrees).
 
     ``beta``: of the rod with the guide; ``checks``: N, Q, T, K and M by the formulas, by what they check;
@@ -165,10 +165,10 @@ class Beside(NamedTuple):
     parts: Mark | None
 
 
-BESIDE: Made[Beside] = Made(aside(ENGINE))
+BESIDE: Recorded[Aside] = Recorded(aside(ENGINE))
 
 
-def record_beside(bench: Bench) -> Beside:
+def record_beside(bench: Bench) -> Aside:
     """Calculate what the drawing of an engine's forces does not need."""
     made, draft, machine = ENGINE_PLAN.on(bench), bench.draft, machine_of(bench)
     transfer = draw_transfer(draft, made, machine)
@@ -181,7 +181,7 @@ def record_beside(bench: Bench) -> Beside:
     parts = _sum_of_masses(draft, made, slider)
     draft.open(WORKS_VIEW)
     works = _works(draft, made, INDICATOR_PLAN.on(bench), machine.count)
-    return Beside(beta, checks, works, transfer, parts)
+    return Aside(beta, checks, works, transfer, parts)
 
 
 def _measure(draft: Draft, made: Engine, machine: Machine) -> _Plan:

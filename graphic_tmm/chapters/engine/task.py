@@ -10,7 +10,7 @@ from graphic_tmm.board.bounds import INTERVALS
 from graphic_tmm.chapters.indicator.task import IndicatorTask
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Found, Said, Section, key, made
+from graphic_tmm.scene.declare import Flaw, Said, Section, combined_key, key
 from graphic_tmm.scene.references import no_moving
 from graphic_tmm.scene.tasks import SectionKey
 from graphic_tmm.scene.units import SI
@@ -53,7 +53,7 @@ class EngineTask:
         None,
     )
     mass: float | None = key(v.MASS, "the whole mass that goes to and fro", "2.18 kgf*s^2/m", None)
-    series: bool = made(
+    series: bool = combined_key(
         lambda said: said.inertia == "series",
         False,
         inertia=key(
@@ -73,24 +73,24 @@ class EngineTask:
 ASKED: SectionKey[EngineTask] = SectionKey("engine")
 
 
-def check(engine: Said, parts: Parts) -> Iterator[Found]:
+def check(engine: Said, parts: Parts) -> Iterator[Flaw]:
     """What an engine needs besides its own section."""
     if engine.point not in parts.names.moving:
-        yield Found(("engine", "point"), no_moving(engine.point, parts.names))
+        yield Flaw(("engine", "point"), no_moving(engine.point, parts.names))
     if engine.unit == "kgf" and parts.head is not None and parts.head.units != SI:
         says = said(
             'forces are in pounds-force already; leave it out, or write units = "{si}"', si=SI
         )
-        yield Found(("engine", "unit"), says)
+        yield Flaw(("engine", "unit"), says)
     if "indicator" not in parts.doc:
         says = said("no pressures are given; write a section [indicator]")
-        yield Found(("engine",), says)
+        yield Flaw(("engine",), says)
     if parts.drive is not None and not INTERVALS.holds(parts.drive.positions):
         says = said(
             "diagrams need {least} positions at least; write positions = 12 in [drive]",
             least=INTERVALS.least,
         )
-        yield Found(("engine",), says)
+        yield Flaw(("engine",), says)
 
 
 SECTIONS = (

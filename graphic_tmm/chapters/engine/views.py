@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapters.engine.ink import draw_rotating, draw_triangles
-from graphic_tmm.chapters.engine.ink_transfer import Shown, draw_all_forces
+from graphic_tmm.chapters.engine.ink_transfer import TransferFigure, draw_all_forces
 from graphic_tmm.chapters.engine.plan import ENGINE_PLAN, Engine
 from graphic_tmm.chapters.engine.record import BESIDE, WORKS
 from graphic_tmm.chapters.engine.table import PRESSURES, engine_columns, engine_results
@@ -61,7 +61,7 @@ def transfer_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     plans, place = KINEMATICS_PLAN.on(drawn), _worked(drawn)
     scale, high = drawn.scales[TRANSFER], heights(drawn.scene, TRANSFER_PLACE)
     title = f"{captions(language)[TRANSFER]}, {captions(language)['position']} {drawn.names[place]}"
-    shown = Shown(TRANSFER, title, place, scale.value, made.order.unit, plans.sense)
+    shown = TransferFigure(TRANSFER, title, place, scale.value, made.order.unit, plans.sense)
     log, found = drawn.construction, BESIDE.on(drawn).transfer
     view = finished(draw_all_forces(log, drawn.reading, found, shown, high), lettered)
     scales = f"{mu_text(drawn.scales[POSITIONS], language)}, {mu_text(scale, language)}"
@@ -72,7 +72,7 @@ def transfer_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 def _worked(drawn: Drawn) -> int:
     """Return the position (index) that is drawn alone: the first that has a plan of accelerations."""
-    there = _shown(drawn)
+    there = _positions_on_sheet(drawn)
     first = [k for k in KINEMATICS_PLAN.on(drawn).accelerated if k in there]
     return first[0] if first else there[min(1, len(there) - 1)]
 
@@ -97,7 +97,7 @@ def engine_diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     ]
 
 
-def _shown(drawn: Drawn) -> list[int]:
+def _positions_on_sheet(drawn: Drawn) -> list[int]:
     return [k for k in range(drawn.project.count) if k not in drawn.undrawn]
 
 
@@ -121,7 +121,7 @@ def _triangles(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
             ),
             lettered,
         )
-        for place in _shown(drawn)
+        for place in _positions_on_sheet(drawn)
     ]
     titles = [view.title for view in views]
     told, narrowest = f"{mu_text(scale, language)}; {SUMS}", width_of(*views)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
-from graphic_tmm.chapters.flywheel.record import BESIDE, Beside
+from graphic_tmm.chapters.flywheel.record import BESIDE, Aside
 from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_results
 from graphic_tmm.chapters.flywheel.task import ENERGY_MASS, FLYWHEEL, VIEWS, FlywheelTask
 from graphic_tmm.chapters.flywheel.views import flywheel_views
@@ -150,7 +150,7 @@ class FlywheelPage(Worked):
         drawn: Drawn,
         language: str,
         made: Flywheel,
-        beside: Beside,
+        beside: Aside,
         views: Sequence[Drawing],
     ) -> None:
         super().__init__(drawn, language)

@@ -56,7 +56,7 @@ from graphic_tmm.chapters.indicator.plan import (
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
-from graphic_tmm.scene.chapter import Made
+from graphic_tmm.scene.chapter import Recorded
 from graphic_tmm.scene.declare import bound_of
 
 
@@ -87,7 +87,7 @@ class Flywheel:
     rim: DrawnRim | None
 
 
-FLYWHEEL_PLAN: Made[Flywheel] = Made(FLYWHEEL)
+FLYWHEEL_PLAN: Recorded[Flywheel] = Recorded(FLYWHEEL)
 
 
 def record(bench: Bench) -> Flywheel | None:

@@ -22,7 +22,7 @@ from graphic_tmm.chapters.indicator.task import INDICATOR, Wish
 from graphic_tmm.chapters.kinematics.task import FULL_TURN, TURNS, VELOCITIES
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench, Plan
-from graphic_tmm.scene.chapter import Made, aside
+from graphic_tmm.scene.chapter import Recorded, aside
 from graphic_tmm.scene.records import Scene
 
 
@@ -87,7 +87,7 @@ def rim_inertia(
     """π·{density}·({outer}² − {inner}²)·{middle}²·{width}/16"""
 
 
-class Beside(NamedTuple):
+class Aside(NamedTuple):
     """Marks (Number).
 
     ``force``: the gas force reduced to the crank pin (N), None where the loads are reduced. ``moment``: the
@@ -105,17 +105,17 @@ class Beside(NamedTuple):
     rim: tuple[Mark, Mark, Mark] | None
 
 
-BESIDE: Made[Beside] = Made(aside(FLYWHEEL))
+BESIDE: Recorded[Aside] = Recorded(aside(FLYWHEEL))
 
 
-def record_beside(bench: Bench) -> Beside:
+def record_beside(bench: Bench) -> Aside:
     """Calculate what the drawing of a flywheel does not need."""
     speed = machine_of(bench).velocities.speed
     assert speed is not None
     return calculate(bench.draft, FLYWHEEL_PLAN.on(bench), speed)
 
 
-def calculate(draft: Draft, made: Flywheel, speed: Mark) -> Beside:
+def calculate(draft: Draft, made: Flywheel, speed: Mark) -> Aside:
     """Calculate it of a flywheel as drawn; ``speed``: of its shaft (1/s)."""
     axes = made.axes
     draft.open(CALCULATED)
@@ -130,7 +130,7 @@ def calculate(draft: Draft, made: Flywheel, speed: Mark) -> Beside:
     if made.energy_mass is not None:
         differ = draft.draw(apart, "Δ_J", made.inertia, made.energy_mass.inertia, unit="%")
     excess = draft.draw(excess_work, "A_{ex}", made.segment, unit="J")
-    return Beside(force, moment, power, differ, excess, _rim(draft, made, speed))
+    return Aside(force, moment, power, differ, excess, _rim(draft, made, speed))
 
 
 def _rim(draft: Draft, made: Flywheel, speed: Mark) -> tuple[Mark, Mark, Mark] | None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from graphic_tmm.board.record import segment_name
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
-from graphic_tmm.chapters.flywheel.record import BESIDE, Beside
+from graphic_tmm.chapters.flywheel.record import BESIDE, Aside
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
 from graphic_tmm.chapters.flywheel.task import CALCULATED, FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.words import graph_title
@@ -57,7 +57,7 @@ def flywheel_results(drawn: Drawn) -> Results:
     return results_for(drawn, FLYWHEEL_PLAN.on(drawn), BESIDE.on(drawn))
 
 
-def results_for(drawn: Drawn, made: Flywheel, beside: Beside) -> Results:
+def results_for(drawn: Drawn, made: Flywheel, beside: Aside) -> Results:
     """Return the results of a flywheel as drawn, and of what was calculated beside it."""
     marks = {"cd": made.segment, "J_fly": made.inertia}
     if made.order.J is not None:

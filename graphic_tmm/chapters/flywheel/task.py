@@ -11,7 +11,7 @@ from graphic_tmm.board.charts import STANDARD, ScaleOrder
 from graphic_tmm.chapters.indicator.task import IndicatorTask
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Found, Said, Section, key, made
+from graphic_tmm.scene.declare import Flaw, Said, Section, combined_key, key
 from graphic_tmm.scene.quantities import kept
 from graphic_tmm.scene.tasks import SectionKey
 
@@ -96,7 +96,7 @@ class FlywheelTask:
         None,
     )
     constant: str = key(_CONSTANT, "which moment is constant", "resisting", "resisting")
-    A: ScaleOrder = made(
+    A: ScaleOrder = combined_key(
         lambda said: ScaleOrder(pole=said.H),
         STANDARD,
         H=key(
@@ -121,12 +121,12 @@ class FlywheelTask:
         "areas",
         "areas",
     )
-    tangents: str | None = made(
+    tangents: str | None = combined_key(
         lambda said: None if said.tangents == "none" else said.tangents,
         "curve",
         tangents=key(_TANGENTS, "tangents of the energy–mass curve", "curve", "curve"),
     )
-    rim: Rim | None = made(
+    rim: Rim | None = combined_key(
         _rim,
         None,
         D_e=key(v.POSITIVE_LENGTH, "outer diameter of the rim", "0.45 m", None),
@@ -146,17 +146,17 @@ class FlywheelTask:
 ASKED: SectionKey[FlywheelTask] = SectionKey("flywheel")
 
 
-def check(flywheel: Said, parts: Parts) -> Iterator[Found]:
+def check(flywheel: Said, parts: Parts) -> Iterator[Flaw]:
     """What a flywheel needs besides its own section."""
     yield from parts.intervals("flywheel")
     yield from aims(flywheel)
     yield from _cycle(flywheel, parts)
     if "indicator" not in parts.doc and "forces" not in parts.doc:
         says = said("nothing drives or resists; write a section [indicator], or loads and [forces]")
-        yield Found(("flywheel",), says)
+        yield Flaw(("flywheel",), says)
 
 
-def _cycle(flywheel: Said, parts: Parts) -> Iterator[Found]:
+def _cycle(flywheel: Said, parts: Parts) -> Iterator[Flaw]:
     """A cycle of other turns than the working cycle of the cylinder has."""
     gas = parts.said.get("indicator")
     if flywheel.turns is None or ("indicator" in parts.doc and gas is None):
@@ -165,7 +165,7 @@ def _cycle(flywheel: Said, parts: Parts) -> Iterator[Found]:
         says = said(
             "loads come back after a turn; write a section [indicator] with strokes = 4, or leave turns out"
         )
-        yield Found(("flywheel", "turns"), says)
+        yield Flaw(("flywheel", "turns"), says)
     elif gas is not None and flywheel.turns != gas.strokes // 2:
         says = said(
             "the indicator diagram has {strokes} strokes, {turns} in a cycle; write strokes = {due} in "
@@ -174,23 +174,23 @@ def _cycle(flywheel: Said, parts: Parts) -> Iterator[Found]:
             turns=said("one turn") if gas.strokes == 2 else said("two turns"),
             due=2 * flywheel.turns,
         )
-        yield Found(("flywheel", "turns"), says)
+        yield Flaw(("flywheel", "turns"), says)
 
 
-def aims(flywheel: Said, section: str = "flywheel") -> Iterator[Found]:
+def aims(flywheel: Said, section: str = "flywheel") -> Iterator[Flaw]:
     """What contradicts itself in what is sought: J of a given δ, or δ of a given J; the rim's diameters."""
     if flywheel.delta is None and flywheel.J is None:
         says = said("it is missing; write for example delta = 0.04, or J of the flywheel")
-        yield Found((section, "delta"), says)
+        yield Flaw((section, "delta"), says)
     if flywheel.delta is not None and flywheel.J is not None:
         says = said("delta is given already, and J follows from it; leave one of them out")
-        yield Found((section, "J"), says)
+        yield Flaw((section, "J"), says)
     if flywheel.D_i is not None and flywheel.D_e is None:
         says = said("a rim has an outer diameter first; write D_e as well")
-        yield Found((section, "D_i"), says)
+        yield Flaw((section, "D_i"), says)
     elif flywheel.D_i is not None and flywheel.D_i >= flywheel.D_e:
         says = said("it leaves no rim: make it smaller than D_e")
-        yield Found((section, "D_i"), says)
+        yield Flaw((section, "D_i"), says)
 
 
 def _defaults(flywheel: Said, parts: Parts) -> Iterator[str]:

@@ -49,7 +49,7 @@ STAGGER = 10.0
 """By how much the farther of two arrows on one line outreaches the other, mm."""
 
 
-class Told(NamedTuple):
+class ArrowText(NamedTuple):
     """What an arrow stands for: its letter in the log, its size (signed, in ``unit``), the marks it comes from.
 
     ``more``: what else a reader of the sheet is told of it.
@@ -147,7 +147,13 @@ class Arrows:
         return bool(shapely.dwithin(near[:, None], there, ON_LINK).any(axis=0).mean() > 0.5)
 
     def put(
-        self, at: complex, way: complex, length: float, called: str, told: Told, pen: str = "over"
+        self,
+        at: complex,
+        way: complex,
+        length: float,
+        called: str,
+        told: ArrowText,
+        pen: str = "over",
     ) -> None:
         """Draw an arrow along ``way`` (of length 1) from its point; to it where another goes there already.
 
@@ -174,7 +180,7 @@ class Arrows:
             return at - length * way, length
         return at, max(length, self.reach(at, way) + STAGGER)
 
-    def couples(self, start: complex, end: complex, told: Sequence[tuple[str, Told]]) -> None:
+    def couples(self, start: complex, end: complex, told: Sequence[tuple[str, ArrowText]]) -> None:
         """Draw couples as round arrows in their senses, beside one another along a line."""
         there = [(called, one) for called, one in told if math.isfinite(one.value) and one.value]
         if not finite(start, end):
@@ -187,7 +193,7 @@ class Arrows:
             self.couple(at, radius, called, one)
 
     def couple(
-        self, at: complex, radius: float, called: str, told: Told, way: complex = 1j
+        self, at: complex, radius: float, called: str, told: ArrowText, way: complex = 1j
     ) -> None:
         """Draw a couple as a round arrow in its sense about a place, its letter on the side of ``way``."""
         if not (finite(at, told.value) and told.value and way):

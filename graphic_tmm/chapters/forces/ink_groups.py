@@ -22,8 +22,8 @@ from graphic_tmm.chapters.forces.ink_arrows import (
     LEAST,
     ROUNDS,
     Arrows,
+    ArrowText,
     Bodies,
-    Told,
     arm_shows,
     drawn_arm,
     drawn_on,
@@ -82,7 +82,7 @@ class Rubbed(NamedTuple):
     head: Mark
 
 
-class Shown(NamedTuple):
+class GroupFigure(NamedTuple):
     """What a figure shows: its links, forces and couples on them, reactions.
 
     ``rubbed``: friction in its pins. ``balance``: of the driving link, the line and
@@ -102,7 +102,7 @@ def draw_group(
     construction: Construction,
     reading: Reading,
     reaches: Mapping[Figure, Reach],
-    shown: Shown,
+    shown: GroupFigure,
     index: int,
     name: str,
     title: str,
@@ -171,7 +171,7 @@ class _Above(Seen):
     """Of the loads those steps on which what acts on a figure depends."""
 
     def __init__(
-        self, construction: Construction, reading: Reading, shown: Shown, index: int
+        self, construction: Construction, reading: Reading, shown: GroupFigure, index: int
     ) -> None:
         super().__init__(construction, reading, (LOADS,), [index])
         self.shown = shown
@@ -194,7 +194,9 @@ class _Above(Seen):
 class _Loads:
     """What acts on a figure while it is drawn."""
 
-    def __init__(self, seen: Seen, shown: Shown, index: int, high: Heights, language: str) -> None:
+    def __init__(
+        self, seen: Seen, shown: GroupFigure, index: int, high: Heights, language: str
+    ) -> None:
         self.seen, self.shown, self.index = seen, shown, index
         self.high, self.language = high, language
         self.arrows = Arrows(index, high.point)
@@ -218,7 +220,7 @@ class _Loads:
         line_of = self.shown.figure.lines.get(force.line, force.line)
         of = (point.slot, force.line.slot, line_of.slot, force.value.slot)
         more = (("link", str(force.link)), *turning(self._arm(force), size))
-        told = Told(force.letter, abs(size), "N", tuple(dict.fromkeys(of)), more)
+        told = ArrowText(force.letter, abs(size), "N", tuple(dict.fromkeys(of)), more)
         way = along * (-1 if size < 0 else 1)
         length = length_of(size, self.largest)
         self.arrows.put(
@@ -252,7 +254,7 @@ class _Loads:
             size, about = abs(signed), -self.seen.number(reaction.arm, k)
             more = (("link", str(reaction.link)), *turning(about, signed))
             of.append(reaction.value.slot)
-        told = Told(reaction.letter, size, "N", tuple(of), more)
+        told = ArrowText(reaction.letter, size, "N", tuple(of), more)
         way = (head - tail) / abs(head - tail)
         called = bar(self.called(reaction.letter))
         self.arrows.put(self.seen.point(point, k), way, SHOWN, called, told, "thin")
@@ -298,9 +300,9 @@ class _Loads:
             touched = at - 1j * way * rho
             yield line("thin", touched - TOUCH * way, touched + TOUCH * way)
 
-    def _couple(self, couple: Couple, value: float) -> tuple[str, Told]:
+    def _couple(self, couple: Couple, value: float) -> tuple[str, ArrowText]:
         link = (("link", str(couple.link)),)
-        told = Told(couple.letter, value, "N·m", (couple.value.slot,), link)
+        told = ArrowText(couple.letter, value, "N·m", (couple.value.slot,), link)
         return markup(self.called(couple.letter)), told
 
     def arms(self, drawn: Sequence[Ink], decimals: int) -> Iterator[Wanted]:

@@ -17,7 +17,7 @@ from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.forces.ink_arrows import (
     LEAST,
     Arrows,
-    Told,
+    ArrowText,
     action,
     arm_shows,
     drawn_arm,
@@ -139,7 +139,7 @@ class _Loads:
         """An arrow at its image."""
         size = self.seen.number(value, self.index)
         arms = turning(self.seen.number(arm, self.index), size)
-        told = Told(letter, abs(size), "N", of, arms)
+        told = ArrowText(letter, abs(size), "N", of, arms)
         way = -along if size < 0 else along
         called = bar(symbol(letter, self.language))
         at, length = self.seen.point(point, self.index), length_of(size, self.largest)
@@ -152,10 +152,10 @@ class _Loads:
 
     def couples(self) -> None:
         """The converted couples, each at the segment by which it was converted."""
-        segments: dict[tuple[Mark, Mark], list[tuple[str, Told]]] = {}
+        segments: dict[tuple[Mark, Mark], list[tuple[str, ArrowText]]] = {}
         for one in self.lever.couples:
             value = self.seen.number(one.value, self.index)
-            told = Told(one.letter, value, "N·mm", (one.value.slot,))
+            told = ArrowText(one.letter, value, "N·mm", (one.value.slot,))
             called = markup(symbol(one.letter, self.language))
             segments.setdefault(one.ends, []).append((called, told))
         for ends, found in segments.items():

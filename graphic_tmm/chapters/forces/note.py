@@ -21,12 +21,12 @@ from graphic_tmm.language.numbers import decimals_of, number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain
 from graphic_tmm.note.bricks import (
-    asked,
-    beside,
+    asked_number,
     columns,
     filled,
     heading,
     referred,
+    side_by_side,
     worked,
 )
 from graphic_tmm.note.document import (
@@ -112,7 +112,7 @@ class _Page:
         _, language = speaking(self.language), self.language
         title = called(f"group {name}", _)
         yield heading(title)
-        shown = beside(self.figures(f"group-{name}", f"forces-{name}"))
+        shown = side_by_side(self.figures(f"group-{name}", f"forces-{name}"))
         found = section(self.drawn, polygon.view, self.at, language)
         scaled = polygon.view in self.drawn.scales and found is not None
         told = (found,) if scaled and found is not None else ()
@@ -164,7 +164,7 @@ def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
         put: dict[str, Run] = {
             "position": Text(drawn.names[k]),
             "apart": Number(number(apart, language, 2), "", source, apart),
-            "limit": asked(drawn, "forces", "limit", "", language),
+            "limit": asked_number(drawn, "forces", "limit", "", language),
         }
         yield filled(_(said_), put)
 

@@ -33,7 +33,7 @@ from graphic_tmm.note.document import (
     Tree,
     text,
 )
-from graphic_tmm.note.steps import Told, calculated
+from graphic_tmm.note.steps import NumberSource, calculated
 from graphic_tmm.note.widths import broken
 from graphic_tmm.paper.seen import Seen
 
@@ -68,11 +68,11 @@ class Kept(Writer):
 def sums(writer: Kept, board: str) -> Iterator[Formula]:
     """Yield the sums that were written since the last time, as formulas."""
     for one in writer.sums:
-        yield from _Told(writer, board, one).formulas()
+        yield from _SumFormulas(writer, board, one).formulas()
     writer.sums.clear()
 
 
-class _Told:
+class _SumFormulas:
     """One sum as formulas."""
 
     def __init__(self, writer: Kept, board: str, one: Balance) -> None:
@@ -209,7 +209,7 @@ FORCE, POINT = said("Force"), said("Image")
 APART = said("Against the balancing force found by the force plans:")
 
 
-def applied(told: Told, lever: Lever) -> Iterator[Block]:
+def applied(told: NumberSource, lever: Lever) -> Iterator[Block]:
     """Yield how the loads come to stand on the lever: in words, couples converted, a table of moments."""
     speech = speaking(told.language)
     put: dict[str, Run] = {"pole": told.symbol(lever.pole), "pin": told.symbol(lever.pin)}
@@ -224,13 +224,13 @@ def applied(told: Told, lever: Lever) -> Iterator[Block]:
         yield found
 
 
-def compared(told: Told, difference: Mark) -> Iterator[Block]:
+def compared(told: NumberSource, difference: Mark) -> Iterator[Block]:
     """Yield how far what balances the lever is from what the force plans gave."""
     yield Paragraph(text(speaking(told.language)(APART)))
     yield from _formulas(told, difference)
 
 
-def _formulas(told: Told, *marks: Mark) -> Iterator[Block]:
+def _formulas(told: NumberSource, *marks: Mark) -> Iterator[Block]:
     steps = (told.log.step(mark) for mark in marks)
     found = [calculated(told, step) for step in steps if step is not None]
     formulas = tuple(one for one in found if one is not None)
@@ -238,7 +238,7 @@ def _formulas(told: Told, *marks: Mark) -> Iterator[Block]:
         yield Display(formulas)
 
 
-def _row(told: Told, one: Carried) -> tuple[Runs, ...]:
+def _row(told: NumberSource, one: Carried) -> tuple[Runs, ...]:
     """Return a row of the table: the force, its size, its image, its arm, its moment."""
     step = next(s for s in told.log.steps if s.op is on_lever and s.uses[0] == one.value)
     letter = Symbol(symbol(one.letter, told.language))
@@ -251,7 +251,7 @@ def _row(told: Told, one: Carried) -> tuple[Runs, ...]:
     )
 
 
-def _table(told: Told, rows: tuple[tuple[Runs, ...], ...]) -> Table:
+def _table(told: NumberSource, rows: tuple[tuple[Runs, ...], ...]) -> Table:
     speech, language = speaking(told.language), told.language
     heads = (
         text(speech(FORCE)),

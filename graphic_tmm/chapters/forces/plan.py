@@ -30,7 +30,7 @@ from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, chosen
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS
 from graphic_tmm.project import Bench
-from graphic_tmm.scene.chapter import Made
+from graphic_tmm.scene.chapter import Recorded
 
 VIEW = "forces"
 """Polygons are views "forces 4-5"; figures of detached groups "group 4-5", of the driving link "group 1"."""
@@ -82,7 +82,7 @@ class Forces:
         return (*found, self.driven.reaction)
 
 
-FORCES_PLAN: Made[Forces] = Made(FORCES)
+FORCES_PLAN: Recorded[Forces] = Recorded(FORCES)
 
 
 def record(bench: Bench) -> Forces | None:

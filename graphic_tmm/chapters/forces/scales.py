@@ -96,7 +96,7 @@ def reach(project: Project, doubts: Doubts) -> Reaches:
     reading = unscaled(project, doubts, [*marks, *points, *images])
     found = {}
     for mu in scales:
-        spots = [_at(_told(reading, m, doubts), made.places) for m in marks if m.view == mu.view]
+        spots = [_at(_place(reading, m, doubts), made.places) for m in marks if m.view == mu.view]
         found[mu.view] = extent([np.concatenate([[0j], *spots])])
     far = extent([np.concatenate([[0j], *(_at(reading[m], made.places) for m in images)])])
     apart = {figure.view: _apart(figure, reading, made.places) for figure in made.figures}
@@ -143,7 +143,7 @@ def _detached(fitting: Fitting, known: Reaches) -> dict[Mark, object]:
     return {mu: standard_length(reach, room) if reach else plan for mu, reach in far.items()}
 
 
-def _told(reading: Reading, mark: Mark, doubts: Doubts) -> np.ndarray:
+def _place(reading: Reading, mark: Mark, doubts: Doubts) -> np.ndarray:
     """Return where a point is, with all scales 1; what is nothing but rounding is at the beginning."""
     return np.asarray(doubts.figure(mark, reading[mark]))
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from graphic_tmm.chapters.forces import task
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import letters
-from graphic_tmm.scene.declare import Found, Path, Said, Section
+from graphic_tmm.scene.declare import Flaw, Path, Said, Section
 from graphic_tmm.scene.quantities import in_kgf
 from graphic_tmm.scene.references import Outline, no_link, no_moving, of_link
 from graphic_tmm.scene.units import GRAVITY, KGF
@@ -19,77 +19,77 @@ if TYPE_CHECKING:
 TOLD = ("force", "moment", "by_position", "by_angle", "of")
 
 
-def _effects(asked: Said, parts: Parts) -> Iterator[Found]:
+def _effects(asked: Said, parts: Parts) -> Iterator[Flaw]:
     if asked.gas and "indicator" not in parts.doc:
         says = said("no pressures are given; write a section [indicator], or leave gas out")
-        yield Found(("effects", "gas"), says)
+        yield Flaw(("effects", "gas"), says)
     if asked.friction and "friction" not in parts.doc:
         says = said("no coefficients are given; write a section [friction] with f = 0.1")
-        yield Found(("effects", "friction"), says)
+        yield Flaw(("effects", "friction"), says)
 
 
-def _forces(asked: Said, parts: Parts) -> Iterator[Found]:
+def _forces(asked: Said, parts: Parts) -> Iterator[Flaw]:
     for number in asked.single:
         if number not in parts.names.bodies:
             yield from no_link(("forces", "single"), number, parts.names)
 
 
-def _loads(loads: list[tuple[Path, Said]], parts: Parts) -> Iterator[Found]:
+def _loads(loads: list[tuple[Path, Said]], parts: Parts) -> Iterator[Flaw]:
     count = parts.drive.positions if parts.drive is not None else None
     for path, load in loads:
         yield from _load(path, load, parts.names, count)
 
 
-def _load(path: Path, load: Said, names: Outline, count: int | None) -> Iterator[Found]:
+def _load(path: Path, load: Said, names: Outline, count: int | None) -> Iterator[Flaw]:
     if load.link not in names.bodies:
         yield from no_link((*path, "link"), load.link, names)
         return
     if load.link == names.frame:
         says = said("link {number} is the frame; name a moving link", number=load.link)
-        yield Found((*path, "link"), says)
+        yield Flaw((*path, "link"), says)
     own = names.bodies[load.link].letters
     if load.point is not None and load.point not in own:
         of = of_link(load.link)
         says = said('"{letter}" is no letter of {of}', letter=load.point[:20], of=of)
         what = said("letters of {of}", of=of)
-        yield Found((*path, "point"), letters.unknown(says, load.point, own, what))
+        yield Flaw((*path, "point"), letters.unknown(says, load.point, own, what))
     if load.of is not None and load.of not in names.moving:
-        yield Found((*path, "of"), no_moving(load.of, names))
+        yield Flaw((*path, "of"), no_moving(load.of, names))
     yield from _size(path, load, count)
 
 
-def _size(path: Path, load: Said, count: int | None) -> Iterator[Found]:
+def _size(path: Path, load: Said, count: int | None) -> Iterator[Flaw]:
     told = [key for key in TOLD if getattr(load, key) is not None]
     if not told:
         says = said(
             'nothing says how large it is; write force = "190 N", moment, by_position or by_angle'
         )
-        yield Found((*path, "force"), says)
+        yield Flaw((*path, "force"), says)
     for other in told[1:]:
         says = said("{key} gives the size already; leave one of them out", key=told[0])
-        yield Found((*path, other), says)
+        yield Flaw((*path, other), says)
     if load.force is not None and load.point is None:
-        yield Found((*path, "point"), said('a force acts at a point; write point = "D"'))
+        yield Flaw((*path, "point"), said('a force acts at a point; write point = "D"'))
     if load.moment is not None and load.point is not None:
         says = said("a moment acts on the whole link; leave the point out")
-        yield Found((*path, "point"), says)
+        yield Flaw((*path, "point"), says)
     if load.by_position is not None and count is not None and len(load.by_position) != count:
         says = said(
             "{n} sizes for {count} positions; give one for each",
             n=len(load.by_position),
             count=count,
         )
-        yield Found((*path, "by_position"), says)
+        yield Flaw((*path, "by_position"), says)
     strokes = load.out is not None or load.back is not None
     if load.of is None and strokes:
         says = said('by the travel of which point? write of = "D"')
-        yield Found((*path, "of"), says)
+        yield Flaw((*path, "of"), says)
     if load.of is not None and not strokes:
         says = said('it says no size; write out = [[0, "0 N"], [1, "190 N"]], or back')
-        yield Found((*path, "of"), says)
+        yield Flaw((*path, "of"), says)
 
 
-def _friction(made: Said, parts: Parts) -> Iterator[Found]:
+def _friction(made: Said, parts: Parts) -> Iterator[Flaw]:
     names = parts.names
     bodies = names.bodies.values()
     pins = [x for x in names.letters if sum(x in body.letters for body in bodies) > 1]
@@ -106,11 +106,11 @@ def _friction(made: Said, parts: Parts) -> Iterator[Found]:
                     if key == "pairs"
                     else said("pins", context="known")
                 )
-                yield Found(("friction", key, name), letters.unknown(says, name, known, what))
+                yield Flaw(("friction", key, name), letters.unknown(says, name, known, what))
     rubs = made.f > 0 and made.radius is None and not made.radii
     if rubs and not guides:
         says = said('friction in a pin needs its radius; write radius = "15 mm"')
-        yield Found(("friction", "radius"), says)
+        yield Flaw(("friction", "radius"), says)
 
 
 def _idle(name: str, written: str) -> Iterator[str]:

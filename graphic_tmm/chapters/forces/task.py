@@ -9,7 +9,7 @@ from graphic_tmm.chapters.forces import kinds as w
 from graphic_tmm.chapters.indicator.task import IndicatorTask
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Others, Said, key, made
+from graphic_tmm.scene.declare import OtherSections, Said, combined_key, key
 from graphic_tmm.scene.quantities import kept
 from graphic_tmm.scene.tables import Named
 from graphic_tmm.scene.tasks import SectionKey
@@ -77,14 +77,14 @@ class Load:
 
     link: int = key(v.LINK_NUMBER, "the number of the link", 5)
     point: str | None = key(v.TEXT, "the letter of the point where a force acts", "D", None)
-    size: float | tuple[float, ...] = made(
+    size: float | tuple[float, ...] = combined_key(
         _size,
         0.0,
         force=key(w.FORCE, "its size", "190 N", None),
         moment=key(w.MOMENT, "a moment, counter-clockwise positive", "12 N*m", None),
         by_position=key(w.SIZES, "its size in each position", ["190 N", "0 N"], None),
     )
-    direction: float | str = made(
+    direction: float | str = combined_key(
         _direction,
         AGAINST,
         direction=key(
@@ -94,7 +94,7 @@ class Load:
             None,
         ),
     )
-    by_angle: tuple[tuple[float, float], ...] = made(
+    by_angle: tuple[tuple[float, float], ...] = combined_key(
         lambda said: said.by_angle or (),
         (),
         by_angle=key(
@@ -105,7 +105,7 @@ class Load:
             None,
         ),
     )
-    travel: Travel | None = made(
+    travel: Travel | None = combined_key(
         lambda said: None if said.of is None else Travel(said.of, said.out or (), said.back or ()),
         None,
         of=key(v.TEXT, "the letter of the point by whose travel it is told", "D", None),
@@ -163,7 +163,7 @@ class ForcesTask:
     indicator diagram whose gas pushes the piston.
     """
 
-    positions: tuple[str, ...] = made(
+    positions: tuple[str, ...] = combined_key(
         lambda said: said.positions,
         positions=key(v.POSITIONS, "the positions whose forces are drawn", [8], ("all",)),
     )
@@ -192,7 +192,7 @@ class ForcesTask:
 ASKED: SectionKey[ForcesTask] = SectionKey("forces")
 
 
-def joined(others: Others) -> Mapping[str, object]:
+def joined(others: OtherSections) -> Mapping[str, object]:
     """Return what of the other sections acts; an effect that is not named leaves nothing behind."""
     effects, rubbed, mechanism = others["effects"], others["friction"], others.mechanism
     assert mechanism is not None

@@ -10,7 +10,7 @@ import numpy as np
 from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
-from graphic_tmm.chapters.forces.ink_groups import Shown, draw_group
+from graphic_tmm.chapters.forces.ink_groups import GroupFigure, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import draw_polygon, whole
 from graphic_tmm.chapters.forces.load_diagrams import travelled, varies
@@ -32,7 +32,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.views import mu_text
 from graphic_tmm.project import Project
-from graphic_tmm.readers.any_angles.turn import Between, Told, Turn, Turning
+from graphic_tmm.readers.any_angles.turn import Between, Turn, Turning, TurnQuantity
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.values import OTHER_EXTREME
@@ -64,16 +64,16 @@ def free(scene: Scene) -> Scene:
     return replace(scene, row=row)
 
 
-def told(project: Project) -> Iterator[Told]:
+def quantities(project: Project) -> Iterator[TurnQuantity]:
     """Yield the reactions as vectors, N, then the balancing force or moment by groups and by the lever."""
     made = FORCES_PLAN.on(project)
     # passes of friction that do not settle leave no force known
     known = made.balance if made.open is not None else None
     for one in made.reactions:
         key, mu = segment_name(one.letter), project.scale(one.tail.view)
-        yield Told("forces", "forces", key, one.head, mu, one.tail, known=known)
+        yield TurnQuantity("forces", "forces", key, one.head, mu, one.tail, known=known)
     for name, mark in balance_segments(made).items():
-        yield Told("forces", "balance", name, mark, known=known)
+        yield TurnQuantity("forces", "balance", name, mark, known=known)
 
 
 def between(drawn: Drawn, turn: Turn) -> Between:
@@ -149,7 +149,11 @@ def moving(drawn: Drawn) -> Iterator[Moving]:
 
 
 def _pair(
-    drawn: Drawn, made: Forces, shown: Shown, polygon: Polygon, reactions: tuple[Reaction, ...]
+    drawn: Drawn,
+    made: Forces,
+    shown: GroupFigure,
+    polygon: Polygon,
+    reactions: tuple[Reaction, ...],
 ) -> Iterator[Moving]:
     language, high = drawn.scene.language, heights(drawn.scene, "forces")
     _, name = speaking(language), "-".join(map(str, shown.links))
@@ -191,7 +195,7 @@ def _pair(
 
 
 def _group(
-    drawn: Drawn, shown: Shown, polygon: Polygon, reactions: tuple[Reaction, ...]
+    drawn: Drawn, shown: GroupFigure, polygon: Polygon, reactions: tuple[Reaction, ...]
 ) -> Callable[[int], Drawing]:
     language, high = drawn.scene.language, heights(drawn.scene, "forces")
     factors = (KINEMATICS_PLAN.on(drawn).mu_l, decimals_told(drawn))
@@ -216,5 +220,5 @@ def _group(
     return at
 
 
-TURNING = Turning(between=between, told=told, free=free)
+TURNING = Turning(between=between, told=quantities, free=free)
 FIGURES = MovingFigures(moving)

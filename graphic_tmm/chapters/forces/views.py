@@ -20,7 +20,7 @@ from graphic_tmm.chapters.forces.ink_balances import (
     group_rows,
     lever_rows,
 )
-from graphic_tmm.chapters.forces.ink_groups import Reactive, Rubbed, Shown, draw_group
+from graphic_tmm.chapters.forces.ink_groups import GroupFigure, Reactive, Rubbed, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
 from graphic_tmm.chapters.forces.load_diagrams import load_views
@@ -103,7 +103,7 @@ def _writer(drawn: Drawn, place: int) -> Writer:
 
 def _three(
     drawn: Drawn,
-    shown: Shown,
+    shown: GroupFigure,
     polygon: Polygon,
     reactions: tuple[Reaction, ...],
     rows: Iterable[Row],
@@ -179,7 +179,7 @@ def vectors_of(polygon: Polygon, language: str) -> str:
     return " + ".join(terms) + " = 0"
 
 
-def group_shown(drawn: Drawn, made: Forces, solved: Solved) -> Shown:
+def group_shown(drawn: Drawn, made: Forces, solved: Solved) -> GroupFigure:
     """Return what the figure of a group shows."""
     closing, unknown = solved.closing, list[Reactive]()
     links = closing.group.links
@@ -194,7 +194,7 @@ def group_shown(drawn: Drawn, made: Forces, solved: Solved) -> Shown:
         found = Reactive(tangent.letter, at, *tangent.side, tangent.value, tangent.arm, leg.link)
         letter, tail, head = along
         unknown += [found, Reactive(letter, at, tail, head)]
-    return Shown(
+    return GroupFigure(
         solved.figure,
         links,
         [f for k in links for f in made.acting.forces.get(k, [])],
@@ -220,7 +220,7 @@ def _rubbed(drawn: Drawn, made: Forces, links: tuple[int, ...]) -> list[Rubbed]:
     return found
 
 
-def driver_shown(drawn: Drawn, made: Forces) -> Shown:
+def driver_shown(drawn: Drawn, made: Forces) -> GroupFigure:
     """Return what the figure of the driving link shows."""
     plans, driven = KINEMATICS_PLAN.on(drawn), made.driven
     crank, reaction = plans.structure.driver, made.driven.reaction
@@ -232,7 +232,7 @@ def driver_shown(drawn: Drawn, made: Forces) -> Shown:
     if driven.force is None:
         couples.append(Couple("M_b", crank, driven.balance))
     balance = (driven.force.line, driven.arm) if driven.force else None
-    return Shown(
+    return GroupFigure(
         driven.figure, (crank,), forces, couples, [found], _rubbed(drawn, made, (crank,)), balance
     )
 

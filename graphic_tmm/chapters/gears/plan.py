@@ -18,7 +18,7 @@ from graphic_tmm.chapters.gears.task import ASKED, GEARS, GearTask
 from graphic_tmm.chapters.gears.teeth import Rows, Wheel, choose_rows, draw_wheel
 from graphic_tmm.fitting.scales import Fitting
 from graphic_tmm.project import Bench
-from graphic_tmm.scene.chapter import Made
+from graphic_tmm.scene.chapter import Recorded
 
 ROOM = 430.0
 """Room for the centre distance, mm."""
@@ -40,7 +40,7 @@ class Gear:
     checks: tuple[Check, ...]
 
 
-GEARS_PLAN: Made[Gear] = Made(GEARS)
+GEARS_PLAN: Recorded[Gear] = Recorded(GEARS)
 
 
 def record(bench: Bench) -> Gear | None:

@@ -12,13 +12,13 @@ from graphic_tmm.chapters.gears import formulas as g
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN, Gear, record
 from graphic_tmm.chapters.gears.task import GEARS
 from graphic_tmm.project import Bench, Plan
-from graphic_tmm.scene.chapter import Made, aside
+from graphic_tmm.scene.chapter import Recorded, aside
 
 VIEW = "gear-calculation"
 """The view of what is calculated."""
 
 
-class Beside(NamedTuple):
+class Aside(NamedTuple):
     """Marks of a pair.
 
     ``ratio``: u12; ``path``: how much of the line of action is in use, ``arc``: that of engagement on the
@@ -34,10 +34,10 @@ class Beside(NamedTuple):
     limits: tuple[Mark, Mark]
 
 
-BESIDE: Made[Beside] = Made(aside(GEARS))
+BESIDE: Recorded[Aside] = Recorded(aside(GEARS))
 
 
-def record_beside(bench: Bench) -> Beside:
+def record_beside(bench: Bench) -> Aside:
     """Calculate what the drawing of a pair does not need."""
     gear, draft = GEARS_PLAN.on(bench), bench.draft
     drawn = _laid_off(bench, gear)
@@ -54,7 +54,7 @@ def record_beside(bench: Bench) -> Beside:
         draft.draw(g.specific_sliding, "ϑ_{2N_1}", other.z, one.z, start, line.length),
         draft.draw(g.specific_sliding, "ϑ_{1N_2}", one.z, other.z, start, line.length),
     )
-    return Beside(ratio, path, arc, drawn, start, limits)
+    return Aside(ratio, path, arc, drawn, start, limits)
 
 
 def _laid_off(bench: Bench, gear: Gear) -> dict[Mark, Mark]:

@@ -178,9 +178,9 @@ def draw_wheel(
         Flank(*mirrored, left.start, left.tip),
     )
     teeth = (
-        _beside(draft, (right, left), wheel, circles, (roll.count, rows.fillet), sense=1),
+        _next_tooth(draft, (right, left), wheel, circles, (roll.count, rows.fillet), sense=1),
         Tooth(*sides),
-        _beside(draft, (right, left), wheel, circles, (roll.count, rows.fillet), sense=-1),
+        _next_tooth(draft, (right, left), wheel, circles, (roll.count, rows.fillet), sense=-1),
     )
     for tooth in teeth:
         draft.figure("tooth", str(i), *tooth.marks)
@@ -209,7 +209,7 @@ def _start(
     return origin
 
 
-def _beside(
+def _next_tooth(
     draft: Draft,
     sides: tuple[_Spots, _Spots],
     wheel: WheelSizes,

@@ -40,7 +40,7 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.project import Bench
-from graphic_tmm.scene.chapter import Made
+from graphic_tmm.scene.chapter import Recorded
 
 AUXILIARY = -30.0
 """The angle of the auxiliary ray below the base, degrees."""
@@ -217,7 +217,7 @@ class Cylinder:
     shown_by: str = ""
 
 
-INDICATOR_PLAN: Made[Cylinder] = Made(INDICATOR)
+INDICATOR_PLAN: Recorded[Cylinder] = Recorded(INDICATOR)
 
 
 def machine_of(bench: Bench) -> Machine:

@@ -10,26 +10,26 @@ from graphic_tmm.board.scales import scale_of
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, record
 from graphic_tmm.chapters.indicator.task import CALCULATED, INDICATOR
 from graphic_tmm.project import Bench, Plan
-from graphic_tmm.scene.chapter import Made, aside
+from graphic_tmm.scene.chapter import Recorded, aside
 
 
-class Beside(NamedTuple):
+class Aside(NamedTuple):
     """The piston's stroke (m), and the scale of the base (m/mm)."""
 
     stroke: Mark
     mu: Mark
 
 
-BESIDE: Made[Beside] = Made(aside(INDICATOR))
+BESIDE: Recorded[Aside] = Recorded(aside(INDICATOR))
 
 
-def record_beside(bench: Bench) -> Beside:
+def record_beside(bench: Bench) -> Aside:
     """Calculate the scale of the base: the stroke, as read on the plan of positions, by its length."""
     made, draft = INDICATOR_PLAN.on(bench).indicator, bench.draft
     draft.open(CALCULATED)
     stroke = draft.draw(in_si, "S", made.stroke, draft.mu_l, unit="m")
     length = draft.uses(made.end)[1]
-    return Beside(stroke, draft.draw(scale_of, "μ_S", stroke, length, unit="m/mm"))
+    return Aside(stroke, draft.draw(scale_of, "μ_S", stroke, length, unit="m/mm"))
 
 
 PLAN = Plan(record=record, aside=record_beside, charts=lambda made: (made.indicator.chart,))

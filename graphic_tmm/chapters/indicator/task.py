@@ -11,7 +11,7 @@ from graphic_tmm.board.bounds import Bound
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, key, made
+from graphic_tmm.scene.declare import Flaw, Kind, Names, Said, Section, combined_key, key
 from graphic_tmm.scene.misfits import listed, stands
 from graphic_tmm.scene.tables import Several, Table
 
@@ -197,7 +197,7 @@ class IndicatorTask:
     """
 
     point: str = key(v.TEXT, "the letter of the piston's point", "B")
-    cover: Gas = made(
+    cover: Gas = combined_key(
         _gas("cover"),
         bore=key(v.POSITIVE_LENGTH, "diameter of the cylinder", "120 mm"),
         cover=key(
@@ -206,7 +206,7 @@ class IndicatorTask:
         cover_points=key(Table(Traced), _POINTS, default=None),
         cover_strokes=key(Several(Table(Stroke)), _STROKES, default=()),
     )
-    shaft: Gas | None = made(
+    shaft: Gas | None = combined_key(
         _gas("shaft"),
         None,
         shaft=key(_PRESSURES, "pressures on the side towards the crank", default=None),
@@ -249,7 +249,7 @@ class Wish(NamedTuple):
     order: IndicatorTask
 
 
-def check(asked: Said, parts: Parts) -> Iterator[Found]:
+def check(asked: Said, parts: Parts) -> Iterator[Flaw]:
     """Every contradiction of the section: pressures told twice or not at all, a rod without its side."""
     yield from parts.moves(("indicator", "point"), asked.point)
     turns = asked.strokes // 2
@@ -261,12 +261,12 @@ def check(asked: Said, parts: Parts) -> Iterator[Found]:
             says = said(
                 "{key} gives the pressures of that side already; leave one of them out", key=told[0]
             )
-            yield Found(("indicator", other), says)
+            yield Flaw(("indicator", other), says)
         if side == "cover" and not told:
             says = said(
                 'it is missing; write the pressures, ["300 kPa", ...], or cover_points, or cover_strokes'
             )
-            yield Found(("indicator", "cover"), says)
+            yield Flaw(("indicator", "cover"), says)
         yield from _turns(asked, side)
         yield from _strokes(asked, side)
         given = getattr(asked, side)
@@ -276,25 +276,25 @@ def check(asked: Said, parts: Parts) -> Iterator[Found]:
                 n=len(given),
                 count=count,
             )
-            yield Found(("indicator", side), says)
+            yield Flaw(("indicator", side), says)
     others = asked.shaft or asked.shaft_points or asked.shaft_strokes
     if asked.rod is not None and not others:
         says = said("it matters on the side of the shaft only; write shaft as well")
-        yield Found(("indicator", "rod"), says)
+        yield Flaw(("indicator", "rod"), says)
     if asked.rod is not None and asked.rod >= asked.bore:
         says = said("the rod is as thick as the cylinder; make it thinner")
-        yield Found(("indicator", "rod"), says)
+        yield Flaw(("indicator", "rod"), says)
 
 
 ONE_TURN = ("diagrams", "engine")
 """Sections whose graphs go over one turn of the crank."""
 
 
-def _cycle(asked: Said, parts: Parts) -> Iterator[Found]:
+def _cycle(asked: Said, parts: Parts) -> Iterator[Flaw]:
     """A number of strokes that no cycle has, or that other sections cannot be drawn over."""
     if asked.strokes % 2:
         says = said("a working cycle has 2 strokes or 4; write one of these")
-        yield Found(("indicator", "strokes"), says)
+        yield Flaw(("indicator", "strokes"), says)
     for other in ONE_TURN:
         if asked.strokes == 4 and other in parts.doc:
             says = said(
@@ -302,10 +302,10 @@ def _cycle(asked: Said, parts: Parts) -> Iterator[Found]:
                 "its own",
                 other=other,
             )
-            yield Found(("indicator", "strokes"), says)
+            yield Flaw(("indicator", "strokes"), says)
 
 
-def _turns(asked: Said, side: str) -> Iterator[Found]:
+def _turns(asked: Said, side: str) -> Iterator[Flaw]:
     """Points that do not go from the cover to the far end and back."""
     traced = getattr(asked, f"{side}_points")
     if traced is None:
@@ -317,7 +317,7 @@ def _turns(asked: Said, side: str) -> Iterator[Found]:
                 if asked.strokes == 4
                 else said("only a cycle of four strokes has it; write strokes = 4, or leave it out")
             )
-            yield Found(("indicator", f"{side}_points", name), says)
+            yield Flaw(("indicator", f"{side}_points", name), says)
     for name, way, points in traced.strokes():
         ends = (0.0, 1.0) if way == "out" else (1.0, 0.0)
         shares = [share for share, _ in points]
@@ -330,10 +330,10 @@ def _turns(asked: Said, side: str) -> Iterator[Found]:
                 first=ends[0],
                 last=ends[1],
             )
-            yield Found(("indicator", f"{side}_points", name), says)
+            yield Flaw(("indicator", f"{side}_points", name), says)
 
 
-def _strokes(asked: Said, side: str) -> Iterator[Found]:
+def _strokes(asked: Said, side: str) -> Iterator[Flaw]:
     """Polytropic parts that do not go from the cover to the far end and back."""
     strokes = getattr(asked, f"{side}_strokes")
     turns, before = _by_turns(strokes, asked.strokes // 2), 0
@@ -345,15 +345,15 @@ def _strokes(asked: Said, side: str) -> Iterator[Found]:
             "four strokes are wanted, one after the other: out, back, out and back again; there are {n}",
             n=2 * len(turns),
         )
-        yield Found(("indicator", f"{side}_strokes"), says)
+        yield Flaw(("indicator", f"{side}_strokes"), says)
     if any(part.n > 0 for part in strokes) and not asked.clearance > 0:
         says = said(
             "gas that is expanded or compressed needs the clearance; write clearance = 0.08"
         )
-        yield Found(("indicator", "clearance"), says)
+        yield Flaw(("indicator", "clearance"), says)
 
 
-def _of_turn(parts: list[Stroke], side: str, before: int) -> Iterator[Found]:
+def _of_turn(parts: list[Stroke], side: str, before: int) -> Iterator[Flaw]:
     """The same of the parts of one turn; so many stand ``before`` them."""
     reached = {"out": 0.0, "back": 1.0}
     for i, part in enumerate(parts, before):
@@ -363,13 +363,13 @@ def _of_turn(parts: list[Stroke], side: str, before: int) -> Iterator[Found]:
                 way=part.stroke,
                 share=reached[part.stroke],
             )
-            yield Found(("indicator", f"{side}_strokes", i, "to"), says)
+            yield Flaw(("indicator", f"{side}_strokes", i, "to"), says)
         reached[part.stroke] = part.to
     if parts and reached != {"out": 1.0, "back": 0.0}:
         says = said(
             "the parts of the stroke out have to end at 1, those of the stroke back at 0; add the last part"
         )
-        yield Found(("indicator", f"{side}_strokes"), says)
+        yield Flaw(("indicator", f"{side}_strokes"), says)
 
 
 def _idle(asked: Said, parts: Parts) -> Iterator[str]:

@@ -156,13 +156,13 @@ class Path(NamedTuple):
 
 def _paths(ink: LinksInk, crank: tuple[Mark, Mark]) -> Iterator[Path]:
     for slid in (one for one in ink.figures if one.kind == "slider"):
-        box, aside = BOX[slid.kind], partial(_beside, ink, slid)
+        box, aside = BOX[slid.kind], partial(_off_guide, ink, slid)
         yield Path(slid.marks[0], box.imag, aside)
     for pivot, pin in _ends(ink, crank):
         yield Path(pin, PIN, partial(_outside, ink, pivot, pin))
 
 
-def _beside(ink: LinksInk, slid: Figure, k: int) -> tuple[complex, complex]:
+def _off_guide(ink: LinksInk, slid: Figure, k: int) -> tuple[complex, complex]:
     """Beside a guide, off its hatching."""
     return ink.foot(slid, k), 1j * ink.along(slid, k)
 

@@ -32,7 +32,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Drive, Mechanism, Row, Side
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
-from graphic_tmm.scene.chapter import Made
+from graphic_tmm.scene.chapter import Recorded
 
 LAST = 12
 """Decimals of an angle in degrees that are not rounding."""
@@ -97,7 +97,7 @@ class KinematicPlans:
         return {VELOCITIES: self.velocities, ACCELERATIONS: self.accelerations}.get(plan)
 
 
-KINEMATICS_PLAN: Made[KinematicPlans] = Made(KINEMATICS)
+KINEMATICS_PLAN: Recorded[KinematicPlans] = Recorded(KINEMATICS)
 
 
 def record(bench: Bench) -> KinematicPlans:

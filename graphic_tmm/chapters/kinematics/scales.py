@@ -76,7 +76,7 @@ def extents(project: Project, doubts: Doubts) -> Extents:
     spots = [reading[pivot] + arm * np.array([1, 1j, -1, -1j])]
     spots += [reading[m].knots if m.kind is Curve else reading[m] for m in marks]
     told = project.told.get(ACCELERATIONS, frozenset())
-    places = made.accelerated or tuple(sorted(told)) or _shown(project)
+    places = made.accelerated or tuple(sorted(told)) or _sheet_positions(project)
     longest = {POSITIONS: extent(spots), VELOCITIES: 0.0, ACCELERATIONS: 0.0}
     outliers = {}
     for plan, motion, at in (
@@ -107,7 +107,7 @@ def ruling(at: Sequence[int], lengths: np.ndarray) -> tuple[float, dict[int, flo
     return most, {at[int(k)]: float(lengths[k]) / most for k in np.flatnonzero(over)}
 
 
-def _shown(project: Project) -> tuple[int, ...]:
+def _sheet_positions(project: Project) -> tuple[int, ...]:
     """Return the positions at which what becomes of other views is told, if not of all."""
     return tuple(sorted(frozenset().union(*project.told.values())))
 

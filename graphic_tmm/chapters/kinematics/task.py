@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import letters
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Found, Said, Section, key
+from graphic_tmm.scene.declare import Flaw, Said, Section, key
 from graphic_tmm.scene.tables import Named
 from graphic_tmm.scene.tasks import SectionKey
 
@@ -71,7 +71,7 @@ class Rows:
 ASKED: SectionKey[Rows] = SectionKey("rows")
 
 
-def _check(asked: Said, parts: Parts) -> Iterator[Found]:
+def _check(asked: Said, parts: Parts) -> Iterator[Flaw]:
     """Every letter that is none, every row of accelerations where none are drawn."""
     frame = set(parts.frame.points) if parts.frame is not None else set()
     moving = {k for link in parts.links if link is not None for k in link.points}
@@ -83,29 +83,29 @@ def _check(asked: Said, parts: Parts) -> Iterator[Found]:
     for letter in asked.pins:
         if letter not in frame | moving:
             says = said('"{letter}" is no point', letter=letter[:20])
-            yield Found(
+            yield Flaw(
                 ("rows", "pins", letter), letters.unknown(says, letter, frame | moving, _POINTS)
             )
     gained = parts.drive is not None and parts.drive.accelerations
     for name in ("relative", "paths"):
         if getattr(asked, name) and not gained:
             says = said('it is read off acceleration plans; write accelerations = "all" in [drive]')
-            yield Found(("rows", name), says)
+            yield Flaw(("rows", name), says)
 
 
 _POINTS = said("points")
 
 
-def _pair(path: tuple[str | int, ...], pair: str, known: set[str]) -> Iterator[Found]:
+def _pair(path: tuple[str | int, ...], pair: str, known: set[str]) -> Iterator[Flaw]:
     found = letters.split(pair)
     if found is None or found[0] == found[1]:
         says = said('"{pair}" is not two letters; write two points, "AB"', pair=pair[:20])
-        yield Found(path, says)
+        yield Flaw(path, says)
         return
     for letter in found:
         if letter not in known:
             says = said('"{letter}" is no point', letter=letter[:20])
-            yield Found(path, letters.unknown(says, letter, known, _POINTS))
+            yield Flaw(path, letters.unknown(says, letter, known, _POINTS))
 
 
 SECTIONS = (

@@ -27,7 +27,15 @@ from graphic_tmm.paper.figure import Manner, figure
 from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.views import mu_text
 from graphic_tmm.project import Project
-from graphic_tmm.readers.any_angles.turn import Between, Passed, Plan, Quantity, Told, Turn, Turning
+from graphic_tmm.readers.any_angles.turn import (
+    Between,
+    Passed,
+    Plan,
+    Quantity,
+    Turn,
+    Turning,
+    TurnQuantity,
+)
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
 
@@ -44,7 +52,7 @@ def free(scene: Scene) -> Scene:
     return replace(scene, row=row, turned=False, trajectories=())
 
 
-def told(project: Project) -> Iterator[Told]:
+def quantities(project: Project) -> Iterator[TurnQuantity]:
     """Yield places, velocities and accelerations of all points, then ω and ε of links that turn."""
     made = KINEMATICS_PLAN.on(project)
     bodies = made.positions.bodies
@@ -52,16 +60,16 @@ def told(project: Project) -> Iterator[Told]:
     origin = made.mechanism.frame.points[made.structure.pivot]
     for letter, n in names:
         mark = bodies[n].marks[letter]
-        yield Told("positions", "places", (letter, n), mark, made.mu_l, origin=origin)
+        yield TurnQuantity("positions", "places", (letter, n), mark, made.mu_l, origin=origin)
     for plan, quantity, turning in VECTORS:
         motion = made.motion(plan)
         if motion is None:
             continue
         for letter, n in names:
             image: Mark = motion.images.by_letter[n][letter]
-            yield Told(plan, quantity, (letter, n), image, motion.mu)
+            yield TurnQuantity(plan, quantity, (letter, n), image, motion.mu)
         for n, rate in motion.rates.items():
-            yield Told(plan, turning, n, rate)
+            yield TurnQuantity(plan, turning, n, rate)
 
 
 def between(drawn: Drawn, turn: Turn) -> Between:
@@ -174,5 +182,5 @@ def _passed(project: Project) -> Passed:
     return Passed(not plans.assembly.ranges, least_angle(plans.tried))
 
 
-TURNING = Turning(between=between, passed=_passed, told=told, free=free)
+TURNING = Turning(between=between, passed=_passed, told=quantities, free=free)
 FIGURES = MovingFigures(moving)

@@ -187,12 +187,12 @@ def _line_kinds(title: str, speech: Speech, high: Heights) -> Drawing:
     labels, strokes = [Label(title, 0j, high.title)], list[Stroke | Bezier]()
     for k, (pen, name) in enumerate(LINES):
         start = -1j * PITCH * (k + 1.5)
-        strokes += _shown(pen, start, start + WIDTH)
+        strokes += _line_sample(pen, start, start + WIDTH)
         labels.append(Label(speech(name), start + WIDTH + 5.0 - 1.7j, high.point))
     return Drawing("lines", title, tuple(strokes), tuple(labels))
 
 
-def _shown(pen: str, start: complex, end: complex) -> list[Stroke | Bezier]:
+def _line_sample(pen: str, start: complex, end: complex) -> list[Stroke | Bezier]:
     """Return a line as it is drawn; the open one is two strokes at the ends of a section's plane."""
     if pen == "wavy":
         return [wavy(start, end)]

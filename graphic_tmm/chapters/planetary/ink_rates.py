@@ -57,12 +57,12 @@ def _vector(ink: TrainInk, foot: complex, tip: complex, segment: Mark, quantity:
     def vector(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         if abs(tip - foot) >= LEAST:
             shaft, *head = arrow(foot, tip, "medium")
-            yield from (_told(ink, shaft, segment, quantity), *head)
+            yield from (_with_segment(ink, shaft, segment, quantity), *head)
 
     return vector
 
 
-def _told(ink: TrainInk, stroke: Stroke, segment: Mark, quantity: Mark) -> Stroke:
+def _with_segment(ink: TrainInk, stroke: Stroke, segment: Mark, quantity: Mark) -> Stroke:
     """Return a stroke that tells a page the segment read, in mm, and what it stands for."""
     mm, value = (ink.seen.number(mark, 0) for mark in (segment, quantity))
     data = (
@@ -89,7 +89,7 @@ def rate_rules(ink: TrainInk) -> dict[Mark, Rule]:
         ray = ink.seen.by_mark[end].uses[1]
         rules[ray] = _drawn("medium", ink.pole, ink.ends[key])
         dot = circle("main", ink.ends[key], DOT, filled=True)
-        rules[end] = _dot(_told(ink, dot, rates.segments[key], rates.values[key]))
+        rules[end] = _dot(_with_segment(ink, dot, rates.segments[key], rates.values[key]))
     return rules
 
 

@@ -25,7 +25,7 @@ from graphic_tmm.chapters.planetary.rates import Picture, Rates, draw_picture, d
 from graphic_tmm.chapters.planetary.task import ASKED, PLANETARY_TRAIN, PlanetaryTask, Train
 from graphic_tmm.chapters.planetary.tooth_search import choose
 from graphic_tmm.project import Bench
-from graphic_tmm.scene.chapter import Made
+from graphic_tmm.scene.chapter import Recorded
 
 DIAMETER = 160.0
 """Room for the circles, mm."""
@@ -147,7 +147,7 @@ class Planetary:
     pair: PairView | None = None
 
 
-PLANETARY_PLAN: Made[Planetary] = Made(PLANETARY_TRAIN)
+PLANETARY_PLAN: Recorded[Planetary] = Recorded(PLANETARY_TRAIN)
 
 
 def record(bench: Bench) -> Planetary | None:

@@ -12,13 +12,13 @@ from graphic_tmm.chapters.planetary.dimensions import rings_of
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary, record
 from graphic_tmm.chapters.planetary.task import PLANETARY_TRAIN
 from graphic_tmm.project import Bench, Plan
-from graphic_tmm.scene.chapter import Made, aside
+from graphic_tmm.scene.chapter import Recorded, aside
 
 CALCULATED, BEHIND = "planetary-calculation", "planetary-behind"
 """The views of what is calculated of the train, and behind it."""
 
 
-class Beside(NamedTuple):
+class Aside(NamedTuple):
     """Marks (Number).
 
     ``stopped``: the ratio of each mesh while the carrier stands; ``ring``, ``satellite``: the teeth of a train
@@ -34,18 +34,18 @@ class Beside(NamedTuple):
     speed: Mark | None
 
 
-BESIDE: Made[Beside] = Made(aside(PLANETARY_TRAIN))
+BESIDE: Recorded[Aside] = Recorded(aside(PLANETARY_TRAIN))
 
 
-def record_beside(bench: Bench) -> Beside:
+def record_beside(bench: Bench) -> Aside:
     """Calculate what a train's drawing does not need."""
     made = PLANETARY_PLAN.on(bench)
     bench.draft.open(CALCULATED)
-    ring, satellite = _asked(bench, made)
-    return Beside(_stopped(bench, made), ring, satellite, _most(bench, made), _speed(bench, made))
+    ring, satellite = _teeth_for_ratio(bench, made)
+    return Aside(_stopped(bench, made), ring, satellite, _most(bench, made), _speed(bench, made))
 
 
-def _asked(bench: Bench, made: Planetary) -> tuple[Mark | None, Mark | None]:
+def _teeth_for_ratio(bench: Bench, made: Planetary) -> tuple[Mark | None, Mark | None]:
     """Calculate the teeth of ring and satellite from those of the sun and the ratio."""
     order, draft = made.order, bench.draft
     if made.train.scheme.rows != 1 or order.ratio is None:

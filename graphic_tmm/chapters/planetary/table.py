@@ -32,7 +32,7 @@ from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.ruled import PADDING, table
 from graphic_tmm.paper.views import wrapped
 from graphic_tmm.readers.columns import Column, Tabled, listed, measured_columns
-from graphic_tmm.readers.rounding import told
+from graphic_tmm.readers.rounding import rounded_figures
 from graphic_tmm.scene.captions import captions
 
 SEVERAL = said(
@@ -127,7 +127,9 @@ def rate_table(
     block = ", ".join(made.train.scheme.wheels[1:-1])
     lengths = [np.array([log.value(segment)]) for segment in rates.segments.values()]
     omegas = [np.array([log.value(rates.values[body])]) for body in rates.segments]
-    (figures,) = told([listed("", "", "ω", "1/s", omegas, tuple(rates.segments), lengths)])
+    (figures,) = rounded_figures(
+        [listed("", "", "ω", "1/s", omegas, tuple(rates.segments), lengths)]
+    )
     rows = []
     for k, (body, segment) in enumerate(rates.segments.items()):
         mm = fixed(figures.mm[k], figures.mm_places, language)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from graphic_tmm.board.bounds import Bound, TaskError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Found, Kind, Names, Said, Section, bound_of, key, made
+from graphic_tmm.scene.declare import Flaw, Kind, Names, Said, Section, bound_of, combined_key, key
 from graphic_tmm.scene.misfits import stands
 from graphic_tmm.scene.tasks import SectionKey
 
@@ -159,7 +159,7 @@ class PlanetaryTask:
     are chosen where they are None.
     """
 
-    scheme: str = made(
+    scheme: str = combined_key(
         lambda said: said.scheme,
         scheme=key(v.choice(*SCHEMES), "which wheels mesh", "ring", "ring"),
     )
@@ -180,7 +180,7 @@ class PlanetaryTask:
     alpha: float = key(v.RACK, "pressure angle", "20 deg", 20.0)
     ha: float = key(v.ADDENDUM, "addendum coefficient", 1, 1.0)
     c: float = key(v.CLEARANCE, "clearance coefficient", 0.25, 0.25)
-    limits: Limits = made(
+    limits: Limits = combined_key(
         lambda said: Limits(said.least, said.most, said.ring_most),
         Limits(),
         least=key(_COUNT, "fewest teeth", 17, 17),
@@ -332,14 +332,14 @@ def _refuse_ratio(order: PlanetaryTask) -> None:
     _bounded("tolerance", order.tolerance)
 
 
-def check(asked: Said, parts: Parts) -> Iterator[Found]:
+def check(asked: Said, parts: Parts) -> Iterator[Flaw]:
     """What the section does not say, or says of a pair that is none."""
     if len(asked.behind) not in (0, 2):
         says = said("the pair behind the train has two wheels; write [15, 25]")
-        yield Found(("planetary", "behind"), says)
+        yield Flaw(("planetary", "behind"), says)
     if asked.ratio is None and not asked.teeth:
         says = said("neither a ratio nor tooth numbers are given; write ratio = 4.55")
-        yield Found(("planetary", "ratio"), says)
+        yield Flaw(("planetary", "ratio"), says)
 
 
 SECTIONS = (

@@ -14,7 +14,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure, dissect
-from graphic_tmm.note.bricks import beside, filled, folded, referred
+from graphic_tmm.note.bricks import filled, folded, referred, side_by_side
 from graphic_tmm.note.calculations import without_letters
 from graphic_tmm.note.document import (
     Block,
@@ -29,7 +29,7 @@ from graphic_tmm.note.document import (
 )
 from graphic_tmm.note.figures import WALL, in_hand, picture
 from graphic_tmm.note.section_chapter import Noted
-from graphic_tmm.note.steps import Told, calculated
+from graphic_tmm.note.steps import NumberSource, calculated
 from graphic_tmm.paper.lettering.letters import escape
 
 MOVING = said(
@@ -64,7 +64,7 @@ def _mobility(
 ) -> Iterator[Block]:
     """Yield W of the mechanism and of each part that it comes apart into, with its figure."""
     _ = speaking(language)
-    told = Told(drawn.board, drawn.construction, drawn.reading, STRUCTURE, 0, language)
+    told = NumberSource(drawn.board, drawn.construction, drawn.reading, STRUCTURE, 0, language)
     n, p5, _higher = _step(told, found.whole).uses
     put: dict[str, Run] = {"n": told.number(n), "p": told.number(p5)}
     yield Paragraph(filled(_(MOVING), put))
@@ -80,19 +80,19 @@ def _mobility(
         title = _(GROUP, name=name, kind=kinds[name]) if name in kinds else _(DRIVEN, name=name)
         pictures.append(picture(shown[f"part-{name}"], language)._replace(caption=text(title)))
         formulas.append(_calculated(told, mark))
-    parts = beside(pictures)
+    parts = side_by_side(pictures)
     yield referred(parts, language, ATTACHED)
     yield Display((formulas[0], *map(without_letters, formulas[1:])))
     yield from parts
 
 
-def _step(told: Told, mark: Mark) -> Step:
+def _step(told: NumberSource, mark: Mark) -> Step:
     found = told.log.step(mark)
     assert found is not None
     return found
 
 
-def _calculated(told: Told, mark: Mark) -> Formula:
+def _calculated(told: NumberSource, mark: Mark) -> Formula:
     found = calculated(told, _step(told, mark))
     assert found is not None
     return found

@@ -12,7 +12,7 @@ from graphic_tmm.chapters.structure import PARTS, STRUCTURE
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench, Plan
-from graphic_tmm.scene.chapter import Made, aside
+from graphic_tmm.scene.chapter import Recorded, aside
 
 """The place of the tables."""
 
@@ -33,7 +33,7 @@ class Mobility(NamedTuple):
     parts: Mapping[str, Mark]
 
 
-MOBILITY: Made[Mobility] = Made(aside("structure"))
+MOBILITY: Recorded[Mobility] = Recorded(aside("structure"))
 
 
 def parts(structure: Structure) -> dict[str, tuple[int, int]]:
@@ -67,6 +67,6 @@ def _record(bench: Bench) -> Structure:
     return dissect(bench.scene.mechanism)
 
 
-STRUCTURE_PLAN: Made[Structure] = Made(STRUCTURE)
+STRUCTURE_PLAN: Recorded[Structure] = Recorded(STRUCTURE)
 
 PLAN = Plan(record=_record, aside=record_mobility)

@@ -14,7 +14,7 @@ from graphic_tmm.board.values import Arc, Length, Line, Point
 from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.judging.own_errors import exact
 from graphic_tmm.checking.judging.taken_marks import Reader, steps_of
-from graphic_tmm.checking.lessons.steps import Numbers, Steps, Told, step_of_figure
+from graphic_tmm.checking.lessons.steps import NamedStep, Numbers, Steps, step_of_figure
 from graphic_tmm.checking.records import FINE, WRONG, Judged, Lesson, Likely, Picture
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.symbols import spoken
@@ -34,7 +34,7 @@ class SmallPlans:
         self.made = made
         self._drawn: dict[tuple[str, int], Picture | None] = {}
 
-    def picture(self, told: Told, shown: Judged | None, place: int) -> Picture | None:
+    def picture(self, told: NamedStep, shown: Judged | None, place: int) -> Picture | None:
         """Return the plan of a reading in a position (index); None where its plan has no picture.
 
         A point stands where it was read; of a length the due segment is as long as was found. Without a
@@ -183,9 +183,9 @@ class Teacher:
 
     def _blamed(
         self, steps: Steps, wrong: Sequence[Judged], findings: Sequence[Likely]
-    ) -> Mapping[Told, _Blame]:
+    ) -> Mapping[NamedStep, _Blame]:
         """Return what is blamed, and by what."""
-        blamed: dict[Told, _Blame] = {}
+        blamed: dict[NamedStep, _Blame] = {}
         for row in wrong:
             plan, segment = row.taken.plan, "" if row.step else row.taken.segment
             told = steps.labelled(plan, row.step) if row.step else step_of_figure(steps, row.taken)
@@ -202,7 +202,7 @@ class Teacher:
 
     def _lesson(
         self,
-        told: Told,
+        told: NamedStep,
         blame: _Blame,
         numbers: Numbers,
         judged: Sequence[Judged],
@@ -238,7 +238,7 @@ class Teacher:
             drawn=tuple(self._sentences(told, numbers, place)),
         )
 
-    def _sentences(self, told: Told, numbers: Numbers, place: int) -> Iterator[str]:
+    def _sentences(self, told: NamedStep, numbers: Numbers, place: int) -> Iterator[str]:
         """Yield the sentences of the steps that drew what a step measures, with their numbers."""
         assert self._steps is not None
         for one in self._steps.drawn_by(told):
@@ -246,7 +246,7 @@ class Teacher:
             says = sentence(one.step, self.language, reading, at)
             yield f"{one.label.partition(' ')[0]}. {says}"
 
-    def _nearest(self, told: Told, judged: Sequence[Judged], blame: _Blame) -> Judged | None:
+    def _nearest(self, told: NamedStep, judged: Sequence[Judged], blame: _Blame) -> Judged | None:
         """Return the reading of what a step leaves that is off the most, whatever its verdict; None if none.
 
         Where the finding tells a position, of that one.

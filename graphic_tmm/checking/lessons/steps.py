@@ -30,7 +30,7 @@ PLAIN = frozenset({Point, Length, Angle, Number, Side})
 
 
 @dataclass(frozen=True, eq=False)
-class Told:
+class NamedStep:
     """A step, as a report names it (its number in its plan, its letter), and the board it is drawn on."""
 
     board: Drawn
@@ -45,33 +45,33 @@ class Steps:
         self.made = made
         self.cells = cells(made)
         self.readable = steps_of(made.mechanism)
-        self.in_turn: list[Told] = []
-        self._by_label: dict[tuple[str, str], Told] = {}
-        self._by_letter: dict[tuple[str, str], Told] = {}
+        self.in_turn: list[NamedStep] = []
+        self._by_label: dict[tuple[str, str], NamedStep] = {}
+        self._by_letter: dict[tuple[str, str], NamedStep] = {}
         for board in made.boards:
             count: defaultdict[str, int] = defaultdict(int)
             for step in board.construction.steps:
                 mark = step.it
                 count[mark.view] += 1
-                told = Told(board, step, f"{count[mark.view]} {mark.name}")
+                told = NamedStep(board, step, f"{count[mark.view]} {mark.name}")
                 self.in_turn.append(told)
                 self._by_label.setdefault((mark.view, told.label), told)
                 for name in (mark.letter, mark.name, segment_name(mark.letter)):
                     self._by_letter.setdefault((mark.view, name), told)
         self._by_mark = {(told.board.board, told.step.it): told for told in self.in_turn}
 
-    def labelled(self, plan: str, label: str) -> Told | None:
+    def labelled(self, plan: str, label: str) -> NamedStep | None:
         """Return the step of a plan that a report calls so: 5 an2; of another plan, if only that has it."""
         if (plan, label) in self._by_label:
             return self._by_label[plan, label]
         others = [told for (_, name), told in self._by_label.items() if name == label]
         return others[0] if len(others) == 1 else None
 
-    def drawn_by(self, told: Told) -> list[Told]:
+    def drawn_by(self, told: NamedStep) -> list[NamedStep]:
         """Return the steps of the same plan that drew what a step measures: the points, and their lines."""
         if not told.step.op.reads:
             return []
-        wanted, view = list[Told](), told.step.it.view
+        wanted, view = list[NamedStep](), told.step.it.view
         for end in told.step.uses:
             by = self._by_mark.get((told.board.board, end))
             if end.kind is Point and by is not None and by.step.it.view == view:
@@ -80,7 +80,7 @@ class Steps:
                 wanted += [*(one for one in there if one.step.it.kind in (Line, Arc)), by]
         return sorted(dict.fromkeys(wanted), key=lambda one: one.step.it.slot)
 
-    def of(self, finding: Likely) -> Told | None:
+    def of(self, finding: Likely) -> NamedStep | None:
         """Return the step that a finding was made in; None where it is not of a single one.
 
         Its plan and segment may be those where it shows: the step is then the last of its letter before that.
@@ -95,7 +95,7 @@ class Steps:
         before = [one for one in there if seen is None or self._before(one, seen)]
         return before[-1] if before else seen
 
-    def _named(self, plan: str, name: str) -> Told | None:
+    def _named(self, plan: str, name: str) -> NamedStep | None:
         """Return the step of a plan by its label, its letter, or the segment that a reading is of."""
         if not name:
             return None
@@ -105,7 +105,7 @@ class Steps:
             return found
         return self._by_mark.get((self.made.mechanism.board, step.it))
 
-    def _before(self, one: Told, other: Told) -> bool:
+    def _before(self, one: NamedStep, other: NamedStep) -> bool:
         return one.board is other.board and one.step.it.slot < other.step.it.slot
 
 
@@ -122,7 +122,7 @@ class Numbers:
             found = run(work, self._found, grain)
             self._due, self._values = found.due, found.values
 
-    def own(self, told: Told, place: int) -> bool:
+    def own(self, told: NamedStep, place: int) -> bool:
         """Whether something was read in a position (index) that a step starts from."""
         if told.board is not self._work:
             return False
@@ -138,7 +138,7 @@ class Numbers:
             ahead += log[mark].uses if mark in log else ()
         return False
 
-    def reading(self, told: Told, place: int) -> tuple[Reading, int]:
+    def reading(self, told: NamedStep, place: int) -> tuple[Reading, int]:
         """Return the numbers by which a step is told in a position (index), and its index in them.
 
         It is done right: with what the drawing has, else as the protocol of the exact drawing tells it.
@@ -176,7 +176,7 @@ SAME = 1e-9
 """Figures that differ by less than this share are one: what two ways of calculating leave is some 1e-12."""
 
 
-def step_of_figure(steps: Steps, taken: Taken) -> Told | None:
+def step_of_figure(steps: Steps, taken: Taken) -> NamedStep | None:
     """Return the step that leaves the figure of a reading; None where none can be told for sure."""
     cell = steps.cells.get(taken.key)
     if cell is None or taken.pointed:
@@ -190,7 +190,7 @@ def step_of_figure(steps: Steps, taken: Taken) -> Told | None:
     return there[0] if len(there) == 1 and not whole else None
 
 
-def _of_plan(steps: Steps, plan: str) -> Iterator[Told]:
+def _of_plan(steps: Steps, plan: str) -> Iterator[NamedStep]:
     """Yield the steps of the views of a plan; of results those of all views."""
     views: dict[str, set[str]] = {}
     for told in steps.in_turn:
@@ -215,7 +215,7 @@ def _names(mark: Mark) -> tuple[str, ...]:
     )
 
 
-def _same(told: Told, cell: Cell, position: str) -> bool:
+def _same(told: NamedStep, cell: Cell, position: str) -> bool:
     """Whether a step leaves just what a figure is due, in mm or as a quantity of its unit."""
     mark, names = told.step.it, told.board.names
     if mark.kind is Length:

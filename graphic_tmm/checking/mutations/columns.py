@@ -125,7 +125,7 @@ def multiples(rows: Sequence[Reading]) -> list[float]:
     return found
 
 
-def told(
+def gains(
     rows: Sequence[Reading], ways: Sequence[Mapping[tuple[Key, bool], Any]], count: int, places: int
 ) -> tuple[Array, Array, Array, Array, Array]:
     """Return what readings gain on the base, how many are beyond and lost, (row, position).

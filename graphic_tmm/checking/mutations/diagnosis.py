@@ -92,7 +92,7 @@ def two(
     if float(second.gain.sum()) <= CLEAR or first.beyond - second.beyond < REPEATED:
         return None
     single = [*rest.scores, *(one.score for one in found if acceptable(readings, one))]
-    sure = tempered(best.score - float(np.logaddexp(best.score, _others(best, pairs, single))))
+    sure = tempered(best.score - float(np.logaddexp(best.score, _other_pairs(best, pairs, single))))
     if sure < SURE:
         return None
     its = sure * tempered(_whole(group) - best.score)
@@ -100,7 +100,7 @@ def two(
     return named if its < PERHAPS else (*named, (tuple(sorted(group, key=plausible)), its))
 
 
-def _others(best: _Pairs, pairs: Iterable[_Pairs], single: Iterable[float]) -> float:
+def _other_pairs(best: _Pairs, pairs: Iterable[_Pairs], single: Iterable[float]) -> float:
     """Return how likely it is (logarithm) that the first mistake is none of those of the best pairs."""
     own = {at_step(one) for one in best.firsts}
     other = [
@@ -113,7 +113,9 @@ def _others(best: _Pairs, pairs: Iterable[_Pairs], single: Iterable[float]) -> f
     return float(np.logaddexp.reduce([*single, *other]))
 
 
-def beside(readings: Readings, mistakes: Mistakes, least: Least, first: Hypothesis) -> Told | None:
+def second_mistake(
+    readings: Readings, mistakes: Mistakes, least: Least, first: Hypothesis
+) -> Told | None:
     """Return what perhaps was done amiss beside a mistake that is named and leaves something unexplained."""
     if not isinstance(first.what, Mutation):
         return None
@@ -132,7 +134,7 @@ def with_mistake(mistakes: Mistakes, one: Hypothesis, base: Board | None = None)
     """Return a board on which a mistake is made."""
     assert isinstance(one.what, Mutation)
     base = base or mistakes.boards[one.board].base
-    log, given = mutation.made(base.log, base.given, one.what, one.place)
+    log, given = mutation.changed_log(base.log, base.given, one.what, one.place)
     return Board(base.board, log, given)
 
 
@@ -282,7 +284,7 @@ def _said(
     group, sure = named
     if rest.beyond - group[0].beyond < REPEATED:
         sure = min(sure, UNSURE)  # one reading alone is like many things
-    other = beside(readings, mistakes, least, group[0]) if group[0].beyond else None
+    other = second_mistake(readings, mistakes, least, group[0]) if group[0].beyond else None
     return ((group, sure),) if other is None else ((group, sure), other)
 
 

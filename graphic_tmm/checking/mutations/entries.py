@@ -20,7 +20,7 @@ from graphic_tmm.board.values import Length, Point
 from graphic_tmm.checking.judging import slips
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.own_errors import apart, errors_at, exact
-from graphic_tmm.checking.mutations.execution import Beside, Rows, executed
+from graphic_tmm.checking.mutations.execution import Executed, Rows, executed
 from graphic_tmm.checking.mutations.likelihood import (
     BEYOND,
     LOST,
@@ -77,7 +77,7 @@ class Weighed(NamedTuple):
     errors: Mapping[Mark, tuple[tuple[Rows, Array], ...]]
     off: Mapping[Mark, Array]
     multiples: Mapping[Mark, float]
-    beside: Beside
+    beside: Executed
 
 
 class Own:
@@ -152,7 +152,7 @@ def weighed(
         entry = entry_of(drawing, mark, error[:, 0], found[mark][0], scatters)
         if entry is None:
             continue
-        told = Told(entry)
+        told = EntryEvidence(entry)
         base[mark], off[mark] = told.likely, told.off
         unknown[mark] = told.unknown
         if mark.kind is not Point:
@@ -208,7 +208,7 @@ def entry_of(
     return Entry(mark, whole, scatter, np.nan_to_num(figure), mm, drawn)
 
 
-class Told:
+class EntryEvidence:
     """An entry's evidence, of the base once, then of rows."""
 
     def __init__(self, entry: Entry) -> None:
@@ -233,7 +233,7 @@ class Told:
                 error=np.max(np.abs(self.entry.error), axis=0)[None],
                 scatter=np.max(self.entry.scatter, axis=0)[None],
             )
-            return Told(entry).rows(errors)
+            return EntryEvidence(entry).rows(errors)
         change = np.nan_to_num(errors - self.entry.error[:, None], posinf=0.0, neginf=0.0)
         change = change * self.entry.drawn
         size = size_of(

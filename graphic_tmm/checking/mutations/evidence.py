@@ -15,8 +15,8 @@ from graphic_tmm.board.values import Point
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations import columns
-from graphic_tmm.checking.mutations.entries import Own, Told, entry_of, weighed
-from graphic_tmm.checking.mutations.execution import Beside, executed, figures_of
+from graphic_tmm.checking.mutations.entries import EntryEvidence, Own, entry_of, weighed
+from graphic_tmm.checking.mutations.execution import Executed, executed, figures_of
 from graphic_tmm.checking.mutations.likelihood import BEYOND, explained
 from graphic_tmm.checking.mutations.mutation import Mutation
 from graphic_tmm.checking.mutations.tables import Variation
@@ -90,7 +90,7 @@ class Readings:
         """The reading of a mark at a position."""
         return {at: self.drawing.rows[k] for k, at in self.marked.items()}
 
-    def figures(self, board: Drawn, beside: Beside, rows: Any) -> dict[tuple[Key, bool], Any]:
+    def figures(self, board: Drawn, beside: Executed, rows: Any) -> dict[tuple[Key, bool], Any]:
         """Return what tables say in some rows."""
         if not self.keys:
             return {}
@@ -101,7 +101,7 @@ def of_mutations(
     readings: Readings,
     base: Board,
     mutations: Sequence[Mutation],
-    plain: Beside,
+    plain: Executed,
     rows: NDArray[np.intp],
     scatters: Mapping[Mark, Array] | None = None,
 ) -> tuple[Evidence, Any]:
@@ -127,7 +127,7 @@ def of_mutations(
             total[:, :places] += more
         if readings.keys:
             ways.append(readings.figures(base.board, told.beside, np.arange(count)))
-    of_columns = columns.told(readings.columns, ways, count, places)
+    of_columns = columns.gains(readings.columns, ways, count, places)
     for total, more in zip(evidence, of_columns, strict=True):
         total += more
     return evidence, told
@@ -241,7 +241,7 @@ def _of_marks(
         entry = entry_of(drawing, mark, due[:, 0], readings.found[mark][0], None)
         if entry is None:
             continue
-        told = Told(entry)
+        told = EntryEvidence(entry)
         rows = told.rows(np.broadcast_to(errors, (errors.shape[0], count, places)))
         unknown = np.where(copied[:, None], told.nearest, told.unknown)
         before = told.likely, told.off, ~told.entry.read

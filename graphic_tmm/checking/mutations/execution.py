@@ -37,7 +37,7 @@ class Sparse(NamedTuple):
     value: Any
 
 
-class Beside(NamedTuple):
+class Executed(NamedTuple):
     """A log executed with its mutations: the base's values by slot, (1, position), and where rows differ."""
 
     base: Mapping[int, Any]
@@ -62,7 +62,7 @@ def executed(
     mutations: Sequence[Mutation],
     wanted: Iterable[Mark],
     seen: Seen = lambda step, rows, drawn, value: value,
-) -> Beside:
+) -> Executed:
     """Execute a log and its mutations as far as some marks need it; NaN where something cannot be drawn."""
     own: dict[int, list[tuple[int, Change]]] = defaultdict(list)
     for row, one in enumerate(mutations):
@@ -82,7 +82,7 @@ def executed(
             sparse = _differing(base[it], parts)
             if sparse is not None:
                 rows[it] = sparse
-    return Beside(base, rows, len(mutations))
+    return Executed(base, rows, len(mutations))
 
 
 def _amiss(base: Mapping[int, Any], mutations: Sequence[Mutation]) -> Iterator[tuple[int, Sparse]]:
@@ -278,7 +278,11 @@ class _Rows(Mapping[int, Any]):
     """The values of some rows, put together when they are asked for; a position that is not drawn is NaN."""
 
     def __init__(
-        self, beside: Beside, base: Mapping[int, Any], rows: NDArray[np.intp], places: Sequence[int]
+        self,
+        beside: Executed,
+        base: Mapping[int, Any],
+        rows: NDArray[np.intp],
+        places: Sequence[int],
     ) -> None:
         self.beside, self.base, self.rows, self.places = beside, base, rows, places
 
@@ -295,7 +299,9 @@ class _Rows(Mapping[int, Any]):
         return len(self.base)
 
 
-def as_drawn(made: DrawnScene, board: Drawn, beside: Beside, rows: NDArray[np.intp]) -> DrawnScene:
+def as_drawn(
+    made: DrawnScene, board: Drawn, beside: Executed, rows: NDArray[np.intp]
+) -> DrawnScene:
     """Return a scene as some rows of a board draw it: one trial a row."""
     numbers = board.numbers
     whole = _Rows(beside, numbers.whole.values, rows, ())
@@ -312,7 +318,7 @@ def as_drawn(made: DrawnScene, board: Drawn, beside: Beside, rows: NDArray[np.in
 def figures_of(
     made: DrawnScene,
     board: Drawn,
-    beside: Beside,
+    beside: Executed,
     rows: NDArray[np.intp],
     wanted: Sequence[tuple[Key, bool]],
 ) -> dict[tuple[Key, bool], Reals | Complexes]:

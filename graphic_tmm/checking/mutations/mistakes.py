@@ -18,7 +18,7 @@ from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.checking.cells import Key, cells
 from graphic_tmm.checking.mutations.calculated import BY_UNIT, POWERS_OF_TEN
 from graphic_tmm.checking.mutations.evidence import Board
-from graphic_tmm.checking.mutations.execution import Beside, executed, figures_of
+from graphic_tmm.checking.mutations.execution import Executed, executed, figures_of
 from graphic_tmm.checking.mutations.grammar import mutations
 from graphic_tmm.checking.mutations.mutation import (
     CRANK,
@@ -213,11 +213,11 @@ class Offered:
         return free(self.base.log, self.base.given)
 
     @cached_property
-    def plain(self) -> Beside:
+    def plain(self) -> Executed:
         """All of them executed, without readings."""
         return self.run(self.mutations)
 
-    def showing(self, wanted: Collection[Key]) -> Beside:
+    def showing(self, wanted: Collection[Key]) -> Executed:
         """All of them executed, without readings, at least as far as some figures tell.
 
         Points need little of a log: what else it makes, curves above all, takes most of the time.
@@ -228,13 +228,13 @@ class Offered:
         log = self.base.log
         return executed(log, self.base.given, _reaching(log, self.mutations, points), points)
 
-    def run(self, some: Sequence[Mutation], base: Board | None = None) -> Beside:
+    def run(self, some: Sequence[Mutation], base: Board | None = None) -> Executed:
         """Execute mutations without readings."""
         base = base or self.base
         return executed(base.log, base.given, some, base.marks)
 
     def moving(
-        self, wanted: Mapping[tuple[Key, bool], float], beside: Beside | None = None
+        self, wanted: Mapping[tuple[Key, bool], float], beside: Executed | None = None
     ) -> NDArray[np.intp]:
         """Return the rows that move one of some figures by more than a least; the first row always.
 
@@ -248,7 +248,7 @@ class Offered:
         return np.flatnonzero(moves)
 
     def moved(
-        self, wanted: Mapping[tuple[Key, bool], float], beside: Beside
+        self, wanted: Mapping[tuple[Key, bool], float], beside: Executed
     ) -> Iterator[tuple[tuple[Key, bool], NDArray[np.bool_]]]:
         """Yield each figure of the board with the rows that move it; ``wanted`` as in `moving`."""
         rows = np.arange(beside.size)

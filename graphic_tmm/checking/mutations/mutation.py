@@ -194,7 +194,7 @@ def is_scale(mark: Mark) -> bool:
     return mark.kind is Number and mark.unit.endswith("/mm")
 
 
-def made(
+def changed_log(
     log: Construction, given: Mapping[Mark, object], mutation: Mutation, place: int | None = None
 ) -> tuple[Construction, Mapping[Mark, object]]:
     """Return a log and what is given with a mutation; ``place``: at one position only (its index)."""

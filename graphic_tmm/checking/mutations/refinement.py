@@ -14,7 +14,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.step_scatter import as_read, where_read
 from graphic_tmm.checking.mutations import mutation
-from graphic_tmm.checking.mutations.entries import Own, Told, entry_of
+from graphic_tmm.checking.mutations.entries import EntryEvidence, Own, entry_of
 from graphic_tmm.checking.mutations.evidence import Board, Evidence, Readings, nothing, of_mutations
 from graphic_tmm.checking.mutations.execution import executed
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis, groups
@@ -64,7 +64,7 @@ def refined(readings: Readings, base: Board, one: Hypothesis) -> Hypothesis:
     work = readings.drawing.made.mechanism
     if not isinstance(what, Mutation) or base.board is not work or not readings.found:
         return one
-    log, given = mutation.made(base.log, base.given, what, one.place)
+    log, given = mutation.changed_log(base.log, base.given, what, one.place)
     other = Board(base.board, log, given)
     scatters = scatters_of(readings, other)
     own = Own(readings.drawing, readings.found, log)
@@ -79,7 +79,7 @@ def refined(readings: Readings, base: Board, one: Hypothesis) -> Hypothesis:
         mine = entry_of(readings.drawing, mark, errors[:, 0], read, scatters)
         if known is None or mine is None:
             continue
-        plain, told = Told(known), Told(mine)
+        plain, told = EntryEvidence(known), EntryEvidence(mine)
         (before,), (off,), _ = plain.rows(errors[:, :1])
         gain[:places] += told.likely - before
         far[:places] += (told.off > BEYOND) * 1.0 - (off > BEYOND)

@@ -123,7 +123,7 @@ TENFOLD = 0.05
 """So near (as a share) to ten or a hundred times too much a reading is perhaps a slipped decimal point."""
 
 
-def told(diagnosis: Diagnosis, drawing: Comparison, language: str) -> tuple[Likely, ...]:
+def likely_mistakes(diagnosis: Diagnosis, drawing: Comparison, language: str) -> tuple[Likely, ...]:
     """Return what is told of a diagnosis, the surest first."""
     speech = speaking(language)
     roots = list(diagnosis.left) or [one for one in diagnosis.wrong if one.follows is None]

@@ -154,14 +154,14 @@ class Point(NamedTuple):
     due: complex
 
 
-class Found(NamedTuple):
+class PhotoPoints(NamedTuple):
     """What a photograph shows: the points of the plans on the sheet, and the plans that are not there."""
 
     points: tuple[Point, ...]
     missing: tuple[Pole, ...]
 
 
-def read_plans(flat: Flat, views: Sequence[View], clicked: Mapping[Pole, complex]) -> Found:
+def read_plans(flat: Flat, views: Sequence[View], clicked: Mapping[Pole, complex]) -> PhotoPoints:
     """Return what the views of a sheet show; ``clicked``: where poles stand, mm on the sheet."""
     points: list[Point] = []
     missing: list[Pole] = []
@@ -174,8 +174,8 @@ def read_plans(flat: Flat, views: Sequence[View], clicked: Mapping[Pole, complex
         if cover < THERE:
             missing += view.poles
             continue
-        points += _told(view, seen(flat, view, shift, followed(flat, view, shift)), shift)
-    return Found(tuple(points), tuple(missing))
+        points += _points_of(view, seen(flat, view, shift, followed(flat, view, shift)), shift)
+    return PhotoPoints(tuple(points), tuple(missing))
 
 
 def seen(
@@ -195,7 +195,7 @@ def followed(flat: Flat, view: View, shift: complex) -> list[tuple[Track, ...]]:
     ]
 
 
-def _told(view: View, found: Sequence[Spot], shift: complex) -> Iterator[Point]:
+def _points_of(view: View, found: Sequence[Spot], shift: complex) -> Iterator[Point]:
     """Yield the points of a view, each from the pole of its plan; of none more is known than of its pole."""
     for k, place in enumerate(view.places):
         for name in place.names:
@@ -219,7 +219,7 @@ def readings(points: Iterable[Point]) -> tuple[Taken, ...]:
     )
 
 
-def asked(found: Found, language: str = "en") -> tuple[str, ...]:
+def questions(found: PhotoPoints, language: str = "en") -> tuple[str, ...]:
     """Return what the photograph does not tell, a sentence for every plan and position."""
     speech = speaking(language)
     if found.missing and not found.points:

@@ -126,7 +126,7 @@ def refine(
         lens, curl = straighter, less
         shot = Shot(image, homography(box, lens.straight(corners)), lens, curl)
         edges = [
-            _found(shot, foot, head, first=sight == 0)
+            _edge_near(shot, foot, head, first=sight == 0)
             for foot, head in zip(feet, np.roll(feet, -1), strict=True)
         ]
         corners = shot.shown(_meet(feet, edges))
@@ -150,7 +150,7 @@ def _meet(feet: Complexes, edges: list[Edge]) -> Complexes:
     return met
 
 
-def _found(shot: Shot, foot: complex, head: complex, *, first: bool) -> Edge:
+def _edge_near(shot: Shot, foot: complex, head: complex, *, first: bool) -> Edge:
     """Return the line along an edge; at first sight farther away if there is none near it."""
     near = _edge(shot, foot, head, REACH)
     return near if near.seen.size or not first else _edge(shot, foot, head, FAR)

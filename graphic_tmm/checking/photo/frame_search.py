@@ -54,7 +54,7 @@ SURE, CLEARER = 0.5, 0.2
 """So much of what is ruled is seen of the frame that is taken, and so much more than of any other."""
 
 
-class Found(NamedTuple):
+class FoundFrame(NamedTuple):
     """The frame: its lines, in the order of `vertices`, and how much of what is ruled is seen, 0 … 1.
 
     ``second``: the same of the best of the others.
@@ -65,7 +65,7 @@ class Found(NamedTuple):
     second: float
 
 
-def frame_found(image: NDArray[np.uint8], ruled: Ruled) -> Found:
+def frame_found(image: NDArray[np.uint8], ruled: Ruled) -> FoundFrame:
     """Return the frame of a sheet in ``image`` (rows, columns, 3).
 
     Raises
@@ -91,7 +91,7 @@ def frame_found(image: NDArray[np.uint8], ruled: Ruled) -> Found:
     return best
 
 
-def tried(image: NDArray[np.uint8], ruled: Ruled) -> Found | None:
+def tried(image: NDArray[np.uint8], ruled: Ruled) -> FoundFrame | None:
     """Return the frame of which most is seen, and how much of any other; None if nothing is like a frame."""
     small = smaller(image)
     reach = REACH * FILLS * max(small.dark.shape) / max(ruled.paper.right, ruled.paper.top)
@@ -109,7 +109,7 @@ def tried(image: NDArray[np.uint8], ruled: Ruled) -> Found | None:
     seen, best = max(several, key=lambda one: one[0])
     near = DIFFERENT / REACH * reach * small.factor
     others = [one for one, other in several if abs(other.corners - best.corners).max() > near]
-    return Found(best, seen, max([*others, *_other_ways_up(image, ruled, best)]))
+    return FoundFrame(best, seen, max([*others, *_other_ways_up(image, ruled, best)]))
 
 
 def _other_ways_up(image: NDArray[np.uint8], ruled: Ruled, lines: Lines) -> Iterator[float]:

@@ -59,7 +59,7 @@ def from_poles(
             kept.append(part)
     far = {at: one for at, one in found.items() if abs(one.spot) > NEAR}
     shifted = tuple(_shifted(one, far) for one in kept)
-    return shifted, tuple(_told(one, speech) for one in far.values())
+    return shifted, tuple(_pole_text(one, speech) for one in far.values())
 
 
 def _shifted(part: Taken, poles: Mapping[tuple[str, str], Taken]) -> Taken:
@@ -70,7 +70,7 @@ def _shifted(part: Taken, poles: Mapping[tuple[str, str], Taken]) -> Taken:
     return part._replace(x=spot.real, y=spot.imag)
 
 
-def _told(pole: Taken, speech: Speech) -> str:
+def _pole_text(pole: Taken, speech: Speech) -> str:
     place = said(", position {position}", position=pole.position) if pole.position else ""
     return speech(
         said(

@@ -165,10 +165,10 @@ def template(
     language: str = "en",
 ) -> str:
     """Return a CSV file to be filled in; see `asked`; ``language``: as in ``write_readings``."""
-    return write_readings(asked(columns, names, points), language=language)
+    return write_readings(empty_rows(columns, names, points), language=language)
 
 
-def asked(
+def empty_rows(
     columns: Sequence[Column],
     names: Sequence[str],
     points: Sequence[tuple[str, str]] = (),

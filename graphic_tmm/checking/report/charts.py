@@ -9,7 +9,7 @@ from functools import cache, partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Judged, Picture
-from graphic_tmm.checking.report.rows import WORDS, plan_name, shown, signed
+from graphic_tmm.checking.report.rows import WORDS, plan_name, printable_text, signed
 from graphic_tmm.files import environment
 from graphic_tmm.language.numbers import number
 from graphic_tmm.paper.drawing import Bezier, Ink, line
@@ -108,7 +108,7 @@ def _positions(names: Sequence[str]) -> Iterator[tuple[float, float, str]]:
     every = -(-len(starts) // LABELS)
     for start, end in list(zip(starts, ends, strict=True))[::every]:
         middle = _x((start + end - 1) / 2, len(names))
-        yield _x(start - 0.5, len(names)), middle, shown(names[start], 8)
+        yield _x(start - 0.5, len(names)), middle, printable_text(names[start], 8)
 
 
 def _marks(
@@ -120,11 +120,13 @@ def _marks(
             percent = math.copysign(one.percent, one.deviation)
             beyond = abs(percent) > limit * (1 + 1e-9)
             arrow = ARROWS[1 if percent > 0 else -1] if beyond else ""
-            yield _x(k, len(readings)), _y(percent, limit), arrow, _told(one, percent, language)
+            yield _x(k, len(readings)), _y(percent, limit), arrow, _label(one, percent, language)
 
 
-def _told(one: Judged, percent: float, language: str) -> str:
-    where = " ".join(filter(None, (shown(one.taken.position), shown(one.taken.segment))))
+def _label(one: Judged, percent: float, language: str) -> str:
+    where = " ".join(
+        filter(None, (printable_text(one.taken.position), printable_text(one.taken.segment)))
+    )
     return f"{where}: {signed(percent, 1, language)} %, {WORDS[language][one.verdict]}"
 
 
@@ -204,7 +206,7 @@ def small_plan(picture: Picture, label: str) -> Markup:
     size = tuple(max(edge[k + 2] for edge in edges) - (x, y)[k] for k in (0, 1))
     return render(
         "plan.svg",
-        label=shown(label),
+        label=printable_text(label),
         box=[f"{value:.2f}" for value in (x, y, *size)],
         due=COLOURS[FINE],
         found=COLOURS[WRONG],

@@ -27,9 +27,9 @@ from graphic_tmm.checking.report.rows import (
     counts,
     figure,
     plan_name,
+    printable_text,
     reading_grid,
     runs,
-    shown,
     unit_name,
 )
 from graphic_tmm.language.catalogue import speaking
@@ -77,7 +77,9 @@ def finding(one: Likely, language: str) -> str:
     """Return a finding as a sentence; what a slip or something unknown says is a sentence by itself."""
     speech, words = speaking(language), WORDS[language]
     says = [one.says or speech(one.name), *map(speech, one.like)]
-    told = "; ".join(filter(None, (shown(text, LONGEST_SENTENCE).rstrip(".") for text in says)))
+    told = "; ".join(
+        filter(None, (printable_text(text, LONGEST_SENTENCE).rstrip(".") for text in says))
+    )
     if one.kind in (SLIP, UNKNOWN):
         return f"{told[:1].upper()}{told[1:]}."
     kind = one.kind if one.kind in words else MISTAKE
@@ -137,9 +139,9 @@ def unexplained(report: Report) -> tuple[Judged, ...]:
 
 def where(lesson: Lesson, language: str) -> dict[str, str]:
     """Return the words that tell a step: the view it is drawn in, its number, its letter."""
-    number = shown(lesson.step.partition(" ")[0])
-    view = shown(view_name(lesson.view, language)) or plan_name(lesson.plan, language)
-    return {"plan": view, "number": number, "letter": shown(lesson.letter)}
+    number = printable_text(lesson.step.partition(" ")[0])
+    view = printable_text(view_name(lesson.view, language)) or plan_name(lesson.plan, language)
+    return {"plan": view, "number": number, "letter": printable_text(lesson.letter)}
 
 
 def _begin(report: Report) -> str:
@@ -149,7 +151,8 @@ def _begin(report: Report) -> str:
     if report.lessons:
         return words["begin"].format(**where(report.lessons[0], report.language))
     return words["begin at"].format(
-        segment=shown(wrong[0].taken.segment), plan=plan_name(wrong[0].taken.plan, report.language)
+        segment=printable_text(wrong[0].taken.segment),
+        plan=plan_name(wrong[0].taken.plan, report.language),
     )
 
 
@@ -255,18 +258,19 @@ def _blames(lesson: Lesson, one: Judged) -> bool:
 
 def _lesson(lesson: Lesson, rows: Sequence[Judged], language: str) -> Part:
     heading = WORDS[language]["found wrong"].format(**where(lesson, language))
-    caption = WORDS[language]["drawn"].format(position=shown(lesson.position))
+    caption = WORDS[language]["drawn"].format(position=printable_text(lesson.position))
     grid = reading_grid(rows, language, heading, (*KNOWN, "step")) if rows else None
-    return Part(heading, tuple(_told(lesson, language)), grid, lesson.picture, caption)
+    return Part(heading, tuple(_lesson_paragraphs(lesson, language)), grid, lesson.picture, caption)
 
 
-def _told(lesson: Lesson, language: str) -> list[str]:
+def _lesson_paragraphs(lesson: Lesson, language: str) -> list[str]:
     """Return the paragraphs of a lesson: what is done, why, the due calculation with what was found."""
     words = WORDS[language]
     says, why, calculation = (
-        shown(text, LONGEST_SENTENCE) for text in (lesson.says, lesson.why, lesson.calculation)
+        printable_text(text, LONGEST_SENTENCE)
+        for text in (lesson.says, lesson.why, lesson.calculation)
     )
-    position = shown(lesson.position)
+    position = printable_text(lesson.position)
     at = words["at"].format(position=position) if position else ""
     last = []
     if calculation:
@@ -281,7 +285,7 @@ def _told(lesson: Lesson, language: str) -> list[str]:
     reason = f"{captions(language)['why']}: {why}" if why else ""
     seen = lesson.shown is not None or lesson.shows is not None
     numbers = " ".join(last) if calculation or seen else ""
-    steps = " ".join(shown(text, LONGEST_SENTENCE) for text in lesson.drawn)
+    steps = " ".join(printable_text(text, LONGEST_SENTENCE) for text in lesson.drawn)
     drawn = words["drawn so"].format(steps=steps) if steps.strip() else ""
     return [text for text in (says, reason, drawn, numbers) if text]
 
@@ -294,7 +298,9 @@ def _yours(one: Judged, language: str, calculation: str, both: str = "") -> str:
     words = WORDS[language]
     if one.taken.pointed:
         key, off = ("off", one.deviation) if one.own is None else ("off itself", abs(one.own))
-        return words[key].format(segment=shown(one.taken.segment), off=figure(off, 1, language))
+        return words[key].format(
+            segment=printable_text(one.taken.segment), off=figure(off, 1, language)
+        )
     unit = unit_name(one.unit, language)
 
     def told(value: float) -> str:
@@ -303,6 +309,6 @@ def _yours(one: Judged, language: str, calculation: str, both: str = "") -> str:
 
     if calculation and calculation.endswith(unit):
         return words["yours"].format(found=told(one.found))
-    segment = shown(one.taken.segment)
+    segment = printable_text(one.taken.segment)
     template = both or words["yours for"]
     return template.format(segment=segment, found=told(one.found), due=told(one.due))

@@ -111,7 +111,7 @@ LEGENDS: dict[str, str] = {
 LEGEND = Tongues(LEGENDS)
 
 
-def shown(text: str, most: int = LONGEST) -> str:
+def printable_text(text: str, most: int = LONGEST) -> str:
     r"""Return text as it may be shown: on one line, what is not printable as its escape, cut to ``most``.
 
     >>> shown(" a\n\x1b[31mb"), shown("abcdef", 4)
@@ -125,12 +125,12 @@ def shown(text: str, most: int = LONGEST) -> str:
 def plan_name(plan: str, language: str) -> str:
     """Return what a plan is called in a language; as the reading calls it if no chapter has a name for it."""
     known = plan == RESULTS or any(plan in Named.of(one).captions for one in chapters())
-    return captions(language)[plan or RESULTS] if known or not plan else shown(plan)
+    return captions(language)[plan or RESULTS] if known or not plan else printable_text(plan)
 
 
 def unit_name(unit: str, language: str) -> str:
     """Return a unit in a language; as it was written if it is no unit of the package."""
-    return translated(unit, language) if known(unit) else shown(unit)
+    return translated(unit, language) if known(unit) else printable_text(unit)
 
 
 SIGNS = {FINE: "●", DOUBTFUL: "▲", WRONG: "✖"}
@@ -158,7 +158,7 @@ class Grid(NamedTuple):
 
 def title(report: Report) -> str:
     """Return the heading of a report."""
-    name = shown(report.title) or shown(report.scene)
+    name = printable_text(report.title) or printable_text(report.scene)
     return WORDS[report.language]["check"].format(title=name)
 
 
@@ -166,7 +166,8 @@ def who(report: Report) -> str:
     """Return which scene was checked against whose hand."""
     words = WORDS[report.language]
     return words["who"].format(
-        scene=shown(report.scene), hand=shown(HANDS[report.language].get(report.hand, report.hand))
+        scene=printable_text(report.scene),
+        hand=printable_text(HANDS[report.language].get(report.hand, report.hand)),
     )
 
 
@@ -206,7 +207,7 @@ def reading_grid(
 
 def notes(report: Report) -> tuple[str, ...]:
     """Return the notes, as they may be shown."""
-    return tuple(shown(note, LONGEST_SENTENCE) for note in report.notes)
+    return tuple(printable_text(note, LONGEST_SENTENCE) for note in report.notes)
 
 
 def verdict_name(verdict: str, language: str) -> str:
@@ -257,15 +258,15 @@ def _reading(one: Judged, language: str) -> dict[str, str]:
     off = signed(deviation, 2, language) if drawn else told(deviation)
     return {
         "line": str(taken.line) if taken.line else "",
-        "position": shown(taken.position),
-        "segment": shown(taken.segment) + _place(one, language),
+        "position": printable_text(taken.position),
+        "segment": printable_text(taken.segment) + _place(one, language),
         "found": told(one.found),
         "due": told(one.due),
         "unit": "" if drawn else unit_name(one.unit, language),
         "deviation": off if drawn or not deviation > 0 else f"+{off}",
         "percent": figure(one.percent, 1, language),
         "farther": _share(one.quantile, language),
-        "step": shown(plain(one.step)),
+        "step": printable_text(plain(one.step)),
         "own": "" if one.own is None else signed(one.own, 2, language),
         "follows": _source(one, language),
     }
@@ -277,7 +278,7 @@ def _source(one: Judged, language: str) -> str:
         return ""
     line, words = one.follows.line, WORDS[language]
     told = words["follows from line" if line else "follows from"]
-    return told.format(segment=shown(one.follows.segment), line=line)
+    return told.format(segment=printable_text(one.follows.segment), line=line)
 
 
 def _place(one: Judged, language: str) -> str:

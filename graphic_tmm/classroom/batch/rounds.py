@@ -126,7 +126,7 @@ def _until_broken(
         heard = monotonic() if ended else _attended(pool, heard)
         for future in ended:
             work, begun = flying.pop(future)
-            found = _found(future)
+            found = _outcome(future)
             broken = broken or isinstance(found, BrokenExecutor)
             if window == 1 and limit and monotonic() - begun >= limit and _died(found):
                 found = TooLongError()
@@ -150,7 +150,7 @@ def _died(found: Answer | BaseException) -> bool:
     return isinstance(found, BaseException) and died(found)
 
 
-def _found(future: Future[Answer]) -> Answer | BaseException:
+def _outcome(future: Future[Answer]) -> Answer | BaseException:
     try:
         return future.exception() or future.result()
     except CancelledError as error:  # a scheduler has gone

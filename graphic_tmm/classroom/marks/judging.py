@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from graphic_tmm.checking.check import Checker
 from graphic_tmm.checking.judging.scatter import Limits
-from graphic_tmm.checking.pencil.reading import asked as asked_for
+from graphic_tmm.checking.pencil.reading import questions as asked_for
 from graphic_tmm.checking.photo.picture import Sent
 from graphic_tmm.checking.photographed import Photographed, photographed
 from graphic_tmm.checking.pictures import laid
@@ -21,7 +21,7 @@ from graphic_tmm.classroom.batch.work import Done, Work
 from graphic_tmm.classroom.marks.row import Row, dues, row_of, text
 from graphic_tmm.classroom.variants.start import begun, drawn_by
 from graphic_tmm.errors import Fault, SceneError, SheetError, TmmError
-from graphic_tmm.fitting.composition import Composition, beside, known_composition
+from graphic_tmm.fitting.composition import Composition, composition_file, known_composition
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.lettering.letters import missing
@@ -107,7 +107,7 @@ def composition_of(task: Task) -> Composition | None:
         return begun(scene_of(task), task.composition, own.language)[1].composition
     if not task.composition:
         return None
-    return known_composition(task.composition.encode("utf-8"), beside(task.source))
+    return known_composition(task.composition.encode("utf-8"), composition_file(task.source))
 
 
 @lru_cache(maxsize=2)

@@ -27,14 +27,14 @@ from graphic_tmm.classroom.marks.judging import (
     work,
 )
 from graphic_tmm.classroom.marks.names import HandIn, Skipped, hand_ins
-from graphic_tmm.classroom.marks.row import Row, asked, faults, known, plans_of
+from graphic_tmm.classroom.marks.row import Row, faults, known, plans_due, plans_of
 from graphic_tmm.classroom.marks.rule import Mark, Rule, marked
 from graphic_tmm.classroom.variants.start import start_of
 from graphic_tmm.classroom.variants.variant import Base, Variant, source_of, text_of
 from graphic_tmm.classroom.variants.variant import scene_of as variant_of
 from graphic_tmm.errors import SceneError, SheetError, TmmError, printable
 from graphic_tmm.files import read
-from graphic_tmm.fitting.composition import COMPOSITION, beside, read_composition
+from graphic_tmm.fitting.composition import COMPOSITION, composition_file, read_composition
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import captions
@@ -134,14 +134,14 @@ def _marked(
     speech = speaking(scene.language)
     good = [one for one in found if not rows[one.file].skipped]
     bad = [Skipped(one.name, rows[one.file].skipped) for one in found if one not in good]
-    others = _others(of, good, rows, out, tell)
+    others = _other_variants(of, good, rows, out, tell)
     entries = tuple(
         Entry(one, row, marked(of.rule, lost._replace(other=other is not None)), other)
         for one in good
         for row in (rows[one.file],)
         for lost, other in ((faults(of.rule, row), others.get(one.file)),)
     )
-    plans = tuple(one.plan for one in asked(of.rule, entries[0].row)) if entries else ()
+    plans = tuple(one.plan for one in plans_due(of.rule, entries[0].row)) if entries else ()
     pairs = alike([one.row for one in entries])
     entries = _with_copied(entries, pairs)
     told = tuple(sorted([*bad, *(Skipped(one.name, speech(one.why)) for one in skipped)]))
@@ -201,7 +201,7 @@ def _task(of: Class, variant: Variant, begun: Task) -> Task:
 
 def _composition(source: str) -> str:
     """Return the composition beside a scene as its file holds it; "" if there is none."""
-    file = beside(source)
+    file = composition_file(source)
     if read_composition(file) is None:
         return ""
     return read(file, COMPOSITION).decode("utf-8")
@@ -209,7 +209,7 @@ def _composition(source: str) -> str:
 
 def _given(one: HandIn, task: Task, of: Class) -> Given:
     """Return what the judgement of a hand-in hangs on; raises SceneError if a table cannot be read."""
-    tables = tuple((_told(path, of), read(path, READINGS)) for path in one.tables)
+    tables = tuple((_path_text(path, of), read(path, READINGS)) for path in one.tables)
     photographs = tuple(
         (str(path), sheet, _digest(path)) for path, sheet in (one.photographs if not tables else ())
     )
@@ -221,7 +221,7 @@ def _digest(photograph: Path) -> str:
     return sha256(read(photograph, PHOTOGRAPH)).hexdigest()
 
 
-def _told(path: Path, of: Class) -> str:
+def _path_text(path: Path, of: Class) -> str:
     return path.relative_to(of.folder).as_posix()
 
 
@@ -246,7 +246,7 @@ def _read(out: Path, name: str) -> bytes:
     return (out / ROWS / name).read_bytes()
 
 
-def _others(
+def _other_variants(
     of: Class, good: Sequence[HandIn], rows: Mapping[str, Row], out: Path, tell: Tell
 ) -> dict[str, Other]:
     """Return, by their names, the hand-ins that look like another variant of the table."""

@@ -85,7 +85,7 @@ class Row(NamedTuple):
         return self.fine + self.doubtful + len(self.wrong)
 
 
-def asked(rule: Rule, row: Row) -> tuple[Plan, ...]:
+def plans_due(rule: Rule, row: Row) -> tuple[Plan, ...]:
     """Return the plans of a row that are asked for: by the rule, or else by the short template."""
     if not rule.plans:
         return tuple(one for one in row.plans if one.asked)
@@ -95,7 +95,7 @@ def asked(rule: Rule, row: Row) -> tuple[Plan, ...]:
 
 def faults(rule: Rule, row: Row) -> Faults:
     """Return what counts in a row."""
-    plans = asked(rule, row)
+    plans = plans_due(rule, row)
     missing = tuple(one.plan for one in plans if not one.there)
     unread = sum(one.asked - one.given for one in plans if one.there and not one.pointed)
     return Faults(row.wrong, row.doubtful, missing, unread)

@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import floor
 from typing import NamedTuple
 
-from graphic_tmm.checking.report.rows import plan_name, shown
+from graphic_tmm.checking.report.rows import plan_name, printable_text
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.language.said import joined, said
@@ -132,12 +132,12 @@ def decimal(value: Fraction, places: int = 6) -> str:
     return f"-{text}" if value < 0 and text != "0" else text
 
 
-def told(rule: Rule, language: str, plans: tuple[str, ...] = ()) -> tuple[str, ...]:
+def rule_sentences(rule: Rule, language: str, plans: tuple[str, ...] = ()) -> tuple[str, ...]:
     """Return the rule, a sentence each; ``plans``: those that are asked for."""
-    return tuple(map(speaking(language), _told(rule, language, plans)))
+    return tuple(map(speaking(language), _sentences(rule, language, plans)))
 
 
-def _told(rule: Rule, language: str, plans: tuple[str, ...]) -> Iterator[str]:
+def _sentences(rule: Rule, language: str, plans: tuple[str, ...]) -> Iterator[str]:
     def of(value: Fraction) -> str:
         return decimal(value).replace(".", decimal_sign(language)).replace("-", "−")
 
@@ -176,13 +176,13 @@ def _told(rule: Rule, language: str, plans: tuple[str, ...]) -> Iterator[str]:
         )
     if rule.steps:
         rows = (
-            said("{mark} from {points}", mark=shown(name), points=of(least))
+            said("{mark} from {points}", mark=printable_text(name), points=of(least))
             for name, least in rule.steps
         )
         yield said(
             "The mark by points: {steps}, below that {below}.",
             steps=joined(", ", rows),
-            below=shown(rule.below),
+            below=printable_text(rule.below),
         )
     else:
         yield said(

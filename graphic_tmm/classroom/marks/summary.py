@@ -15,11 +15,11 @@ from urllib.parse import quote
 
 from graphic_tmm.checking.readings.writing import workbook_of
 from graphic_tmm.checking.report.charts import COLOURS
-from graphic_tmm.checking.report.rows import LONGEST_SENTENCE, SIGNS, shown
+from graphic_tmm.checking.report.rows import LONGEST_SENTENCE, SIGNS, printable_text
 from graphic_tmm.classroom.marks.judging import REPORTS
 from graphic_tmm.classroom.marks.marking import Entry, Marked
-from graphic_tmm.classroom.marks.row import asked
-from graphic_tmm.classroom.marks.rule import FIVE, decimal, told
+from graphic_tmm.classroom.marks.row import plans_due
+from graphic_tmm.classroom.marks.rule import FIVE, decimal, rule_sentences
 from graphic_tmm.files import environment
 from graphic_tmm.language.catalogue import Tongues, speaking
 from graphic_tmm.language.numbers import decimal_sign
@@ -69,11 +69,11 @@ def lines(marked: Marked) -> tuple[Line, ...]:
 
 
 def _line(marked: Marked, one: Entry, remarks: list[str]) -> Line:
-    row, plans = one.row, asked(marked.rule, one.row)
+    row, plans = one.row, plans_due(marked.rule, one.row)
     count = Counter(plan.there for plan in plans)[True]
     wrong = len(row.wrong)
     cells = {
-        "name": shown(one.hand_in.name),
+        "name": printable_text(one.hand_in.name),
         "variant": one.hand_in.variant,
         "mark": one.mark.text,
         "points": decimal(one.mark.points, 2),
@@ -83,7 +83,7 @@ def _line(marked: Marked, one: Entry, remarks: list[str]) -> Line:
         "wrong": str(wrong),
         "plans": f"{count}/{len(plans)}",
         "asked": f"{sum(p.given for p in plans)}/{sum(p.asked for p in plans)}",
-        "mistakes": " ".join(shown(c.says, LONGEST_SENTENCE) for c in row.causes[:NAMED]),
+        "mistakes": " ".join(printable_text(c.says, LONGEST_SENTENCE) for c in row.causes[:NAMED]),
         "remarks": " ".join(remarks),
     }
     worst = "wrong" if wrong else "doubtful" if row.doubtful else "fine"
@@ -107,7 +107,7 @@ def _remarks(marked: Marked) -> list[list[str]]:
         for k, other in ((pair.one, pair.other), (pair.other, pair.one)):
             says = said(
                 "Alike: {other}, {equal} of {count} readings equal.",
-                other=shown(marked.entries[other].hand_in.name),
+                other=printable_text(marked.entries[other].hand_in.name),
                 equal=pair.equal,
                 count=pair.of,
             )
@@ -117,7 +117,10 @@ def _remarks(marked: Marked) -> list[list[str]]:
 
 def skipped(marked: Marked) -> tuple[tuple[str, str], ...]:
     """Return what was skipped, each with why, on one line."""
-    return tuple((shown(one.name), shown(one.why, LONGEST_SENTENCE)) for one in marked.skipped)
+    return tuple(
+        (printable_text(one.name), printable_text(one.why, LONGEST_SENTENCE))
+        for one in marked.skipped
+    )
 
 
 def rule(marked: Marked) -> tuple[str, ...]:
@@ -125,7 +128,7 @@ def rule(marked: Marked) -> tuple[str, ...]:
     speech = speaking(marked.language)
     usual = marked.rule._replace(plans=()) == FIVE
     first = [speech(said("No rule was given: this is the usual one."))] if usual else []
-    return (*first, *told(marked.rule, marked.language, marked.plans))
+    return (*first, *rule_sentences(marked.rule, marked.language, marked.plans))
 
 
 def pairs(marked: Marked) -> tuple[str, ...]:
@@ -138,8 +141,8 @@ def _pairs(marked: Marked) -> Iterator[str]:
         one, other = (marked.entries[k].hand_in.name for k in (pair.one, pair.other))
         yield said(
             "Alike: {one} and {other}, {equal} of {count} readings equal.",
-            one=shown(one),
-            other=shown(other),
+            one=printable_text(one),
+            other=printable_text(other),
             equal=pair.equal,
             count=pair.of,
         )
@@ -190,7 +193,7 @@ def gradebook(marked: Marked) -> str:
     for one in marked.entries:
         student = one.hand_in.student
         name = student if student and students[student] == 1 else one.hand_in.name
-        rows.append((shown(name, 200), one.mark.text, one.row.feedback))
+        rows.append((printable_text(name, 200), one.mark.text, one.row.feedback))
     return _csv(rows)
 
 
@@ -227,7 +230,7 @@ def summary_html(marked: Marked) -> str:
     return page.render(
         marked=marked,
         titles=titles,
-        heading=titles["class"].format(title=shown(marked.title)),
+        heading=titles["class"].format(title=printable_text(marked.title)),
         count=titles["count"].format(
             all=len(rows) + len(marked.skipped), read=len(rows), skipped=len(marked.skipped)
         ),
@@ -262,7 +265,9 @@ def text_summary(marked: Marked) -> list[Any]:
     rows = lines(marked)
     for one in rows:
         table.add_row(*(Text(one.cells[key]) for key in keys), style=styles[one.worst])
-    made: list[Any] = [Text(titles["class"].format(title=shown(marked.title)), style="bold")]
+    made: list[Any] = [
+        Text(titles["class"].format(title=printable_text(marked.title)), style="bold")
+    ]
     made += [table] if rows else [Text(titles["no"])]
     made += [Text(f"• {one}") for one in pairs(marked)]
     made += [Text(f"• {titles['skipped']}: {name}: {why}") for name, why in skipped(marked)]

@@ -133,7 +133,7 @@ Drawer = Callable[[complex], Scheme | None]
 """Draws the scheme within a width and a height, mm."""
 
 
-class Shown(NamedTuple):
+class GivenViews(NamedTuple):
     """What is shown: what stands beside one another at the head of all, and the tables below it."""
 
     beside: tuple[Block, ...]
@@ -156,7 +156,7 @@ def drawer(scene: Scene, text: str) -> Drawer:
     return draw
 
 
-def arranged(scene: Scene, rows: Rows, draw: Drawer, setting: Setting) -> Iterator[Shown]:
+def arranged(scene: Scene, rows: Rows, draw: Drawer, setting: Setting) -> Iterator[GivenViews]:
     """Yield the ways in which the scheme and the tables may stand: side by side if there is room, and not."""
     wide = width_of(scene.language)
     talls = (ALONE, 2 * ALONE, TWICE + 2) if setting.under else (ALONE,)
@@ -170,11 +170,11 @@ def arranged(scene: Scene, rows: Rows, draw: Drawer, setting: Setting) -> Iterat
         shown = _scheme(scene, draw, complex(room, setting.share * BESIDE_HIGH), setting)
         if shown is None or shown.width > room:
             continue
-        yield Shown((shown, tables[0]), (*tables[1:], *_listed(scene, setting)))
+        yield GivenViews((shown, tables[0]), (*tables[1:], *_listed(scene, setting)))
     shown = _scheme(scene, draw, complex(ROOM.real, setting.share * ROOM.imag), setting)
     tall = TWICE if shown is not None else ALONE
     tables = [*_tables(scene, rows, tall, setting), *_listed(scene, setting)]
-    yield Shown((shown,) if shown is not None else (), tuple(tables))
+    yield GivenViews((shown,) if shown is not None else (), tuple(tables))
 
 
 def rowed(blocks: Sequence[Block], wide: float) -> tuple[tuple[Block, ...], ...]:

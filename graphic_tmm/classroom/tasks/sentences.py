@@ -64,24 +64,24 @@ _QUANTITY = re.compile(r"\s*([+-]?[\d.,eE+-]+)\s*(.*)", re.DOTALL)
 _RATIO = re.compile(r"\s*(\d+(?:[.,]\d+)?)\s*:\s*(\d+(?:[.,]\d+)?)\s*")
 
 
-class Told(NamedTuple):
+class Paragraphs(NamedTuple):
     """A heading (mark-up, "" for none) and the sentences below it, numbered on if they are to be."""
 
     heading: str
     sentences: tuple[str, ...]
 
 
-def synthesis(scene: Scene) -> Iterator[Told]:
+def synthesis(scene: Scene) -> Iterator[Paragraphs]:
     """Yield which lengths are to be found, if the scene states a task that gives them."""
     found = read_synthesis(scene)
     if found is None:
         return
     names = [name for name, mark in found.lengths.items() if mark not in found.given]
     says = FOUND if len(names) > 1 else ONE_FOUND
-    yield Told("", (speaking(scene.language)(says, listed=", ".join(map(indexed, names))),))
+    yield Paragraphs("", (speaking(scene.language)(says, listed=", ".join(map(indexed, names))),))
 
 
-def orders(scene: Scene) -> Iterator[Told]:
+def orders(scene: Scene) -> Iterator[Paragraphs]:
     """Yield what is drawn, sheet by sheet; nothing is asked for twice."""
     _, known = speaking(scene.language), set[str]()
     for n, order in enumerate(scene.sheets, 1):
@@ -93,7 +93,7 @@ def orders(scene: Scene) -> Iterator[Told]:
         name = order.name or (scene.title_block.get("name", "") if len(scene.sheets) == 1 else "")
         form = _(ANY) if order.format == AUTO else order.format
         heading = _(NAMED if name else SHEET, number=n, format=form, name=name)
-        yield Told(escape(heading), new)
+        yield Paragraphs(escape(heading), new)
 
 
 def _asks(name: str, scene: Scene) -> Iterable[str]:
@@ -220,7 +220,7 @@ def handed(scene: Scene, *, readings: bool, drawn: bool) -> Iterator[str]:
         yield _(READINGS)
 
 
-def numbered(some: Sequence[Told]) -> Iterator[Told]:
+def numbered(some: Sequence[Paragraphs]) -> Iterator[Paragraphs]:
     """Yield the same, its sentences numbered from 1 on."""
     n = 0
     for one in some:
@@ -228,4 +228,4 @@ def numbered(some: Sequence[Told]) -> Iterator[Told]:
         for sentence in one.sentences:
             n += 1
             lines.append(f"{n}. {sentence}")
-        yield Told(one.heading, tuple(lines))
+        yield Paragraphs(one.heading, tuple(lines))

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.classroom.tasks import sentences
-from graphic_tmm.classroom.tasks.given import Shown, arranged, drawer, rowed, told_rows
+from graphic_tmm.classroom.tasks.given import GivenViews, arranged, drawer, rowed, told_rows
 from graphic_tmm.classroom.tasks.sheet import (
     BESIDE,
     FILLING,
@@ -62,12 +62,16 @@ def paragraphs(scene: Scene, doc: Document, *, readings: bool) -> list[Paragraph
     """Return the sentences of a task; ``readings``: a table of these is handed in, too."""
     _, drawn = speaking(scene.language), bool(boards(scene))
     parts = (
-        (HELD, [sentences.Told("", tuple(sentences.conditions(scene)))]),
+        (HELD, [sentences.Paragraphs("", tuple(sentences.conditions(scene)))]),
         (DRAWN, [*sentences.numbered([*sentences.synthesis(scene), *sentences.orders(scene)])]),
-        (FACTORS, [sentences.Told("", tuple(sentences.scales(scene, doc)))] if drawn else []),
+        (FACTORS, [sentences.Paragraphs("", tuple(sentences.scales(scene, doc)))] if drawn else []),
         (
             HAND_IN,
-            [sentences.Told("", tuple(sentences.handed(scene, readings=readings, drawn=drawn)))],
+            [
+                sentences.Paragraphs(
+                    "", tuple(sentences.handed(scene, readings=readings, drawn=drawn))
+                )
+            ],
         ),
     )
     found = list[Paragraph]()
@@ -191,7 +195,9 @@ def task_sheets(scene: Scene, text_of: str, doc: Document, *, readings: bool) ->
     return sheets(called, head, bands, scene, "task", setting)
 
 
-def _bands(shown: Shown, told: Sequence[Paragraph], wide: float, setting: Setting) -> list[Band]:
+def _bands(
+    shown: GivenViews, told: Sequence[Paragraph], wide: float, setting: Setting
+) -> list[Band]:
     """Return what a task shows and tells, in bands one below the other."""
     found, tables, rest = list[Band](), list(shown.below), list(told)
     if len(shown.beside) > 1 and setting.under:

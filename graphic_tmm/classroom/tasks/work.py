@@ -11,7 +11,7 @@ from graphic_tmm.board.scales import Scale
 from graphic_tmm.checking.cells import cells
 from graphic_tmm.checking.template import short_of
 from graphic_tmm.classroom.batch.work import Done, Work
-from graphic_tmm.classroom.making import OPERATION, Asked
+from graphic_tmm.classroom.making import OPERATION, Request
 from graphic_tmm.classroom.tasks.sentences import SCALES, families
 from graphic_tmm.classroom.tasks.task import task_sheets
 from graphic_tmm.classroom.variants.start import begun
@@ -87,7 +87,7 @@ def works(
         found.append(Work(f"{TASKS}/{name}", f"{__name__}:task", given))
         if keys:
             makes = ("scene", *(MAKES[key] for key in keys))
-            asked = Asked(
+            asked = Request(
                 text,
                 source,
                 makes,

@@ -14,7 +14,7 @@ from graphic_tmm.fitting.compose import Composed
 from graphic_tmm.fitting.composition import (
     COMPOSITION,
     Composition,
-    beside,
+    composition_file,
     known_composition,
     read_composition,
     text,
@@ -37,7 +37,7 @@ def start_of(of: Base) -> str:
     SceneError
         If what stands beside the scene is no composition.
     """
-    file = beside(str(of.file))
+    file = composition_file(str(of.file))
     if read_composition(file) is not None:
         return read(file, COMPOSITION).decode("utf-8")
     try:
@@ -58,7 +58,9 @@ def begun(scene: Scene, start: str, own: str = "") -> tuple[DrawnScene, Composed
     TmmError
         If it cannot be drawn, or a view fits no sheet.
     """
-    given = known_composition(start.encode("utf-8"), beside(scene.source)) if start else None
+    given = (
+        known_composition(start.encode("utf-8"), composition_file(scene.source)) if start else None
+    )
     if scene.spoken_in(own) is scene:
         return composed_sheets(scene, given, near=True)
     _, found = composed_sheets(scene.spoken_in(own), given, near=True)
@@ -72,5 +74,5 @@ def drawn_by(scene: Scene, start: str) -> Composition | None:
     factor no sheet is composed for it.
     """
     if start and all_fixed(scene, mechanism=draws_mechanism(scene, own_boards(scene))):
-        return known_composition(start.encode("utf-8"), beside(scene.source))
+        return known_composition(start.encode("utf-8"), composition_file(scene.source))
     return begun(scene, start)[1].composition

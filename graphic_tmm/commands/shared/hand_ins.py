@@ -14,7 +14,7 @@ import click
 from graphic_tmm.commands.shared.ending import WRONG
 from graphic_tmm.commands.shared.options import language_of
 from graphic_tmm.commands.shared.telling import progress, show, tell, waiting
-from graphic_tmm.language.reader import asked, hear
+from graphic_tmm.language.reader import asked_language, hear
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
@@ -132,7 +132,7 @@ def _class(wanted: MarkedBy, by: tuple[str, str, int, float, float]) -> Class:
     from graphic_tmm.scene.packaged import scene_path
 
     path = scene_path(wanted.scene)
-    hear(asked() or language_of(path))
+    hear(asked_language() or language_of(path))
     of = base(path)
     table = None
     if wanted.variants is not None:
@@ -141,7 +141,7 @@ def _class(wanted: MarkedBy, by: tuple[str, str, int, float, float]) -> Class:
     rule = FIVE if wanted.marks is None else read_rule(Path(wanted.marks))
     folder = _folder(wanted)
     where = wanted.scheduler or _processes()
-    return Class(folder, of, table, rule, By(*by), asked(), where, wanted.limit)
+    return Class(folder, of, table, rule, By(*by), asked_language(), where, wanted.limit)
 
 
 def _folder(wanted: MarkedBy) -> Path:

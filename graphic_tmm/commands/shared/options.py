@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from graphic_tmm.commands.shared.telling import progress, tell
-from graphic_tmm.language.reader import asked, hear
+from graphic_tmm.language.reader import asked_language, hear
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ def read_scene(name: str | None, *, lettered: bool = False) -> Scene:
         scene = read(path, missing=missing)
     else:
         scene = read(path)
-    language = asked() or scene.language
+    language = asked_language() or scene.language
     hear(language)
     return scene.spoken_in(language)
 

@@ -77,14 +77,14 @@ def total_limits(
     return found
 
 
-def told(found: Iterable[float]) -> list[float]:
+def sizes_for_page(found: Iterable[float]) -> list[float]:
     """Return sizes as the page has them; what has none is -1."""
     return [float(f"{x:.{DIGITS}g}") if np.isfinite(x) else -1 for x in found]
 
 
 def bounds(found: Iterable[float]) -> list[float]:
     """Return limits as the page has them, none lower than it is: a reading may stand on one of them."""
-    return told(x * (1.0 + MARGIN) for x in found)
+    return sizes_for_page(x * (1.0 + MARGIN) for x in found)
 
 
 def _there(row: Row, mark: Mark) -> Any:
@@ -166,13 +166,13 @@ def _own(limits: Iterable[StepScatter | None], *, pointed: bool) -> dict[str, li
     """Return limits of a step's own errors, position by position."""
     rows = list(limits)
     found: dict[str, list[Any]] = {
-        "b": [told(one.sizes) if one else [] for one in rows],
+        "b": [sizes_for_page(one.sizes) if one else [] for one in rows],
         "d": bounds(one.scatter.doubtful if one else math.nan for one in rows),
         "w": bounds(one.scatter.wrong if one else math.nan for one in rows),
     }
     if pointed:
-        found["s"] = [told(one.sharp) if one else [] for one in rows]
-        found["m"] = told([one.most if one else math.nan for one in rows])
+        found["s"] = [sizes_for_page(one.sharp) if one else [] for one in rows]
+        found["m"] = sizes_for_page([one.most if one else math.nan for one in rows])
     return found
 
 

@@ -24,14 +24,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import spoken, with_functions
 from graphic_tmm.language.units import unit
-from graphic_tmm.page.practice.limits import (
-    HAND,
-    MANNERS,
-    Named,
-    manner,
-    reader_of,
-    told,
-)
+from graphic_tmm.page.practice.limits import HAND, MANNERS, Named, manner, reader_of, sizes_for_page
 from graphic_tmm.page.practice.tasks import Row, posed, readable, sheet_row, with_others, written
 from graphic_tmm.page.sentences import indexed, marked_up, runs
 from graphic_tmm.page.tools import named as instruments
@@ -195,7 +188,9 @@ class Packing:
                 "steps": [step.it.slot for step in here],
                 "shown": [mark.slot for mark in used],
                 "pole": pole.pole.slot if pole is not None and pole.pole is not None else -1,
-                "whole": told([due.get((plan, self.row.names[at]), self.reach(here, at))])[0],
+                "whole": sizes_for_page(
+                    [due.get((plan, self.row.names[at]), self.reach(here, at))]
+                )[0],
             } | ({"pose": True} if at >= self.count else {})
 
     def goal(self, plan: str, at: int, steps: Sequence[Step]) -> str:

@@ -75,11 +75,11 @@ def composed(orders: Sequence[Order], *, polished: bool = True) -> list[tuple[Sh
         places = search.composed(some, sheet.room) if polished else fits(some, sheet.room)
         if sheet.alone or places is None:
             places = {0: _alone(some[0], sheet.room, orders[sheet.order].format)}
-        found.append((sheet, {sheet.boxes[k]: _told(at) for k, at in places.items()}))
+        found.append((sheet, {sheet.boxes[k]: _written_place(at) for k, at in places.items()}))
     return found
 
 
-def _told(at: complex) -> complex:
+def _written_place(at: complex) -> complex:
     """Return a place as people are told it: a composition that is written down is the one that was drawn."""
     return complex(round(at.real, 2), round(at.imag, 2))
 

@@ -36,7 +36,7 @@ _SPECIAL = re.compile('[&<>"\r\n\t]')
 _SIGNS = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"}
 
 
-class Made:
+class ReadyElement:
     """An element that svgwrite takes into its groups as one of its own."""
 
     __slots__ = ("xml",)
@@ -50,7 +50,7 @@ class Made:
 
     def add(self, tag: str, attributes: Mapping[str, str]) -> None:
         """Put an element into it; see `Made`."""
-        self.xml.append(Made(tag, attributes).xml)
+        self.xml.append(ReadyElement(tag, attributes).xml)
 
     def get_xml(self) -> Any:
         """Return it as a tree, as svgwrite asks for it."""
@@ -221,11 +221,11 @@ class _Writer:
         for shape, pieces in merged.items():
             style, stroke = styles[shape]
             told = {"d": "".join(pieces), **style, **_from_steps(stroke)}
-            group.elements.append(Made("path", told))
+            group.elements.append(ReadyElement("path", told))
         group.elements += [self.single(pen, stroke) for stroke in alone]
         return group
 
-    def single(self, pen: Pen, stroke: Ink) -> Made:
+    def single(self, pen: Pen, stroke: Ink) -> ReadyElement:
         """Return the path of one stroke with its title and its data attributes."""
         told = {"d": path_data(stroke, self.height), **_style(pen, stroke), **_from_steps(stroke)}
         of = dict(stroke.data).get("unit", "")
@@ -233,7 +233,7 @@ class _Writer:
         data = ((name, own if name == "unit" else value) for name, value in stroke.data)
         told |= {_attribute(name): clean(value) for name, value in data}
         title = f"{stroke.title.removesuffix(of)}{own}" if of and of != own else stroke.title
-        return Made("path", told, clean(title))
+        return ReadyElement("path", told, clean(title))
 
     def lettering(self, width: float, labels: Sequence[Label]) -> Any:
         """Return the labels written with a pen of one width (mm)."""
@@ -256,7 +256,7 @@ class _Writer:
             x, y = start.real, self.height - start.imag
             words = clean(letters.plain(label.text))
             told = {"aria-label": words, "class": "label", "role": "img", **_from_steps(label)}
-            element = Made("g", told, words)
+            element = ReadyElement("g", told, words)
             for pen in written.pens:
                 d = letters.svg_path(written, x, y, angle=label.turn, pen=pen)
                 own = {} if pen == width or self.trace else {"stroke-width": number(pen)}

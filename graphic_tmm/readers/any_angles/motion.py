@@ -27,7 +27,7 @@ from graphic_tmm.paper.formats import USUAL
 from graphic_tmm.project import record as record_project
 from graphic_tmm.readers.any_angles.ready import Ready, made_ready
 from graphic_tmm.readers.any_angles.results import Motion, NotAsked
-from graphic_tmm.readers.any_angles.turn import PLAN_OF, Plan, Told, Turn, Turning
+from graphic_tmm.readers.any_angles.turn import PLAN_OF, Plan, Turn, Turning, TurnQuantity
 from graphic_tmm.scene.chapter import MECHANISM, chapters
 from graphic_tmm.scene.misfits import meant
 from graphic_tmm.scene.records import Scene, SheetOrder
@@ -44,7 +44,7 @@ class Recorded:
     """
 
     sheet: Drawn
-    told: tuple[Told, ...]
+    told: tuple[TurnQuantity, ...]
     whole: float
     slices: dict[object, Ready] = field(default_factory=dict)
     readers: dict[tuple[Mark, ...], Program] = field(default_factory=dict)
@@ -74,7 +74,7 @@ class Recorded:
             self.readers[marks] = prepare(again(self.sheet.construction, given), marks)
         return self.readers[marks].run(given, hand=self.sheet.hand)
 
-    def ready(self, name: object, rows: Callable[[], Sequence[Told]]) -> Ready:
+    def ready(self, name: object, rows: Callable[[], Sequence[TurnQuantity]]) -> Ready:
         """Return the slice of the log that tells some rows, and no step more; it is kept by a name."""
         if name not in self.slices:
             still = _still(self.sheet, self.known(np.zeros((1, 1))))
@@ -213,7 +213,7 @@ def _row(angles: ArrayLike) -> Reals:
     return row
 
 
-def _wanted(told: Sequence[Told], asked: frozenset[str] | None) -> Sequence[Told]:
+def _wanted(told: Sequence[TurnQuantity], asked: frozenset[str] | None) -> Sequence[TurnQuantity]:
     """Return the rows that are wanted: of points only those asked for."""
     if asked is None:
         return told
@@ -229,6 +229,6 @@ def _wanted(told: Sequence[Told], asked: frozenset[str] | None) -> Sequence[Told
     return [row for row in told if row.quantity not in OF_POINTS or _letter(row) in asked]
 
 
-def _letter(row: Told) -> str:
+def _letter(row: TurnQuantity) -> str:
     assert isinstance(row.key, tuple)
     return row.key[0]

@@ -20,7 +20,7 @@ from graphic_tmm.board.values import given as as_value
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import ConstructionError
 from graphic_tmm.language.said import said
-from graphic_tmm.readers.any_angles.turn import VECTORS, Key, Quantity, Told
+from graphic_tmm.readers.any_angles.turn import VECTORS, Key, Quantity, TurnQuantity
 
 VIEW = "SI"
 
@@ -52,8 +52,8 @@ READINGS = (
 
 
 def in_si(
-    log: Construction, rows: Iterable[Told], given: Mapping[Mark, object]
-) -> tuple[Construction, dict[Told, Mark], dict[Mark, complex]]:
+    log: Construction, rows: Iterable[TurnQuantity], given: Mapping[Mark, object]
+) -> tuple[Construction, dict[TurnQuantity, Mark], dict[Mark, complex]]:
     """Return the log that ends in SI, where it has each quantity, and what more is given in it.
 
     To a scale of 1 SI unit a millimetre a mark is in SI already; a mark of several links is told once.
@@ -62,7 +62,7 @@ def in_si(
     steps, begun = list(log.steps), list(log.given)
     made: dict[tuple[Any, ...], Mark] = {}
     origins: dict[Mark, complex] = {}
-    found: dict[Told, Mark] = {}
+    found: dict[TurnQuantity, Mark] = {}
     size = log.size
 
     def mark(letter: str, kind: Kind) -> Mark:
@@ -205,7 +205,7 @@ def _quietly(known: Known, row: Reals) -> Mapping[Mark, Any]:
 
 
 def made_ready(
-    sheet: Drawn, still: Mapping[Mark, Any], known: Known, rows: Sequence[Told]
+    sheet: Drawn, still: Mapping[Mark, Any], known: Known, rows: Sequence[TurnQuantity]
 ) -> Ready:
     """Return the slice of a log that tells some rows.
 

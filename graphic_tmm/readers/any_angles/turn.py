@@ -65,7 +65,7 @@ Key = tuple[str, int] | int | str
 """Of what it is told: a letter and the number of its link; a link; the name of a column."""
 
 
-class Told(NamedTuple):
+class TurnQuantity(NamedTuple):
     """A quantity that can be had at any angle of the crank, in SI: where the log has it.
 
     ``mark``: its number, in SI; or, with a ``scale`` (SI a mm), a
@@ -106,5 +106,5 @@ class Turning(Answer):
     stands: ClassVar[str] = "turning.TURNING"
     between: Callable[[Drawn, Turn], Between] = lambda drawn, turn: {}
     passed: Callable[[Project], Passed | None] = lambda project: None
-    told: Callable[[Project], Iterable[Told]] = lambda project: ()
+    told: Callable[[Project], Iterable[TurnQuantity]] = lambda project: ()
     free: Callable[[Scene], Scene] = lambda scene: scene

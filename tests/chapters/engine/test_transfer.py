@@ -18,7 +18,7 @@ from support.gallery import SHEETS, asking, drawn
 from support.graphs import assert_read_off_the_log
 from support.scenes import edited
 
-from graphic_tmm.chapters.engine.ink_transfer import Shown, draw_all_forces
+from graphic_tmm.chapters.engine.ink_transfer import TransferFigure, draw_all_forces
 from graphic_tmm.chapters.engine.record import BESIDE
 from graphic_tmm.chapters.engine.table import engine_columns
 from graphic_tmm.chapters.engine.task import TRANSFER as VIEW
@@ -141,7 +141,7 @@ def pictures(work: Drawn) -> list[Drawing]:
     made: Transfer = BESIDE.on(work).transfer
     log, reading = work.construction, work.reading
     sense = 1 if work.scene.mechanism.drive.speed > 0 else -1  # type: ignore[union-attr]
-    shown = [Shown(str(k), "X", k, 40.0, "N", sense) for k in range(work.project.count)]
+    shown = [TransferFigure(str(k), "X", k, 40.0, "N", sense) for k in range(work.project.count)]
     return [draw_all_forces(log, reading, made, one) for one in shown]
 
 

@@ -15,7 +15,7 @@ from support.loaded import weighed
 from support.mechanisms import sample
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.forces.ink_arrows import Arrows, Told
+from graphic_tmm.chapters.forces.ink_arrows import Arrows, ArrowText
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.forces.views import force_table
@@ -158,7 +158,7 @@ def test_a_reaction_along_a_link_stands_off_the_line_of_the_link(point: complex,
     """Outside the pair at an end of the link, whichever way it points; beside the link anywhere else."""
     arrows = Arrows(0, 5.0)
     arrows.stands_on([line("main", 0j, 100 + 0j)])
-    arrows.put(point, complex(away), 18.0, "R", Told("R", 1.0, "N", (1,)), "thin")
+    arrows.put(point, complex(away), 18.0, "R", ArrowText("R", 1.0, "N", (1,)), "thin")
     (x, y, _), _ = arrows.strokes[0].path
     x_end = x + 18.0 * away
     assert shape(arrows.strokes[0]).length <= 18.0

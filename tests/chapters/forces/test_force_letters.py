@@ -7,7 +7,7 @@ import cmath
 import pytest
 import shapely
 
-from graphic_tmm.chapters.forces.ink_arrows import Arrows, Told
+from graphic_tmm.chapters.forces.ink_arrows import Arrows, ArrowText
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.shapes import box, shape
@@ -17,7 +17,7 @@ from graphic_tmm.paper.shapes import box, shape
 @pytest.mark.parametrize("turn", [0.0, 1.2, 2.9, -2.0])
 def test_the_letter_of_a_couple_is_led_to_its_arc(value: float, turn: float) -> None:
     arrows = Arrows(0, 5.0)
-    arrows.couple(1 + 2j, 9.0, "M_{f}", Told("M_f", value, "N·m", (3,)), cmath.rect(1.0, turn))
+    arrows.couple(1 + 2j, 9.0, "M_{f}", ArrowText("M_f", value, "N·m", (3,)), cmath.rect(1.0, turn))
     (one,) = arrows.wanted
     assert shape(arrows.strokes[0]).distance(shapely.Point(one.at.real, one.at.imag)) < 0.1
     assert one.radius < 1.0
@@ -26,8 +26,8 @@ def test_the_letter_of_a_couple_is_led_to_its_arc(value: float, turn: float) -> 
 def test_a_letter_stands_nearer_to_its_own_arrow_than_to_another() -> None:
     """The heads of two arrows nearly touch."""
     arrows = Arrows(0, 5.0)
-    arrows.put(0j, 1 + 0j, 30.0, "P_1", Told("P_1", 3.0, "N", (1,)))
-    arrows.put(38 + 24j, cmath.rect(1.0, -1.9), 25.0, "P_2", Told("P_2", 2.0, "N", (2,)))
+    arrows.put(0j, 1 + 0j, 30.0, "P_1", ArrowText("P_1", 3.0, "N", (1,)))
+    arrows.put(38 + 24j, cmath.rect(1.0, -1.9), 25.0, "P_2", ArrowText("P_2", 2.0, "N", (2,)))
     view = finished(Drawing("lever", "", tuple(arrows.strokes), wanted=tuple(arrows.wanted)))
     for label in view.labels:
         away = {s.of: shape(s).distance(box(label)) for s in arrows.strokes if s.data}

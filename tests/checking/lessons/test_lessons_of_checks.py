@@ -26,7 +26,7 @@ from support.lessons_told import (
 from graphic_tmm.checking.lessons.lessons import PICTURED, Teacher
 from graphic_tmm.checking.records import UNKNOWN, WRONG, Judged, Likely, Picture, Taken
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.readers.protocol import told
+from graphic_tmm.readers.protocol import plan_protocols
 
 NORMAL = "5 an2"
 DUE = 11.91
@@ -83,7 +83,7 @@ def test_lessons_speak_as_the_protocol_does(name: str) -> None:
     seen = 0
     for plan in ("velocities", "accelerations"):
         position = work.names[work.row(plan)[0]]
-        for one in told(made, (plan,), position, language):
+        for one in plan_protocols(made, (plan,), position, language):
             sentences = {f"{line.number}. {line.text}" for line in one.lines}
             for line in one.lines:
                 if line.step is None or not line.number:

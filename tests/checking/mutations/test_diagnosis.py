@@ -21,7 +21,7 @@ from graphic_tmm.checking.mutations.diagnosis import diagnosed
 from graphic_tmm.checking.mutations.grammar import mutations
 from graphic_tmm.checking.mutations.mistakes import Mistakes, mistaken
 from graphic_tmm.checking.mutations.mutation import CRANK, Mutation, late
-from graphic_tmm.checking.mutations.telling import told
+from graphic_tmm.checking.mutations.telling import likely_mistakes
 from graphic_tmm.checking.records import INSTRUMENT, MISTAKE, SLIP, Likely, Taken
 from graphic_tmm.drawn import DrawnScene
 
@@ -42,7 +42,7 @@ def drawn_with(*some: Mutation, place: int | None = None, seed: int = SEED) -> l
     (board,) = made.boards
     log, given = board.construction, board.given
     for one in some:
-        log, given = mutation.made(late(log), given, one, place)
+        log, given = mutation.changed_log(late(log), given, one, place)
     other = replace(board, project=replace(board.project, construction=log), given=given)
     drawn = DrawnScene(made.scene, (other.drawn_by(HANDS["student"]._replace(seed=seed)),))
     rows = []
@@ -64,7 +64,7 @@ def said_of(rows: Sequence[Taken], language: str = "en") -> tuple[Likely, ...]:
     by = yardsticks.of(rows)
     judged = judge(exact(SCENE), rows, by)
     drawing = Comparison(exact(SCENE), rows, by)
-    return told(diagnosed(mistakes, drawing, judged), drawing, language)
+    return likely_mistakes(diagnosed(mistakes, drawing, judged), drawing, language)
 
 
 def planted(wanted: Callable[[Mutation], bool]) -> Mutation:

@@ -40,7 +40,7 @@ def test_each_is_what_it_is_alone(name: str, many: Callable[[int, int], int]) ->
         marks = [step.it for step in log.steps]
         beside = executed(log, board.given, some, marks)
         for row in range(0, len(some), EVERY):
-            other, given = mutation.made(log, board.given, some[row])
+            other, given = mutation.changed_log(log, board.given, some[row])
             alone = execute(other, given, marks)
             for mark in marks:
                 told, due = beside.whole(mark.slot), alone[mark]

@@ -117,7 +117,7 @@ def test_two_arcs_are_struck_with_one_another_s_opening() -> None:
     ]
     assert one.was is not None
     assert one.now is not None
-    log, given = mutation.made(board.construction, board.given, one, None)
+    log, given = mutation.changed_log(board.construction, board.given, one, None)
     arcs = [s.it for s in log.steps if s.it.slot in one.changes]
     ends = [s.uses[0] for s in board.construction.steps if s.it in arcs]
     assert one.at is not None
@@ -137,7 +137,7 @@ def test_a_circle_is_divided_into_another_number_of_parts() -> None:
     assert len(found) >= 4
     for one in found:
         assert one.was is not None
-        _, given = mutation.made(log, board.given, one, None)
+        _, given = mutation.changed_log(log, board.given, one, None)
         angles = np.ravel(np.asarray(given[one.was]))
         assert angles[0] == pytest.approx(float(np.ravel(np.asarray(board.given[one.was]))[0]))
         steps = np.abs(np.diff(angles))

@@ -20,10 +20,10 @@ from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE, Spot
 from graphic_tmm.checking.pencil.reading import (
     SURELY,
     THERE,
-    Found,
+    PhotoPoints,
     Point,
     again,
-    asked,
+    questions,
     read_plans,
     readings,
     stood,
@@ -151,7 +151,7 @@ SHEETS = (("slider-diagrams", 1), ("crank-rocker", 2))
 
 
 @functools.cache
-def read(name: str, number: int, seed: int, left: Left = Left()) -> tuple[FlatSheet, Found]:  # noqa: B008
+def read(name: str, number: int, seed: int, left: Left = Left()) -> tuple[FlatSheet, PhotoPoints]:  # noqa: B008
     drawn = flat_sheet(name, number, seed, left)
     made, sheets = exact(name)
     sheet = sheets[number - 1]
@@ -183,7 +183,7 @@ def test_a_plan_that_is_not_there_is_asked_for() -> None:
     sheet, found = read("crank-rocker", 2, 1, Left(plans=1.0))
     assert not found.points
     assert set(found.missing) == {(key[0], key[2]) for key in sheet.paper.points}
-    assert asked(found) == (
+    assert questions(found) == (
         "no plan of this sheet is seen in the photograph: is it upright, and is it this sheet (--sheet)?",
     )
 
@@ -218,11 +218,11 @@ def test_only_what_is_seen_is_a_reading() -> None:
 
 def test_what_is_not_seen_is_asked_for_by_name() -> None:
     points = (point("a", SEEN), point("b", UNSURE), point("c", UNSEEN), point("d", UNSURE))
-    assert asked(Found(points, (("accelerations", "2"), ("accelerations", "5")))) == (
+    assert questions(PhotoPoints(points, (("accelerations", "2"), ("accelerations", "5")))) == (
         "Velocity plan, position 3: not sure of b, d in the photograph; read them off the paper",
         "Velocity plan, position 3: no c seen in the photograph",
         "Acceleration plan, position 2, 5: not seen in the photograph; if it stands elsewhere on the sheet, "
         "click its pole: --pole accelerations:2=x,y",
     )
-    first = asked(Found(points, ()), "ru")[0]
+    first = questions(PhotoPoints(points, ()), "ru")[0]
     assert first == "План скоростей, положение 3: на фотографии неясны b, d; снимите их с бумаги"

@@ -23,7 +23,7 @@ from graphic_tmm.checking.report import rows as report_words
 from graphic_tmm.checking.report.findings import grids
 from graphic_tmm.checking.report.json import json_report
 from graphic_tmm.checking.report.markdown import markdown_report
-from graphic_tmm.checking.report.rows import LEGEND, WORDS, runs, shown
+from graphic_tmm.checking.report.rows import LEGEND, WORDS, printable_text, runs
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -64,10 +64,10 @@ def fields(text: str) -> set[str | None]:
 
 @given(st.text() | st.sampled_from(HOSTILE), st.integers(5, 90))
 def test_what_is_shown_is_short_printable_and_on_one_line(text: str, most: int) -> None:
-    out = shown(text, most)
+    out = printable_text(text, most)
     assert len(out) <= most
     assert out.isprintable()
-    assert shown(out, most) == out
+    assert printable_text(out, most) == out
     if text.isprintable() and text == " ".join(text.split()) and len(text) <= most:
         assert out == text
 

@@ -21,7 +21,7 @@ from graphic_tmm.checking.report.findings import (
     wrong_parts,
 )
 from graphic_tmm.checking.report.html import html_report
-from graphic_tmm.checking.report.rows import notes, shown, title, who
+from graphic_tmm.checking.report.rows import notes, printable_text, title, who
 
 TAGS = {"html", "head", "meta", "title", "style", "body", "h1", "h2", "p", "span", "ul", "li"}
 TAGS |= {"h3", "section", "details", "summary", "rect", "circle"}
@@ -86,7 +86,9 @@ def test_a_page_reads_back_as_the_words_that_went_in(language: str, text: str) -
     assert page.said("p")[:3] == [headline(made), summary(made), who(made)]
     parts = [*wrong_parts(made), *doubtful_parts(made)]
     told = [text for part in parts for text in part.told]
-    assert len(told) == (4 if shown(text) else 1)  # what is done, why, how it is drawn, the numbers
+    assert len(told) == (
+        4 if printable_text(text) else 1
+    )  # what is done, why, how it is drawn, the numbers
     assert page.said("p")[3 : 3 + len(told)] == told
     assert [heading[2:] for heading in page.said("h2")[:-1]] == [part.heading for part in parts]
     assert (

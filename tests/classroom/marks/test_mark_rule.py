@@ -18,7 +18,7 @@ from graphic_tmm.classroom.marks.rule import (
     losses,
     mark_of,
     marked,
-    told,
+    rule_sentences,
 )
 from graphic_tmm.classroom.marks.rule_file import read_rule
 from graphic_tmm.errors import SceneError
@@ -162,7 +162,7 @@ def test_nonsense_is_refused(tmp_path: Path, text: str) -> None:
 
 @each("language", languages())
 def test_the_rule_is_told_with_all_its_numbers(language: str) -> None:
-    says = " ".join(told(FIVE, language, ("velocities",)))
+    says = " ".join(rule_sentences(FIVE, language, ("velocities",)))
     assert all(number in says for number in ("100", "85", "70", "50", "25", "16", "10", "8", "4"))
-    proportional = " ".join(told(Rule(scale=Fraction(77)), language))
+    proportional = " ".join(rule_sentences(Rule(scale=Fraction(77)), language))
     assert "77" in proportional

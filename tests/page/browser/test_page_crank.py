@@ -19,7 +19,7 @@ from graphic_tmm.mechanism.records import Row
 from graphic_tmm.page.dense import Dense, dense
 from graphic_tmm.page.page import page
 from graphic_tmm.page.strands import Line, MovingFigures, strands
-from graphic_tmm.readers.rounding import told
+from graphic_tmm.readers.rounding import rounded_figures
 from graphic_tmm.readers.table import columns_of
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.studio import sheets
@@ -89,7 +89,7 @@ def test_buttons_go_to_the_positions_and_tell_what_tables_tell(page_of: Begin) -
     made, _ = pages.on_sheets(NAME, "en")
     assert made.mechanism is not None
     columns = [one for one in columns_of(made.mechanism) if one.plan == "velocities"]
-    figures = told(columns)
+    figures = rounded_figures(columns)
     for k, name in enumerate(made.mechanism.names):
         shown.locator("#crank .row").get_by_role("button", name=name, exact=True).click()
         assert _angle(shown).endswith(f"position {name}")

@@ -9,7 +9,13 @@ import pytest
 from support.gallery import SHEETS, paper
 
 from graphic_tmm.errors import SceneError
-from graphic_tmm.fitting.composition import Composition, beside, named, read_composition, text
+from graphic_tmm.fitting.composition import (
+    Composition,
+    composition_file,
+    named,
+    read_composition,
+    text,
+)
 from graphic_tmm.paper.compose import search, sheets
 from graphic_tmm.paper.compose.restored import restored
 from graphic_tmm.paper.compose.units import Outline
@@ -71,7 +77,7 @@ def test_a_sheet_drawn_by_its_composition_is_the_same_to_the_byte(tmp_path: Path
     scene = read(tmp_path / "s")
     _, first = composed_sheets(scene)
     (tmp_path / "s" / "composition.toml").write_text(text(first.composition), encoding="utf-8")
-    given = read_composition(beside(scene.source))
+    given = read_composition(composition_file(scene.source))
     assert given == first.composition
     _, again = composed_sheets(scene, given)
     assert [svg(sheet) for sheet in again.sheets] == [svg(sheet) for sheet in first.sheets]
