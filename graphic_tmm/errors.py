@@ -36,7 +36,7 @@ _QUOTED = re.compile(r'(?<!\w)"(.*?)"(?!\w)', re.DOTALL)
 class TmmError(Exception):
     """The root of the tree: the command line prints its text and exits with status 2."""
 
-    def told(self, speech: Callable[[str], str]) -> str:
+    def in_language(self, speech: Callable[[str], str]) -> str:
         """Return the message in a language."""
         return speech(self.args[0])
 
@@ -48,7 +48,7 @@ class Fault(NamedTuple):
     line: int
     message: str
 
-    def shown(self, speech: Callable[[str], str]) -> Fault:
+    def for_reader(self, speech: Callable[[str], str]) -> Fault:
         """Return the fault as a person sees it: in a language, quotations not longer than they help."""
         key = self.key if len(self.key) <= LONGEST else f"{self.key[: LONGEST - 3]}..."
         message = _QUOTED.sub(_shortened, speech(self.message))
@@ -80,15 +80,15 @@ class SceneError(TmmError):
     def __init__(self, path: str, faults: tuple[Fault, ...]) -> None:
         self.path = path
         self.faults = faults
-        super().__init__(self.told(str))
+        super().__init__(self.in_language(str))
 
-    def told(self, speech: Callable[[str], str]) -> str:
+    def in_language(self, speech: Callable[[str], str]) -> str:
         """Return all faults in a language, each on a line of its own."""
         return "\n".join(self._line(fault, speech) for fault in self.faults)
 
     def _line(self, fault: Fault, speech: Callable[[str], str]) -> str:
         place = f"{self.path}:{fault.line}" if fault.line else self.path
-        shown = fault.shown(speech)
+        shown = fault.for_reader(speech)
         told = f"{shown.key}: {shown.message}" if shown.key else shown.message
         return f"{printable(place)}: {told}"
 

@@ -84,7 +84,7 @@ def _make(
 def draws_mechanism(scene: Scene, parts: Sequence[object]) -> bool:
     """Whether a mechanism is drawn, or has to be: a scene of parts alone, or of lettering, has none."""
     plain = {place.name for one in chapters("") for place in one.places}
-    return scene.mechanism is not None or not (parts or scene.shown <= plain)
+    return scene.mechanism is not None or not (parts or scene.shown_places <= plain)
 
 
 def blocks(made: DrawnScene, hand: Hand) -> Iterator[DrawnScene]:
@@ -125,7 +125,7 @@ def composed_sheets(
 
     if near and given is not None:
         return _begun_with(scene, given) or composed_sheets(scene)
-    made = make(scene, wanted=scene.shown, given=given)
+    made = make(scene, wanted=scene.shown_places, given=given)
     try:
         found = composed(made.scene, made.boards, given)
     except ViewError as error:
@@ -146,7 +146,7 @@ def _begun_with(scene: Scene, given: Composition) -> tuple[DrawnScene, Composed]
         if sizes is None:
             continue
         with suppress(ViewError):
-            made = make(scene, wanted=scene.shown, given=given._replace(sizes=sizes))
+            made = make(scene, wanted=scene.shown_places, given=given._replace(sizes=sizes))
             found = composed(made.scene, made.boards, given, near=True)
             if len(found.sheets) == len(given.sheets):
                 told = replace(made.scene, remarks=(*made.scene.remarks, *found.remarks))
@@ -164,7 +164,7 @@ def composed_as_large(scene: Scene, given: Composition) -> tuple[DrawnScene, Com
     """
     from graphic_tmm.fitting.compose import composed
 
-    made = make(scene, wanted=scene.shown, given=given)
+    made = make(scene, wanted=scene.shown_places, given=given)
     with suppress(ViewError):
         return made, composed(made.scene, made.boards, given, near=True)
     return composed_sheets(scene)

@@ -60,7 +60,7 @@ class Candidate:
     enlarged: float
     pole: float
 
-    def told(self, language: str) -> str:
+    def sentence(self, language: str) -> str:
         """Return the setting in words."""
         words = WORDS[language]
         found = [counted(int(value), axis, language) for axis, value in self.divided]
@@ -99,7 +99,7 @@ def choose(scene: Scene, percent: float, tell: Tell | None = None) -> Taken:
     row = sorted(_candidates(scene, scales), key=_order)
     for k, (minutes, candidate) in enumerate(row):
         if tell is not None:
-            tell(k, len(row), candidate.told(scene.language))
+            tell(k, len(row), candidate.sentence(scene.language))
         errors = _measured(candidate, judge, percent)
         if errors and _worst(errors) <= percent:
             drawn, errors = _as_drawn(candidate, made)
@@ -237,7 +237,7 @@ def _sentence(
     each = ", ".join(f"{words[k]} {number(e, language, 2)} %" for k, e in errors.items())
     return words[key].format(
         percent=number(percent, language),
-        setting=candidate.told(language),
+        setting=candidate.sentence(language),
         minutes=fixed(minutes, 0, language),
         errors=each,
     )

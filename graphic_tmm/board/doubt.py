@@ -81,15 +81,15 @@ class Doubts:
     @property
     def drawn(self) -> Mapping[int, Any]:
         """What an exact hand draws of what is given here, by slot, at all positions; nothing of no steps."""
-        return self._found.values if self.steps else {}
+        return self._shaken_log.values if self.steps else {}
 
     def bound(self, mark: Mark) -> Reals:
         """Return how far a mark may be off, in its own unit, (1, position); of a line its direction."""
-        return self._found.bounds.get(mark.slot, NOTHING)
+        return self._shaken_log.bounds.get(mark.slot, NOTHING)
 
     def share(self, mark: Mark) -> Reals:
         """Return how far a point may be off as a share of its plan's extent, (1, position); 0 of others."""
-        if mark.kind is not Point or mark.slot not in self._found.bounds:
+        if mark.kind is not Point or mark.slot not in self._shaken_log.bounds:
             return NOTHING
         bound = self.bound(mark)
         return np.where(bound == 0.0, 0.0, bound / self._sizes.extent(mark.view))
@@ -101,7 +101,7 @@ class Doubts:
         ``places``: the indices of the value's positions; None for all.
         """
         told = self._by_ruler(mark, value, places) * by
-        if mark.slot not in self._found.bounds or mark.kind is Side:
+        if mark.slot not in self._shaken_log.bounds or mark.kind is Side:
             return told
         with np.errstate(all="ignore"):
             bound = self._bound_of(told, mark, by, places)
@@ -116,7 +116,7 @@ class Doubts:
 
     def nothing(self, mark: Mark) -> Mask:
         """Where a figure is nothing but rounding, drawn exactly, (1, position)."""
-        value = self._found.values[mark.slot]
+        value = self._shaken_log.values[mark.slot]
         return np.asarray(self.figure(mark, value) == 0.0)
 
     def _unread(self, told: Any, mark: Mark, by: Any, places: Any) -> Mask:
@@ -130,7 +130,7 @@ class Doubts:
         if mark.kind is Length:
             size = np.fmin(self._sizes.reach(mark.view), SHEET)
         else:
-            shaken = self.bound(mark) > SHAKEN * np.abs(self._found.values[mark.slot])
+            shaken = self.bound(mark) > SHAKEN * np.abs(self._shaken_log.values[mark.slot])
             size = np.where(shaken, self._sizes.of(mark), 0.0) if shaken.any() else np.zeros((1, 1))
         size = at(size, places)
         if told.shape[1] == 1:
@@ -151,7 +151,7 @@ class Doubts:
         bound = self.bound(mark)
         if self._to_scale:
             return np.asarray(at(bound, places) * np.abs(by))
-        drawn = np.abs(self._found.values[mark.slot])
+        drawn = np.abs(self._shaken_log.values[mark.slot])
         share = np.where(bound < drawn, bound / drawn, np.where(bound > 0.0, np.inf, 0.0))
         return np.asarray(np.where(told == 0.0, 0.0, at(share, places) * np.abs(told)))
 
@@ -173,7 +173,7 @@ class Doubts:
         if mark.kind is Point:
             return self.share(mark) > DIGIT
         if mark.kind in FIGURES:
-            value = self._found.values[mark.slot]
+            value = self._shaken_log.values[mark.slot]
             unsure = ~(bound <= DIGIT * np.abs(value)) & np.isfinite(value)
             if not unsure.any():
                 return None
@@ -195,12 +195,12 @@ class Doubts:
         return np.asarray(np.logical_or.reduce(np.broadcast_arrays(own, *used)))
 
     @cached_property
-    def _found(self) -> Shaken:
+    def _shaken_log(self) -> Shaken:
         return shaken(list(self.steps.values()), self._given, self._positions, self._ruler)
 
     @cached_property
     def _sizes(self) -> Sizes:
-        return Sizes(self.steps, self._found)
+        return Sizes(self.steps, self._shaken_log)
 
 
 def _slot(mark: Mark) -> int:

@@ -68,7 +68,7 @@ def _kept(made: DrawnScene, name: str, find: Callable[[DrawnScene], T]) -> T:
 def _cells(made: DrawnScene) -> Mapping[Key, Cell]:
     found: dict[Key, Cell] = {}
     for names, column in _columns(made):
-        for name, mm, value in zip(names, *column.told, strict=True):
+        for name, mm, value in zip(names, *column.first_figures, strict=True):
             if mm is not None or value is not None:
                 found[column.plan, column.segment, name] = Cell(mm, value, column.unit)
     for name, (value, unit) in single(scene_results(made)).items():

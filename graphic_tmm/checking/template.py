@@ -218,9 +218,9 @@ def _position(typed: str, due: Mapping[Key, Cell], names: Names) -> str:
     there.pop("", None)
     if typed:
         found = position_meant(typed, tuple(there))
-        if not found.one:
+        if not found.only:
             raise SheetError(_unknown("--position", typed, found, there))
-        return found.one
+        return found.only
     plans = set(pointed()) & names.segments.keys()
     return max(there, key=lambda name: (len(there[name] & plans), long[name]), default="")
 
@@ -229,18 +229,18 @@ def _marked(typed: str, names: Names) -> tuple[str, tuple[str, ...]]:
     """Return the plan and the segments, or points, that somebody has marked."""
     plan_typed, sign, rest = typed.partition(":")
     plan = plan_meant(plan_typed.strip(), names.plans)
-    if not plan.one:
+    if not plan.only:
         raise SheetError(_unknown("--only", plan_typed, plan, names.plans))
-    known = {**names.points.get(plan.one, {}), **names.segments.get(plan.one, {})}
+    known = {**names.points.get(plan.only, {}), **names.segments.get(plan.only, {})}
     if not sign:
-        return plan.one, tuple(names.segments.get(plan.one, {})) or tuple(known)
+        return plan.only, tuple(names.segments.get(plan.only, {})) or tuple(known)
     found = []
     for one in filter(None, (part.strip() for part in rest.split(","))):
-        segment = segment_meant(one, plan.one, known)
-        if not segment.one:
+        segment = segment_meant(one, plan.only, known)
+        if not segment.only:
             raise SheetError(_unknown("--only", one, segment, known))
-        found.append(segment.one)
-    return plan.one, tuple(found)
+        found.append(segment.only)
+    return plan.only, tuple(found)
 
 
 def _unknown(option: str, typed: str, found: Meant, known: Iterable[str]) -> Said:

@@ -77,7 +77,7 @@ def make_request(given: tuple[str, Request]) -> Done:
     files = {
         f"{folder}/{name}": text for one in asked.makes for name, text in MAKES[one](desk).items()
     }
-    return Done(files, tuple(desk.told()))
+    return Done(files, tuple(desk.messages()))
 
 
 class _Desk:
@@ -129,7 +129,7 @@ class _Desk:
             formats.append(FORMAT)
         return files_of(*self.composed, formats, whole={FORMAT: page})
 
-    def told(self) -> Iterator[str]:
+    def messages(self) -> Iterator[str]:
         """Yield what people are told of what was drawn, each once."""
         language = self.scene.language
         lines = (

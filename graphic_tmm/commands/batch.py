@@ -199,7 +199,7 @@ def _texts(
         try:
             found.append((one, text_of(of, one, str(table)), source_of(of, one).name))
         except SceneError as error:
-            wrong[one.name] = error.told(reader())
+            wrong[one.name] = error.in_language(reader())
     return found, wrong
 
 
@@ -212,7 +212,7 @@ def _at_its_line(of: Base, variant: Variant, table: Path) -> str:
     try:
         scene_of(of, variant, str(table), missing=missing)
     except SceneError as error:
-        return error.told(reader())
+        return error.in_language(reader())
     return ""
 
 

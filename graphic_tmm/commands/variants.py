@@ -75,4 +75,4 @@ def variants(
         remedy = said("name another file with -o")
         for written in write(table.parent, {table.name: text}, remedy=remedy):
             click.echo(str(written))
-    tell(found.told)
+    tell(found.sentence)

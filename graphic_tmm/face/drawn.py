@@ -151,19 +151,19 @@ class Drawn:
     @property
     def facts(self) -> Mapping[str, str]:
         """What else is told of it in words, by name: its ``formula`` by Assur groups."""
-        told = facts_of(self._work.made).items()
+        told = facts_of(self._work.drawn_scene).items()
         return Named({name: one for name, one in told if isinstance(one, str)})
 
     @property
     def scales(self) -> Mapping[str, Quantity]:
         """The scale factors by name: ``scales["mu_velocities"]``, in SI units per mm."""
-        found = scales_of(self._work.made).items()
+        found = scales_of(self._work.drawn_scene).items()
         return Named({name: Quantity(one["value"], one["unit"]) for name, one in found})
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """What of it comes to nothing, could not be drawn, or is in doubt: a sentence each."""
-        return all_warnings(self._work.made, self.scene.language)
+        return all_warnings(self._work.drawn_scene, self.scene.language)
 
     def steps(
         self, plan: str = "all", position: str | int | None = None, *, why: bool = False
@@ -197,7 +197,7 @@ class Drawn:
         wanted = plans() if plan == "all" else (plan,)
         at = None if position is None else str(position)
         try:
-            found = plan_protocols(self._work.made, wanted, at, language)
+            found = plan_protocols(self._work.drawn_scene, wanted, at, language)
         except SceneError as error:
             if error.faults[0].key.startswith("--"):  # an option of the command, here a parameter
                 raise AbsentError(error.faults[0].message) from None
@@ -339,7 +339,7 @@ class Drawn:
         try:
             sheets = self.sheets
         except TmmError as error:
-            return rendered("said.html", title=self.scene.title, lines=error.told(_).splitlines())
+            return rendered("said.html", title=self.scene.title, lines=error.in_language(_).splitlines())
         more = _("and {n} more: .sheets", n=len(sheets) - 1) if len(sheets) > 1 else ""
         return sheets[0]._repr_html_() + rendered("said.html", title="", lines=[more])
 

@@ -51,14 +51,14 @@ class Work:
         return read_composition(composition_file(source)) if Path(source).is_file() else None
 
     @cached_property
-    def made(self) -> DrawnScene:
+    def drawn_scene(self) -> DrawnScene:
         """The scene as drawn: of many drawings the first, on no sheet."""
         return make(self.scene, exact=self.exact, given=self.given)
 
     @cached_property
     def figures(self) -> tuple[Sequence[Column], Results]:
         """The columns and the results of all drawings."""
-        return trial_figures(self.made, self.trials)
+        return trial_figures(self.drawn_scene, self.trials)
 
     @cached_property
     def composed(self) -> tuple[DrawnScene, Composed]:
@@ -73,9 +73,9 @@ class Work:
 
     def table(self, plan: str) -> tables.Table:
         """Return the table of a plan that there is."""
-        usual, language = positions_of(self.made), self.scene.language
+        usual, language = positions_of(self.drawn_scene), self.scene.language
         chosen = [one for one in self.figures[0] if one.plan == plan]
-        decimals = 3 if self.made.exact else decimals_of(self.made.division)
+        decimals = 3 if self.drawn_scene.exact else decimals_of(self.drawn_scene.division)
         rows = tuple(
             tuple(map(tuple, table_rows(some, at, language, decimals)))
             for at, some in _by_positions(chosen, usual)
@@ -87,7 +87,7 @@ class Work:
     @cached_property
     def results(self) -> Named[Quantity]:
         """What comes out as one figure each, told figures too; what no drawing has is not there."""
-        told = facts_of(self.made).items()
+        told = facts_of(self.drawn_scene).items()
         found = {name: Quantity(one) for name, one in told if isinstance(one, (int, float))}
         for name, (row, unit) in self.figures[1].items():
             if np.isfinite(row).any():

@@ -44,7 +44,7 @@ def without_absent(scene: Scene) -> Scene | None:
         for name, one in gone.items()
     }
     own = {place.name for one in gone.values() for place in one.places}
-    if scene.shown <= own:
+    if scene.shown_places <= own:
         faults = (Fault(name, scene.told.get(name, 0), says) for name, says in told.items())
         raise SceneError(scene.source, tuple(faults))
     sections = {section.name: None for one in gone.values() for section in one.sections}

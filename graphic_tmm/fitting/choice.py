@@ -110,9 +110,9 @@ class Ledger:
         letter, turns = f"ω_{index}", turns_a_minute(speed)
         if turns is None:
             return self.quantity(letter, abs(speed), "1/s")
-        return self.found(of_turns, letter, self.quantity(f"n_{index}", turns, "rpm"), unit="1/s")
+        return self.calculated(of_turns, letter, self.quantity(f"n_{index}", turns, "rpm"), unit="1/s")
 
-    def found(self, op: Operation, letter: str, *uses: Mark, unit: str) -> Mark:
+    def calculated(self, op: Operation, letter: str, *uses: Mark, unit: str) -> Mark:
         """Return a quantity that is calculated; once."""
         if letter not in self._known:
             self._known[letter] = self.draft.draw(op, letter, *uses, unit=unit)
@@ -125,7 +125,7 @@ class Ledger:
         from which the same follows. Where there is nothing to draw any scale factor will do.
         """
         if not self._value(largest) > 0.0:
-            return self.told(mu, due, why=_NOTHING)
+            return self.given(mu, due, why=_NOTHING)
         rules = (standard_length, next_standard_length) if lengths else (standard, next_standard)
         return self.enter(mu, self._standard(mu.letter, mu.unit, largest, due, *rules))
 
@@ -151,7 +151,7 @@ class Ledger:
         exact = self.draft.draw(scale_of, f"{letter}′", largest, wanted, unit=unit)
         return self.draft.draw(op, letter, exact, unit=unit)
 
-    def told(self, mu: Mark, value: float, *, why: str = "") -> Mark:
+    def given(self, mu: Mark, value: float, *, why: str = "") -> Mark:
         """Record that a scale factor is what the scene gives."""
         told = self.draft.take(Number, "", value, mu.unit)
         return self.enter(mu, self.draft.draw(accepted, mu.letter, told, unit=mu.unit, why=why))
@@ -196,7 +196,7 @@ class Ledger:
             uses = [self.copied(drawn, steps, one) for one in step.uses]
             found = self.draft.draw(step.op, mark.name, *uses, unit=mark.unit, why=step.why)
         elif mark.kind is Number and mark.unit.endswith("/mm"):
-            return self.told(mark, value)
+            return self.given(mark, value)
         else:
             found = self.draft.take(mark.kind, mark.name, value, mark.unit)
         return self.enter(mark, found)
@@ -239,7 +239,7 @@ def _graphs(drawn: Drawn, charts: Iterable[Chart], ledger: Ledger) -> None:
             ledger.by_length(mu, largest, f"[{letter}]", chart.room)
             continue
         if chart.wanted:
-            ledger.told(mu, value)
+            ledger.given(mu, value)
             continue
         if chart.room is None and _crosses(drawn, chart):
             letter = f"({letter}−{chart.symbol}_{{min}})"
@@ -260,7 +260,7 @@ def _calculated(drawn: Drawn, ledger: Ledger) -> None:
     for mark in (view.scale for view in log.views):
         if mark in fixed and mark.slot not in ledger.chosen:
             ledger.of(mark.view)
-            ledger.told(mark, ledger.value_of(drawn, mark))
+            ledger.given(mark, ledger.value_of(drawn, mark))
     wanted = [view.scale for view in log.views if view.scale in steps]
     wanted += [step.it for step in log.steps if step.op in FOLLOWING]
     for mark in sorted(

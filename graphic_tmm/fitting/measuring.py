@@ -128,7 +128,7 @@ class Rooms:
         """Return the views of boards that no sheet holds."""
         return [
             TooLarge(one.place, one.view.name, share(one.view, one.within))
-            for one in self.shown(sizes)
+            for one in self.sheet_views(sizes)
             if places()[one.place][0].board in self.boards and not holds(one.within, one.view)
         ]
 
@@ -138,7 +138,7 @@ class Rooms:
 
     def near(self, sizes: Sizes) -> bool:
         """Whether a view is about as large as what a sheet holds: then its letters tell whether it does."""
-        return any(_at_the_edge(one.view, one.within) for one in self.shown(sizes))
+        return any(_at_the_edge(one.view, one.within) for one in self.sheet_views(sizes))
 
     def large(self, size: str, sizes: Sizes) -> float:
         """Return what share of their sheet's height the views take that depend on a size, at most."""
@@ -149,7 +149,7 @@ class Rooms:
         return len(list(self._depending(size, sizes)))
 
     def _depending(self, size: str, sizes: Sizes) -> Iterator[SheetView]:
-        for one in self.shown(sizes):
+        for one in self.sheet_views(sizes):
             if size in sizes_of(one.place, one.view.name, self.scene):
                 yield one
 
@@ -164,7 +164,7 @@ class Rooms:
                 found.append(taken / (self._sheets(number, sizes) * room))
         return float(min(found))
 
-    def shown(self, sizes: Sizes) -> Iterator[SheetView]:
+    def sheet_views(self, sizes: Sizes) -> Iterator[SheetView]:
         """Yield the views of all sheets."""
         for number in range(len(self.orders)):
             yield from self._of(number, sizes)

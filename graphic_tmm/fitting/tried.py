@@ -57,8 +57,8 @@ class Mechanism:
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self.whole = record(scene)
-        shown = scene.called == scene.shown
-        self.project = self.whole if shown else record(scene, wanted=scene.shown)
+        shown = scene.called == scene.shown_places
+        self.project = self.whole if shown else record(scene, wanted=scene.shown_places)
         self.doubts = doubted(self.project)
         self.reach = reach_of(self.project, self.doubts)
         self.rescaling = Rescaling(self.project, self.doubts)
@@ -124,7 +124,7 @@ class Mechanism:
         """Return what is drawn in the end, of more than the sheets show, too."""
         project = self.whole
         if wanted is not None:
-            shown = wanted == self.scene.shown
+            shown = wanted == self.scene.shown_places
             project = self.project if shown else record(self.scene, wanted=wanted)
         doubts, reach = self.doubts, self.reach
         if project is not self.project:

@@ -248,7 +248,7 @@ def _cells(
     mm: bool,
 ) -> Iterator[Runs]:
     """Yield the cells of a row: figures as the sheet's table tells them, each with where it stands."""
-    lengths, values = column.told
+    lengths, values = column.first_figures
     row = lengths if mm else values
     written, places = (figures.mm, figures.mm_places) if mm else (figures.value, figures.places)
     for k in shown:
@@ -320,7 +320,7 @@ def asked_number(drawn: Drawn, section: str, key: str, of: str, language: str) -
 
 def greatest(drawn: Drawn, column: Column, language: str) -> tuple[Number, str] | None:
     """Return the value of a column that is the greatest in size, and the position where it stands."""
-    values = column.without(drawn.undrawn).told[1] if not column.at else column.told[1]
+    values = column.without(drawn.undrawn).first_figures[1] if not column.at else column.first_figures[1]
     there = [(abs(value), k) for k, value in enumerate(values) if value is not None]
     if not there:
         return None

@@ -135,17 +135,17 @@ def _navigated(language: str) -> Callable[[Outline], list[Tree]]:
     """Return the contents as a part of the page by which one finds one's way in it."""
     label = escape(speaking(language)(CONTENTS), quote=True)
 
-    def told(outline: Outline) -> list[Tree]:
+    def entries(outline: Outline) -> list[Tree]:
         opening = raw("html", f'<nav aria-label="{label}">', block=True)
         return [opening, *_listed_contents(language)(outline), raw("html", "</nav>", block=True)]
 
-    return told
+    return entries
 
 
 def _listed_contents(language: str, *, linked: bool = True) -> Callable[[Outline], list[Tree]]:
     """Return the contents as a list, of links if places have names."""
 
-    def told(outline: Outline) -> list[Tree]:
+    def entries(outline: Outline) -> list[Tree]:
         items: list[list[Tree]] = []
         for entry in outline:
             if entry.level > 2:
@@ -165,7 +165,7 @@ def _listed_contents(language: str, *, linked: bool = True) -> Callable[[Outline
         }
         return [title, {"t": "BulletList", "c": items}]
 
-    return told
+    return entries
 
 
 # ---------------------------------------------------------------- Markdown

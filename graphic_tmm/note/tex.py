@@ -107,7 +107,7 @@ def whole(digits: str) -> str:
 
 def tex(one: Formula | Tree | Leaf, language: str, put: Put = whole) -> str:
     """Return a formula as TeX; ``put``: how digits are written."""
-    return _Writer(language, put).told(one)
+    return _Writer(language, put).written(one)
 
 
 def escaped(words: str) -> str:
@@ -127,7 +127,7 @@ class _Writer:
         self.led = False
         """A sign stands before the line that is written now, which goes on with a sum."""
 
-    def told(self, one: Formula | Tree | Leaf) -> str:
+    def written(self, one: Formula | Tree | Leaf) -> str:
         if isinstance(one, Symbol):
             return self.markup(one.markup)
         if isinstance(one, Number):
@@ -136,11 +136,11 @@ class _Writer:
             return self.tree(one.node, one.put)
         sign = _RELATIONS.get(one.sign, f" {one.sign} ")
         self.flat, self.led = one.flat, bool(one.lead)
-        found = sign.join(self.told(side) for side in one.sides)
+        found = sign.join(self.written(side) for side in one.sides)
         if one.follows:
             lead = _LEADS.get(one.lead, one.lead) or sign
             found = f"{lead.strip()} {found}"
-        return found + "".join(rf",\quad {self.told(more)}" for more in one.behind)
+        return found + "".join(rf",\quad {self.written(more)}" for more in one.behind)
 
     # ------------------------------------------------------------ letters
 
@@ -229,7 +229,7 @@ class _Writer:
         if node.head == "name":
             led, self.led = self.led, False
             leaf = put.get(node.word, Symbol(node.word))
-            told = self.told(leaf) if node.word in put else self._text(node.word, False)
+            told = self.written(leaf) if node.word in put else self._text(node.word, False)
             minus = led and isinstance(leaf, Number) and leaf.text.startswith("−")
             return rf"\left({told}\right)" if minus else told
         degrees = "°" if node.head == "°" else ""

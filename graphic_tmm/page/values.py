@@ -43,12 +43,12 @@ class Values:
     @cached_property
     def entries(self) -> Mapping[int, Entry]:
         """What tables tell of marks, by their slots; lengths that no table tells as one of them would."""
-        found = {one.mark.slot: one for one in self.told(columns_of(self.drawn))}
+        found = {one.mark.slot: one for one in self.plan_entries(columns_of(self.drawn))}
         others = (self.column(m, mm) for m, mm in self.lengths.items() if m.slot not in found)
-        found |= {e.mark.slot: e for e in self.told([one for one in others if one is not None])}
+        found |= {e.mark.slot: e for e in self.plan_entries([one for one in others if one is not None])}
         return found
 
-    def told(self, columns: Sequence[Column]) -> Iterator[Entry]:
+    def plan_entries(self, columns: Sequence[Column]) -> Iterator[Entry]:
         """Yield what some columns tell of marks, plan by plan as their tables do."""
         for _, same in groupby(sorted(columns, key=_plan), key=_plan):
             some = list(same)

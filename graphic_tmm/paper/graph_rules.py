@@ -104,13 +104,13 @@ class Graph(Seen):
             for piece in curve_over_base(self, step):
                 heights += [z.imag for z in flat(piece.controls)]
             if step.it in self.curved or step.op in EXTREMES:
-                heights += [self.shown(step.it, k).imag for k in self.positions]
+                heights += [self.visible_place(step.it, k).imag for k in self.positions]
         for figure in self.outlines:
             heights += [self.point(mark, 0).imag for mark in figure.marks]
         there = [y for y in heights if finite(y)]
         return max(there), min(there)
 
-    def shown(self, mark: Mark, k: int) -> complex:
+    def visible_place(self, mark: Mark, k: int) -> complex:
         """Return where a point is, mm; NaN where no stretch of a curve goes through it."""
         if mark in self.stretched and not self.goes_through(mark, k):
             return complex("nan")
@@ -152,7 +152,7 @@ def ends_of(seen: Seen, step: Step, k: int) -> tuple[complex, complex]:
     if step.it.role == roles.STRAIGHT and isinstance(seen, Graph) and step.op is not join:
         return complex(0.0, at.imag), complex(seen.length, at.imag)
     spots = [seen.point(step.uses[1], k)] if step.op is join else []
-    shown = seen.shown if isinstance(seen, Graph) else seen.point
+    shown = seen.visible_place if isinstance(seen, Graph) else seen.point
     there = (k,) if seen.varies(step) else seen.positions
     for use in seen.uses.get(step.it, ()):
         if use.it.kind is Point:
@@ -190,7 +190,7 @@ def ordinate(graph: Seen, step: Step, k: int) -> Iterator[Ink]:
         yield from pricked(graph, step, k)
     else:
         at, along = graph.line(step.uses[0], k)
-        yield from _drawn("thin", at, graph.shown(step.it, k), along)
+        yield from _drawn("thin", at, graph.visible_place(step.it, k), along)
 
 
 def laid_along_base(graph: Graph, step: Step) -> bool:

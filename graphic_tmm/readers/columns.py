@@ -72,7 +72,7 @@ class Column:
         return bool(np.isfinite(self.mm).any())
 
     @property
-    def told(self) -> tuple[Row, Row]:
+    def first_figures(self) -> tuple[Row, Row]:
         """The figures of the first drawing, mm and value."""
         mm, value = (
             [None if isnan(x) else x for x in row[0].tolist()] for row in (self.mm, self.value)

@@ -124,7 +124,7 @@ def plan_protocols(
         If the scene has none of the plans (those it has are told), or no such position.
     """
 
-    def found(some: Sequence[str], place: str | None) -> list[PlanProtocol]:
+    def protocols_of(some: Sequence[str], place: str | None) -> list[PlanProtocol]:
         every: list[PlanProtocol] = []
         for drawn in made.boards:
             own = drawn.board == MECHANISM
@@ -132,9 +132,9 @@ def plan_protocols(
             every += (_plan_protocols if own else _part_told)(drawn, some, at, language)
         return every
 
-    every = found(wanted, position)
+    every = protocols_of(wanted, position)
     if not every:
-        there = [plan for plan in plans() if found((plan, ""), None)]
+        there = [plan for plan in plans() if protocols_of((plan, ""), None)]
         says = said(
             "the scene has no plan {listed}; it has {there}",
             listed=plans_named(wanted, language),

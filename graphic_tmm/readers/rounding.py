@@ -97,7 +97,7 @@ def _kind(column: Column) -> tuple[str, str, float]:
 
 def _mu(column: Column) -> float:
     """Return what a mm stands for, as it is written; NaN where nothing is both measured and known."""
-    found = (abs(value / mm) for mm, value in zip(*column.told, strict=True) if mm and value)
+    found = (abs(value / mm) for mm, value in zip(*column.first_figures, strict=True) if mm and value)
     return _written(next(found, math.nan))
 
 
@@ -107,7 +107,7 @@ def _written(mu: float) -> float:
 
 def _calculated(column: Column) -> Figures:
     """Return figures that no length in mm stands for, or lengths that stand for nothing."""
-    mm, value = column.told
+    mm, value = column.first_figures
     places = decimals(value)
     return Figures([_at(x, ROUGH) for x in mm], ROUGH, value, _fewest(column, places))
 
@@ -116,7 +116,7 @@ def _fewest(column: Column, places: int) -> int:
     """Return how many decimals of ``places`` the figures of a column have, if they are shares of a hundred."""
     if column.unit != "%":
         return places
-    there = [x for x in column.told[1] if x is not None]
+    there = [x for x in column.first_figures[1] if x is not None]
     return next((k for k in range(places) if all(round(x, k) == x for x in there)), places)
 
 
@@ -124,7 +124,7 @@ def _measured(columns: Sequence[Column]) -> Iterator[Figures]:
     """Yield the figures of columns that are drawn to one μ."""
     places = _common(columns)
     for column in columns:
-        lengths, values = column.told
+        lengths, values = column.first_figures
         roughly, finely = (
             [_at(told_as(*pair, few), places) for pair in zip(lengths, values, strict=True)]
             for few in (ROUGH, FINE)
@@ -138,7 +138,7 @@ def _common(columns: Sequence[Column]) -> int:
     mu = _mu(columns[0])
     by_mm = math.floor(-math.log10(COARSEST * mu)) + 1
     finest = max(by_mm, math.ceil(-math.log10(10.0**-FINE * mu)))
-    return min(max(by_mm, decimals([x for one in columns for x in one.told[1]])), max(0, finest))
+    return min(max(by_mm, decimals([x for one in columns for x in one.first_figures[1]])), max(0, finest))
 
 
 def _at(value: float | None, places: int) -> float | None:

@@ -68,7 +68,7 @@ class Window:
         low = np.where(self.below[:, None] > 0, self.values[:, :1], -np.inf)
         return low, np.where(self.cut[:, None], top, np.inf)
 
-    def told(self, come: Counts) -> tuple[Reals, NDArray[np.bool_]]:
+    def quantile(self, come: Counts) -> tuple[Reals, NDArray[np.bool_]]:
         """Return the quantile of each row, between two figures by their distances, and where it is missed.
 
         NaN where a row has no figure, or where it is missed.
@@ -126,16 +126,16 @@ class Quantiles:
     @property
     def missed(self) -> bool:
         """Whether a quantile of a row is not among the figures that were kept."""
-        return any(window.told(self._come)[1].any() for window in self._windows)
+        return any(window.quantile(self._come)[1].any() for window in self._windows)
 
     @property
     def kept(self) -> int:
         """How many figures are kept."""
         return sum(window.values.size for window in self._windows)
 
-    def told(self) -> Reals:
+    def result(self) -> Reals:
         """Return the quantiles, (share, row); NaN where no trial has a figure."""
-        return np.array([window.told(self._come)[0] for window in self._windows])
+        return np.array([window.quantile(self._come)[0] for window in self._windows])
 
 
 QUANTILES = {"median": 0.5, "p5": 0.05, "p95": 0.95}
@@ -168,10 +168,10 @@ class Scattered:
         """Whether too little was kept."""
         return self._quantiles.missed
 
-    def told(self) -> Reals:
+    def result(self) -> Reals:
         """Return the `QUANTILES`, (quantile, place); NaN where no drawing has a figure."""
         if self._alike is None:
-            return self._quantiles.told()
+            return self._quantiles.result()
         row = np.where(np.isfinite(self._alike), self._alike, np.nan)
         return np.repeat(row, len(QUANTILES), axis=0)
 
@@ -203,7 +203,7 @@ class Spread:
         """Yield each column followed by its quantiles; a drawing that failed is left out of them."""
         for column, held in zip(self._columns, self._scattered, strict=True):
             yield column
-            for name, row in zip(QUANTILES, held.told(), strict=True):
+            for name, row in zip(QUANTILES, held.result(), strict=True):
                 mm, value = np.split(row[None], 2, axis=1)
                 segment, letter = f"{column.segment}_{name}", f"{column.letter} {name}"
                 yield replace(column, segment=segment, letter=letter, mm=mm, value=value)
@@ -213,7 +213,7 @@ class Spread:
         found: dict[str, tuple[Reals, str]] = {}
         for name, (figures, unit) in self._results.items():
             found[name] = figures, unit
-            told = self._figures[name].told()
+            told = self._figures[name].result()
             if np.isfinite(told).any():
                 rows = zip(QUANTILES, told, strict=True)
                 found |= {f"{name}_{key}": (figure, unit) for key, figure in rows}

@@ -179,7 +179,7 @@ def _rows(
     column: Column, shown: Sequence[int], decimals: int, language: str
 ) -> Iterator[list[str]]:
     """Yield the rows of a column: its mm, if it has any, and the quantity, if it is one."""
-    letter, (mm, value) = plain(column_name(column, language)), column.told
+    letter, (mm, value) = plain(column_name(column, language)), column.first_figures
     if column.drawn:
         cells = [fixed(mm[k], decimals, language) for k in shown]
         yield [letter, unit("mm", language), *cells]

@@ -50,7 +50,7 @@ def as_json(
 
 
 def _written(column: Column, positions: Positions) -> dict[str, Any]:
-    mm, value = map(_tidy, column.told)
+    mm, value = map(_tidy, column.first_figures)
     names = [name for name, _ in column.at or positions]
     told = {"plan": column.plan, "segment": column.segment, "unit": column.unit}
     return {**told, "positions": names, "mm": mm, "value": value}
@@ -92,7 +92,7 @@ def as_csv(
 
 def _figures(column: Column, division: float | None) -> Iterator[tuple[str, str]]:
     """Yield the figures of a column as text, mm and quantity of each position; "" for none."""
-    told = column.told
+    told = column.first_figures
     known = [(mm, value) for mm, value in zip(*told, strict=True) if mm and value]
     mu = abs(known[0][1] / known[0][0]) if known else None
     for mm, value in zip(*map(_tidy, told), strict=True):

@@ -44,7 +44,7 @@ def scene(parts: Parts, source: str) -> Scene:
     plans, hand, block = (parts.record(name) for name in ("plans", "hand", "title_block"))
     assert head is not None
     links = [link for link in parts.links if link is not None]
-    asked = {section.name for section, _ in parts.asked}
+    asked = {section.name for section, _ in parts.chapter_sections}
     usual = registry.usual(asked, mechanism=drive is not None)
     mechanism = _mechanism(frame, links, drive) if frame and drive else None
     sheets = parts.record("sheet") or [SheetOrder(place=())]
@@ -78,7 +78,7 @@ def _tasks(parts: Parts, mechanism: Mechanism | None) -> dict[str, object]:
     built = _Built(parts, mechanism)
     return {
         section.name: built[section.name]
-        for section, _ in parts.asked
+        for section, _ in parts.chapter_sections
         if not section.gives and (section.alone or mechanism is not None)
     }
 

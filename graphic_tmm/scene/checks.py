@@ -34,7 +34,7 @@ def check(parts: Parts) -> Iterator[Flaw]:
     for path, link in pairing(parts.links, "link"):
         centres = centres_of(link, pins)
         yield from _places((*path, "points"), link.points, set(centres) - pins)
-        if any(section.weighs for section, _ in parts.asked):
+        if any(section.weighs for section, _ in parts.chapter_sections):
             yield from _masses(path, link, centres)
         yield from _rod(path, link)
         yield from _flips(path, link)
@@ -49,7 +49,7 @@ def check(parts: Parts) -> Iterator[Flaw]:
     if scales is not None:
         yield from _scales(scales)
     yield from _units(parts)
-    for section, told in parts.asked:
+    for section, told in parts.chapter_sections:
         faults = list(section.check(told, parts))
         yield from faults or _refused(section, told)
     yield from _placed(parts)
@@ -57,7 +57,7 @@ def check(parts: Parts) -> Iterator[Flaw]:
 
 def _units(parts: Parts) -> Iterator[Flaw]:
     """Sections whose sizes are told in mm, in a scene of feet and pounds."""
-    for section, _ in parts.asked:
+    for section, _ in parts.chapter_sections:
         if section.metric and parts.head is not None and parts.head.units != SI:
             says = said(
                 'the sizes of [{section}] are told in mm; write units = "{si}", or give it a scene of its own',
@@ -232,7 +232,7 @@ GAINED = "accelerations"
 
 def remarks(parts: Parts) -> tuple[str, ...]:
     """Return, one line each, the sections that nothing reads, and the defaults that matter."""
-    there = list(parts.asked)
+    there = list(parts.chapter_sections)
     idle = [line for section, told in there for line in section.idle(told, parts)]
     centres = _centres(parts) if any(section.weighs for section, _ in there) else ()
     defaults = [line for section, told in there for line in section.defaults(told, parts)]
@@ -242,7 +242,7 @@ def remarks(parts: Parts) -> tuple[str, ...]:
 def _unsaid(parts: Parts) -> Iterator[str]:
     """Tell of words for chapters that the scene does not call for."""
     note = parts.said["note"]
-    asked = {section.name for section, _ in parts.asked}
+    asked = {section.name for section, _ in parts.chapter_sections}
     there = [one for one in chapters() if called(one, asked, mechanism=parts.drive is not None)]
     names = {one.name for one in there} | {name for one in there for name in one.builds_on}
     for name in note.remarks if note is not None else ():
@@ -278,7 +278,7 @@ def unplaced(scene: Scene) -> tuple[str, ...]:
 
 def _unplaced(scene: Scene) -> Iterator[str]:
     there = [section for section in sections() if section.name in scene.tasks]
-    seen = [section for section in there if scene.shown & set(of_section(section))]
+    seen = [section for section in there if scene.shown_places & set(of_section(section))]
     shown = {name for section in seen for name in section.shows(scene.tasks[section.name])}
     for section in there:
         if section in seen or section.name in shown or not of_section(section):
@@ -290,14 +290,14 @@ def _unplaced(scene: Scene) -> Iterator[str]:
         )
     there_too = {name: one for name, (_, one) in places().items()}
     gained = {name for name, one in there_too.items() if GAINED in (*one.shows, *one.beside)}
-    if scene.row.accelerations and not scene.shown & {GAINED, *gained}:
+    if scene.row.accelerations and not scene.shown_places & {GAINED, *gained}:
         yield said(
             'drive.{plans}: no sheet shows them (table does); add "{plans}" to the place of a [[sheet]]',
             plans=GAINED,
         )
     # other places show more than these plans
     only = {GAINED, *(name for name, one in there_too.items() if one.shows == (GAINED,))}
-    if not scene.row.accelerations and (empty := sorted(scene.shown & only)):
+    if not scene.row.accelerations and (empty := sorted(scene.shown_places & only)):
         yield said(
             "{places}: nothing is there to be shown, for no position has a plan of accelerations; add "
             'accelerations = "all" to [drive], or the positions that are to have one',

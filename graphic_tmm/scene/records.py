@@ -139,7 +139,7 @@ class Scene:
         return StructureError(joined(": ", (place, ", ".join(told), says)), *told)
 
     @property
-    def shown(self) -> frozenset[str]:
+    def shown_places(self) -> frozenset[str]:
         """What the sheets show: their places."""
         return frozenset(place for sheet in self.sheets for place in sheet.place)
 
@@ -149,4 +149,4 @@ class Scene:
         found = {name for one in sections() if one.name in self.tasks for name in called_by(one)}
         if self.row.accelerations:
             found.add("accelerations")
-        return self.shown | found
+        return self.shown_places | found

@@ -100,7 +100,7 @@ class Parts:
         return outline(self.doc)
 
     @property
-    def asked(self) -> Iterator[tuple[Section, Any]]:
+    def chapter_sections(self) -> Iterator[tuple[Section, Any]]:
         """The sections of chapters that are there and could be understood, with what they say."""
         for section in registry.sections():
             said = self.said[section.name]

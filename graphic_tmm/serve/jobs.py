@@ -100,9 +100,9 @@ def _language(task: Task) -> str:
 def faults(error: TmmError, file: str, speech: Speech) -> tuple[SceneFault, ...]:
     """Return the faults of a scene; its file is known, and not told."""
     if isinstance(error, SceneError):
-        shown = [fault.shown(speech) for fault in error.faults]
+        shown = [fault.for_reader(speech) for fault in error.faults]
         return tuple(SceneFault(one.line, one.key, one.message) for one in shown)
-    says = printable(error.told(speech))
+    says = printable(error.in_language(speech))
     place = re.match(rf"{re.escape(printable(file))}(?::(\d+))?: ", says)
     line = int(place[1] or 0) if place else 0
     return (SceneFault(line, "", says[place.end() :] if place else says),)
@@ -145,7 +145,7 @@ def drafted(task: Task) -> Drafted:
     """Return the sheets of a scene in the sizes, and where it can be at the places, that another had."""
     given = _given(task)
     scene = scene_of(task)
-    made = make(scene, wanted=scene.shown, given=given)
+    made = make(scene, wanted=scene.shown_places, given=given)
     return _svg(compose.composed(made.scene, made.boards, given, near=True))
 
 

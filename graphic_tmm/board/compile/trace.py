@@ -31,11 +31,11 @@ class _Unknown:
     __array_ufunc__ = None
     __hash__ = None  # type: ignore[assignment]
 
-    def _asked(self, *_: object) -> Any:
+    def _undecided(self, *_: object) -> Any:
         raise NotTraced(type(self).__name__)
 
-    __bool__ = __float__ = __int__ = __complex__ = __index__ = _asked
-    __iter__ = __len__ = __getitem__ = __array__ = __getattr__ = _asked
+    __bool__ = __float__ = __int__ = __complex__ = __index__ = _undecided
+    __iter__ = __len__ = __getitem__ = __array__ = __getattr__ = _undecided
 
 
 class Mask(_Unknown):

@@ -59,7 +59,7 @@ class _Ink:
         """The places of a point in all positions."""
         return np.broadcast_to(self.seen.reading[mark][0], (len(self.made.angles),))
 
-    def one(self, mark: Mark) -> complex:
+    def fixed_place(self, mark: Mark) -> complex:
         """The place of a point that does not vary."""
         return self.seen.point(mark, 0)
 
@@ -69,7 +69,7 @@ class _Ink:
 
     def near(self, mark: Mark) -> bool:
         """Whether a centre stands among what is drawn; a flank's may be far off."""
-        return abs(self.one(mark)) <= float(np.nanmax(np.abs(self.points)))
+        return abs(self.fixed_place(mark)) <= float(np.nanmax(np.abs(self.points)))
 
     @property
     def roller(self) -> float:
@@ -121,7 +121,7 @@ def from_to(pen: str, centre: complex, start: complex, end: complex, sense: int)
 def _contour(ink: _Ink) -> Iterator[Ink]:
     """The contour: base circle, flanks, nose, each from where it touches the one before."""
     contour, sense = ink.made.contour, -ink.made.sense
-    spots = [ink.one(mark) for mark in contour.touches]
+    spots = [ink.fixed_place(mark) for mark in contour.touches]
     ends = {"base": (3, 0), "rise": (0, 1), "nose": (1, 2), "return": (2, 3)}
     for name, (start, end) in ends.items():
         one = contour.arcs[name]
@@ -130,7 +130,7 @@ def _contour(ink: _Ink) -> Iterator[Ink]:
             yield from body([line("main", spots[start], spots[end])], "contour", of)
             continue
         turned = -sense if one.hollow else sense
-        made = from_to("main", ink.one(one.centre), spots[start], spots[end], turned)
+        made = from_to("main", ink.fixed_place(one.centre), spots[start], spots[end], turned)
         yield from body(made, "contour", [one.centre, *of])
 
 
@@ -140,20 +140,20 @@ def _ways(ink: _Ink) -> Iterator[Ink]:
     base = contour.arcs["base"]
     assert base.centre is not None
     assert base.radius is not None
-    whole = circle("thin", ink.one(base.centre), ink.length(base.radius))
+    whole = circle("thin", ink.fixed_place(base.centre), ink.length(base.radius))
     yield from body([whole], "circle", [base.centre, base.radius])
     if ink.roller > 0.0:
         yield from _pitch(ink)
     for one in contour.arcs.values():
         if one.centre is not None and one.name != "base" and ink.near(one.centre):
-            dot = circle("main", ink.one(one.centre), DOT, filled=True)
+            dot = circle("main", ink.fixed_place(one.centre), DOT, filled=True)
             yield from body([dot], "pivot", [one.centre])
 
 
 def _pitch(ink: _Ink) -> Iterator[Ink]:
     """The path of the roller's centre: each arc goes on from where the one before it ended."""
     contour, sense = ink.made.contour, -ink.made.sense
-    touches = [ink.one(mark) for mark in contour.touches]
+    touches = [ink.fixed_place(mark) for mark in contour.touches]
     flanks = [contour.arcs[name] for name in ("rise", "rise", "return", "return")]
     low = [touches[0], touches[0], touches[3], touches[3]]
     spots = [
@@ -168,7 +168,7 @@ def _pitch(ink: _Ink) -> Iterator[Ink]:
             yield from body([line("medium", spots[start], spots[end])], "path", of)
             continue
         turned = -sense if one.hollow else sense
-        made = from_to("medium", ink.one(one.centre), spots[start], spots[end], turned)
+        made = from_to("medium", ink.fixed_place(one.centre), spots[start], spots[end], turned)
         yield from body(made, "path", of)
 
 
@@ -176,7 +176,7 @@ def _outward(ink: _Ink, flank: Arc, spot: complex, low: complex) -> complex:
     """Return the direction out of the cam at a place of a flank; ``low``: where it touches the base."""
     if flank.centre is None:
         return low / abs(low)
-    way = spot - ink.one(flank.centre)
+    way = spot - ink.fixed_place(flank.centre)
     return (-way if flank.hollow else way) / abs(way)
 
 
@@ -257,17 +257,17 @@ def _letters(ink: _Ink, names: ArcNames) -> Iterator[Wanted]:
     contour, high = ink.made.contour, ink.heights
     free = complex(-ink.made.sense)
     yield Wanted("O", 0j, high.point, 2.5, 1j - free, (contour.origin.slot,))
-    yield Wanted("C", ink.one(contour.nose), high.point, 1.0, -1j - free, (contour.nose.slot,))
+    yield Wanted("C", ink.fixed_place(contour.nose), high.point, 1.0, -1j - free, (contour.nose.slot,))
     for one in contour.arcs.values():
         if one.name in ("rise", "return") and one.centre is not None and ink.near(one.centre):
-            spot = ink.one(one.centre)
+            spot = ink.fixed_place(one.centre)
             yield Wanted(one.centre.name, spot, high.point, 1.0, spot, (one.centre.slot,))
-    spots = [ink.one(mark) for mark in contour.touches]
+    spots = [ink.fixed_place(mark) for mark in contour.touches]
     middles = {"rise": (spots[0] + spots[1]) / 2, "return": (spots[2] + spots[3]) / 2}
     base = contour.arcs["base"]
     assert base.radius is not None
     middles["base"] = ink.length(base.radius) * cmath.rect(1.0, math.radians(90 + 30))
-    nose = ink.one(contour.nose)
+    nose = ink.fixed_place(contour.nose)
     middles["nose"] = nose - 1j * ink.length(contour.arcs["nose"].radius)
     for name, told in names.radii.items():
         spot = middles[name]

@@ -109,7 +109,7 @@ def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
         _(STROKE), {"stroke": result_number(drawn, results(drawn), "arc_stroke", language)}
     )
     found = {one.segment: one for one in arc_columns(drawn)}
-    chords, instant = (found[name].told[1] for name in ("dS", "dS_P"))
+    chords, instant = (found[name].first_figures[1] for name in ("dS", "dS_P"))
     pairs = zip(chords, instant, strict=True)
     apart = [abs(a - b) if a is not None and b is not None else -1.0 for a, b in pairs]
     k = max(range(len(apart)), key=lambda at: (apart[at], -at))
@@ -128,7 +128,7 @@ def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
 
 def _cell(drawn: Drawn, column: Column, k: int, language: str) -> Number:
     """Return the quantity that a column holds in a position."""
-    value = column.told[1][k]
+    value = column.first_figures[1][k]
     assert value is not None
     source = Source("column", drawn.board, f"{column.plan}/{column.segment}", k, "", 1)
     return Number(number(value, language, 3), column.unit, source, value)

@@ -26,7 +26,7 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
     mu = made.contour.mu
     ledger.of(mu.view)
     if made.order.mu_l:
-        ledger.told(mu, made.order.mu_l)
+        ledger.given(mu, made.order.mu_l)
         return
     most = ledger.quantity("r_{max}", reach_of(made.order), "m")
     ledger.fitting(mu, most, ledger.value_of(drawn, mu), lengths=True)

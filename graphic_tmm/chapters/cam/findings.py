@@ -118,13 +118,13 @@ class CamFinding(NamedTuple):
 def cam_findings(reading: Reading, cam: Cam) -> tuple[CamFinding, ...]:
     """Return the limits that a cam passes, in the order in which they are checked."""
 
-    def one(mark: Mark) -> float:
+    def value_at(mark: Mark) -> float:
         return float(reading[mark][0, 0])
 
-    sizes = (1000.0 * one(cam.r0), 1000.0 * one(cam.least))
+    sizes = (1000.0 * value_at(cam.r0), 1000.0 * value_at(cam.least))
     if isinstance(cam.order.follower, FlatFollower):
-        return _hollow(cam, one, sizes)
-    return (*_pressure(reading, cam, one, sizes), *_roller(cam, one, sizes))
+        return _hollow(cam, value_at, sizes)
+    return (*_pressure(reading, cam, value_at, sizes), *_roller(cam, value_at, sizes))
 
 
 def _hollow(

@@ -93,8 +93,8 @@ class _Region:
         self.far = float(np.nanmax(side, initial=0.0))
         self.top = float(np.nanmax(self.points.imag, initial=0.0))
         assert made.apex is not None
-        self.apex = on.one(made.apex)
-        self.centre, self.least = on.one(made.centre), on.one(made.least_centre)
+        self.apex = on.fixed_place(made.apex)
+        self.centre, self.least = on.fixed_place(made.centre), on.fixed_place(made.least_centre)
         self.bottom = self._bottom()
 
     def _bottom(self) -> float:
@@ -146,7 +146,7 @@ def _bodies(ink: _Region) -> Iterator[Ink]:
             side = -1 if phase.sign * cam.sense < 0 else 1
             strokes = hatching(_down(ink, mark), ink.apex, side)
             yield from body(strokes, "hatching", [mark, made.apex])
-        at = ink.on.one(end)
+        at = ink.on.fixed_place(end)
         if finite(at, way):
             bow = arc("thin", at, ANGLE, 90.0, math.degrees(cmath.phase(way / 1j)))
             yield from body([bow], "dimension", [mark, end])
@@ -200,7 +200,7 @@ def _letters(ink: _Region, names: CentreNames) -> Iterator[Wanted]:
     if finite(ink.centre) and abs(ink.centre.real) > LEAST:
         yield Wanted(names.r0, 0.45 * ink.centre, small, 0.5, ink.out, (made.centre.slot,))
     for limit, mark, text in zip(made.limits, made.ends, names.limits, strict=True):
-        spot, way = ink.on.one(mark), ink.on.seen.line(limit, 0)[1]
+        spot, way = ink.on.fixed_place(mark), ink.on.seen.line(limit, 0)[1]
         if finite(spot, way):
             turn = math.radians(90.0) + cmath.phase(way / 1j) / 2
             middle = cmath.rect(ANGLE, turn)
@@ -250,7 +250,7 @@ def draw_rocker_ink(
 
 def _bounds(ink: CamInk, made: Centre, path: Lever, texts: tuple[str, str]) -> Iterator[Bound]:
     """The limits that end on the circle below the lowest lever, by phase and position."""
-    points, lowest = ink.all(made.points), ink.one(made.lowest)
+    points, lowest = ink.all(made.points), ink.fixed_place(made.lowest)
     rows = zip(made.limits, made.ends, texts, ink.cam.diagrams.turn.phases, strict=True)
     for limit, mark, text, phase in rows:
         ends = ink.all(mark)
@@ -264,14 +264,14 @@ def _bounds(ink: CamInk, made: Centre, path: Lever, texts: tuple[str, str]) -> I
 
 def _rocker_rules(ink: CamInk, made: Centre, path: Lever, bounds: list[Bound]) -> dict[Mark, Rule]:
     """What stays of the steps: levers with what was laid off along them, limits, the circle of the centres."""
-    roller, lowest = ink.all(made.roller), ink.one(made.lowest)
+    roller, lowest = ink.all(made.roller), ink.fixed_place(made.lowest)
     levers, begin = ink.used(made.roller), ink.used(made.lowest)
-    spots = [*(one.end for one in bounds), ink.one(made.least_centre), ink.one(made.centre)]
+    spots = [*(one.end for one in bounds), ink.fixed_place(made.least_centre), ink.fixed_place(made.centre)]
     rules: dict[Mark, Rule] = {
         begin: straight("main", 0j, lowest),
         levers: between(np.zeros_like(roller), roller),
         made.points: reached,
-        path.line: straight("thin", 0j, ink.one(made.centre)),
+        path.line: straight("thin", 0j, ink.fixed_place(made.centre)),
         ink.used(made.ends[0], 1): drawn(*_part(lowest, ink.length(path.centres), spots, AROUND)),
     }
     for mark in dict.fromkeys(one.marks[0] for one in bounds):
@@ -301,7 +301,7 @@ def _part(lowest: complex, radius: float, spots: list[complex], around: float) -
 def _rocker_bodies(ink: CamInk, made: Centre, path: Lever, bounds: list[Bound]) -> Iterator[Ink]:
     """The path of the roller, the limit that binds with its angle, the centres, the pivot."""
     lowest, centre, least = (
-        ink.one(mark) for mark in (made.lowest, made.centre, made.least_centre)
+        ink.fixed_place(mark) for mark in (made.lowest, made.centre, made.least_centre)
     )
     roller = [complex(z) for z in ink.all(made.roller)]
     yield from body(_part(lowest, abs(lowest), roller, 0.0), "circle", [made.roller])
@@ -338,7 +338,7 @@ def _rocker_letters(
     """The letters of the centres and the pivot, the allowed angle, r0, the numbers of the positions."""
     point, small = ink.heights.point, ink.heights.number
     lowest, centre, least = (
-        ink.one(mark) for mark in (made.lowest, made.centre, made.least_centre)
+        ink.fixed_place(mark) for mark in (made.lowest, made.centre, made.least_centre)
     )
     if bounds:
         worst = max(bounds)

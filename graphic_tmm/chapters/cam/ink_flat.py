@@ -72,7 +72,7 @@ class _Convexity:
         self.left = float(np.nanmin(self.spots.real))
         self.right = float(np.nanmax(self.spots.real))
         self.top = float(np.nanmax(self.spots.imag))
-        self.cut = on.one(made.cut)
+        self.cut = on.fixed_place(made.cut)
         self.low = min(0.0, self.cut.imag) - OVER
         self.centre = complex(0, -on.length(made.radius))
         self.least = -1j * on.length(made.least) / on.length(made.mu)
@@ -110,7 +110,7 @@ def _bodies(ink: _Convexity) -> Iterator[Ink]:
     """The jumps between the stretches, the 45°, the point cut off, the centre of the cam."""
     made = ink.made
     for jump in ink.on.figures("outline"):
-        a, b = (ink.on.one(mark) for mark in jump.marks)
+        a, b = (ink.on.fixed_place(mark) for mark in jump.marks)
         yield from body(segment("main", a, b), "curve", jump.marks)
     if not finite(ink.cut):
         return

@@ -74,7 +74,7 @@ class CamInk:
         """The places of a point in all positions."""
         return np.broadcast_to(self.seen.reading[mark][0], (len(self.seen.positions),))
 
-    def one(self, mark: Mark) -> complex:
+    def fixed_place(self, mark: Mark) -> complex:
         """The place of a point that does not vary."""
         return self.seen.point(mark, 0)
 

@@ -43,17 +43,17 @@ def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
         return
     results = results_of(drawn, cam_marks(made))
 
-    def told(name: str) -> Run:
+    def figure_run(name: str) -> Run:
         return result_number(drawn, results, name, language)
 
-    yield filled(_(RADIUS), {"least": told("r0_min"), "taken": told("r0")})
+    yield filled(_(RADIUS), {"least": figure_run("r0_min"), "taken": figure_run("r0")})
     if "pressure_rise" in results:
         back = "pressure" if made.order.pressure_return is None else "pressure_return"
         limits = {
             "allowed": asked_number(drawn, "cam", "pressure", "°", language),
             "behind": asked_number(drawn, "cam", back, "°", language),
         }
-        both = {"rise": told("pressure_rise"), "back": told("pressure_return")}
+        both = {"rise": figure_run("pressure_rise"), "back": figure_run("pressure_return")}
         yield filled(_(PRESSURE_KEPT), {**both, **limits})
 
 

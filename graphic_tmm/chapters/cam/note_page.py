@@ -206,7 +206,7 @@ class CamPage(Page):
     def cell(self, segment: str, factor: int) -> Number:
         """Return what a column holds in the position that is worked: in mm (0), or the quantity (1)."""
         column, figures = self.columns[segment]
-        value = column.told[factor][self.at]
+        value = column.first_figures[factor][self.at]
         assert value is not None
         row, places = (figures.value, figures.places) if factor else (figures.mm, figures.mm_places)
         source = Source("column", self.drawn.board, f"{column.plan}/{segment}", self.at, "", factor)

@@ -51,10 +51,10 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
     for chart in cam.charts:
         if chart.unit == "°" and chart.wanted:
             ledger.of(chart.view)
-            ledger.told(chart.mu, chart.wanted, why=_HANDY)
+            ledger.given(chart.mu, chart.wanted, why=_HANDY)
     if order is not None and order.mu_V:
         ledger.of(cam.diagrams.V.chart.view)
-        ledger.told(cam.diagrams.V.chart.mu, order.mu_V)
+        ledger.given(cam.diagrams.V.chart.mu, order.mu_V)
     mu = cam.profile.mu
     if mu not in drawn.given:
         _as_diagrams(drawn, ledger, mu, cam.profile.view)
@@ -62,7 +62,7 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
         return
     ledger.of(cam.profile.view)
     if order.mu_l:
-        ledger.told(mu, order.mu_l)
+        ledger.given(mu, order.mu_l)
         return
     radius, stroke = (ledger.value_of(drawn, mark) for mark in (cam.r0, cam.diagrams.stroke))
     most = ledger.quantity("r_{max}", radius + stroke, "m")

@@ -195,7 +195,7 @@ class _Page(Page):
     def _worked(self, told: NumberSource, chart: Chart) -> Iterator[Block]:
         """Yield the ordinate of a diagram in the position that is worked, and what it stands for."""
         column, figures = self.columns[chart.symbol]
-        mm, value = (row[self.at] for row in column.told)
+        mm, value = (row[self.at] for row in column.first_figures)
         if mm is None or value is None:
             return
         source = Source("column", self.drawn.board, f"{column.plan}/{column.segment}", self.at)

@@ -58,7 +58,7 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
         mu, source = (made.charts[symbol].mu for symbol in (one.symbol, one.source))
         if source.slot not in ledger.chosen:
             ledger.of(VIEWS[one.source])
-            ledger.told(source, ledger.value_of(drawn, source))
+            ledger.given(source, ledger.value_of(drawn, source))
         ledger.of(VIEWS[one.symbol])
         pole = getattr(order, one.symbol).pole
         wanted = ledger.draft.take(Length, f"[H_{one.symbol}]", pole)

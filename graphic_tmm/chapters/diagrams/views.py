@@ -45,14 +45,14 @@ def diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     width, title = _width(views), words["diagrams of"].format(point=escape(kinematic.order.point))
     common = mu_text(drawn.scales[BASE_VIEW], language)
 
-    def told(chosen: Sequence[int]) -> list[str]:
+    def heading_lines(chosen: Sequence[int]) -> list[str]:
         """The title and the scales of some of the diagrams; the one they have in common once, at the end."""
         line = ", ".join([*(scales[k] for k in chosen), common])
         return [title, *wrapped(line, high.point, width)]
 
     rows = tuple(diagram_columns(drawn))
     return [
-        stacked(PLAN, views, told, high),
+        stacked(PLAN, views, heading_lines, high),
         result_table(PLAN, rows, drawn.names, language, heights=high),
     ]
 

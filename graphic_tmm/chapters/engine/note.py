@@ -179,14 +179,14 @@ class _Engine(Worked):
         )
         yield Listed(
             tuple(
-                Item(str(k), (self._told(told, marks),)) for k, (told, marks) in enumerate(items, 1)
+                Item(str(k), (self._paragraph(told, marks),)) for k, (told, marks) in enumerate(items, 1)
             )
         )
         arm = self.drawn.construction.step(values["NOB"])
         assert arm is not None
-        yield self._told(FRAME, {"arm": arm.uses[1]})
+        yield self._paragraph(FRAME, {"arm": arm.uses[1]})
 
-    def _told(self, told: str, marks: Mapping[str, Mark]) -> Paragraph:
+    def _paragraph(self, told: str, marks: Mapping[str, Mark]) -> Paragraph:
         return self.says(told, {k: self.number(mark, size=True) for k, mark in marks.items()})
 
     def _inertia(self) -> Iterator[Block]:

@@ -73,7 +73,7 @@ def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
 
 def _signs(drawn: Drawn, column: Column) -> list[tuple[str, int]]:
     """Return the positions that are drawn with the signs of a column there; 0 where it is nought."""
-    values = column.without(drawn.undrawn).told[1][: drawn.project.count]
+    values = column.without(drawn.undrawn).first_figures[1][: drawn.project.count]
     most = max((abs(value) for value in values if value is not None), default=0.0)
     there = ((name, value) for name, value in zip(drawn.names, values, strict=False))
     return [

@@ -125,7 +125,7 @@ def draw_engine(
     if order.unit == "kgf":
         unit = draft.take(Number, "", KGF, "N/kgf")
 
-    def told(letter: str, force: Mark) -> Mark:
+    def in_task_unit(letter: str, force: Mark) -> Mark:
         """Return a force in the unit of the task."""
         if unit is None:
             return force
@@ -135,9 +135,9 @@ def draw_engine(
     reading = accelerations.readings[legs.slider.link]
     acceleration = draft.draw(towards_crank, "a_B", sign, reading, unit="m/s²")
     exact = draft.draw(against_acceleration, "P_{in}", lumped.mass, acceleration, unit="N")
-    harmonics = draw_harmonics(draft, machine, lumped.mass, legs, cylinder.outward, told)
+    harmonics = draw_harmonics(draft, machine, lumped.mass, legs, cylinder.outward, in_task_unit)
     draft.open(VIEW)
-    values = {"P": told("P", cylinder.indicator.force), "P_in": told("P_{in}", exact)}
+    values = {"P": in_task_unit("P", cylinder.indicator.force), "P_in": in_task_unit("P_{in}", exact)}
     used = harmonics.force if order.series else values["P_in"]
     values["P′"] = draft.draw(added, "P′", values["P"], used, unit=order.unit, why=why.TOGETHER)
     triangles, mu = _triangles(draft, machine, legs, cylinder.outward, values, order.unit)

@@ -61,7 +61,7 @@ def concluded(
     """Yield it of the results of a flywheel as drawn."""
     _ = speaking(language)
 
-    def told(*sentences: str) -> Runs:
+    def sentence_runs(*sentences: str) -> Runs:
         put: dict[str, Run] = {
             name: result_number(drawn, results, name, language) for name in results
         }
@@ -70,21 +70,21 @@ def concluded(
     if "J_fly" not in results:
         return
     if order.J is not None:
-        yield told(*([KEPT] if "delta" in results else []))
+        yield sentence_runs(*([KEPT] if "delta" in results else []))
     else:
-        yield told(BOTH if "J_fly_energy_mass" in results else ONE)
+        yield sentence_runs(BOTH if "J_fly_energy_mass" in results else ONE)
     if "J_apart" in results:
-        yield told(LESS if single(results)["J_apart"][0] >= 0.0 else MORE)
+        yield sentence_runs(LESS if single(results)["J_apart"][0] >= 0.0 else MORE)
     if off := told_off(drawn, language):
         yield lettered("; ".join(off) + ".")
     if {"A_excess", "M_mean", "power"} <= set(results):
-        yield told(EXCESS)
+        yield sentence_runs(EXCESS)
     if {"D_e", "D_max", "J_made"} <= set(results):
         kept, wanted = single(results)["delta_made"][0], order.delta
         if wanted is None:
-            yield told(FAST)
+            yield sentence_runs(FAST)
         else:
-            yield told(FAST, HOLDS if kept <= wanted * (1.0 + NEAR) else MISSES)
+            yield sentence_runs(FAST, HOLDS if kept <= wanted * (1.0 + NEAR) else MISSES)
 
 
 AIM = said(
@@ -220,7 +220,7 @@ class FlywheelPage(Worked):
 
     def _signs(self, column: Column) -> tuple[str, str] | None:
         """Return the positions where the moment drives and where it resists; None if it only does one."""
-        values = column.without(self.drawn.undrawn).told[1]
+        values = column.without(self.drawn.undrawn).first_figures[1]
         driving = 1.0 if self.made.order.constant == "resisting" else -1.0
         there = [
             (name, value) for name, value in zip(self.drawn.names, values, strict=False) if value

@@ -126,7 +126,7 @@ class Arrows:
         """Tell the links that arrows stand on (see `beside`)."""
         self.links = np.array([shape(stroke) for stroke in links], dtype=object)
 
-    def beside(self, at: complex, way: complex, length: float) -> complex:
+    def off_line(self, at: complex, way: complex, length: float) -> complex:
         """Return where an arrow of a point begins that shall not lie on the line of a link, mm.
 
         Where the link is on one side of its point only it stands on the other; where it is on both, beside it.
@@ -161,7 +161,7 @@ class Arrows:
         """
         if not (finite(at, way) and length >= LEAST and way):
             return
-        start = self.beside(at, way, length) if pen == "thin" else at
+        start = self.off_line(at, way, length) if pen == "thin" else at
         if start == at:
             start, length = self._apart(at, way, length)
         to_it = ((start - at) * way.conjugate()).real < -LEAST

@@ -116,7 +116,7 @@ class Writer:
         known = {**of.forces, **of.couples}
         return self.letter(known.get(mark, mark.name).removeprefix("−"))
 
-    def _told(self, term: Term, of: Sum, *, figures: bool) -> str:
+    def _term(self, term: Term, of: Sum, *, figures: bool) -> str:
         """Return a term, by its letters or with its figures."""
         if figures:
             factors = [self.figure(term.acts)] + ([self.length(term.arm)] if term.arm else [])
@@ -135,16 +135,16 @@ class Writer:
         forces = [term for term in terms if term.arm is not None]
         couples = [term for term in terms if term.arm is None]
 
-        def told(term: Term) -> str:
-            return f"{_sign(term.sense, over)}{self._told(term, of, figures=figures)}"
+        def term_text(term: Term) -> str:
+            return f"{_sign(term.sense, over)}{self._term(term, of, figures=figures)}"
 
-        found = [told(term) for term in forces]
+        found = [term_text(term) for term in forces]
         if len(found) > 1 and mu:
             found[0] = f"+ ({found[0].removeprefix('+ ')}"
             found[-1] += ")"
         if found and mu:
             found[-1] += f"·{mu}"
-        return found + [told(term) for term in couples]
+        return found + [term_text(term) for term in couples]
 
     def counts(self, term: Term) -> bool:
         """Whether a term is there at all: a force without an arm turns nothing."""

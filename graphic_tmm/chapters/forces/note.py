@@ -156,7 +156,7 @@ def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
         return
     column = next(one for one in force_columns(drawn) if one.segment.endswith(DIFFERENCE))
     for k in made.places:
-        apart = column.told[1][k] if k not in drawn.undrawn else None
+        apart = column.first_figures[1][k] if k not in drawn.undrawn else None
         if apart is None:
             continue
         said_ = AGREE if apart <= made.order.limit else APART

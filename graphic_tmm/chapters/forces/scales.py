@@ -204,7 +204,7 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
             continue
         ledger.of(mu.view)
         if made.order.mu:
-            ledger.told(mu, made.order.mu)
+            ledger.given(mu, made.order.mu)
             continue
         most = ledger.quantity("F_{max}", known.polygons[mu.view], "N")
         ledger.fitting(mu, most, ledger.value_of(drawn, mu))

@@ -63,7 +63,7 @@ class MeshInk:
         """The radius of an arc, mm."""
         return float(self.reading[mark].radius[0, 0])
 
-    def shown(self, k: int) -> bool:
+    def shows_centre(self, k: int) -> bool:
         """Whether the centre of a wheel stands on the drawing."""
         whole = abs(self.centres[1] - self.centres[0]) <= WHOLE
         return whole or abs(self.centres[k] - self.pole) <= REACH
@@ -106,7 +106,7 @@ def draw_gear_ink(
     traces = figure(seen, showing(_rules(ink), RULES))
     strokes: list[Ink] = [*traces.staying, *_bodies(ink)]
     taken: list[Label] = []
-    if ink.shown(0) and ink.shown(1):
+    if ink.shows_centre(0) and ink.shows_centre(1):
         left = bounds(Drawing(VIEW, title, tuple(strokes)))[0]
         told = f"a_{{w}} = {fixed(1000 * ink.real(made.sizes.a_w), 2, language)}"
         aside = ink.centres[0].real - left + ASIDE
@@ -169,9 +169,9 @@ def _centre_line(ink: MeshInk) -> Iterator[Ink]:
     ends = []
     for k, outward in enumerate(SIDES):
         own = abs(ink.centres[k] - ink.pole) + OVER
-        reach = own if ink.shown(k) else min(own, REACH)
+        reach = own if ink.shows_centre(k) else min(own, REACH)
         ends.append(ink.pole + reach * outward)
-        if not ink.shown(k):
+        if not ink.shows_centre(k):
             yield from arrowhead(ends[k], outward, pen="thin")
     yield line("centre", *ends)
 
@@ -181,7 +181,7 @@ def _limit(ink: MeshInk, k: int) -> Rule:
     dot = dotted(DOT)
 
     def limit(seen: Seen, step: Step, at: int) -> Iterator[Ink]:
-        if ink.shown(k):
+        if ink.shows_centre(k):
             yield line("thin", ink.centres[k], ink.limits[k])
         yield from dot(seen, step, at)
 
@@ -237,7 +237,7 @@ def _bodies(ink: MeshInk) -> Iterator[Ink]:
         strokes = _band(ink, wheel, engaged.lowest)
         yield from body(strokes, "hatching", [wheel.flank, engaged.lowest])
     for k, start, sweep in ((0, 130.0, -80.0), (1, -130.0, 80.0)):
-        if ink.shown(k):
+        if ink.shows_centre(k):
             centre = [ink.line.circles[k].centre]
             yield from body(turning_pair(ink.centres[k]), "pivot", centre)
             yield from body(round_arrow(ink.centres[k], TURN, start, sweep), "sense", centre)
@@ -296,7 +296,7 @@ def _letters(ink: MeshInk, heights: Heights) -> Iterator[Wanted]:
 def _centre_letters(ink: MeshInk, k: int, side: int, size: float) -> Iterator[Wanted]:
     """The letters of a centre and of the sense in which its wheel turns; far ones at the arrow to them."""
     mark, centre = ink.line.circles[k].centre, ink.centres[k]
-    if not ink.shown(k):
+    if not ink.shows_centre(k):
         far = ink.pole + REACH * SIDES[k]
         yield Wanted(mark.letter, far, size, 1.5, 1 + 0j, (mark.slot,))
         return

@@ -78,7 +78,7 @@ def draw_sliding_ink(
 def _rules(ink: _Ink) -> dict[Mark, Rule]:
     """What stays of the diagram: its curves, the points laid off, the ordinates in a and b."""
 
-    def shown(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+    def visible_ink(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         z = seen.point(step.it, k)
         if ink.inside(z):
             yield circle("main", z, DOT, filled=True)
@@ -87,7 +87,7 @@ def _rules(ink: _Ink) -> dict[Mark, Rule]:
         z = seen.point(step.it, k)
         if ink.inside(z):
             yield line("thin", complex(z.real), z)
-        yield from shown(seen, step, k)
+        yield from visible_ink(seen, step, k)
 
     def curve(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         whole = controls(seen.reading, step.it)
@@ -96,10 +96,10 @@ def _rules(ink: _Ink) -> dict[Mark, Rule]:
 
     rules: dict[Mark, Rule] = {}
     for branch in ink.sliding.branches:
-        rules |= {branch.points: shown, branch.curve: curve}
+        rules |= {branch.points: visible_ink, branch.curve: curve}
     for stations in ink.stations:
         ends = stations in ink.sliding.ends.values()
-        rules |= dict.fromkeys(stations.points, raised if ends else shown)
+        rules |= dict.fromkeys(stations.points, raised if ends else visible_ink)
     return rules
 
 

@@ -34,14 +34,14 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
     ledger.of(line.view)
     axes = ledger.quantity("a_{w}", ledger.value_of(drawn, gear.sizes.a_w), "m")
     if gear.order.mu:
-        ledger.told(line, gear.order.mu)
+        ledger.given(line, gear.order.mu)
     elif gear.order.axes:
         ledger.by_length(line, axes, "[a_{w}]", gear.order.axes)
     else:
         ledger.fitting(line, axes, ledger.value_of(drawn, line), lengths=True)
     ledger.of(chart.view)
     if chart.wanted:
-        ledger.told(chart.mu, chart.wanted)
+        ledger.given(chart.mu, chart.wanted)
         return
     most = ledger.quantity("ϑ_{max}", gear.sliding.floor, "")
     ledger.fitting(chart.mu, most, ledger.value_of(drawn, chart.mu))

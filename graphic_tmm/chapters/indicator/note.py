@@ -118,7 +118,7 @@ class Worked(Page):
         self, column: Column, place: int, *, mm: bool = False, places: int | None = None
     ) -> Runs:
         """Return the figure of a column in a position, as a table tells it."""
-        row = column.told[0 if mm else 1]
+        row = column.first_figures[0 if mm else 1]
         value = row[place]
         if value is None:
             return text("—")

@@ -281,7 +281,7 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
     arm = ledger.quantity(f"l_{{{pivot}{pin}}}", crank_sizes(made)[0], "m")
     mu = drawn.project.scale(POSITIONS)
     if wanted.mu_l:
-        mu_l = ledger.told(mu, wanted.mu_l)
+        mu_l = ledger.given(mu, wanted.mu_l)
     elif wanted.OA:
         mu_l = ledger.by_length(mu, arm, f"{pivot}{pin}", wanted.OA)
     else:
@@ -295,7 +295,7 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
     omega = ledger.speed(str(driver), made.mechanism.drive.speed)
     if made.velocities.speed is not None:
         ledger.enter(made.velocities.speed, omega)
-    speed = ledger.found(product, f"v_{pin}", omega, arm, unit="m/s")
+    speed = ledger.calculated(product, f"v_{pin}", omega, arm, unit="m/s")
     mu = drawn.project.scale(VELOCITIES)
     if wanted.mu_v_is_mu_l_omega:
         mu_v = ledger.draft.draw(scale_by_turning, mu.letter, mu_l, omega, unit=mu.unit)
@@ -306,7 +306,7 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
     if made.accelerations is None:
         return
     ledger.of(ACCELERATIONS)
-    gain = ledger.found(product_of_squares, f"a_{pin}", omega, arm, unit="m/s²")
+    gain = ledger.calculated(product_of_squares, f"a_{pin}", omega, arm, unit="m/s²")
     fixed = wanted.mu_a, wanted.pi_a
     _plan(drawn, ledger, ACCELERATIONS, fixed, (f"π{small}", gain), reach.accelerations)
 
@@ -325,7 +325,7 @@ def _plan(
     """
     mu, (told, length), (letter, quantity) = drawn.project.scale(plan), fixed, of_pin
     if told:
-        found = ledger.told(mu, told)
+        found = ledger.given(mu, told)
     elif length:
         ledger.by_length(mu, quantity, letter, length)
         return

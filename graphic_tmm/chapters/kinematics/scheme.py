@@ -62,7 +62,7 @@ class Pose(NamedTuple):
     project: Project
 
     @property
-    def made(self) -> KinematicPlans:
+    def plans(self) -> KinematicPlans:
         """Its plan of positions."""
         return KINEMATICS_PLAN.on(self.project)
 
@@ -82,7 +82,7 @@ def scheme(scene: Scene, room: complex) -> Scheme | None:
         return None
     pose = _posed(scene)
     unscaled = _reading(pose, 1.0)
-    spots = np.concatenate([np.ravel(unscaled[mark])[:1] for mark in _marks(pose.made)])
+    spots = np.concatenate([np.ravel(unscaled[mark])[:1] for mark in _marks(pose.plans)])
     wide, high = np.ptp(spots.real), np.ptp(spots.imag)
     least = standard_length(max(wide / room.real, high / room.imag, 1e-9), 1.0)
     for mu in (one for one in (*LENGTHS, 10 * least) if one >= least):
@@ -196,13 +196,13 @@ def _marks(made: KinematicPlans) -> list[Mark]:
 
 def _reading(pose: Pose, mu: float) -> Reading:
     log = pose.project.construction
-    given = {**pose.project.given, pose.made.mu_l: mu}
+    given = {**pose.project.given, pose.plans.mu_l: mu}
     return execute(log, given, [*log.given, *(step.it for step in log.steps)])
 
 
 def _ink(pose: Pose, mu: float) -> PositionsInk:
     log, reading = pose.project.construction, _reading(pose, mu)
-    return PositionsInk(log, reading, reaches_at(pose.made, log, reading, mu), [0])
+    return PositionsInk(log, reading, reaches_at(pose.plans, log, reading, mu), [0])
 
 
 def _strokes(pose: Pose, mu: float) -> list[Ink]:
@@ -212,7 +212,7 @@ def _strokes(pose: Pose, mu: float) -> list[Ink]:
 
 def _drawing(pose: Pose, mu: float) -> Drawing:
     """Return the mechanism with its letters, the numbers of its links, the sense of the crank, what acts."""
-    made, ink = pose.made, _ink(pose, mu)
+    made, ink = pose.plans, _ink(pose, mu)
     strokes: list[Ink] = [*ink.guides(), *ink.heavy(0)]
     wanted = ink.letters((ink.frame.name, *ink.names), 0, SIZES.point)
     for turn in _turns(ink, made):

@@ -87,7 +87,7 @@ class Scheme2KH(NamedTuple):
         return self.wheels["1"].centre.real - WIDTH / 2 - disc - SHAFT
 
     @property
-    def beside(self) -> float:
+    def bearing_middle(self) -> float:
         """The middle of the bearing of wheel 1."""
         disc = DISC if self.scheme.first < 0 else 0.0
         return self.wheels["1"].centre.real - WIDTH / 2 - disc - SHAFT / 2
@@ -141,7 +141,7 @@ def spots(made: Scheme2KH) -> dict[str, tuple[complex, complex]]:
 def _first(made: Scheme2KH, wheel: Side) -> Strokes:
     """Wheel 1 on its shaft; a ring by the disc beside it."""
     end = complex(made.left, 0.0)
-    bearing = _bearing(complex(made.beside, 0.0))
+    bearing = _bearing(complex(made.bearing_middle, 0.0))
     if made.scheme.first > 0:
         own = gear_side(wheel.centre, wheel.radius, WIDTH)
         return (*own, line("main", end, wheel.centre + WIDTH / 2 + STUB), *bearing)
@@ -242,7 +242,7 @@ class TrainInk:
         self.fixed = self.wheels[-1]
         discs = {wheel: self.side(disc) for wheel, disc in made.axial.discs.items()}
         pair = made.pair.discs if made.pair is not None else {}
-        axis, foot = (self.one(mark) for mark in made.axial.arm)
+        axis, foot = (self.fixed_place(mark) for mark in made.axial.arm)
         self.scheme = Scheme2KH(
             made.train.scheme,
             discs,
@@ -250,22 +250,22 @@ class TrainInk:
             {wheel: self.side(disc) for wheel, disc in pair.items()},
             made.order.driving,
         )
-        self.centre = self.one(made.end.origin)
-        self.points = [self.one(mark) for mark in made.end.points]
-        self.zeros = [self.one(mark) for mark in made.picture.zeros]
-        self.tips = [self.one(mark) for mark in made.picture.ends]
-        self.pole, self.foot = self.one(made.rates.pole), self.one(made.rates.foot)
-        self.ends = {body: self.one(mark) for body, mark in made.rates.ends.items()}
+        self.centre = self.fixed_place(made.end.origin)
+        self.points = [self.fixed_place(mark) for mark in made.end.points]
+        self.zeros = [self.fixed_place(mark) for mark in made.picture.zeros]
+        self.tips = [self.fixed_place(mark) for mark in made.picture.ends]
+        self.pole, self.foot = self.fixed_place(made.rates.pole), self.fixed_place(made.rates.foot)
+        self.ends = {body: self.fixed_place(mark) for body, mark in made.rates.ends.items()}
         self.axes = [seen.point(made.end.satellites, k) for k in seen.positions]
         self.reach = self._reach()
 
-    def one(self, mark: Mark) -> complex:
+    def fixed_place(self, mark: Mark) -> complex:
         """The place of a point that does not vary."""
         return self.seen.point(mark, 0)
 
     def side(self, disc: Disc) -> Side:
         """A wheel from its side."""
-        return Side(*(self.one(mark) for mark in disc))
+        return Side(*(self.fixed_place(mark) for mark in disc))
 
     def figures(self, kind: str) -> list[Figure]:
         """The bodies of a kind, as the plan tells them."""

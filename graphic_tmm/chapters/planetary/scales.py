@@ -40,14 +40,14 @@ def choose_steps(drawn: Drawn, ledger: Ledger) -> None:
     ledger.of(mu_l.view)
     value = ledger.value_of(drawn, mu_l)
     if order.mu_l:
-        ledger.told(mu_l, order.mu_l)
+        ledger.given(mu_l, order.mu_l)
     else:
         most = ledger.quantity("d_{max}", 2.0 * _reach(drawn, train) * value, "m")
         ledger.fitting(mu_l, most, value, lengths=True)
     ledger.of(mu_v.view)
     value = ledger.value_of(drawn, mu_v)
     if order.mu_v:
-        ledger.told(mu_v, order.mu_v)
+        ledger.given(mu_v, order.mu_v)
         return
     longest = max(abs(ledger.value_of(drawn, mark)) for mark in train.picture.readings.values())
     ledger.fitting(mu_v, ledger.quantity("v_{max}", longest * value, "m/s"), value)

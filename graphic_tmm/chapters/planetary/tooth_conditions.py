@@ -47,7 +47,7 @@ class Calculated(NamedTuple):
     op: Operation
     values: tuple[Any, ...]
 
-    def found(self) -> Reals:
+    def results(self) -> Reals:
         """Return the results, (n,)."""
         with np.errstate(all="ignore"):
             result: Reals = self.op.run(*self.values)
@@ -109,10 +109,10 @@ def neighbours(scheme: Scheme, z: Teeth, k: Any, q: Fraction, ha: float) -> Trut
 def room(scheme: Scheme, z: Teeth, k: Any, q: Fraction, ha: float) -> tuple[Reals, Reals]:
     """Return the distance of the axes of neighbouring satellites, and what their tips take of it, modules."""
     to_axis = f.axes_outside if scheme.first > 0 else f.axes_inside
-    axes = Calculated(to_axis, (1.0, z.z1, z.z2)).found()
-    between = Calculated(f.neighbouring_axes, (axes, np.asarray(k))).found()
+    axes = Calculated(to_axis, (1.0, z.z1, z.z2)).results()
+    between = Calculated(f.neighbouring_axes, (axes, np.asarray(k))).results()
     tips = [Calculated(f.tip_diameter, (m, rim, ha)) for m, rim in ((1.0, z.z2), (float(q), z.z3))]
-    return between, np.maximum(*(tip.found() for tip in tips))
+    return between, np.maximum(*(tip.results() for tip in tips))
 
 
 def assembly(scheme: Scheme, z: Teeth, k: Any) -> Calculated:
@@ -129,7 +129,7 @@ def assembly(scheme: Scheme, z: Teeth, k: Any) -> Calculated:
 
 def assembles(scheme: Scheme, z: Teeth, k: Any) -> Truths:
     """Return whether ``k`` satellites can be put in evenly: a quotient that is not whole is far from it."""
-    found = assembly(scheme, z, k).found()
+    found = assembly(scheme, z, k).results()
     return np.asarray(found == np.rint(found))
 
 
@@ -157,7 +157,7 @@ def clear_roots(ring: Whole, rim: Whole, alpha: float, ha: float) -> Truths:
     The tip circle of the ring then cuts the line of action outside the rim's base circle:
     (z_r − 2h_a*)² ≥ (z_r·cos α)² + ((z_r − z_s)·sin α)². No ring is clear of a rim of very few teeth.
     """
-    return np.asarray(ring >= Calculated(f.least_ring, (rim, alpha, ha)).found())
+    return np.asarray(ring >= Calculated(f.least_ring, (rim, alpha, ha)).results())
 
 
 def meshes(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> Truths:
@@ -315,7 +315,7 @@ def _neighbours(order: PlanetaryTask, train: Train, z: Teeth) -> Verdict:
 def _assembly(train: Train, z: Teeth) -> Verdict:
     scheme, k = train.scheme, train.satellites
     number, holds = assembly(scheme, z, k), _said(assembles(scheme, z, k))
-    (found,) = number.found()
+    (found,) = number.results()
     text = said(
         "assembly: {formula} = {found:.6g} is {whole}",
         formula=number.said(),

@@ -69,7 +69,7 @@ class Comparison:
         return steps_of(self.made.mechanism)
 
     @cached_property
-    def found(self) -> tuple[dict[Mark, Any], dict[Mark, Grain]]:
+    def read_marks(self) -> tuple[dict[Mark, Any], dict[Mark, Grain]]:
         """What was read of marks, and how far rounding alone may carry it; (1, position)."""
         if self.made.mechanism is None:
             return {}, {}
@@ -80,7 +80,7 @@ class Comparison:
         """The log run with what was read."""
         if self.made.mechanism is None:
             return Run({}, {}, {})
-        return run(self.made.mechanism, *self.found)
+        return run(self.made.mechanism, *self.read_marks)
 
     def step(self, taken: Taken) -> Step | None:
         """Return the step that a reading is of; None where it is no length, point or rate of a plan."""
@@ -104,7 +104,7 @@ class Comparison:
     @cached_property
     def _larger(self) -> Mapping[tuple[str, int], float]:
         found: dict[tuple[str, int], tuple[float, float]] = {}
-        for mark, row in self.found[0].items():
+        for mark, row in self.read_marks[0].items():
             if mark.kind not in (Length, Point) or self.made.mechanism is None:
                 continue
             due = np.abs(np.broadcast_to(exact(self.made.mechanism, mark), row.shape))[0]
@@ -205,12 +205,12 @@ class Comparison:
 
     def stands(self, taken: Taken, step: Step, place: int) -> bool:
         """Whether a reading is the one that was taken for its mark: a length in mm goes before its quantity."""
-        there = self.found[0].get(step.it)
+        there = self.read_marks[0].get(step.it)
         if there is None or np.isnan(there[0, place]):
             return False
-        return taken.in_mm or self.beside(taken) is None
+        return taken.in_mm or self.length_of(taken) is None
 
-    def beside(self, taken: Taken) -> Taken | None:
+    def length_of(self, taken: Taken) -> Taken | None:
         """Return the length in mm whose quantity a reading is."""
         if taken.in_mm:
             return None
@@ -230,17 +230,17 @@ class Comparison:
 
     def sources(self, taken: Taken) -> tuple[Taken, ...]:
         """Return the earlier readings that a reading was found from, nothing read being between."""
-        if (length := self.beside(taken)) is not None:
+        if (length := self.length_of(taken)) is not None:
             return (length,)
         step, place = self.step(taken), self.place(taken)
         if step is None or self.made.mechanism is None:
             return ()
-        marks = read_of(self.made.mechanism.construction, step, self.found[0])
+        marks = read_of(self.made.mechanism.construction, step, self.read_marks[0])
         return tuple(self._by_mark[m, place] for m in marks if (m, place) in self._by_mark)
 
     def carried(self, taken: Taken, source: Taken) -> float:
         """Return by how much a reading's due would differ, had an earlier one been right; mm or its unit."""
-        if self.beside(taken) is not None:
+        if self.length_of(taken) is not None:
             return float("inf")
         step, of, place = self.step(taken), self.step(source), self.place(taken)
         if step is None or of is None:
@@ -258,9 +258,9 @@ class Comparison:
         """Return the log run with what was read, but for one mark, which is what is due."""
         assert self.made.mechanism is not None
         due = exact(self.made.mechanism, mark)
-        due = np.where(np.isnan(self.found[0][mark]), np.nan, due)
+        due = np.where(np.isnan(self.read_marks[0][mark]), np.nan, due)
         due = np.abs(due) if mark.kind is Length else due
-        return run(self.made.mechanism, {**self.found[0], mark: due}, {})
+        return run(self.made.mechanism, {**self.read_marks[0], mark: due}, {})
 
 
 def _single(value: Any, place: int) -> Any:

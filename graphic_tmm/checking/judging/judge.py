@@ -134,7 +134,7 @@ def _off(drawing: Comparison, taken: Taken) -> _Off:
 
 def _own(drawing: Comparison, taken: Taken) -> _Own | None:
     """Return a reading against what the earlier ones make of it; None where that cannot be told."""
-    if (length := drawing.beside(taken)) is not None:
+    if (length := drawing.length_of(taken)) is not None:
         return _agreed(drawing, taken, length)
     step = drawing.step(taken)
     steps = None if step is None else drawing.by.steps.get((step.it, drawing.place(taken)))
@@ -193,7 +193,7 @@ def _strict(drawing: Comparison, taken: Taken, verdicts: Mapping[Taken, str]) ->
     """
     if taken.pointed:
         return True
-    if drawing.beside(taken) is None and not (_rate(drawing, taken) or drawing.calculated(taken)):
+    if drawing.length_of(taken) is None and not (_rate(drawing, taken) or drawing.calculated(taken)):
         return False
     return all(verdicts.get(one) == FINE for one in drawing.sources(taken))
 

@@ -50,7 +50,7 @@ class Reading(NamedTuple):
         """By what its figure is known."""
         return self.taken.at
 
-    def told(self, figures: Any, found: Any = None) -> tuple[Array, Array, Array]:
+    def evidence(self, figures: Any, found: Any = None) -> tuple[Array, Array, Array]:
         """Return how likely it is, how far off, how lost; ``found``: what was read, if otherwise."""
         read = self.found if found is None else found
         if self.taken.pointed:
@@ -71,13 +71,13 @@ class Reading(NamedTuple):
     @property
     def nearest(self) -> float:
         """The logarithm of how likely it is if it is exactly what it was expected to be."""
-        return float(self.told(np.asarray(self.found))[0])
+        return float(self.evidence(np.asarray(self.found))[0])
 
     @property
     def unknown(self) -> float:
         """The logarithm of how likely it is if nothing is known of how it was found."""
         size = size_of(self.scatter, abs(self.found), self.mm)
-        known = self.told(np.asarray(self.due))[0]
+        known = self.evidence(np.asarray(self.due))[0]
         free = broad(abs(self.found - self.due), size, abs(self.found))
         return float(np.log(0.5 * np.exp(known) + 0.5 * free))
 
@@ -99,7 +99,7 @@ def readings(drawing: Comparison, marked: Sequence[Taken]) -> list[Reading]:
         cell = drawing.due[taken.key]
         mu = 1.0 if taken.mm is not None else drawing.scale(taken)
         mm = mu if np.isfinite(mu) else 0.0
-        beside = drawing.beside(taken)
+        beside = drawing.length_of(taken)
         due = due_figure(cell, taken)
         if beside is not None and np.isfinite(mu):
             due, scatter = abs(beside.mm or 0.0) * mu, 0.0
@@ -140,7 +140,7 @@ def gains(
         for figures in ways:
             if one.at not in figures or one.beside:
                 continue
-            found = one.told(figures[one.at])
+            found = one.evidence(figures[one.at])
             if best is None:
                 best = found
             else:
@@ -148,7 +148,7 @@ def gains(
                 likely, off, gone = (np.where(better, new, old) for new, old in pairs)
                 best = likely, off, gone
         if best is None:
-            beyond[:, one.place] += float(one.told(np.asarray(one.due))[1] > BEYOND)
+            beyond[:, one.place] += float(one.evidence(np.asarray(one.due))[1] > BEYOND)
             continue
         base, far = (np.ravel(part)[0] for part in best[:2])
         gain[:, one.place] += best[0] - base

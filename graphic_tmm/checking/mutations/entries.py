@@ -186,7 +186,7 @@ def entry_of(
     places = read.shape[0]
     scatter = np.full((error.shape[0], places), np.nan)
     share = drawing.share if mark.kind is Point else 1.0
-    grain = drawing.found[1].get(mark)
+    grain = drawing.read_marks[1].get(mark)
     for place in np.flatnonzero(~np.isnan(read)):
         own = drawing.by.steps.get((mark, int(place)))
         if own is None:

@@ -60,7 +60,7 @@ class Readings:
 
     def __init__(self, drawing: Comparison) -> None:
         self.drawing = drawing
-        self.found = dict(drawing.found[0])
+        self.found = dict(drawing.read_marks[0])
         last: dict[tuple[Mark, int], int] = {}
         # links that turn alike share a mark: of what was read of it the last is the one that was taken
         rows = enumerate(drawing.rows)
@@ -155,7 +155,7 @@ def unexplained(
     plain = executed(base.log, base.given, (), marks)
     ways.append(readings.figures(base.board, plain, np.arange(1)))
     for one in readings.columns:
-        off = [float(np.ravel(one.told(way[one.at])[1])[0]) for way in ways if one.at in way]
+        off = [float(np.ravel(one.evidence(way[one.at])[1])[0]) for way in ways if one.at in way]
         if off and min(off) > BEYOND and not one.beside:
             found.add(one.at)
     return found
@@ -181,7 +181,7 @@ def of_variations(
     for one, read in zip(readings.columns, table.T, strict=True):
         figure = np.asarray(np.ravel(due[one.at])[0] if one.at in due else one.due)
         unknown = np.where(copied, one.nearest, one.unknown)
-        _add(evidence, one.place, one.told(figure, read), unknown, one.told(figure), read)
+        _add(evidence, one.place, one.evidence(figure, read), unknown, one.evidence(figure), read)
     return evidence
 
 

@@ -98,7 +98,7 @@ def _operands(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         if was.kind is Line and step.op.name in MEASURES:
             continue  # of a length it tells the sense alone
         family, says = words.operand(step, k, scale=is_scale(was))
-        for now in scope.others(was, step.it):
+        for now in scope.candidates(was, step.it):
             if now in step.uses and was.kind in (Point, Line, Arc) and len(step.uses) <= 3:
                 continue
             other = Change(using(step, k, now))
@@ -128,7 +128,7 @@ def _segments(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
             frozenset(one.uses[:2]) for end in ends for one in scope.readings.get(end.slot, ())
         }
         for end in ends:
-            for other in scope.others(end, step.it):
+            for other in scope.candidates(end, step.it):
                 if other.view != end.view or frozenset((end, other)) in known:
                     continue
                 first, last = sorted((end, other), key=lambda mark: mark.slot)

@@ -157,7 +157,7 @@ class Scope:
         made = {step.it.slot: k for k, step in enumerate(log.steps)}
         self.turn = {mark.slot: made.get(mark.slot, -1) for row in self.of.values() for mark in row}
 
-    def others(self, mark: Mark, it: Mark) -> list[Mark]:
+    def candidates(self, mark: Mark, it: Mark) -> list[Mark]:
         """Return the marks that may be taken for one where another is made; those that are there before."""
         before, view = self.turn[it.slot], it.view
         if mark.kind is Number:

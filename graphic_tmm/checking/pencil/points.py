@@ -43,7 +43,7 @@ class Sign(NamedTuple):
     pieces: Complexes
 
     @classmethod
-    def made(cls, pieces: Complexes, others: Complexes) -> Sign:
+    def of_pieces(cls, pieces: Complexes, others: Complexes) -> Sign:
         """Return the sign of straight ``pieces`` (pieces, 2) about 0; ``others``: what may be ink beside it."""
         pieces, others = _about(pieces), _about(others)
         ink = [a + (b - a) * np.linspace(0, 1, max(int(abs(b - a) / STEP), 2)) for a, b in pieces]
@@ -307,7 +307,7 @@ class Signs:
         """Whether vectors of no length end at a pole that few ``lines`` show: they are drawn somewhere else."""
         if self.view.of[k] is not None or lines >= MEETING:
             return False
-        return self.one(k) or (lines < THREE and self.near(k))
+        return self.elsewhere(k) or (lines < THREE and self.near(k))
 
     def near(self, k: int) -> bool:
         """Whether another point should stand so near to a place that one's end is the other's."""
@@ -315,7 +315,7 @@ class Signs:
         near = np.flatnonzero(abs(self.view.at - self.view.at[k]) < DOUBLE)
         return any(n != k and (of[n] == of[k] or None in (of[n], of[k])) for n in near)
 
-    def one(self, k: int) -> bool:
+    def elsewhere(self, k: int) -> bool:
         """Whether another place should stand where a place does."""
         return float(np.delete(abs(self.view.at - self.view.at[k]), k).min(initial=np.inf)) < SAME
 
@@ -325,7 +325,7 @@ class Signs:
 
     def none(self, k: int) -> bool:
         """Whether a vector of no length leads to a place: another one of its position should stand there."""
-        return self.one(k) and self.near(k)
+        return self.elsewhere(k) and self.near(k)
 
     def hemmed(self, k: int, way: complex, reach: float) -> bool:
         """Whether the sign of another place may be taken for that of a place, along a direction."""
@@ -358,5 +358,5 @@ def signs_of(view: View) -> tuple[Sign, ...]:
             if k not in line.places
         ]
         beside = np.array(others, dtype=np.complex128).reshape(-1, 2)
-        found.append(Sign.made(view.ink[k] - place.at, beside))
+        found.append(Sign.of_pieces(view.ink[k] - place.at, beside))
     return tuple(found)

@@ -179,7 +179,7 @@ class Shot(NamedTuple):
     lens: Lens
     curl: Curl
 
-    def shown(self, points: Any) -> Complexes:
+    def to_picture(self, points: Any) -> Complexes:
         """Return where points of the sheet, mm, are seen, px."""
         return self.lens.seen(through(self.matrix, self.curl.seen(points)))
 
@@ -196,7 +196,7 @@ def bowed(shot: Shot, feet: Complexes) -> float:
     worst = 0.0
     for foot, head in zip(feet, np.roll(feet, -1), strict=True):
         share = np.linspace(0.0, 1.0, 33, dtype=np.float64)
-        edge = through(back, shot.shown(foot + (head - foot) * share))
+        edge = through(back, shot.to_picture(foot + (head - foot) * share))
         aside = ((edge - foot) / (head - foot) * abs(head - foot)).imag
         line = np.polyval(np.polyfit(share, aside, 1), share)
         worst = max(worst, float(abs(aside - line).max()))

@@ -258,6 +258,6 @@ def _unbent(shot: Shot, area: Box, rows: int, columns: int) -> NDArray[np.uint8]
     block = max(BLOCK // columns, 1)
     for first in range(0, rows, block):
         points = across + 1j * down[first : first + block, None]
-        for k, seen in enumerate(colours_at(shot.image, shot.shown(points))):
+        for k, seen in enumerate(colours_at(shot.image, shot.to_picture(points))):
             made[first : first + block, :, k] = np.where(np.isnan(seen), PAPER, np.rint(seen))
     return made

@@ -129,7 +129,7 @@ def refine(
             _edge_near(shot, foot, head, first=sight == 0)
             for foot, head in zip(feet, np.roll(feet, -1), strict=True)
         ]
-        corners = shot.shown(_meet(feet, edges))
+        corners = shot.to_picture(_meet(feet, edges))
         lines = [(one.seen, one.weights) for one in edges if one.seen.size]
         straighter, less = unbending(shot, lines)
     bends = [edge.bend for edge in edges if edge.bend == edge.bend]
@@ -163,11 +163,11 @@ def _edge(shot: Shot, foot: complex, head: complex, reach: float) -> Edge:
     inset = min(NEAR_CORNER, length / 10)
     along = np.linspace(inset, length - inset, STATIONS)
     axis = (foot + way * along)[:, None]
-    fine = float(abs(np.diff(shot.shown(axis[:, 0]))).min()) / (along[1] - along[0])
+    fine = float(abs(np.diff(shot.to_picture(axis[:, 0]))).min()) / (along[1] - along[0])
     clear = max(CLEAR, CLEAR_DOTS / fine)
 
     def read(offsets: Reals) -> Reals:
-        grey: Reals = bilinear(shot.image, shot.shown(axis + 1j * way * offsets)).mean(axis=-1)
+        grey: Reals = bilinear(shot.image, shot.to_picture(axis + 1j * way * offsets)).mean(axis=-1)
         return grey
 
     offsets, dark = _strip(read, clear, reach)
@@ -188,7 +188,7 @@ def _edge(shot: Shot, foot: complex, head: complex, reach: float) -> Edge:
     rise = ((shot.curl.seen(axis[:, 0]) - axis[:, 0]) / way).imag
     bent = curve(place) - line(place) + rise - _fitted(place, rise, weights, 1)(place)
     bend = abs(bent)[kept].max()
-    seen = shot.shown(axis[:, 0] + 1j * way * centre)
+    seen = shot.to_picture(axis[:, 0] + 1j * way * centre)
     return Edge(float(line(-1.0)), float(line(1.0)), float(bend), seen[kept], weights[kept])
 
 

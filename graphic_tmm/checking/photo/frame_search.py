@@ -176,7 +176,7 @@ def _share(shot: Shot, lines: Complexes, alike: float = 0.0) -> float:
     feet, ways = _pieces(lines)
     places = feet[:, None] + ways[:, None] * ALONG
     across = 1j * ways / abs(ways)
-    seen = shot.shown(places[:, None, :] + across[:, None, None] * ASIDE[:, None])
+    seen = shot.to_picture(places[:, None, :] + across[:, None, None] * ASIDE[:, None])
     seen = np.where(np.isfinite(seen), seen, complex(-9, -9))
     level: Reals = bilinear(shot.image, seen).mean(axis=2)  # (pieces, across, colours)
     one, two = level[:, :3].mean(axis=1), level[:, -3:].mean(axis=1)

@@ -210,25 +210,25 @@ def names_of(made: DrawnScene, due: Mapping[Key, Cell], spots: Mapping[Key, comp
 def _mended(part: Taken, names: Names) -> tuple[Taken, list[Mend], str]:
     """Return a reading by the names of its scene, how they were found, and what cannot be told, or ""."""
     plan = plan_meant(part.plan, names.plans)
-    if not plan.one:
+    if not plan.only:
         return part, [], _either(part.plan, plan, said("a plan")) if plan.names else ""
-    one, mends = part._replace(plan=plan.one), _mends(part.plan, plan, plan.one)
-    segment = _named(part, plan.one, names)
+    one, mends = part._replace(plan=plan.only), _mends(part.plan, plan, plan.only)
+    segment = _named(part, plan.only, names)
     if len(segment.names) > 1:
-        return one, mends, _either(part.segment, segment, said("plan {plan}", plan=plan.one))
-    if segment.one:
-        one = one._replace(segment=segment.one)
-        mends += _mends(part.segment, segment, plan.one)
+        return one, mends, _either(part.segment, segment, said("plan {plan}", plan=plan.only))
+    if segment.only:
+        one = one._replace(segment=segment.only)
+        mends += _mends(part.segment, segment, plan.only)
     everywhere = tuple(dict.fromkeys(name for row in names.positions.values() for name in row))
-    here = names.positions[plan.one]
+    here = names.positions[plan.only]
     position = position_meant(part.position, here)
     if not position.names:
         position = position_meant(part.position, everywhere)
     if len(position.names) > 1:
-        return one, mends, _either(part.position, position, said("plan {plan}", plan=plan.one))
+        return one, mends, _either(part.position, position, said("plan {plan}", plan=plan.only))
     if position.names:
-        one = one._replace(position=position.one)
-        mends += _mends(part.position, position, plan.one)
+        one = one._replace(position=position.only)
+        mends += _mends(part.position, position, plan.only)
     return one, mends, ""
 
 
@@ -245,7 +245,7 @@ def _named(part: Taken, plan: str, names: Names) -> Meant:
 
 
 def _mends(typed: str, found: Meant, plan: str) -> list[Mend]:
-    return [Mend(plan, typed, found.one, found.how)] if found.how else []
+    return [Mend(plan, typed, found.only, found.how)] if found.how else []
 
 
 def _either(typed: str, found: Meant, where: Said) -> Said:

@@ -203,7 +203,7 @@ class Meant(NamedTuple):
     how: str = ""
 
     @property
-    def one(self) -> str:
+    def only(self) -> str:
         """The only one, or ""."""
         return self.names[0] if len(self.names) == 1 else ""
 

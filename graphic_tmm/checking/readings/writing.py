@@ -210,7 +210,7 @@ def result_columns(results: Results) -> tuple[Column, ...]:
 
 
 def _given(column: Column) -> list[int]:
-    pairs = zip(*column.told, strict=True)
+    pairs = zip(*column.first_figures, strict=True)
     return [k for k, pair in enumerate(pairs) if pair != (None, None)]
 
 

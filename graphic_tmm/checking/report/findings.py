@@ -303,12 +303,12 @@ def _yours(one: Judged, language: str, calculation: str, both: str = "") -> str:
         )
     unit = unit_name(one.unit, language)
 
-    def told(value: float) -> str:
+    def figure_text(value: float) -> str:
         text = figure(value, 1, language) if one.unit == "mm" else number(value, language)
         return f"{text} {unit}".rstrip()
 
     if calculation and calculation.endswith(unit):
-        return words["yours"].format(found=told(one.found))
+        return words["yours"].format(found=figure_text(one.found))
     segment = printable_text(one.taken.segment)
     template = both or words["yours for"]
-    return template.format(segment=segment, found=told(one.found), due=told(one.due))
+    return template.format(segment=segment, found=figure_text(one.found), due=figure_text(one.due))

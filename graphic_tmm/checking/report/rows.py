@@ -251,17 +251,17 @@ def figure(value: float, places: int, language: str) -> str:
 def _reading(one: Judged, language: str) -> dict[str, str]:
     taken, drawn = one.taken, one.unit == "mm"
 
-    def told(value: float) -> str:
+    def figure_text(value: float) -> str:
         return figure(value, 2, language) if drawn else number(value, language)
 
     deviation = 0.0 if abs(one.deviation) <= NOISE * abs(one.due) else one.deviation
-    off = signed(deviation, 2, language) if drawn else told(deviation)
+    off = signed(deviation, 2, language) if drawn else figure_text(deviation)
     return {
         "line": str(taken.line) if taken.line else "",
         "position": printable_text(taken.position),
         "segment": printable_text(taken.segment) + _place(one, language),
-        "found": told(one.found),
-        "due": told(one.due),
+        "found": figure_text(one.found),
+        "due": figure_text(one.due),
         "unit": "" if drawn else unit_name(one.unit, language),
         "deviation": off if drawn or not deviation > 0 else f"+{off}",
         "percent": figure(one.percent, 1, language),

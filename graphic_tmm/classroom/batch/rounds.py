@@ -116,7 +116,7 @@ def _until_broken(
                 broken = True
                 yield work, error
             except TmmError as error:
-                yield work, Answer(refused=error.told(reader()))
+                yield work, Answer(refused=error.in_language(reader()))
             except Exception as error:  # it cannot be pickled
                 yield work, error
         if not flying:

@@ -192,7 +192,7 @@ def answer(sent: bytes, limit: float = 0.0) -> Answer:
             try:
                 return _answered(work, files)
             except TmmError as error:
-                return Answer(refused=error.told(speech))
+                return Answer(refused=error.in_language(speech))
             except MemoryError:
                 return Answer(fault=speech(said("there is too little memory for this")))
             except Exception as error:

@@ -86,7 +86,7 @@ def judge(given: Given, photographs: Mapping[str, bytes] | None = None) -> Done:
         report, row = _judged(given, photographs or {})
     except TmmError as error:
         language = scene_of(given.task).language
-        row, files = Row(skipped=error.told(speaking(language))), {}
+        row, files = Row(skipped=error.in_language(speaking(language))), {}
     else:
         name = f"{REPORTS}/{given.file}"
         files = {f"{name}.html": html_report(report), f"{name}.json": json_report(report)}

@@ -116,7 +116,7 @@ def mark_class(of: Class, out: Path, tell: Tell = lambda done, count, name: None
         try:
             works.append(work(_given(one, tasks[one.variant], of)))
         except TmmError as error:
-            lost[one.file] = error.told(speaking(scene.language))
+            lost[one.file] = error.in_language(speaking(scene.language))
     rows = _done(of, works, out, tell)
     rows |= {name: Row(skipped=why) for name, why in lost.items()}
     return _marked(of, scene, found, rows, skipped, out, tell)

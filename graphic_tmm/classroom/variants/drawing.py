@@ -51,7 +51,7 @@ def measure_of(of: Base, good: Good, missing: Callable[[str], str]) -> Measure:
         If the scene itself cannot be drawn.
     """
     scene = scene_of(of, Variant("0", ()), missing=missing)
-    made = make(scene, wanted=scene.shown)
+    made = make(scene, wanted=scene.shown_places)
     own = made.mechanism
     return Measure(good, own.sizes if own is not None else {}, _taken(made), missing)
 
@@ -77,11 +77,11 @@ def _reasons(scene: Scene, by: Measure) -> Iterator[str]:
     itself.
     """
     if by.sizes:
-        roughly = make(scene, wanted=scene.shown, given=Composition(by.sizes, ()))
+        roughly = make(scene, wanted=scene.shown_places, given=Composition(by.sizes, ()))
         for board in roughly.boards:
             yield from _moving(board.project, by.good)
         yield from _seen(roughly, by.good)
-    made = make(scene, wanted=scene.shown)
+    made = make(scene, wanted=scene.shown_places)
     yield from _seen(made, by.good)
     if _taken(made) > by.sheets:
         yield said("it needs more sheets")
@@ -154,7 +154,7 @@ class DrawnVariants(NamedTuple):
     refusals: Mapping[str, int]
 
     @property
-    def told(self) -> Said:
+    def sentence(self) -> Said:
         """A sentence: of 113 tried 30 were good; refused: 41 …"""
         head = said("of {tried} tried {good} were good", tried=self.tried, good=len(self.variants))
         if not self.refusals:
@@ -227,7 +227,7 @@ def drawn(
             "the ranges do not hold {count} good variants: {told}; widen the ranges, or lower the limits in "
             "[good]",
             count=count,
-            told=result.told,
+            told=result.sentence,
         )
         raise SheetError(says)
     return result

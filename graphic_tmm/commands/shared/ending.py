@@ -97,7 +97,7 @@ def _ended(error: BaseException) -> int:
         what = reason_of(error)
         tell(said("{place}{what}: check the path and its rights", place=place, what=what))
     elif isinstance(error, TmmError):
-        tell(error.told(reader()))
+        tell(error.in_language(reader()))
     else:
         return _own_fault(error)
     return BAD

@@ -129,7 +129,7 @@ class Packing:
             found["choice"] = list(choice)
             found["choices"] = list(step.op.choices)
         if step.it.view in self.row.places:
-            found |= self.told(step)
+            found |= self.step_text(step)
         if step.it in self.named:
             kind, plan, name, of = self.named[step.it]
             found["read"] = {"as": kind, "name": plan, "key": name, "unit": of}
@@ -146,7 +146,7 @@ class Packing:
         ]
         return {"ways": ways} if ways else {}
 
-    def told(self, step: Step) -> dict[str, Any]:
+    def step_text(self, step: Step) -> dict[str, Any]:
         """Return what is said of a step: what is done, why, by which formula, with which instruments."""
         reading, language = self.row.reading, self.language
         at = next((k for k in self.row.places[step.it.view] if self.row.there(step.it, k)), 0)

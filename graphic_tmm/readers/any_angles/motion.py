@@ -190,7 +190,7 @@ def motion(
     # a product of the row with itself tells in one pass whether all of it can be turned by
     at = row if math.isfinite(row.dot(row)) else np.where(np.isinf(row), np.nan, row)
     fast = translator() if fast is None else fast
-    told = ready.told(at, of.known, fast=fast, threads=threads)
+    told = ready.results(at, of.known, fast=fast, threads=threads)
     return Motion(row, *map(partial(_unless, asked), PLAN_OF.values(), told))
 
 

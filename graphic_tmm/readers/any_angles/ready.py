@@ -122,13 +122,13 @@ class Ready:
     fixed: tuple[tuple[bytes, type], ...]
     tables: tuple[Table, ...]
 
-    def told(
+    def results(
         self, angles: Reals, known: Known, *, fast: bool, threads: int | None
     ) -> list[dict[Any, NDArray[Any]]]:
         """Return what is told at angles, (angle,), by quantity."""
         count = angles.size
         at = angles if count else np.full(1, np.nan)
-        arrays = self._known(self._found(at, known, fast=fast, threads=threads))
+        arrays = self._known(self._arrays(at, known, fast=fast, threads=threads))
         if not count:
             arrays = [array[:0] for array in arrays]
         whole = (*arrays, *(self._standing.get(count) or self._stands(count)))
@@ -136,7 +136,7 @@ class Ready:
             dict(zip(keys, pick(whole), strict=True)) if keys else {} for keys, pick in self._tables
         ]
 
-    def _found(self, at: Reals, known: Known, *, fast: bool, threads: int | None) -> Arrays:
+    def _arrays(self, at: Reals, known: Known, *, fast: bool, threads: int | None) -> Arrays:
         """Return what the program leaves behind, (angle,)."""
         count = at.size
         loop = self._loop if fast and count < LEAST else None
