@@ -339,7 +339,9 @@ class Drawn:
         try:
             sheets = self.sheets
         except TmmError as error:
-            return rendered("said.html", title=self.scene.title, lines=error.in_language(_).splitlines())
+            return rendered(
+                "said.html", title=self.scene.title, lines=error.in_language(_).splitlines()
+            )
         more = _("and {n} more: .sheets", n=len(sheets) - 1) if len(sheets) > 1 else ""
         return sheets[0]._repr_html_() + rendered("said.html", title="", lines=[more])
 

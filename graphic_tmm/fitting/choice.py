@@ -110,7 +110,9 @@ class Ledger:
         letter, turns = f"ω_{index}", turns_a_minute(speed)
         if turns is None:
             return self.quantity(letter, abs(speed), "1/s")
-        return self.calculated(of_turns, letter, self.quantity(f"n_{index}", turns, "rpm"), unit="1/s")
+        return self.calculated(
+            of_turns, letter, self.quantity(f"n_{index}", turns, "rpm"), unit="1/s"
+        )
 
     def calculated(self, op: Operation, letter: str, *uses: Mark, unit: str) -> Mark:
         """Return a quantity that is calculated; once."""

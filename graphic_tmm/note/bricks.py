@@ -320,7 +320,9 @@ def asked_number(drawn: Drawn, section: str, key: str, of: str, language: str) -
 
 def greatest(drawn: Drawn, column: Column, language: str) -> tuple[Number, str] | None:
     """Return the value of a column that is the greatest in size, and the position where it stands."""
-    values = column.without(drawn.undrawn).first_figures[1] if not column.at else column.first_figures[1]
+    values = (
+        column.without(drawn.undrawn).first_figures[1] if not column.at else column.first_figures[1]
+    )
     there = [(abs(value), k) for k, value in enumerate(values) if value is not None]
     if not there:
         return None

@@ -45,7 +45,9 @@ class Values:
         """What tables tell of marks, by their slots; lengths that no table tells as one of them would."""
         found = {one.mark.slot: one for one in self.plan_entries(columns_of(self.drawn))}
         others = (self.column(m, mm) for m, mm in self.lengths.items() if m.slot not in found)
-        found |= {e.mark.slot: e for e in self.plan_entries([one for one in others if one is not None])}
+        found |= {
+            e.mark.slot: e for e in self.plan_entries([one for one in others if one is not None])
+        }
         return found
 
     def plan_entries(self, columns: Sequence[Column]) -> Iterator[Entry]:

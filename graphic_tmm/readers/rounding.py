@@ -97,7 +97,9 @@ def _kind(column: Column) -> tuple[str, str, float]:
 
 def _mu(column: Column) -> float:
     """Return what a mm stands for, as it is written; NaN where nothing is both measured and known."""
-    found = (abs(value / mm) for mm, value in zip(*column.first_figures, strict=True) if mm and value)
+    found = (
+        abs(value / mm) for mm, value in zip(*column.first_figures, strict=True) if mm and value
+    )
     return _written(next(found, math.nan))
 
 
@@ -138,7 +140,9 @@ def _common(columns: Sequence[Column]) -> int:
     mu = _mu(columns[0])
     by_mm = math.floor(-math.log10(COARSEST * mu)) + 1
     finest = max(by_mm, math.ceil(-math.log10(10.0**-FINE * mu)))
-    return min(max(by_mm, decimals([x for one in columns for x in one.first_figures[1]])), max(0, finest))
+    return min(
+        max(by_mm, decimals([x for one in columns for x in one.first_figures[1]])), max(0, finest)
+    )
 
 
 def _at(value: float | None, places: int) -> float | None:

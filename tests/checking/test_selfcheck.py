@@ -40,7 +40,7 @@ def printed(made: DrawnScene) -> Iterator[list[str]]:
     names = position_names(made)
     for column in scene_columns(made):
         own = [name for name, _ in column.at] or names
-        for name, mm, value in zip(own, *column.told, strict=True):
+        for name, mm, value in zip(own, *column.first_figures, strict=True):
             length = typed(fixed(mm, 1, "en"))
             figure = "" if value is None else typed(number(value, "en"))
             if length or figure:

@@ -81,8 +81,8 @@ def test_without_a_sheet_all_that_the_scene_calls_for_is_drawn(
     scene = read(calling(tmp_path, *NEEDS.get(section, ()), section, sheet=""))
     if section in ("cam", "diagrams", "forces") or many(1, 0):
         assert bare() < {view.name for sheet in sheets(scene)[1] for view in sheet.drawings}
-    assert section in scene.shown
-    assert scene.called == scene.shown
+    assert section in scene.shown_places
+    assert scene.called == scene.shown_places
     unnamed = read(
         calling(tmp_path, *NEEDS.get(section, ()), section, sheet='[[sheet]]\nformat = "A1"\n')
     )
@@ -163,7 +163,7 @@ def test_an_effect_that_is_not_called_for_records_no_step(tmp_path: Path) -> Non
     assert views <= {"extremes", "positions"}
     scene = read(calling(tmp_path, "forces", "load", sheet=ONLY_VELOCITIES))
     whole = {s.it.view for s in record(scene).construction.steps}
-    shown = {s.it.view for s in record(scene, wanted=scene.shown).construction.steps}
+    shown = {s.it.view for s in record(scene, wanted=scene.shown_places).construction.steps}
     assert "loads" in whole
     assert "velocities" in shown
     assert shown <= {"extremes", "positions", "velocities"}
@@ -171,7 +171,7 @@ def test_an_effect_that_is_not_called_for_records_no_step(tmp_path: Path) -> Non
 
 def test_drawing_executes_nothing_that_no_sheet_shows(tmp_path: Path) -> None:
     scene = read(calling(tmp_path, "forces", "load", "gears", sheet=ONLY_VELOCITIES))
-    made = make(scene, wanted=scene.shown)
+    made = make(scene, wanted=scene.shown_places)
     assert made.mechanism is not None
     assert FORCES_PLAN.of(made.mechanism) is None
     assert parts(made) == ()
@@ -182,7 +182,7 @@ def test_drawing_executes_nothing_that_no_sheet_shows(tmp_path: Path) -> None:
 def test_a_table_speaks_of_the_scales_that_the_sheet_has(tmp_path: Path) -> None:
     sheet = '[[sheet]]\nplace = ["positions", "velocities"]\n'
     scene = read(calling(tmp_path, "forces", "load", "effects", sheet=sheet))
-    drawn, tabled = make(scene, wanted=scene.shown), make(scene)
+    drawn, tabled = make(scene, wanted=scene.shown_places), make(scene)
     assert drawn.mechanism is not None
     assert tabled.mechanism is not None
     for plan in ("positions", "velocities"):

@@ -14,7 +14,7 @@ Boxes = list[tuple[str, tuple[float, float, float, float]]]
 
 
 def boxes(rooms: Rooms, sizes: Sizes) -> Boxes:
-    return [(one.view.name, bounds(one.view)) for one in rooms.shown(sizes)]
+    return [(one.view.name, bounds(one.view)) for one in rooms.sheet_views(sizes)]
 
 
 def test_a_piece_that_is_not_drawn_again_takes_the_same_room() -> None:

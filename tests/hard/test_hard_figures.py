@@ -91,11 +91,11 @@ def test_a_row_gives_what_its_positions_give_alone() -> None:
                 _, alone = drawn_at(loaded, [angle])
             except StructureError:
                 # none of its positions can be drawn
-                assert all(row.told[1][place] is None for row in together)
+                assert all(row.first_figures[1][place] is None for row in together)
                 continue
             for row, one in zip(together, alone, strict=True):
                 assert (row.plan, row.segment) == (one.plan, one.segment)
-                value, due = row.told[1][place], one.told[1][0]
+                value, due = row.first_figures[1][place], one.first_figures[1][0]
                 figures_ += 1
                 if value is None or due is None:
                     flips += (value is None) != (due is None)

@@ -96,7 +96,7 @@ def measurable(made: DrawnScene, format: str) -> None:
     work = made.mechanism
     if work is None:
         return
-    placed = made.scene.shown
+    placed = made.scene.shown_places
     for plan in {"velocities", "accelerations"} & placed:
         # a plan that a sheet does not hold at 40 mm is as large as it does
         assert longest(work, plan) >= SAVING * MEASURABLE - 0.1

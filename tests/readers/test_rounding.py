@@ -143,7 +143,7 @@ def test_equal_lengths_stand_for_equal_quantities(seed: int) -> None:
     figures = rounded_figures(columns)
     for column, one in zip(columns, figures, strict=True):
         for (mm, value), (length, figure) in zip(
-            zip(*column.told, strict=True), zip(one.mm, one.value, strict=True), strict=True
+            zip(*column.first_figures, strict=True), zip(one.mm, one.value, strict=True), strict=True
         ):
             assert mm is not None
             assert value is not None
@@ -182,7 +182,7 @@ def test_columns_of_a_scene_keep_their_order() -> None:
     (drawn,) = gallery.made("shaper").boards
     columns = columns_of(drawn)
     for column, one in zip(columns, rounded_figures(columns), strict=True):
-        there = [x for x in column.told[1] if x is not None]
+        there = [x for x in column.first_figures[1] if x is not None]
         assert math.isclose(
             max(map(abs, there), default=0.0),
             max((abs(x) for x in one.value if x is not None), default=0.0),

@@ -71,10 +71,10 @@ def test_they_are_those_of_all_figures_or_known_to_be_missed(
     if found.missed:
         assert sure < 1e12
         due = at_once(figures)
-        there = np.isfinite(found.told())
-        np.testing.assert_array_equal(found.told()[there], due[there])
+        there = np.isfinite(found.result())
+        np.testing.assert_array_equal(found.result()[there], due[there])
     else:
-        np.testing.assert_array_equal(found.told(), at_once(figures))
+        np.testing.assert_array_equal(found.result(), at_once(figures))
 
 
 @pytest.mark.parametrize("division", [None, 0.25])
@@ -89,7 +89,7 @@ def test_what_is_kept_grows_with_the_root_of_the_figures(division: float | None)
             found.add(figures[:, start : start + 1000])
             kept = max(kept, found.kept)
         assert not found.missed
-        np.testing.assert_array_equal(found.told(), at_once(figures))
+        np.testing.assert_array_equal(found.result(), at_once(figures))
         most.append(kept / len(figures))
     assert most[1] < 5 * most[0]  # 16 times as many figures: 4 times the root
     assert most[1] < 64000 / 20
@@ -100,7 +100,7 @@ def test_figures_that_come_sorted_are_missed_and_found_when_all_are_kept() -> No
     assert in_blocks(figures, 500).missed
     all_kept = in_blocks(figures, 500, sure=1e12)
     assert not all_kept.missed
-    np.testing.assert_array_equal(all_kept.told(), at_once(figures))
+    np.testing.assert_array_equal(all_kept.result(), at_once(figures))
 
 
 SCENES = [
@@ -142,7 +142,7 @@ def one_by_one(scene: DrawnScene, trials: int) -> tuple[Told, dict[str, float]]:
     for drawn in studio.drawings(scene, hand_of(scene.scene, trials)):
         for k, column in enumerate(scene_columns(drawn)):
             heads = [name for name, _ in column.at]
-            for key, row in zip(("mm", "value"), column.told, strict=True):
+            for key, row in zip(("mm", "value"), column.first_figures, strict=True):
                 if heads:  # a list may stand in another order in another drawing
                     first = order.setdefault(k, heads)
                     row = [row[heads.index(head)] for head in first]
@@ -240,7 +240,7 @@ def test_quantiles_of_a_table_leave_out_the_trials_that_failed() -> None:
     found = {c.segment: c for c in spread.columns()}
     for name, share in QUANTILES.items():
         due = [np.quantile(rows[:, 0], share), np.quantile(rows[~bad, 1], share)]
-        assert found[f"pb_{name}"].told == ([None] * 3, [*due, None])
+        assert found[f"pb_{name}"].first_figures == ([None] * 3, [*due, None])
     assert spread.results()["J_median"] == (statistics.median(rows[2:][~bad[2:], 0]), "kg")
     nothing = Spread([base], one, 50)
     nothing.add([base], {}, 50)

@@ -128,7 +128,7 @@ def test_csv_tells_lengths_to_the_ruler_and_quantities_to_what_that_stands_for(
     whole = {
         (c.plan, c.segment, at): (mm, value)
         for c in scene_columns(made)
-        for at, mm, value in zip(_names(made, c), *c.told, strict=True)
+        for at, mm, value in zip(_names(made, c), *c.first_figures, strict=True)
     }
     assert rows
     for row in rows:

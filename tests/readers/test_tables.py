@@ -170,7 +170,7 @@ def test_columns_of_a_plan_that_was_not_drawn() -> None:
 
 def test_a_column_without_some_positions() -> None:
     made = COLUMN.without((0,))
-    assert made.told == ([None, -0.0, None],) * 2
+    assert made.first_figures == ([None, -0.0, None],) * 2
     assert COLUMN.without(()) is COLUMN
 
 
@@ -255,7 +255,7 @@ def test_text_and_figures_of_a_scene_agree() -> None:
     parts = table(gallery.made("engine"), "text")
     assert isinstance(parts, list)
     text = printed(*parts)
-    due = next(c for c in columns_of(drawn("engine")) if c.segment == "pb").told[0]
+    due = next(c for c in columns_of(drawn("engine")) if c.segment == "pb").first_figures[0]
     row = next(line for line in text.splitlines() if line.split()[1:2] == ["pb"])
     cells = [cell.strip() for cell in row.strip("│").split("│")][2:]
     assert cells == [f"{mm:.1f}".replace(".", ",") for mm in due if mm is not None]

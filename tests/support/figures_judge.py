@@ -98,7 +98,7 @@ def figures(one: Loaded, angles: Sequence[float]) -> tuple[Drawn, list[Told]]:
         for column in columns:
             key = column.plan, column.segment
             if key in due:
-                found.append(Told(key, place, column.told[1][place], *due[key]))
+                found.append(Told(key, place, column.first_figures[1][place], *due[key]))
     return made, found
 
 

@@ -257,7 +257,9 @@ def _letters(ink: _Ink, names: ArcNames) -> Iterator[Wanted]:
     contour, high = ink.made.contour, ink.heights
     free = complex(-ink.made.sense)
     yield Wanted("O", 0j, high.point, 2.5, 1j - free, (contour.origin.slot,))
-    yield Wanted("C", ink.fixed_place(contour.nose), high.point, 1.0, -1j - free, (contour.nose.slot,))
+    yield Wanted(
+        "C", ink.fixed_place(contour.nose), high.point, 1.0, -1j - free, (contour.nose.slot,)
+    )
     for one in contour.arcs.values():
         if one.name in ("rise", "return") and one.centre is not None and ink.near(one.centre):
             spot = ink.fixed_place(one.centre)

@@ -266,7 +266,11 @@ def _rocker_rules(ink: CamInk, made: Centre, path: Lever, bounds: list[Bound]) -
     """What stays of the steps: levers with what was laid off along them, limits, the circle of the centres."""
     roller, lowest = ink.all(made.roller), ink.fixed_place(made.lowest)
     levers, begin = ink.used(made.roller), ink.used(made.lowest)
-    spots = [*(one.end for one in bounds), ink.fixed_place(made.least_centre), ink.fixed_place(made.centre)]
+    spots = [
+        *(one.end for one in bounds),
+        ink.fixed_place(made.least_centre),
+        ink.fixed_place(made.centre),
+    ]
     rules: dict[Mark, Rule] = {
         begin: straight("main", 0j, lowest),
         levers: between(np.zeros_like(roller), roller),

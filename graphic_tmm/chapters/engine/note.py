@@ -179,7 +179,8 @@ class _Engine(Worked):
         )
         yield Listed(
             tuple(
-                Item(str(k), (self._paragraph(told, marks),)) for k, (told, marks) in enumerate(items, 1)
+                Item(str(k), (self._paragraph(told, marks),))
+                for k, (told, marks) in enumerate(items, 1)
             )
         )
         arm = self.drawn.construction.step(values["NOB"])

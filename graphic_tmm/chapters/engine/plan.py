@@ -137,7 +137,10 @@ def draw_engine(
     exact = draft.draw(against_acceleration, "P_{in}", lumped.mass, acceleration, unit="N")
     harmonics = draw_harmonics(draft, machine, lumped.mass, legs, cylinder.outward, in_task_unit)
     draft.open(VIEW)
-    values = {"P": in_task_unit("P", cylinder.indicator.force), "P_in": in_task_unit("P_{in}", exact)}
+    values = {
+        "P": in_task_unit("P", cylinder.indicator.force),
+        "P_in": in_task_unit("P_{in}", exact),
+    }
     used = harmonics.force if order.series else values["P_in"]
     values["P′"] = draft.draw(added, "P′", values["P"], used, unit=order.unit, why=why.TOGETHER)
     triangles, mu = _triangles(draft, machine, legs, cylinder.outward, values, order.unit)

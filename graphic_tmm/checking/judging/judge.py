@@ -193,7 +193,9 @@ def _strict(drawing: Comparison, taken: Taken, verdicts: Mapping[Taken, str]) ->
     """
     if taken.pointed:
         return True
-    if drawing.length_of(taken) is None and not (_rate(drawing, taken) or drawing.calculated(taken)):
+    if drawing.length_of(taken) is None and not (
+        _rate(drawing, taken) or drawing.calculated(taken)
+    ):
         return False
     return all(verdicts.get(one) == FINE for one in drawing.sources(taken))
 

@@ -10,7 +10,7 @@ from support.cams import C6, Made, made
 from support.each import each
 from support.graphs import assert_read_off_the_log, graphs
 
-from graphic_tmm.chapters.cam.ink_rules import DIAGRAM_RULES, DIAGRAM_TRACELESS
+from graphic_tmm.chapters.cam.ink_rules import DIAGRAM_RULES, TRACELESS
 from graphic_tmm.chapters.cam.task import (
     CamTask,
     FlatFollower,
@@ -59,7 +59,7 @@ def assert_diagrams(of: Made) -> None:
     names = [str(k) for k in range(of.reading.positions)]
     views = graphs(of.log, of.reading, names, of.reading.positions, DIAGRAM_RULES)
     assert {"cam S", "cam dS", "cam ddS"} <= {view.name for view in views}
-    assert_read_off_the_log(of.log, views, DIAGRAM_TRACELESS)
+    assert_read_off_the_log(of.log, views, TRACELESS)
 
 
 @each("law", LAWS)

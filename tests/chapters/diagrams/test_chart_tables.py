@@ -60,7 +60,7 @@ def test_the_columns_are_those_of_the_diagrams_beside_the_plans() -> None:
     s, v, a = exact_motion()
     np.testing.assert_allclose(columns["S"].value[0], s, atol=1e-12)
     np.testing.assert_allclose(columns["V_plan"].value[0], v, atol=1e-12)
-    planned = [(k, x) for k, x in enumerate(columns["a_plan"].told[1]) if x is not None]
+    planned = [(k, x) for k, x in enumerate(columns["a_plan"].first_figures[1]) if x is not None]
     assert [k for k, _ in planned] == [1, 4]  # positions 2 and 5 have plans
     np.testing.assert_allclose([x for _, x in planned], [a[1], a[4]], rtol=1e-12)
 

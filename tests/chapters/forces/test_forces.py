@@ -176,7 +176,7 @@ def test_a_scene_without_effects_has_the_bytes_of_one_that_never_heard_of_them()
     kept = tuple(replace(s, place=tuple(p for p in s.place if p not in others)) for s in places)
     never = replace(plain, sheets=kept)
     heard = never.asking(forces=ForcesTask(("8",)))
-    shown = record(heard, wanted=heard.shown).construction
+    shown = record(heard, wanted=heard.shown_places).construction
     assert len(log_of(never).steps) == len(shown.steps) < len(log_of(heard).steps)
     assert [svg(s) for s in sheets(never)[1]] == [svg(s) for s in sheets(heard)[1]]
 

@@ -30,7 +30,7 @@ def headed(at: complex) -> np.ndarray:
 def test_a_head_upon_a_longer_line_is_found_along_it(off: float) -> None:
     due = 80 + 60j
     pieces = np.array([AXIS, *_chords(HEAD)], dtype=np.complex128)
-    telling = Sign.made(pieces, NOBODY).along(1.0, MOVED)
+    telling = Sign.of_pieces(pieces, NOBODY).along(1.0, MOVED)
     assert telling is not None
     along = np.arange(-3.0, 3.01, 0.1)
     like = telling.like(flat(headed(due + off)), due + along.astype(np.complex128))
@@ -39,7 +39,7 @@ def test_a_head_upon_a_longer_line_is_found_along_it(off: float) -> None:
 
 
 def test_a_line_alone_tells_no_place_along_it() -> None:
-    assert Sign.made(np.array([AXIS], dtype=np.complex128), NOBODY).along(1.0, MOVED) is None
+    assert Sign.of_pieces(np.array([AXIS], dtype=np.complex128), NOBODY).along(1.0, MOVED) is None
 
 
 def test_a_filled_head_is_more_than_its_edge() -> None:
@@ -49,6 +49,6 @@ def test_a_filled_head_is_more_than_its_edge() -> None:
 def test_a_sign_is_told_from_what_is_near_it_only() -> None:
     pieces = np.array([AXIS, *_chords(HEAD)], dtype=np.complex128)
     far = pieces + 30j
-    one, other = Sign.made(pieces, NOBODY), Sign.made(np.concatenate([pieces, far]), far)
+    one, other = Sign.of_pieces(pieces, NOBODY), Sign.of_pieces(np.concatenate([pieces, far]), far)
     np.testing.assert_array_equal(one.ink, other.ink)
     np.testing.assert_array_equal(one.paper, other.paper)

@@ -95,7 +95,7 @@ def test_the_template_of_a_scene_filled_in_comes_back_whole(tmp_path, name):
     due = {
         (c.plan, "" if c.plan == "results" else names[k], c.segment): (mm, value, c.unit)
         for c in columns
-        for k, (mm, value) in enumerate(zip(*c.told, strict=True))
+        for k, (mm, value) in enumerate(zip(*c.first_figures, strict=True))
         if (mm, value) != (None, None)
     }
     asked = list(csv.DictReader(io.StringIO(template(columns, names))))

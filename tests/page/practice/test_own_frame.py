@@ -147,7 +147,7 @@ def test_the_plane_and_the_lens_are_those_of_the_check() -> None:
     assert sum(one is None for one in told["ordered"]) > 2
     matrix = homography(BOX, lens.straight(square))
     at = points[:, 0] + 1j * points[:, 1]
-    seen = Shot(np.zeros((1, 1, 3), np.uint8), matrix, lens, Curl(BOX)).shown(at)
+    seen = Shot(np.zeros((1, 1, 3), np.uint8), matrix, lens, Curl(BOX)).to_picture(at)
     assert np.allclose(told["matrix"], homography(BOX, square).ravel(), rtol=1e-12, atol=1e-12)
     assert np.allclose(told["straight"], photographs.pairs(lens.straight(at)), atol=1e-9)
     assert np.allclose(told["seen"], photographs.pairs(seen), atol=1e-7)
@@ -192,7 +192,7 @@ def test_the_flat_picture_is_the_check_s(tmp_path: Path) -> None:
     shot = Shot(colours, homography(Box(*box), lens.straight(corners)), lens, Curl(Box(*box)))
     x = area[0] + (np.arange(told["width"]) + 0.5) / 2
     y = area[3] - (np.arange(told["height"]) + 0.5) / 2
-    due = bilinear(colours, shot.shown(x + 1j * y[:, None]))[..., 1]
+    due = bilinear(colours, shot.to_picture(x + 1j * y[:, None]))[..., 1]
     found = np.array(told["grey"], dtype=np.float64).reshape(due.shape)
     inner = np.isfinite(due)
     # places between those of the grid, 16 dots apart, lie on a line: here, of 90 mm on 220 dots, 0.1 px off
