@@ -141,7 +141,9 @@ class Drawn:
 
     def drawn_by(self, hand: Hand) -> Drawn:
         """Return the same drawing, to the same scales, by another hand."""
-        return replace(self, numbers=read(self.project, self.given, hand, self.doubts), hand=hand)
+        return replace(
+            self, numbers=read_log(self.project, self.given, hand, self.doubts), hand=hand
+        )
 
     def trial(self, k: int) -> Drawn:
         """Return one of the drawings of a hand that drew several times."""
@@ -231,7 +233,7 @@ def doubted(project: Project) -> Doubts:
     return Doubts(log.steps, {**dict.fromkeys(log.given, 1.0), **project.given}, to_scale=False)
 
 
-def read(project: Project, given: Mapping[Mark, object], hand: Hand, doubts: Doubts) -> Numbers:
+def read_log(project: Project, given: Mapping[Mark, object], hand: Hand, doubts: Doubts) -> Numbers:
     """Execute the log, once; views with rows of their own are told at their positions, all else at all of them.
 
     What is lost is not there.

@@ -35,7 +35,7 @@ from graphic_tmm.errors import Fault, SceneError, TmmError
 from graphic_tmm.fitting.measuring import sheets_of
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
-from graphic_tmm.readers.position_count import whole
+from graphic_tmm.readers.position_count import at_all_positions
 from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
@@ -94,7 +94,7 @@ def choose(scene: Scene, percent: float, tell: Tell | None = None) -> Taken:
     """
     made = make(scene, exact=True)
     scales = pinned(made)
-    judge = References(whole(scene), scales)
+    judge = References(at_all_positions(scene), scales)
     tried: list[tuple[Candidate, float, dict[str, float]]] = []
     row = sorted(_candidates(scene, scales), key=_order)
     for k, (minutes, candidate) in enumerate(row):
@@ -170,7 +170,7 @@ def _wanted(scene: Scene, quantity: Quantity) -> bool:
 def _minutes(scene: Scene, scales: Pinned) -> float:
     """Return the minutes at the board that all asked quantities of a scene take together."""
     total = 0.0
-    for drawing in draw(whole(scene), scales):
+    for drawing in draw(at_all_positions(scene), scales):
         marks = [m for q in quantities(drawing) if _wanted(scene, q) for m in q.marks]
         if marks:
             varies = varying(drawing.given)
@@ -187,7 +187,7 @@ def _errors(measure: Measure, setting: Setting, scene: Scene) -> dict[str, float
 
 def _measured(candidate: Candidate, judge: References, percent: float) -> dict[str, float]:
     """Return the errors of a candidate to the scales of the scene as it is; none if it cannot be drawn."""
-    scene = whole(candidate.scene)
+    scene = at_all_positions(candidate.scene)
     measure = Measure(judge.scales, judge, clock=False)
     errors: dict[str, float] = {}
     try:
@@ -213,7 +213,7 @@ def _as_drawn(candidate: Candidate, made: DrawnScene) -> tuple[Scene | None, dic
         drawn = make(scene, exact=True)
         if _sheets(drawn) > _sheets(made):
             return None, {}
-        full, scales = whole(scene), pinned(drawn)
+        full, scales = at_all_positions(scene), pinned(drawn)
         measure = Measure(scales, References(full, scales), clock=False)
         return scene, _errors(measure, own_setting(full, None, DRAWINGS), scene)
     except TmmError:

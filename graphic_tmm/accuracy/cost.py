@@ -103,7 +103,7 @@ MINUTES: Mapping[str, float] = MappingProxyType({k: e.minutes for k, e in ELEMEN
 
 
 @dataclass(frozen=True)
-class Work:
+class BoardWork:
     """What is done at the board.
 
     ``operations``: how often each operation of the board, by name; ``elements``: how often each elementary
@@ -131,18 +131,18 @@ class Work:
         """The work as Lemoine writes it."""
         return written(self.elements)
 
-    def __add__(self, other: Work) -> Work:
+    def __add__(self, other: BoardWork) -> BoardWork:
         """Return the work of both, one after the other."""
-        return Work(
+        return BoardWork(
             dict(Counter(self.operations) + Counter(other.operations)),
             dict(Counter(self.elements) + Counter(other.elements)),
             self.minutes + other.minutes,
             tuple(dict.fromkeys((*self.untold, *other.untold))),
         )
 
-    def __mul__(self, times: int) -> Work:
+    def __mul__(self, times: int) -> BoardWork:
         """Return the work of doing it ``times`` over."""
-        return Work(
+        return BoardWork(
             {name: n * times for name, n in self.operations.items()},
             {name: n * times for name, n in self.elements.items()},
             self.minutes * times,
@@ -150,7 +150,7 @@ class Work:
         )
 
 
-NOTHING = Work({}, {}, 0.0)
+NOTHING = BoardWork({}, {}, 0.0)
 
 
 class Done(NamedTuple):
@@ -186,10 +186,10 @@ def count(
     *,
     positions: int = 1,
     only: Mapping[str, int] | None = None,
-    tried: Mapping[Mark, Work] | None = None,
+    tried: Mapping[Mark, BoardWork] | None = None,
     passes: int = PASSES,
     minutes: Mapping[str, float] | None = None,
-) -> Work:
+) -> BoardWork:
     """Return the work of drawing the wanted marks; nothing is run, no reading is needed.
 
     Parameters
@@ -227,10 +227,10 @@ def count(
         for name, n in elements(symbol(step.op), row).items():
             own[name] += n * times
         if step.op.name == REFINE:
-            one = told.get(step.it, Work({}, {}, 0.0, (step.it,)))
+            one = told.get(step.it, BoardWork({}, {}, 0.0, (step.it,)))
             inner += one * (row * times)
     spent = sum(n * table[name] for name, n in own.items())
-    return Work(dict(operations), dict(own), spent) + inner
+    return BoardWork(dict(operations), dict(own), spent) + inner
 
 
 def _row(step: Step, passes: int) -> int:

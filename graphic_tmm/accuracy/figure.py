@@ -8,7 +8,7 @@ from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
 from graphic_tmm.accuracy.lessons import along, divisions
-from graphic_tmm.accuracy.measure import Run
+from graphic_tmm.accuracy.measure import Measurement
 from graphic_tmm.accuracy.settings import GRID, dividing
 from graphic_tmm.accuracy.study import Study
 from graphic_tmm.accuracy.words import WORDS
@@ -117,7 +117,7 @@ def _hands(study: Study) -> list[str]:
     return [hand for hand in found if any(run.hand == hand for run in study.runs)]
 
 
-def _cost(run: Run, machine: bool) -> float:
+def _cost(run: Measurement, machine: bool) -> float:
     if not machine:
         return run.work.minutes
     return 1e3 * run.seconds.median if run.seconds is not None else math.nan
@@ -155,7 +155,7 @@ FRONT: dict[str, Any] = {
 """The ring round a setting on the Pareto front."""
 
 
-def _points(axes: Axes, runs: Sequence[Run], machine: bool, **style: Any) -> None:
+def _points(axes: Axes, runs: Sequence[Measurement], machine: bool, **style: Any) -> None:
     if runs:
         x, y = [_cost(run, machine) for run in runs], [run.error for run in runs]
         axes.plot(x, y, **({"linestyle": "none"} | style))
@@ -183,7 +183,7 @@ def _number(axes: Axes, study: Study, name: str) -> None:
         )
 
 
-def _ratio(run: Run, other: Run) -> float:
+def _ratio(run: Measurement, other: Measurement) -> float:
     return run.work.minutes / other.work.minutes
 
 

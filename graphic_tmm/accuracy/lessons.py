@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from graphic_tmm.accuracy.measure import Run
+from graphic_tmm.accuracy.measure import Measurement
 from graphic_tmm.accuracy.settings import dividing
 
 
@@ -168,19 +168,21 @@ class Optimum(NamedTuple):
     quantity: str
     axis: str
     hand: str
-    best: Run
-    finer: Run | None
+    best: Measurement
+    finer: Measurement | None
     sure: tuple[int, ...]
     inside: bool
     flat: bool
 
 
-def divisions(run: Run) -> int:
+def divisions(run: Measurement) -> int:
     """Return into how many parts a run's drawing is divided."""
     return int(run.value)
 
 
-def along(runs: Iterable[Run], quantity: str, hand: str, axis: str | None = None) -> list[Run]:
+def along(
+    runs: Iterable[Measurement], quantity: str, hand: str, axis: str | None = None
+) -> list[Measurement]:
     """Return the runs of a quantity along the axis of its number of positions, in order."""
     divided = dividing()
     found = [
@@ -193,7 +195,7 @@ def along(runs: Iterable[Run], quantity: str, hand: str, axis: str | None = None
     return sorted(found, key=divisions)
 
 
-def fitted(runs: Sequence[Run]) -> tuple[Fitted, ...]:
+def slopes(runs: Sequence[Measurement]) -> tuple[Fitted, ...]:
     """Return the powers of N with which the exact hand's error falls and its costs grow."""
     found = []
     for quantity in dict.fromkeys(run.quantity for run in runs):
@@ -209,7 +211,7 @@ def fitted(runs: Sequence[Run]) -> tuple[Fitted, ...]:
     return tuple(found)
 
 
-def optima(runs: Sequence[Run], hands: Sequence[str]) -> tuple[Optimum, ...]:
+def optima(runs: Sequence[Measurement], hands: Sequence[str]) -> tuple[Optimum, ...]:
     """Return, for each quantity and hand, the number of positions at which it errs least."""
     found = []
     for quantity in dict.fromkeys(run.quantity for run in runs):
@@ -220,7 +222,7 @@ def optima(runs: Sequence[Run], hands: Sequence[str]) -> tuple[Optimum, ...]:
     return tuple(found)
 
 
-def _optimum(row: Sequence[Run]) -> Optimum:
+def _optimum(row: Sequence[Measurement]) -> Optimum:
     errors = [run.error for run in row]
     at = int(np.argmin(errors))
     best = row[at]
@@ -234,15 +236,15 @@ def _optimum(row: Sequence[Run]) -> Optimum:
     return Optimum(best.quantity, best.axis, best.hand, best, finer, sure, inside, flat)
 
 
-def _both(run: Run, spread: float) -> float:
+def _both(run: Measurement, spread: float) -> float:
     """Return the standard error of the difference of two errors."""
     own = run.errors.spread if np.isfinite(run.errors.spread) else 0.0
     return float(np.hypot(own, spread))
 
 
-def best_of(runs: Sequence[Run], *, machine: bool = False) -> frozenset[Run]:
+def best_of(runs: Sequence[Measurement], *, machine: bool = False) -> frozenset[Measurement]:
     """Return the runs on the Pareto front of their quantity and hand: error over minutes, or over seconds."""
-    found: list[Run] = []
+    found: list[Measurement] = []
     for quantity, hand in dict.fromkeys((run.quantity, run.hand) for run in runs):
         row = [r for r in runs if (r.quantity, r.hand) == (quantity, hand) and r.axis not in ASIDE]
         if machine:

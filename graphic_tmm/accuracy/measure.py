@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.accuracy.cost import Work, count, varying
+from graphic_tmm.accuracy.cost import BoardWork, count, varying
 from graphic_tmm.accuracy.drawing import Pinned, References, draw, tried
 from graphic_tmm.accuracy.quantities import Quantity, quantities
 from graphic_tmm.accuracy.settings import Setting
@@ -58,7 +58,7 @@ class Seconds(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Run:
+class Measurement:
     """One quantity at one setting. ``axis`` and ``value``: what was varied, and to what."""
 
     axis: str
@@ -69,7 +69,7 @@ class Run:
     enlarged: float
     trials: int
     errors: Errors
-    work: Work
+    work: BoardWork
     seconds: Seconds | None
 
     @property
@@ -152,7 +152,7 @@ class Measure:
         self.scales, self.references = scales, references
         self.clock, self.minutes = clock, minutes
         self._drawn: dict[tuple[int, float, float], tuple[Setting, tuple[Project, ...]]] = {}
-        self._worked: dict[tuple[int, float, float, str], Work] = {}
+        self._worked: dict[tuple[int, float, float, str], BoardWork] = {}
         self._timed: dict[tuple[object, ...], Seconds] = {}
 
     def drawings(self, setting: Setting) -> tuple[Project, ...]:
@@ -165,7 +165,7 @@ class Measure:
 
     def runs(
         self, setting: Setting, axis: str, value: str, only: Sequence[str] | None = None
-    ) -> list[Run]:
+    ) -> list[Measurement]:
         """Return a run for each quantity of a setting, or ``only`` for some."""
         found = []
         for drawing in self.drawings(setting):
@@ -184,10 +184,12 @@ class Measure:
                 work = self.work(setting, drawing, quantity)
                 seconds = self._seconds(setting, drawing, quantity, axis)
                 place = (axis, value, quantity.name, drawing.count, setting.hand)
-                found.append(Run(*place, setting.enlarged, who.trials, errors, work, seconds))
+                found.append(
+                    Measurement(*place, setting.enlarged, who.trials, errors, work, seconds)
+                )
         return found
 
-    def work(self, setting: Setting, drawing: Project, quantity: Quantity) -> Work:
+    def work(self, setting: Setting, drawing: Project, quantity: Quantity) -> BoardWork:
         """Return the work at the board that a quantity takes, at all positions of the row."""
         key = id(setting.scene), setting.enlarged, setting.pole, quantity.name
         if key not in self._worked:
@@ -218,7 +220,7 @@ class Measure:
 
 def work_of(
     drawing: Project, quantity: Quantity, minutes: Mapping[str, float] | None = None
-) -> Work:
+) -> BoardWork:
     """Return the work at the board that a quantity of a drawing takes."""
     told = {
         mark: count(trial.log, [trial.angle], [trial.reading], minutes=minutes)

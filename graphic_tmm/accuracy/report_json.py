@@ -7,9 +7,9 @@ import math
 from typing import Any
 
 from graphic_tmm.accuracy.advice import advice, best_numbers, most, slopes, step_name
-from graphic_tmm.accuracy.cost import Work
+from graphic_tmm.accuracy.cost import BoardWork
 from graphic_tmm.accuracy.lessons import Fitted, Optimum, divisions
-from graphic_tmm.accuracy.measure import Run
+from graphic_tmm.accuracy.measure import Measurement
 from graphic_tmm.accuracy.study import Study
 from graphic_tmm.scene.packaged import scene_name
 
@@ -48,7 +48,7 @@ def json_report(study: Study) -> str:
     return json.dumps(told, ensure_ascii=False, indent=1) + "\n"
 
 
-def _run(study: Study, run: Run) -> dict[str, Any]:
+def _run(study: Study, run: Measurement) -> dict[str, Any]:
     found: dict[str, Any] = {
         "quantity": run.quantity,
         "axis": run.axis,
@@ -73,7 +73,7 @@ def _run(study: Study, run: Run) -> dict[str, Any]:
     return found
 
 
-def _work(work: Work) -> dict[str, Any]:
+def _work(work: BoardWork) -> dict[str, Any]:
     return {
         "simplicity": work.simplicity,
         "exactitude": work.exactitude,

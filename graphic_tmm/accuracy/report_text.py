@@ -7,7 +7,7 @@ from typing import Any
 
 from graphic_tmm.accuracy.advice import advice, best_numbers, most, own_count, slopes, step_name
 from graphic_tmm.accuracy.lessons import along, divisions
-from graphic_tmm.accuracy.measure import NOISE, Run
+from graphic_tmm.accuracy.measure import NOISE, Measurement
 from graphic_tmm.accuracy.settings import GRID, dividing
 from graphic_tmm.accuracy.study import Study
 from graphic_tmm.accuracy.words import WORDS
@@ -66,7 +66,7 @@ def _divided(study: Study, name: str) -> Any:
     language, words = study.scene.language, WORDS[study.scene.language]
     hands = [h for h in (*GRID, study.hand) if along(study.runs, name, h)]
     hands = list(dict.fromkeys(hands))
-    rows: dict[int, dict[str, Run]] = {}
+    rows: dict[int, dict[str, Measurement]] = {}
     for hand in hands:
         for run in along(study.runs, name, hand):
             rows.setdefault(divisions(run), {})[hand] = run
@@ -85,18 +85,18 @@ def _divided(study: Study, name: str) -> Any:
     return table
 
 
-def _order(run: Run) -> tuple[bool, float]:
+def _order(run: Measurement) -> tuple[bool, float]:
     return run.error != run.error, run.error
 
 
-def _cell(run: Run | None, least: Run, language: str) -> str:
+def _cell(run: Measurement | None, least: Measurement, language: str) -> str:
     if run is None:
         return ""
     text = number(run.error, language, 3)
     return f"[bold]{text}[/bold]" if run is least and run.error > 0.0 else text
 
 
-def _quartiles(run: Run, language: str) -> str:
+def _quartiles(run: Measurement, language: str) -> str:
     if run.seconds is None:
         return ""
     median, low, high = (number(1e3 * x, language, 2) for x in run.seconds)
@@ -132,7 +132,7 @@ def _own_minutes(study: Study, name: str) -> float:
     return row[0].work.minutes if row else float("nan")
 
 
-def _other(run: Run | None, minutes: float, language: str) -> str:
+def _other(run: Measurement | None, minutes: float, language: str) -> str:
     if run is None:
         return ""
     text = number(run.error, language, 3)

@@ -42,7 +42,7 @@ class Setting:
         return replace(self, hand=name, who=who)
 
 
-def named(name: str, scene: Scene, trials: int) -> Hand:
+def hand_named(name: str, scene: Scene, trials: int) -> Hand:
     """Return a hand by its name, with the scene's seed; the exact one reads without a ruler.
 
     A hand that leaves nothing to chance draws once.
@@ -130,7 +130,7 @@ def own_parts(scene: Scene, axis: str) -> int:
 
 def grid(own: Setting, trials: int) -> Iterator[Varied]:
     """Yield the number of positions (of whatever a drawing is divided into) by hands."""
-    hands = [(name, named(name, own.scene, trials)) for name in GRID]
+    hands = [(name, hand_named(name, own.scene, trials)) for name in GRID]
     if (own.hand, own.who) not in hands:
         hands.append((own.hand, own.who))
     for axis, divided in rows(own.scene):
@@ -206,6 +206,6 @@ def own_setting(scene: Scene, hand: str | None, trials: int) -> Setting:
 
     A scene's hand that has the ruler of its name is called by that name.
     """
-    who = named(hand or OWN, scene, trials)
-    alike = (name for name in GRID if named(name, scene, trials) == who)
+    who = hand_named(hand or OWN, scene, trials)
+    alike = (name for name in GRID if hand_named(name, scene, trials) == who)
     return Setting(scene, hand or next(alike, OWN), who)

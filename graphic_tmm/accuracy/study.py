@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
-from graphic_tmm.accuracy.cost import NOTHING, Work, count
+from graphic_tmm.accuracy.cost import NOTHING, BoardWork, count
 from graphic_tmm.accuracy.drawing import References, pinned
-from graphic_tmm.accuracy.lessons import Fitted, Optimum, best_of, fitted, optima
-from graphic_tmm.accuracy.measure import Measure, Run
+from graphic_tmm.accuracy.lessons import Fitted, Optimum, best_of, optima, slopes
+from graphic_tmm.accuracy.measure import Measure, Measurement
 from graphic_tmm.accuracy.quantities import Accuracy, quantities
-from graphic_tmm.accuracy.settings import Setting, Varied, grid, named, own_setting, singly
+from graphic_tmm.accuracy.settings import Setting, Varied, grid, hand_named, own_setting, singly
 from graphic_tmm.accuracy.shares import Share, shares
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.drawn import DrawnScene
@@ -19,7 +19,7 @@ from graphic_tmm.fitting.choice import choices
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit_name
 from graphic_tmm.project import Project
-from graphic_tmm.readers.position_count import whole
+from graphic_tmm.readers.position_count import at_all_positions
 from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
@@ -55,15 +55,15 @@ class Study:
     hand: str
     trials: int
     quantities: Mapping[str, str]
-    runs: tuple[Run, ...]
+    runs: tuple[Measurement, ...]
     fitted: tuple[Fitted, ...]
     optima: tuple[Optimum, ...]
     steps: tuple[Steps, ...]
-    fronts: frozenset[Run]
-    fast: frozenset[Run]
+    fronts: frozenset[Measurement]
+    fast: frozenset[Measurement]
     timed: bool
     left_out: tuple[str, ...]
-    choice: Work
+    choice: BoardWork
 
 
 def study(
@@ -83,7 +83,7 @@ def study(
         If the scene has no quantity whose error could be told.
     """
     told = tell or (lambda done, of, name: None)
-    full = whole(scene)
+    full = at_all_positions(scene)
     own = own_setting(full, hand, trials)
     along = [*grid(own, trials), *singly(own, trials)]
     told(0, len(along) + 2, "")
@@ -97,7 +97,7 @@ def study(
     }
     if not units:
         raise SceneError(scene.source, (Fault("", 0, _nothing(scene)),))
-    runs: list[Run] = []
+    runs: list[Measurement] = []
     left_out: list[str] = []
     for k, place in enumerate(along):
         told(k + 1, len(along) + 2, f"{place.axis} {place.value}")
@@ -112,9 +112,9 @@ def study(
         trials,
         units,
         tuple(runs),
-        fitted(runs),
+        slopes(runs),
         optima(runs, hands),
-        _steps(measure, replace(own, scene=full).by("student", named("student", full, 1))),
+        _steps(measure, replace(own, scene=full).by("student", hand_named("student", full, 1))),
         best_of(runs),
         best_of(runs, machine=True),
         clock,
@@ -123,13 +123,13 @@ def study(
     )
 
 
-def _choice(made: DrawnScene, minutes: Mapping[str, float] | None) -> Work:
+def _choice(made: DrawnScene, minutes: Mapping[str, float] | None) -> BoardWork:
     """Return the work of choosing the scale factors of all boards; done once, for all positions."""
     logs = (choices(drawn).construction for drawn in made.boards)
     return sum((count(log, (), minutes=minutes) for log in logs), NOTHING)
 
 
-def _measure(measure: Measure, place: Varied, runs: list[Run], left_out: list[str]) -> None:
+def _measure(measure: Measure, place: Varied, runs: list[Measurement], left_out: list[str]) -> None:
     try:
         runs += measure.runs(place.setting, place.axis, place.value, place.only)
     except TmmError as error:

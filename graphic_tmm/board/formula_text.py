@@ -68,7 +68,7 @@ def names_of(node: Node) -> frozenset[str]:
     return frozenset().union(*(names_of(part) for part in node.parts))
 
 
-def text_of(node: Node) -> str:
+def tree_text(node: Node) -> str:
     """Return a tree as a text again, its names in braces; brackets stand where it needs them."""
     return _text(node)
 

@@ -188,7 +188,7 @@ def close(draft: Draft, axes: Axes, points: Mark) -> Boundaries:
     return Boundaries(points, draft.draw(meet, f"{points.letter}_N", level, last, why=REPEATS))
 
 
-def read(draft: Draft, axes: Axes, points: Mark, letter: str) -> Mark:
+def measure_ordinates(draft: Draft, axes: Axes, points: Mark, letter: str) -> Mark:
     """Measure the ordinates of points at the boundaries, with their signs."""
     return draft.draw(measure_along, letter, axes.feet, points, axes.up, why=ORDINATE_READ)
 

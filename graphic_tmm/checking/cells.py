@@ -14,7 +14,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.readers.columns import Column, Readings
 from graphic_tmm.readers.table import positions_of, scene_columns, scene_results
 from graphic_tmm.scene.chapter import chapters
-from graphic_tmm.scene.units import UNITS, plain
+from graphic_tmm.scene.units import UNITS, plain_unit
 
 T = TypeVar("T")
 Key = tuple[str, str, str]
@@ -177,7 +177,7 @@ def half_of(taken: Taken, cell: Cell) -> float:
 def _factor(taken: Taken, cell: Cell) -> float:
     if taken.unit in ("", "1", cell.unit):
         return 1.0
-    own, other = UNITS.get(plain(taken.unit)), UNITS.get(plain(cell.unit))
+    own, other = UNITS.get(plain_unit(taken.unit)), UNITS.get(plain_unit(cell.unit))
     if own is None or (other is not None and own.dimension != other.dimension):
         raise ValueError(
             said(

@@ -29,7 +29,7 @@ from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
 
 
-def known(
+def known_readings(
     made: DrawnScene, readings: Sequence[Taken], source: str
 ) -> tuple[tuple[Taken, ...], tuple[str, ...]]:
     """Return the readings whose figures are known, by the names of the scene, and notes.
@@ -169,7 +169,7 @@ class Checker:
         return self._judged(readings, source).verdicts
 
     def _judged(self, readings: Sequence[Taken], source: str) -> _Judgement:
-        rows, notes = known(self.made, readings, source)
+        rows, notes = known_readings(self.made, readings, source)
         by = self._yardsticks.of(rows)
         return _Judgement(tuple(rows), tuple(notes), by, judge(self.made, rows, by))
 

@@ -133,7 +133,7 @@ class Likely(NamedTuple):
     chance: float = 0.0
 
 
-class Picture(NamedTuple):
+class PlanPicture(NamedTuple):
     """A plan as it is due in one position, mm from its pole, and what was found there.
 
     ``due``, ``found``: a point, or the two ends of a segment; none where it is not known. ``of``: the slots of
@@ -168,7 +168,7 @@ class Lesson(NamedTuple):
     position: str = ""
     own: bool = False
     shown: Judged | None = None
-    picture: Picture | None = None
+    picture: PlanPicture | None = None
     names: tuple[int, ...] = ()
     segment: str = ""
     view: str = ""

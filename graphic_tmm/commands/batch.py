@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from graphic_tmm.commands.shared.ending import WRONG
-from graphic_tmm.commands.shared.options import SceneName, chosen, hands, language_of, limited
+from graphic_tmm.commands.shared.options import SceneName, chosen_forms, hands, language_of, limited
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import progress, tell, waiting
 from graphic_tmm.language.reader import asked_language, hear, reader
@@ -173,7 +173,7 @@ def _formatted(plain: Request, makes: str, forms: str | None) -> Request:
         "scene": (),
     }
     known = dict.fromkeys(form for one in wanted for form in takes[one])
-    asks = dict.fromkeys(chosen(forms, tuple(known)) if forms else ())
+    asks = dict.fromkeys(chosen_forms(forms, tuple(known)) if forms else ())
     some = {one: tuple(form for form in asks if form in takes[one]) for one in wanted}
     plain = plain._replace(
         makes=wanted,

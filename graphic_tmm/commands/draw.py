@@ -11,7 +11,7 @@ import click
 from graphic_tmm.commands.shared.options import (
     SceneName,
     budgeted,
-    chosen,
+    chosen_forms,
     drawn_by,
     hands,
     read_scene,
@@ -65,7 +65,7 @@ def draw(
     from graphic_tmm.page import FORMAT
     from graphic_tmm.studio import FORMATS, sheet_files
 
-    wanted = chosen(forms, (*FORMATS, FORMAT))
+    wanted = chosen_forms(forms, (*FORMATS, FORMAT))
     task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget)
     given = read_composition(composition_file(task.source))
     with waiting(said("choosing scale factors and composing the sheets")):

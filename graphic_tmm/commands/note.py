@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from graphic_tmm.commands.shared.options import chosen, drawn_by, hands, read_scene
+from graphic_tmm.commands.shared.options import chosen_forms, drawn_by, hands, read_scene
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import waiting, warn
 from graphic_tmm.language.said import said
@@ -34,7 +34,7 @@ def note(scene: str | None, output: str, forms: str, hand: str | None, seed: int
     from graphic_tmm.scene.packaged import scene_name
     from graphic_tmm.studio import make
 
-    wanted = chosen(forms, FORMATS)
+    wanted = chosen_forms(forms, FORMATS)
     refuse_missing(wanted)
     task = drawn_by(read_scene(scene, lettered=True), hand, seed)
     given = read_composition(composition_file(task.source))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from graphic_tmm.commands.shared.options import SceneName, chosen, read_scene
+from graphic_tmm.commands.shared.options import SceneName, chosen_forms, read_scene
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import show, waiting, warn
 from graphic_tmm.language.catalogue import languages, speaking
@@ -132,7 +132,7 @@ def _formats(forms: str | None, *, sheets: bool) -> list[str]:
 
     if not sheets and forms is not None:
         raise SheetError(said("-f tells as what sheets are written: add --sheets"))
-    return chosen(forms or FORMATS[0], FORMATS)
+    return chosen_forms(forms or FORMATS[0], FORMATS)
 
 
 def _written(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from graphic_tmm.commands.shared.options import SceneName, chosen, language_of, limited
+from graphic_tmm.commands.shared.options import SceneName, chosen_forms, language_of, limited
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import tell, waiting
 from graphic_tmm.language.said import said
@@ -92,9 +92,9 @@ def task(
 
     if limit is not None and jobs == 0:
         raise click.UsageError(said("--limit holds for other processes: leave it out, or --jobs 0"))
-    formats = tuple(chosen(forms, FORMATS))
-    held = () if keys.strip().lower() == NONE else tuple(chosen(keys, KEYS, "--keys"))
-    written = tuple(chosen(notes, NOTES, "--note"))
+    formats = tuple(chosen_forms(forms, FORMATS))
+    held = () if keys.strip().lower() == NONE else tuple(chosen_forms(keys, KEYS, "--keys"))
+    written = tuple(chosen_forms(notes, NOTES, "--note"))
     if "note" in held:
         refuse_missing(written)
     place = scene_path(scene)

@@ -44,7 +44,7 @@ def variants(
     scene: str | None, count: int, seed: int, ranges: str | None, output: str | None
 ) -> None:
     """Draw variants of SCENE from ranges: all of them assemble, and can be drawn and measured well."""
-    from graphic_tmm.classroom.variants.drawing import drawn
+    from graphic_tmm.classroom.variants.drawing import draw_variants
     from graphic_tmm.classroom.variants.ranges import FILE, read_ranges
     from graphic_tmm.classroom.variants.table import write_variants
     from graphic_tmm.classroom.variants.variant import base
@@ -67,7 +67,7 @@ def variants(
         def shown(done: int, all: int, name: str) -> None:
             on_the_way(done, all, reader()(name))
 
-        found = drawn(of, wanted, count, seed, missing=missing, tell=shown)
+        found = draw_variants(of, wanted, count, seed, missing=missing, tell=shown)
     text = write_variants(found.variants, table.name, language=spoken or "en")
     if output is None:
         click.echo(text, nl=False)

@@ -18,7 +18,7 @@ from graphic_tmm.drawn import MEASURED
 from graphic_tmm.errors import ConstructionError, SheetError
 from graphic_tmm.face.drafting import NUMBERS, Drafting
 from graphic_tmm.face.picture import picture
-from graphic_tmm.face.refusals import absent, within
+from graphic_tmm.face.refusals import absent, refuse_out_of_range
 from graphic_tmm.face.sheets import Sheet
 from graphic_tmm.face.steps import Steps, steps_of
 from graphic_tmm.face.tables import Quantity
@@ -88,8 +88,8 @@ class Board(Drafting):
         for name, known in ((hand, tuple(HANDS)), (language, languages())):
             if name not in known:
                 raise absent(name, known)
-        within("seed", seed, 0, 2**31)
-        within("trials", trials, 1, 100_000)
+        refuse_out_of_range("seed", seed, 0, 2**31)
+        refuse_out_of_range("trials", trials, 1, 100_000)
         ruler = None if hand == "exact" else DIVISIONS[hand]
         self._hand = HANDS[hand]._replace(ruler=ruler, seed=seed, trials=trials)
         self._language, self._title = language, title

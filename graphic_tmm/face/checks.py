@@ -16,7 +16,7 @@ from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.json import json_report
 from graphic_tmm.checking.report.text import text_report
 from graphic_tmm.errors import Fault, SceneError
-from graphic_tmm.face.refusals import absent, within
+from graphic_tmm.face.refusals import absent, refuse_out_of_range
 from graphic_tmm.language.said import said
 
 Readings = (
@@ -243,4 +243,4 @@ def judges(hand: str, points: str, trials: int, doubtful: float, wrong: float) -
     limits = {"trials": (trials, 20, 100_000), "doubtful": (doubtful, 0.5, 1.0)}
     limits["wrong"] = (wrong, 1.0, 100.0)
     for name, (value, least, most) in limits.items():
-        within(name, value, least, most)
+        refuse_out_of_range(name, value, least, most)

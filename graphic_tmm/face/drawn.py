@@ -11,7 +11,7 @@ from graphic_tmm.board.hand import HANDS, HandName
 from graphic_tmm.errors import AbsentError, SceneError, SheetError, TmmError
 from graphic_tmm.face.html import rendered
 from graphic_tmm.face.reading import Source, read
-from graphic_tmm.face.refusals import Named, absent, within
+from graphic_tmm.face.refusals import Named, absent, refuse_out_of_range
 from graphic_tmm.face.sheets import Sheet
 from graphic_tmm.face.steps import Steps, steps_of
 from graphic_tmm.face.tables import Quantity, Table
@@ -79,8 +79,8 @@ def draw(
     """
     if hand is not None and hand not in HANDS:
         raise absent(hand, HANDS)
-    within("seed", seed or 0, 0, 2**31)
-    within("trials", trials, 1, MOST)
+    refuse_out_of_range("seed", seed or 0, 0, 2**31)
+    refuse_out_of_range("trials", trials, 1, MOST)
     if exact and trials > 1:
         raise SheetError(said("an exact drawing is the same each time: leave out trials, or exact"))
     return Drawn(drawn_by(read(scene), hand, seed), trials=trials, exact=exact)

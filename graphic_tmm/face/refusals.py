@@ -51,7 +51,7 @@ def absent(name: object, known: Iterable[str]) -> AbsentError:
     return AbsentError(joined("; ", filter(None, says)))
 
 
-def within(name: str, value: float, least: float, most: float) -> None:
+def refuse_out_of_range(name: str, value: float, least: float, most: float) -> None:
     """Refuse a number out of its range.
 
     Raises

@@ -7,7 +7,7 @@ from typing import NamedTuple, overload
 
 from graphic_tmm.face.html import rendered
 from graphic_tmm.language.symbols import spoken
-from graphic_tmm.readers.narration import Line
+from graphic_tmm.readers.narration import ProtocolLine
 from graphic_tmm.readers.protocol import PlanProtocol, text_of
 
 
@@ -89,7 +89,7 @@ def steps_of(told: Sequence[PlanProtocol], language: str, *, why: bool) -> Steps
     return Steps(parts, "\n".join(line for one in told for line in text_of(one, language, why)))
 
 
-def _step(line: Line, language: str) -> Step:
+def _step(line: ProtocolLine, language: str) -> Step:
     letter = "" if line.step is None else spoken(line.step.it, language)
     label = line.label if line.number else ""
     told = line.text, line.calculation, line.why

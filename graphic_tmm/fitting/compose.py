@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from graphic_tmm.board.scales import LENGTHS as STANDARD
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.composition import Composition, Placed, named
+from graphic_tmm.fitting.composition import Composition, Placed, distinct_names
 from graphic_tmm.fitting.formats import oversized, room_on, views_of
 from graphic_tmm.fitting.given import restored_sheets
 from graphic_tmm.language.catalogue import speaking
@@ -21,7 +21,7 @@ from graphic_tmm.paper.compose import sheets
 from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import Drawing, Sheet, Within
 from graphic_tmm.paper.formats import size_of
-from graphic_tmm.paper.packing import Room, settled
+from graphic_tmm.paper.packing import Room, in_pieces
 from graphic_tmm.paper.sheet_frame import frame
 from graphic_tmm.scene.chapter import MECHANISM
 from graphic_tmm.scene.records import Scene, SheetOrder
@@ -70,11 +70,11 @@ def composed(
 
     def views(place: str, within: Within) -> list[Drawing]:
         whole = views_of(place, scene, boards, True)
-        return [part for view in whole for part in settled(view, within)]
+        return [part for view in whole for part in in_pieces(view, within)]
 
     wanted, there = _wanted(scene, views)
     boxes = [outline for order in wanted for outline in order.outlines]
-    names = named(view.name for view in there)
+    names = distinct_names(view.name for view in there)
     laid, remarks = restored_sheets(wanted, names, given) if given is not None else (None, ())
     remarks = () if near else remarks
     if laid is None and given is not None and not near:

@@ -26,7 +26,7 @@ from graphic_tmm.errors import Fault, SceneError, first_of
 from graphic_tmm.files import Kind
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.formats import FORMATS
-from graphic_tmm.scene.document import Document, document, number, parsed, table
+from graphic_tmm.scene.document import Document, as_table, document, number, parsed
 
 FILE = "composition.toml"
 COMPOSITION = Kind(
@@ -64,7 +64,7 @@ def composition_file(scene: str) -> Path:
     return file.with_name(FILE if file.stem == "scene" else f"{file.stem}.{FILE}")
 
 
-def named(names: Iterable[str]) -> list[str]:
+def distinct_names(names: Iterable[str]) -> list[str]:
     """Return names of which none is there twice."""
     counts: dict[str, int] = {}
     found = []
@@ -131,7 +131,7 @@ def _composition(file: Path, doc: Document) -> Composition:
             faults.append(Fault(f"sizes.{name}", 0, says))
     sheets = doc.get("sheet")
     found = [
-        _sheet(table(one), f"sheet {k + 1}", faults)
+        _sheet(as_table(one), f"sheet {k + 1}", faults)
         for k, one in enumerate(sheets if isinstance(sheets, list) else ())
     ]
     if not found:
@@ -171,4 +171,4 @@ def _table(doc: Document, name: str, where: str, faults: list[Fault]) -> Documen
             "a section is wanted: [{name}] on a line of its own, its keys below it", name=name
         )
         faults.append(Fault(where, 0, says))
-    return table(found)
+    return as_table(found)

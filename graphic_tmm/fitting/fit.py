@@ -10,7 +10,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import TmmError
 from graphic_tmm.fitting.search import Search
 from graphic_tmm.fitting.sizes import Sizes
-from graphic_tmm.fitting.tried import Board, Mechanism, Part
+from graphic_tmm.fitting.tried import Board, Mechanism, PartBoard
 from graphic_tmm.language.said import Said, said
 from graphic_tmm.paper.formats import turned as other_way
 from graphic_tmm.project import own_boards
@@ -155,7 +155,7 @@ def _searched(scene: Scene, mechanism: bool) -> tuple[Mechanism | None, list[Boa
 
 
 def _search(scene: Scene, mechanism: bool) -> tuple[Mechanism | None, list[Board], Search, Sizes]:
-    parts: list[Board] = [Part(scene, board) for board in own_boards(scene)]
+    parts: list[Board] = [PartBoard(scene, board) for board in own_boards(scene)]
     own = Mechanism(scene) if mechanism else None
     search = Search(scene, [*([own] if own is not None else []), *parts])
     return own, parts, search, search.sizes()

@@ -13,7 +13,7 @@ from graphic_tmm.errors import TmmError
 from graphic_tmm.fitting.absent import chapter_title
 from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.sizes import usual
-from graphic_tmm.fitting.tried import Board, Mechanism, Part
+from graphic_tmm.fitting.tried import Board, Mechanism, PartBoard
 from graphic_tmm.fitting.views import Views, drawing_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -64,7 +64,7 @@ def left_out(scene: Scene, chapter: Chapter, place: str) -> list[Drawing]:
     """Return what a sheet shows of a chapter that is left out: a sentence, in the first of its places."""
     from graphic_tmm.paper.formats import heights
     from graphic_tmm.paper.lettering.letters import escape
-    from graphic_tmm.paper.ruled import table
+    from graphic_tmm.paper.ruled import ruled_table
     from graphic_tmm.paper.views import wrapped
 
     order = [one for sheet in scene.sheets for one in sheet.place]
@@ -75,7 +75,7 @@ def left_out(scene: Scene, chapter: Chapter, place: str) -> list[Drawing]:
     name, title = f"table-{chapter.name}-left-out", speech(chapter_title(chapter))
     rows = [[line] for line in told]
     sizes = {"size": high.number, "title_size": high.title}
-    return [table(name, title, [speech(NOTHING)], rows, align=["left"], **sizes)]
+    return [ruled_table(name, title, [speech(NOTHING)], rows, align=["left"], **sizes)]
 
 
 def formatted(scene: Scene, given: Composition | None = None) -> Scene:
@@ -119,7 +119,7 @@ def _smallest(scene: Scene, order: SheetOrder, drawn: dict[str, list[Drawn]]) ->
     """Return the smallest format that holds what is ordered; the usual one where that takes several sheets."""
     from graphic_tmm.paper.compose.search import fits
     from graphic_tmm.paper.compose.units import Outline
-    from graphic_tmm.paper.packing import settled
+    from graphic_tmm.paper.packing import in_pieces
 
     for format in growing():
         like = TRIED[format.split()[0]]
@@ -132,7 +132,7 @@ def _smallest(scene: Scene, order: SheetOrder, drawn: dict[str, list[Drawn]]) ->
             part
             for place in order.place
             for view in views_of(place, tried, drawn[like], False)
-            for part in settled(view, room.within)
+            for part in in_pieces(view, room.within)
         ]
         if fits([Outline.of(view) for view in views], room) is not None:
             return format
@@ -141,7 +141,9 @@ def _smallest(scene: Scene, order: SheetOrder, drawn: dict[str, list[Drawn]]) ->
 
 def _boards(scene: Scene) -> Iterator[Drawn]:
     """Yield the boards of a scene drawn in their usual sizes; what cannot be drawn is refused later."""
-    made: list[Callable[[], Board]] = [partial(Part, scene, board) for board in own_boards(scene)]
+    made: list[Callable[[], Board]] = [
+        partial(PartBoard, scene, board) for board in own_boards(scene)
+    ]
     if scene.mechanism is not None:
         made.append(partial(Mechanism, scene))
     for make in made:

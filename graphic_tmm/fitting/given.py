@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.composition import FILE, Composition
 from graphic_tmm.fitting.sizes import usual
-from graphic_tmm.fitting.tried import Board, Mechanism, Part
+from graphic_tmm.fitting.tried import Board, Mechanism, PartBoard
 from graphic_tmm.language.said import said
 from graphic_tmm.project import own_boards
 from graphic_tmm.scene.records import Scene
@@ -55,7 +55,7 @@ def _boards(scene: Scene, mechanism: bool) -> list[Board]:
     key = (BOARDS, mechanism)
     if key not in scene.cache:
         own: list[Board] = [Mechanism(scene)] if mechanism else []
-        scene.cache[key] = [*own, *(Part(scene, board) for board in own_boards(scene))]
+        scene.cache[key] = [*own, *(PartBoard(scene, board) for board in own_boards(scene))]
     boards: list[Board] = scene.cache[key]
     return boards
 

@@ -18,7 +18,7 @@ from graphic_tmm.paper.compose.sheets import Order, shared
 from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.formats import FORMATS
-from graphic_tmm.paper.packing import bounds, holds, settled, share
+from graphic_tmm.paper.packing import bounds, holds, in_pieces, share
 from graphic_tmm.scene.chapter import places
 from graphic_tmm.scene.records import Scene
 
@@ -258,7 +258,7 @@ def cells(
 def _parts(view: Drawing, within: Within) -> Cells:
     return [
         Drawing(part.name, part.title, cell=bounds(part), stand=part.stand, foot=part.foot)
-        for part in settled(view, within)
+        for part in in_pieces(view, within)
     ]
 
 

@@ -14,7 +14,7 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard
-from graphic_tmm.drawn import Drawn, Findings, Numbers, hand_of, read, view_scales
+from graphic_tmm.drawn import Drawn, Findings, Numbers, hand_of, read_log, view_scales
 from graphic_tmm.errors import StructureError
 from graphic_tmm.fitting.sizes import GRAPHS, Sizes
 from graphic_tmm.language.said import said
@@ -152,7 +152,7 @@ def executed(
     scene = project.scene
     hand = EXACT if exact else hand_of(scene)
     doubts = doubts or Doubts(project.construction.steps, given)
-    found = numbers(given) if numbers is not None else read(project, given, hand, doubts)
+    found = numbers(given) if numbers is not None else read_log(project, given, hand, doubts)
     # on a board of its own every view is drawn to a scale of its own; graphs may share one
     views = view_scales(project, found.whole) if project.board != MECHANISM else {}
     scales |= views | _scales_of_graphs(project, found.whole)

@@ -134,7 +134,7 @@ class Mechanism:
         return executed(project, sizes, reach, doubts, exact=exact)
 
 
-class Part:
+class PartBoard:
     """A part on a board of its own: in another size it may be another log."""
 
     def __init__(self, scene: Scene, board: str) -> None:

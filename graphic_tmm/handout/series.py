@@ -17,7 +17,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Ink, Label
 from graphic_tmm.paper.packing import Box, bounds
 from graphic_tmm.paper.shapes import box
-from graphic_tmm.readers.narration import Line
+from graphic_tmm.readers.narration import ProtocolLine
 from graphic_tmm.scene.captions import view_name
 
 FACTORS = (10.0, 5.0, 4.0, 2.5, 2.0, 1.0, 1 / 2, 1 / 2.5, 1 / 4, 1 / 5, 1 / 10, 1 / 20, 1 / 50)
@@ -147,7 +147,7 @@ class Picture(NamedTuple):
     number: int
     ink: tuple[Ink, ...]
     letters: tuple[Label, ...]
-    lines: tuple[Line, ...]
+    lines: tuple[ProtocolLine, ...]
     marks: tuple[int, ...] = ()
     again: bool = False
 
@@ -191,7 +191,7 @@ def series(drawn: Drawn, draw: Draw, place: int, untold: frozenset[int] = frozen
         found.append(Picture(n, shown, tuple(letters), lines, marks, one.picture.again))
         before += ink
     if view.rubbed:
-        ready = Line(0, speech(READY))
+        ready = ProtocolLine(0, speech(READY))
         found.append(Picture(found[-1].number + 1, view.strokes, view.labels, (ready,)))
     log, title = drawn.construction, view.title
     return Series(
@@ -210,7 +210,7 @@ def series(drawn: Drawn, draw: Draw, place: int, untold: frozenset[int] = frozen
 
 def _begun(made: Sequence[StoryPicture]) -> Iterator[tuple[int, StoryPicture]]:
     """Yield pictures with their numbers; where nothing is given, what is told of it goes with a step."""
-    waiting: tuple[Line, ...] = ()
+    waiting: tuple[ProtocolLine, ...] = ()
     for n, one in enumerate(made):
         if n == 0 and not one.picture.ink:
             waiting = one.lines
@@ -219,10 +219,10 @@ def _begun(made: Sequence[StoryPicture]) -> Iterator[tuple[int, StoryPicture]]:
         waiting = ()
 
 
-def _lines(one: StoryPicture, speech: Callable[..., str]) -> tuple[Line, ...]:
+def _lines(one: StoryPicture, speech: Callable[..., str]) -> tuple[ProtocolLine, ...]:
     """Return what a picture tells: the given and repetitions in a sentence of their own."""
     if one.picture.given:
-        return (Line(0, speech(GIVEN)), *one.lines)
+        return (ProtocolLine(0, speech(GIVEN)), *one.lines)
     if one.position:
-        return (Line(0, speech(AGAIN, name=one.position)), *one.lines)
+        return (ProtocolLine(0, speech(AGAIN, name=one.position)), *one.lines)
     return one.lines

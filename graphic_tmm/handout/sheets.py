@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from graphic_tmm.handout.ink import FORMAT, times
 from graphic_tmm.handout.series import COLUMN, FULL, GAP, Picture, Series, smaller
-from graphic_tmm.handout.words import Row, broken, rows
+from graphic_tmm.handout.words import LetteringRow, broken, rows
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
@@ -54,7 +54,7 @@ class Cell(NamedTuple):
     """A picture with its sentences: the rows of these, how it stands, its height with them, mm."""
 
     picture: Picture
-    rows: tuple[Row, ...]
+    rows: tuple[LetteringRow, ...]
     stand: Standing
     height: float
 
@@ -70,7 +70,7 @@ def ratio(factor: float, language: str) -> str:
     return f"{number(factor, language)}:1"
 
 
-def head(one: Series, *, first: bool) -> list[Row]:
+def head(one: Series, *, first: bool) -> list[LetteringRow]:
     """Return the lines at the head of a sheet of a series: on the ``first`` one its caption, too."""
     _, width = speaking(one.language), _head_width(one.language)
     title = one.title.replace(" ", "")
@@ -119,7 +119,7 @@ def cells(one: Series, most: float) -> Iterator[Cell]:
     for picture in one.pictures:
         stand = standing(one, picture)
         high = stand.factor * (one.box[3] - one.box[1])
-        left, taken = list[Row](), HEAD + (0.0 if stand.beside else high + TEXT)
+        left, taken = list[LetteringRow](), HEAD + (0.0 if stand.beside else high + TEXT)
         least = HEAD + high
         for some in rows(picture.lines, stand.text, one.letters, one.language, known):
             step = sum(map(advance, some))
@@ -143,13 +143,13 @@ def standing(one: Series, picture: Picture) -> Standing:
     return Standing(factor, room, room, False)
 
 
-def advance(row: Row) -> float:
+def advance(row: LetteringRow) -> float:
     """Return how high a line of lettering is with what is clear above it, mm."""
     made = letter(row.text, size=row.size)
     return max(PITCH * row.size, made.ascent + made.descent + LINES * row.size)
 
 
-def set_rows(some: Sequence[Row], at: complex) -> Iterator[Label]:
+def set_rows(some: Sequence[LetteringRow], at: complex) -> Iterator[Label]:
     """Yield lines of lettering one below the other; ``at``: the upper left corner, mm."""
     down = at.imag
     for row in some:
@@ -159,7 +159,7 @@ def set_rows(some: Sequence[Row], at: complex) -> Iterator[Label]:
         yield Label(row.text, complex(at.real - min(made.left, 0.0), down + foot), row.size)
 
 
-def drawn(cell: Cell, one: Series, at: complex) -> Drawing:
+def laid_picture(cell: Cell, one: Series, at: complex) -> Drawing:
     """Return a picture with its sentences on the sheet; ``at``: the upper left corner, mm."""
     picture, stand = cell.picture, cell.stand
     number = str(picture.number)
@@ -194,16 +194,16 @@ def pages(one: Series) -> list[list[Drawing]]:
     titles = [_title(one, rows, room) for rows in heads]
     starts = [room.top - sum(map(advance, rows)) - BETWEEN for rows in heads]
     found: list[list[Drawing]] = []
-    place = Place(room, one.manner.columns, starts)
+    place = NextSpot(room, one.manner.columns, starts)
     for again, group in groupby(cells(one, starts[0] - room.bottom), lambda c: c.picture.again):
         for cell, at, sheet in place.rows(group) if again else place.columns(group):
             if sheet == len(found):
                 found.append([titles[sheet > 0]])
-            found[sheet].append(drawn(cell, one, at))
+            found[sheet].append(laid_picture(cell, one, at))
     return found
 
 
-def _title(one: Series, rows: Sequence[Row], room: Paper) -> Drawing:
+def _title(one: Series, rows: Sequence[LetteringRow], room: Paper) -> Drawing:
     return Drawing(f"{one.name} title", one.title, (), tuple(set_rows(rows, room.head)))
 
 
@@ -211,7 +211,7 @@ Stood = Iterator[tuple[Cell, complex, int]]
 """Pictures, their upper left corners, mm, the index of their sheet."""
 
 
-class Place:
+class NextSpot:
     """Where the next picture of a series may stand: the sheet, its upper edge."""
 
     def __init__(self, room: Paper, count: int, starts: Sequence[float]) -> None:

@@ -13,7 +13,7 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.figure import Picture, pictures
-from graphic_tmm.readers.narration import Line, protocol
+from graphic_tmm.readers.narration import ProtocolLine, protocol
 from graphic_tmm.readers.protocol import covering
 from graphic_tmm.scene.captions import view_name
 from graphic_tmm.scene.chapter import MECHANISM
@@ -26,7 +26,7 @@ class StoryPicture(NamedTuple):
     """
 
     picture: Picture
-    lines: tuple[Line, ...]
+    lines: tuple[ProtocolLine, ...]
     position: str = ""
 
 
@@ -78,10 +78,10 @@ def _first(made: Sequence[Picture]) -> dict[int, int]:
     return found
 
 
-def _lines(drawn: Drawn, view: Drawing, place: int, language: str) -> list[Line]:
+def _lines(drawn: Drawn, view: Drawing, place: int, language: str) -> list[ProtocolLine]:
     """Return the protocol of all that a view shows, in the order of the log; a heading before each plan."""
     turned = drawn.scene.turned and drawn.board == MECHANISM
-    log, found = drawn.construction, list[list[Line]]()
+    log, found = drawn.construction, list[list[ProtocolLine]]()
     for name in view.shows:
         reading, row = drawn.of(name), drawn.row(name)
         if reading is None or not row:
@@ -101,28 +101,28 @@ def _lines(drawn: Drawn, view: Drawing, place: int, language: str) -> list[Line]
     return [line for some in found for line in _headed(some, language)]
 
 
-def _headed(lines: Sequence[Line], language: str) -> Iterator[Line]:
+def _headed(lines: Sequence[ProtocolLine], language: str) -> Iterator[ProtocolLine]:
     """Yield the lines of one plan of several that a view shows, its name before them."""
     view = next((line.step.it.view for line in lines if line.step is not None), "")
     if view:
-        yield Line(0, view_name(view, language))
+        yield ProtocolLine(0, view_name(view, language))
     yield from lines
 
 
 def _shared_out(
-    log: Construction, lines: Sequence[Line], first: Mapping[int, int]
-) -> dict[int, list[Line]]:
+    log: Construction, lines: Sequence[ProtocolLine], first: Mapping[int, int]
+) -> dict[int, list[ProtocolLine]]:
     """Return the lines by the number of their picture; a remark goes with what it stands before."""
-    found: dict[int, list[Line]] = {}
+    found: dict[int, list[ProtocolLine]] = {}
     for n, some in _pieces(log, lines, first):
         found.setdefault(n, []).extend(some)
     return found
 
 
 def _pieces(
-    log: Construction, lines: Sequence[Line], first: Mapping[int, int]
-) -> Iterator[tuple[int, list[Line]]]:
-    waiting: list[Line] = []
+    log: Construction, lines: Sequence[ProtocolLine], first: Mapping[int, int]
+) -> Iterator[tuple[int, list[ProtocolLine]]]:
+    waiting: list[ProtocolLine] = []
     before = 0
     drawn = False
     for line in lines:
@@ -151,7 +151,7 @@ def _needs(log: Construction, mark: Mark, inked: Iterable[int]) -> set[Mark]:
     return found
 
 
-def _behind(waiting: Sequence[Line], needed: Set[Mark]) -> int:
+def _behind(waiting: Sequence[ProtocolLine], needed: Set[Mark]) -> int:
     """Return how many of the lines before a drawn step belong to the one before it: what is read of that."""
     read: set[Mark] = set()
     count = 0

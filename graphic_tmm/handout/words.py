@@ -10,7 +10,7 @@ from graphic_tmm.board.record import Construction
 from graphic_tmm.language.symbols import spoken, symbol
 from graphic_tmm.paper.lettering.letters import escape, letter
 from graphic_tmm.paper.lettering.markup import markup
-from graphic_tmm.readers.narration import Line
+from graphic_tmm.readers.narration import ProtocolLine
 from graphic_tmm.scene.captions import captions
 
 SENTENCE, REASON = 3.5, 2.5
@@ -23,7 +23,7 @@ _INDEX = re.compile(
 )
 
 
-class Row(NamedTuple):
+class LetteringRow(NamedTuple):
     """A line of lettering: mark-up and height, mm."""
 
     text: str
@@ -76,12 +76,12 @@ def marked_up(text: str, letters: Mapping[str, str]) -> str:
 
 
 def rows(
-    lines: Iterable[Line],
+    lines: Iterable[ProtocolLine],
     width: float,
     letters: Mapping[str, str],
     language: str,
     known: set[str],
-) -> Iterator[list[Row]]:
+) -> Iterator[list[LetteringRow]]:
     """Yield what each line of the protocol tells, in lines of lettering no wider than ``width`` mm.
 
     ``known``: the reasons that were told; each is told once, and entered.
@@ -98,19 +98,19 @@ def rows(
         yield found
 
 
-def broken(text: str, size: float, width: float) -> Iterator[Row]:
+def broken(text: str, size: float, width: float) -> Iterator[LetteringRow]:
     """Yield mark-up in lines no wider than ``width`` mm, broken at spaces, in long terms behind a sign."""
     row, taken = "", 0.0
     for word in _words(text, size, width):
         wide = letter(word, size=size).right
         more = taken + SPACE * size + wide if row else wide
         if row and more > width:
-            yield Row(row, size)
+            yield LetteringRow(row, size)
             row, taken = word, wide
         else:
             row, taken = (f"{row} {word}", more) if row else (word, wide)
     if row:
-        yield Row(row, size)
+        yield LetteringRow(row, size)
 
 
 def _glued(words: Sequence[str]) -> list[str]:

@@ -30,7 +30,7 @@ class Catalogue(NamedTuple):
     plurals: str
 
 
-def read(path: Path) -> Catalogue:
+def read_catalogue(path: Path) -> Catalogue:
     """Return the catalogue in a file; what is marked as fuzzy or not translated is left out."""
     texts: dict[Key, tuple[str, ...]] = {}
     plurals = "n != 1"
@@ -149,7 +149,7 @@ def _spoken(folder: Path, language: str) -> Speech:
     file = folder / f"{language}.po"
     if not file.exists():
         return Speech(language)
-    found = read(file)
+    found = read_catalogue(file)
     return Speech(language, found.texts, c2py(found.plurals))
 
 

@@ -204,7 +204,7 @@ def _block(
     id = f"table-{plan}-{shown[0]}".replace(" ", "-")
     align = "lc" + "c" * len(shown)
     made = Table(id, text(title), heads, tuple(rows), align, wide, apart=True)
-    return folded(made._replace(widths=())) if len(shown) <= NARROW else made
+    return in_columns(made._replace(widths=())) if len(shown) <= NARROW else made
 
 
 TALL = 5
@@ -213,7 +213,7 @@ ABREAST = 10
 """So many columns stand beside one another then at most, in three parts at most."""
 
 
-def folded(one: Table, most: int = 3) -> Table:
+def in_columns(one: Table, most: int = 3) -> Table:
     """Return a narrow table in two or three parts, ``most``, beside one another if it has many rows."""
     count, times = len(one.rows), min(ABREAST // len(one.heads), most)
     if count <= TALL or times < 2:
@@ -276,7 +276,7 @@ def results(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
     names = ["value", "figure", "unit", *(("finer row", "off") if fine is not None else ())]
     heads = tuple(text(words[name]) for name in names)
     id, title = f"table-results-{chapter.name}", text(words["results"])
-    yield folded(Table(id, title, heads, tuple(rows), "lcccc"[: len(heads)], apart=True))
+    yield in_columns(Table(id, title, heads, tuple(rows), "lcccc"[: len(heads)], apart=True))
     if off := told_off(drawn, language) if curved else ():
         yield Paragraph(lettered("; ".join(off) + "."))
     if curved and sampled(drawn):

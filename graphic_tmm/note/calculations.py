@@ -46,7 +46,7 @@ STEPS = (0.05, 0.95)
 """What numbers, and what is done, take of a page's width."""
 
 
-class Row(NamedTuple):
+class CalculationRow(NamedTuple):
     """One calculation: its kind, the group of steps it belongs to ("" for none), its reason, its formula.
 
     ``why`` tells the reason again, whatever letters it is said of.
@@ -67,7 +67,9 @@ class Section(NamedTuple):
     equations: tuple[Block, ...] = ()
 
 
-def parts_of(rows: Sequence[Row], drawn: Sequence[Runs], language: str) -> tuple[Runs, ...]:
+def parts_of(
+    rows: Sequence[CalculationRow], drawn: Sequence[Runs], language: str
+) -> tuple[Runs, ...]:
     """Return calculations and what is drawn as sentences.
 
     What is calculated of what was read stands behind what is drawn.
@@ -128,21 +130,21 @@ def _letters(run: Run) -> float:
     return len(run.text) if isinstance(run, Text) else SIGN
 
 
-def _kinds(rows: Sequence[Row]) -> dict[str, list[Row]]:
-    found: dict[str, list[Row]] = {}
+def _kinds(rows: Sequence[CalculationRow]) -> dict[str, list[CalculationRow]]:
+    found: dict[str, list[CalculationRow]] = {}
     for row in rows:
         found.setdefault(row.kind, []).append(row)
     return found
 
 
-def _reasons(rows: Sequence[Row]) -> Runs:
+def _reasons(rows: Sequence[CalculationRow]) -> Runs:
     found: list[Run] = []
     for runs in {row.why: row.reason for row in reversed(rows) if row.reason}.values():
         found = [*runs, Text(" "), *found] if found else [*runs]
     return tuple(found)
 
 
-def _sentences(rows: Sequence[Row], language: str) -> Iterator[Runs]:
+def _sentences(rows: Sequence[CalculationRow], language: str) -> Iterator[Runs]:
     """Yield calculations as sentences: why, and then what; what has a name, and then why."""
     for kind, some in _kinds(rows).items():
         reasons, label = _reasons(some), LABELS.get(kind)
@@ -157,7 +159,7 @@ def _sentences(rows: Sequence[Row], language: str) -> Iterator[Runs]:
         yield tuple(found)
 
 
-def _formulas(rows: Sequence[Row]) -> Runs:
+def _formulas(rows: Sequence[CalculationRow]) -> Runs:
     """Return formulas of one kind one after another, each behind the name of its group where there are two."""
     groups = {row.group for row in rows}
     found: list[Run] = []

@@ -115,7 +115,7 @@ def scale(width: float, height: float) -> float:
     return min(WIDTH / width, max(usual, min(SMALLEST, max(LEAST, WHOLE / height))))
 
 
-def sizes_of(pictures: Sequence[Picture]) -> list[tuple[float, float]]:
+def paper_sizes(pictures: Sequence[Picture]) -> list[tuple[float, float]]:
     """Return how wide and high the papers of views are, mm."""
     boxes = [bounds(one.drawing._replace(cell=None)) for one in pictures]
     return [(box[2] - box[0] + 2 * EDGE, box[3] - box[1] + 2 * EDGE) for box in boxes]
@@ -123,7 +123,7 @@ def sizes_of(pictures: Sequence[Picture]) -> list[tuple[float, float]]:
 
 def fit(pictures: Sequence[Picture]) -> bool:
     """Whether views stand beside one another on a page without being made much smaller."""
-    sizes = sizes_of(pictures)
+    sizes = paper_sizes(pictures)
     heights = [size[1] * scale(*size) for size in sizes]
     if min(heights) < ALIKE * max(heights):
         return False
@@ -132,7 +132,7 @@ def fit(pictures: Sequence[Picture]) -> bool:
 
 def scales_of(pictures: Sequence[Picture]) -> list[float]:
     """Return how many times larger views stand on their page, one alone or several beside one another."""
-    sizes = sizes_of(pictures)
+    sizes = paper_sizes(pictures)
     times = [scale(*size) for size in sizes]
     if len(pictures) == 1:
         return times

@@ -241,7 +241,7 @@ def docx(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dic
             styled_rows=True,
         )
         pandoc.written(document, target, out="note.docx", folder=folder)
-        made = word.settled((home / "note.docx").read_bytes(), pandoc.parts(document))
+        made = word.without_title((home / "note.docx").read_bytes(), pandoc.parts(document))
     return {f"{stem}.docx": made}
 
 

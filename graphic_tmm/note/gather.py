@@ -42,14 +42,14 @@ ALONG, OFF = said("On {on} lay off from its beginning "), said("{length} up to {
 AND_CARRY = said(", likewise ")
 
 
-class Work(NamedTuple):
+class DrawingStep(NamedTuple):
     """A step of drawing, and where its words are read."""
 
     here: NumberSource
     step: Step
 
 
-def gathered(work: Sequence[Work]) -> Iterator[tuple[Runs, Sequence[Work]]]:
+def gathered(work: Sequence[DrawingStep]) -> Iterator[tuple[Runs, Sequence[DrawingStep]]]:
     """Yield sentences, each with the steps that it tells, in their order."""
     k = 0
     while k < len(work):
@@ -64,7 +64,7 @@ def gathered(work: Sequence[Work]) -> Iterator[tuple[Runs, Sequence[Work]]]:
             k += 1
 
 
-def _chain(work: Sequence[Work]) -> tuple[Runs, int]:
+def _chain(work: Sequence[DrawingStep]) -> tuple[Runs, int]:
     """Tell lines, each drawn to lay something off on it, one behind another."""
     runs: list[Run] = []
     k = 0
@@ -77,13 +77,13 @@ def _chain(work: Sequence[Work]) -> tuple[Runs, int]:
     return (*runs, Text(".")) if runs else (), k
 
 
-def _laid(line: Work, off: Work) -> bool:
+def _laid(line: DrawingStep, off: DrawingStep) -> bool:
     """Whether a line is drawn, and something laid off on it."""
     drawn = line.step.op in (*LINES, ray)
     return drawn and off.step.op is lay_off and off.step.uses[0] == line.step.it
 
 
-def _crossing(work: Sequence[Work]) -> tuple[Runs, int]:
+def _crossing(work: Sequence[DrawingStep]) -> tuple[Runs, int]:
     """Tell two lines and the point where they meet."""
     if len(work) < 3 or work[2].step.op is not meet:
         return (), 0
@@ -95,7 +95,7 @@ def _crossing(work: Sequence[Work]) -> tuple[Runs, int]:
     return runs, 3
 
 
-def _reaching(work: Sequence[Work]) -> tuple[Runs, int]:
+def _reaching(work: Sequence[DrawingStep]) -> tuple[Runs, int]:
     """Tell a line that is drawn as far as another."""
     if len(work) < 2 or work[0].step.op not in (*LINES, ray) or work[1].step.op is not meet:
         return (), 0
@@ -106,7 +106,7 @@ def _reaching(work: Sequence[Work]) -> tuple[Runs, int]:
     return (*_first(line), *_clause(point, template), Text(".")), 2
 
 
-def _alike(work: Sequence[Work]) -> tuple[Runs, int]:
+def _alike(work: Sequence[DrawingStep]) -> tuple[Runs, int]:
     """Tell lines of one direction that are drawn one after another."""
     some = _while(work, lambda a, b: a.op in LINES and a.op is b.op and a.uses[1:] == b.uses[1:])
     if len(some) < 2:
@@ -117,7 +117,7 @@ def _alike(work: Sequence[Work]) -> tuple[Runs, int]:
     return (*runs, Text(".")), len(some)
 
 
-def _forces(work: Sequence[Work]) -> tuple[Runs, int]:
+def _forces(work: Sequence[DrawingStep]) -> tuple[Runs, int]:
     """Tell lines of other views that are carried over, through points that are carried over with them."""
     some = _while(work, lambda a, b: all(_over(one) for one in (a, b)))
     if len(some) < 3 or not _over(some[0].step):
@@ -145,7 +145,7 @@ def _namesake(step: Step) -> bool:
     return to.view != step.it.view and to.name == step.it.name
 
 
-def _offs(work: Sequence[Work]) -> tuple[Runs, int]:
+def _offs(work: Sequence[DrawingStep]) -> tuple[Runs, int]:
     """Tell lengths that are laid off along one line."""
     some = _while(work, lambda a, b: a.op is b.op is lay_off and a.uses[0] == b.uses[0])
     if len(some) < 2:
@@ -156,7 +156,7 @@ def _offs(work: Sequence[Work]) -> tuple[Runs, int]:
     return (*runs, Text(".")), len(some)
 
 
-def _carried(work: Sequence[Work]) -> tuple[Runs, int]:
+def _carried(work: Sequence[DrawingStep]) -> tuple[Runs, int]:
     """Tell points that are carried over to the lever."""
     some = _while(work, lambda a, b: a.op is b.op is carry)
     if len(some) < 2:
@@ -172,7 +172,9 @@ RULES = (_forces, _carried, _chain, _crossing, _reaching, _alike, _offs)
 """What is tried, in this order."""
 
 
-def _while(work: Sequence[Work], alike: Callable[[Step, Step], bool]) -> Sequence[Work]:
+def _while(
+    work: Sequence[DrawingStep], alike: Callable[[Step, Step], bool]
+) -> Sequence[DrawingStep]:
     """Return the first steps that are alike one after another."""
     k = 1
     while k < len(work) and alike(work[k - 1].step, work[k].step):
@@ -180,7 +182,7 @@ def _while(work: Sequence[Work], alike: Callable[[Step, Step], bool]) -> Sequenc
     return work[:k]
 
 
-def _first(one: Work) -> Runs:
+def _first(one: DrawingStep) -> Runs:
     """Return the sentence of a step without its full stop."""
     runs = sentence_runs(*one)
     last = runs[-1]
@@ -189,14 +191,14 @@ def _first(one: Work) -> Runs:
     return runs
 
 
-def _next(one: Work) -> Runs:
+def _next(one: DrawingStep) -> Runs:
     """Return a step as a clause that goes on with a sentence."""
     if _namesake(one.step):
         return _clause(one, THERE)
     return _clause(one, NEXT[one.step.op.name]) if one.step.op.name in NEXT else _first(one)
 
 
-def _clause(one: Work, template: str) -> Runs:
+def _clause(one: DrawingStep, template: str) -> Runs:
     """Return a clause with the letters of a step."""
     here, step = one
     words = phrase(step, here.language, here.reading, here.place)[1]

@@ -41,7 +41,7 @@ from graphic_tmm.note.document import (
     runs_of,
     walk,
 )
-from graphic_tmm.note.tex import spelt, tex, whole
+from graphic_tmm.note.tex import one_word, spelt, tex
 from graphic_tmm.note.widths import packed
 
 API = [1, 23, 1]
@@ -55,7 +55,7 @@ FIGURE_AT, TABLE_AT = said("figure {number}"), said("table {number}")
 Tree = dict[str, Any]
 
 
-class Entry(NamedTuple):
+class ContentsEntry(NamedTuple):
     """A heading in the contents: its level, its id, what it says."""
 
     level: int
@@ -63,7 +63,7 @@ class Entry(NamedTuple):
     text: str
 
 
-Outline = tuple[Entry, ...]
+Outline = tuple[ContentsEntry, ...]
 
 CONTENTS = said("Contents")
 """The heading of the outline."""
@@ -103,7 +103,7 @@ class _Writer:
         self.document, self.target = document, target
         self.speech = speaking(document.language)
         self.numbers = numbered(document)
-        self.put = spelt if target.name in MARKDOWN else whole
+        self.put = spelt if target.name in MARKDOWN else one_word
 
     def tree(self) -> Tree:
         meta = {
@@ -119,7 +119,7 @@ class _Writer:
             if isinstance(block, Heading):
                 words = "".join(self.plain(run) for run in block.runs)
                 number = self.numbers.headings.get(k, "")
-                found.append(Entry(block.level, _section(k), f"{number} {words}".strip()))
+                found.append(ContentsEntry(block.level, _section(k), f"{number} {words}".strip()))
         return tuple(found)
 
     # ------------------------------------------------------------ blocks

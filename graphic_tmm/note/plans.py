@@ -63,7 +63,7 @@ def plan(
     yield from shown
 
 
-def listed(
+def section_table(
     drawn: Drawn,
     view: str,
     place: int,

@@ -15,7 +15,7 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.note.calculations import READ, Row, parts_of
+from graphic_tmm.note.calculations import READ, CalculationRow, parts_of
 from graphic_tmm.note.document import (
     Block,
     Display,
@@ -27,12 +27,12 @@ from graphic_tmm.note.document import (
     Symbol,
     Text,
 )
-from graphic_tmm.note.gather import ELEMENTARY, Work, gathered
+from graphic_tmm.note.gather import ELEMENTARY, DrawingStep, gathered
 from graphic_tmm.note.steps import NumberSource, calculated, reason_runs, sentence_runs
 from graphic_tmm.note.tex import tex
 from graphic_tmm.note.widths import broken
 from graphic_tmm.readers.equations import equations, heading
-from graphic_tmm.readers.narration import Line, defined, protocol, remark
+from graphic_tmm.readers.narration import ProtocolLine, defined, protocol, remark
 
 PLAIN = (to_board, rescaled, in_si, on_lever, moment)
 """Formulas that stand among words: what is carried to the board or from it, a moment of one force."""
@@ -111,9 +111,9 @@ class _Page:
         self.heads: list[Block] = []
         self.words: list[Run] = []
         self.formulas: list[Formula] = []
-        self.rows: list[Row] = []
+        self.rows: list[CalculationRow] = []
         self.parts: list[Runs] = []
-        self.work: list[Work] = []
+        self.work: list[DrawingStep] = []
         self.readings: list[Formula] = []
         self.waiting: list[Once] = []
         self.group = ""
@@ -121,7 +121,7 @@ class _Page:
         self.equations: list[Block] = []
         self.after = 0
 
-    def lines(self) -> Iterator[Line]:
+    def lines(self) -> Iterator[ProtocolLine]:
         """Yield the lines of the protocol that tell a step."""
         told, manner = self.told, self.manner
         where = told.log, told.view, told.reading, told.place, told.language
@@ -129,7 +129,7 @@ class _Page:
             if line.number:
                 yield line
 
-    def line(self, line: Line) -> Iterator[Block]:
+    def line(self, line: ProtocolLine) -> Iterator[Block]:
         """Tell a line of the protocol; yield the blocks that are whole by then."""
         notes = [note for step in self.steps[self.after : line.number] for note in _notes(step)]
         if notes:
@@ -151,7 +151,7 @@ class _Page:
         if formula is None:
             yield from self.read()
             if not self.manner.bare and step.op.name not in self.manner.usual:
-                self.work.append(Work(here, step))
+                self.work.append(DrawingStep(here, step))
         elif self.listed:
             self.row(here, step, formula)
         elif not step.op.formula and not step.op.proportion:
@@ -204,7 +204,7 @@ class _Page:
                 if one.step.why or one.step.op not in ELEMENTARY:
                     yield from self.reason(*one)
 
-    def sentences(self, work: Sequence[Work]) -> Iterator[Runs]:
+    def sentences(self, work: Sequence[DrawingStep]) -> Iterator[Runs]:
         """Yield what was drawn, each sentence with its reasons; the first behind the name of its group."""
         head = self.group
         for runs, steps in gathered(work):
@@ -250,7 +250,9 @@ class _Page:
         kind = step.op.name if step.op.formula else READ
         runs = reason_runs(here, step)
         reason: Runs = (Once(step.reason, runs),) if runs and plain else runs
-        self.rows.append(Row(kind, self.group, step.reason, reason, formula._replace(flat=True)))
+        self.rows.append(
+            CalculationRow(kind, self.group, step.reason, reason, formula._replace(flat=True))
+        )
 
     def reason(self, here: NumberSource, step: Step) -> Iterator[Block]:
         """Say why a step is done; once, whatever letters it is said of."""

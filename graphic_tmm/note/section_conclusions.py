@@ -11,7 +11,7 @@ from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.note.bricks import folded
+from graphic_tmm.note.bricks import in_columns
 from graphic_tmm.note.document import (
     Block,
     Document,
@@ -72,7 +72,7 @@ def _exactness(made: DrawnScene, language: str) -> Iterator[Block]:
     if rows:
         heads = text(speaking(language)(PLAN)), text(speaking(language)(ERROR))
         title = text(speaking(language)(EXACTNESS))
-        yield folded(Table("table-exactness", title, heads, tuple(rows), "lc", SHARES), 2)
+        yield in_columns(Table("table-exactness", title, heads, tuple(rows), "lc", SHARES), 2)
 
 
 def _sentence(told: str) -> str:
@@ -106,7 +106,7 @@ def symbol_list(made: DrawnScene, blocks: Sequence[Block], language: str) -> Ite
         table = Table(
             "table-symbols", text(_(SYMBOLS)), heads, tuple(rows.values()), "clc", SYMBOL_SHARES
         )
-        yield folded(table, 2)
+        yield in_columns(table, 2)
 
 
 LITERATURE = said("Literature")

@@ -10,7 +10,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.note.bricks import folded, heading, worked
+from graphic_tmm.note.bricks import heading, in_columns, worked
 from graphic_tmm.note.document import (
     Block,
     Item,
@@ -34,7 +34,7 @@ from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.columns import Readings
 from graphic_tmm.readers.protocol import SYNTHESIS
 from graphic_tmm.readers.protocol import synthesis as found_for
-from graphic_tmm.readers.task_sheet import TaskSheet, figure, given_rows, sought
+from graphic_tmm.readers.task_sheet import TaskSheet, given_figure, given_rows, sought
 from graphic_tmm.scene.captions import captions, view_name
 from graphic_tmm.scene.chapter import MECHANISM
 
@@ -107,13 +107,13 @@ def given_table(drawn: Drawn, language: str) -> Table | None:
             value = text(words.get(row.value, row.value))
         else:
             source = Source("given", drawn.board, row.symbol)
-            value = (Number(figure(row.value, language), "", source, row.value),)
+            value = (Number(given_figure(row.value, language), "", source, row.value),)
         told.append((called, value, text(unit(row.unit, language) or "—")))
     if not told:
         return None
     title = words["given" if drawn.board == MECHANISM else f"given {drawn.board}"]
     heads = text(words["letter"]), text(words["figure"]), text(words["unit"])
-    return folded(Table(f"table-given-{drawn.board}", text(title), heads, tuple(told), "lcc"))
+    return in_columns(Table(f"table-given-{drawn.board}", text(title), heads, tuple(told), "lcc"))
 
 
 def synthesis(made: DrawnScene, language: str) -> Iterator[Block]:

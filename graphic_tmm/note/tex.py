@@ -96,16 +96,16 @@ Put = Callable[[str], str]
 def spelt(digits: str) -> str:
     """Return a number as TeX writes it: a decimal comma is no comma between two things."""
     if not digits[-1:].isdigit():
-        return whole(digits)
+        return one_word(digits)
     return digits.replace(",", "{,}").replace("−", "-")
 
 
-def whole(digits: str) -> str:
+def one_word(digits: str) -> str:
     """Return a number as one word, unless it is of digits only: a sign or a comma would stand apart."""
     return digits if digits.isdigit() else rf"\text{{{escaped(digits)}}}"
 
 
-def tex(one: Formula | Tree | Leaf, language: str, put: Put = whole) -> str:
+def tex(one: Formula | Tree | Leaf, language: str, put: Put = one_word) -> str:
     """Return a formula as TeX; ``put``: how digits are written."""
     return _Writer(language, put).written(one)
 

@@ -45,14 +45,14 @@ def broken(one: Formula) -> tuple[Formula, ...]:
     return tuple(lines)
 
 
-class Line(NamedTuple):
+class SumLine(NamedTuple):
     """A line of a sum that follows another: the sign before it, what stands in it."""
 
     sign: str
     told: Tree
 
 
-def _lines(side: Leaf | Tree, room: float) -> tuple[Leaf | Tree, *tuple[Line, ...]]:
+def _lines(side: Leaf | Tree, room: float) -> tuple[Leaf | Tree, *tuple[SumLine, ...]]:
     """Return a side, or its first line and those that follow; ``room``: that of the line it may go on."""
     begun = room if room > LEAST else WIDE
     if not isinstance(side, Tree) or width(side) + SIGN <= begun:
@@ -66,7 +66,8 @@ def _lines(side: Leaf | Tree, room: float) -> tuple[Leaf | Tree, *tuple[Line, ..
         first = _joined([("", Node("neg", (runs[0][0][1],))), *runs[0][1:]])
     if not below:
         follow = [
-            Line(run[0][0], Tree(node, side.put)) for run, node in zip(runs[1:], rest, strict=True)
+            SumLine(run[0][0], Tree(node, side.put))
+            for run, node in zip(runs[1:], rest, strict=True)
         ]
         return (Tree(first, side.put), *follow)
     heads = ["inner"] * (len(rest) - 1) + ["close"]
@@ -75,7 +76,7 @@ def _lines(side: Leaf | Tree, room: float) -> tuple[Leaf | Tree, *tuple[Line, ..
         for head, node in zip(heads, rest, strict=True)
     ]
     follow = [
-        Line(run[0][0], Tree(node, side.put)) for run, node in zip(runs[1:], made, strict=True)
+        SumLine(run[0][0], Tree(node, side.put)) for run, node in zip(runs[1:], made, strict=True)
     ]
     return (Tree(Node("open", (first,)), side.put), *follow)
 

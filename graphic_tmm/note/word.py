@@ -273,7 +273,7 @@ _SIGNED = re.compile(rf'<w:tblStyle w:val="{UNRULED}" />.*?</w:tbl>', re.DOTALL)
 _DATES = re.compile(r"<dcterms:(created|modified).*?</dcterms:\1>", re.DOTALL)
 
 
-def settled(made: bytes, centred: Sequence[str] = ()) -> bytes:
+def without_title(made: bytes, centred: Sequence[str] = ()) -> bytes:
     """Return a document without the title that pandoc puts above all, without dates, its parts in one order.
 
     ``centred``: the ids of headings that stand in the middle.

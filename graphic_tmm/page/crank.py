@@ -25,9 +25,9 @@ from graphic_tmm.page.sentences import indexed
 from graphic_tmm.page.strands import (
     STEP,
     Letter,
-    Line,
     Moving,
     MovingFigures,
+    MovingStroke,
     Strands,
     folded,
     strands,
@@ -163,7 +163,9 @@ def _figure(
     still = finished(exact.still()) if exact.still is not None else None
     places = lettered(found, moving, made, shown, still)
     packer = Packer()
-    lines = [_line(key, row, packer) for key, row in made.rows.items() if isinstance(key, Line)]
+    lines = [
+        _line(key, row, packer) for key, row in made.rows.items() if isinstance(key, MovingStroke)
+    ]
     letters = [
         [
             glyphs.of(key.text, key.size),
@@ -194,7 +196,7 @@ def _figure(
     return data
 
 
-def _line(key: Line, row: Reals, packer: Packer) -> list[Any]:
+def _line(key: MovingStroke, row: Reals, packer: Packer) -> list[Any]:
     """Return a stroke: its pen, 1 if closed and 2 more if filled, its coordinates, its bulges, where it is."""
     flags = int(key.closed) + 2 * int(key.filled)
     told = [_coordinates(row[:, k : k + 2], packer, UNIT) for k in range(0, row.shape[1], 3)]
@@ -220,8 +222,8 @@ def _presence(row: Reals) -> Any:
 
 def _box(made: Strands, places: Mapping[Letter, Reals], still: Drawing | None) -> list[float]:
     """Return left, top (y downward), width and height of the room that a figure takes over the turn, mm."""
-    xs = [row[:, 0::3] for key, row in made.rows.items() if isinstance(key, Line)]
-    ys = [row[:, 1::3] for key, row in made.rows.items() if isinstance(key, Line)]
+    xs = [row[:, 0::3] for key, row in made.rows.items() if isinstance(key, MovingStroke)]
+    ys = [row[:, 1::3] for key, row in made.rows.items() if isinstance(key, MovingStroke)]
     for key, row in places.items():
         written = letter(key.text, size=key.size)
         xs += [row[:, :1], row[:, :1] + written.width]

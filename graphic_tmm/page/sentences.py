@@ -14,7 +14,7 @@ from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.symbols import plain, spoken, symbol
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.equations import Equation, Term
-from graphic_tmm.readers.narration import Line
+from graphic_tmm.readers.narration import ProtocolLine
 from graphic_tmm.readers.protocol import plan_protocols, plans
 from graphic_tmm.readers.sentences import Phrase, grounds, phrase
 
@@ -26,7 +26,7 @@ _FIGURE = re.compile(r"[_^]?\{[^{}]*\}|([^\W\d_])(\d+)")
 _SINGLE = re.compile(r"([_^])([^{])")
 
 
-def line_of(line: Line, reading: Reading, language: str) -> dict[str, Any]:
+def line_of(line: ProtocolLine, reading: Reading, language: str) -> dict[str, Any]:
     """Return a line of the protocol that tells a step as data; what it has nothing to say to is left out."""
     step = line.step
     assert step is not None
@@ -44,7 +44,7 @@ def line_of(line: Line, reading: Reading, language: str) -> dict[str, Any]:
     return told
 
 
-def head_of(line: Line, stops: Mapping[int, int], language: str) -> dict[str, Any]:
+def head_of(line: ProtocolLine, stops: Mapping[int, int], language: str) -> dict[str, Any]:
     """Return a remark that stands before a step as data; ``stops``: in which a mark is made, by its slot."""
     text = line.text if "=" in line.text else f"{line.text[:1].upper()}{line.text[1:]}"
     told: dict[str, Any] = {"head": True, "text": [indexed(text)]}
@@ -155,7 +155,7 @@ class Lines(NamedTuple):
     """Lines that follow one another, all of them steps (``numbered``) or all remarks."""
 
     numbered: bool
-    lines: tuple[Line, ...]
+    lines: tuple[ProtocolLine, ...]
 
 
 class Plan(NamedTuple):
@@ -173,12 +173,12 @@ def protocol_of(made: DrawnScene, language: str) -> list[Plan]:
     ]
 
 
-def _in_lists(lines: Iterator[Line]) -> Iterator[Lines]:
+def _in_lists(lines: Iterator[ProtocolLine]) -> Iterator[Lines]:
     for numbered, some in groupby(lines, lambda line: line.number > 0):
         yield Lines(numbered, tuple(some))
 
 
-def _reasoned(lines: tuple[Line, ...]) -> Iterator[Line]:
+def _reasoned(lines: tuple[ProtocolLine, ...]) -> Iterator[ProtocolLine]:
     before = ""
     for line in lines:
         yield line._replace(why="" if line.why == before else line.why)

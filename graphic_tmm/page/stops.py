@@ -15,7 +15,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.figure import Picture, pictures
 from graphic_tmm.paper.rules import rule_of
-from graphic_tmm.readers.narration import Line, protocol
+from graphic_tmm.readers.narration import ProtocolLine, protocol
 from graphic_tmm.scene.chapter import MECHANISM
 
 
@@ -23,8 +23,8 @@ class StepLine(NamedTuple):
     """A line of the protocol that tells a step: its view, the remarks before it, its number in the log."""
 
     view: str
-    heads: tuple[Line, ...]
-    line: Line
+    heads: tuple[ProtocolLine, ...]
+    line: ProtocolLine
     at: int
 
     @property
@@ -90,7 +90,7 @@ class Played:
             reading, own = self.drawn.of(view), self.place_in(view, place)
             if reading is None or own is None:
                 continue
-            heads: list[Line] = []
+            heads: list[ProtocolLine] = []
             for line in protocol(self.log, view, reading, own, self.language, turned=turned):
                 if line.step is None:
                     heads.append(line)

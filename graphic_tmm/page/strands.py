@@ -75,7 +75,7 @@ ASIDE = 5.0 / 128.0
 """How far a cubic through four even places is off half way between the first two, of the fourth difference."""
 
 
-class Line(NamedTuple):
+class MovingStroke(NamedTuple):
     """A stroke that moves: its pen, whether closed and filled, what it comes from, its vertices."""
 
     pen: str
@@ -96,7 +96,7 @@ class Letter(NamedTuple):
     ordinal: int
 
 
-Key = Line | Letter
+Key = MovingStroke | Letter
 Bools = NDArray[np.bool_]
 Ints = NDArray[np.int64]
 
@@ -195,11 +195,11 @@ def _things(drawing: Drawing) -> Iterator[tuple[Key, list[float]]]:
             yield letter_key(one, met), [at.real, at.imag]
 
 
-def line_key(stroke: Stroke, met: Counter[object]) -> Line:
+def line_key(stroke: Stroke, met: Counter[object]) -> MovingStroke:
     """Return by what a stroke is known again at another angle; ``met``: how often its like was met."""
     like = (stroke.pen, stroke.closed, stroke.filled, stroke.of, stroke.part, len(stroke.path))
     met[like] += 1
-    return Line(*like, met[like])
+    return MovingStroke(*like, met[like])
 
 
 def letter_key(one: Wanted, met: Counter[object]) -> Letter:
@@ -220,7 +220,7 @@ def bare(text: str) -> str:
 
 def _refined(rows: Mapping[Key, Reals], count: int) -> tuple[int, ...]:
     """Return the intervals whose inside four places do not tell: those where something comes, goes, jumps."""
-    lines = {key: row for key, row in rows.items() if isinstance(key, Line)}
+    lines = {key: row for key, row in rows.items() if isinstance(key, MovingStroke)}
     if not lines:
         return ()
     bad = np.zeros(count, dtype=bool)

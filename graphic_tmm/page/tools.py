@@ -68,7 +68,7 @@ class Desk(NamedTuple):
         speech = speaking(self.language)
         found = self.laid(step, place)
         if found is None or not finite(*found[3]):
-            return ["", named(step, self.language)]
+            return ["", tools_sentence(step, self.language)]
         told, words, kind, spots = found
         return [kind, speech(told, **words), *(x for z in spots for x in self.on_sheet(z))]
 
@@ -164,7 +164,7 @@ def symbol_of(step: Step) -> str:
     return SYMBOLS.get(step.op.name, usual)
 
 
-def named(step: Step, language: str) -> str:
+def tools_sentence(step: Step, language: str) -> str:
     """Return the sentence that names the instruments of a step."""
     speech = speaking(language)
     if step.op.name in LOOKED_UP:

@@ -9,7 +9,7 @@ from itertools import pairwise
 from graphic_tmm.paper.drawing import Drawing, Within
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.packing import bounds, holds
-from graphic_tmm.paper.ruled import TITLE_GAP, Grid, measured, table
+from graphic_tmm.paper.ruled import TITLE_GAP, Grid, measured, ruled_table
 from graphic_tmm.paper.views import stacked, wrapped
 
 CROWNED = 1.8
@@ -43,7 +43,7 @@ def breakable(
         ways = [align[j] for j in kept] if align else None
         told, own = (f"{title} ({again})", f"{name}-{k + 1}") if k else (title, name)
         heads = [columns[j] for j in kept]
-        return table(own, told, heads, cells, size=size, title_size=title_size, align=ways)
+        return ruled_table(own, told, heads, cells, size=size, title_size=title_size, align=ways)
 
     def apart(within: Within) -> list[Drawing]:
         crown = TITLE_GAP + CROWNED * title_size
@@ -56,7 +56,7 @@ def breakable(
 
     grid = measured(name, columns, rows, size=size, head_size=size, align=align)
     head = _folded(title, max(size, title_size), sum(grid.widths))
-    whole = table(name, head, columns, rows, size=size, title_size=title_size, align=align)
+    whole = ruled_table(name, head, columns, rows, size=size, title_size=title_size, align=align)
     return whole._replace(cell=bounds(whole), apart=apart)
 
 

@@ -146,22 +146,22 @@ def pictures(
     return tuple(made)
 
 
-class Part(NamedTuple):
+class ViewPart(NamedTuple):
     """What of a view belongs together: its strokes, rubbed ones among them, and its letters."""
 
     ink: tuple[Ink, ...]
     letters: tuple[Label, ...]
 
 
-def of_step(drawing: Drawing, mark: Mark) -> Part:
+def of_step(drawing: Drawing, mark: Mark) -> ViewPart:
     """Return what the step that left a mark drew, and the letters that name it."""
-    return Part(
+    return ViewPart(
         tuple(s for s in (*drawing.strokes, *drawing.rubbed) if not s.part and mark.slot in s.of),
         tuple(label for label in drawing.labels if mark.slot in label.of),
     )
 
 
-def until(construction: Construction, drawing: Drawing, mark: Mark, position: int) -> Part:
+def until(construction: Construction, drawing: Drawing, mark: Mark, position: int) -> ViewPart:
     """Return what is there when the step that leaves a mark is done in a position: helping lines too.
 
     What is the same in all positions is there with its step; in positions before it all is there.
@@ -177,7 +177,7 @@ def until(construction: Construction, drawing: Drawing, mark: Mark, position: in
         return when <= now if place is None or place == position else place < position
 
     ink = (*drawing.strokes, *drawing.rubbed)
-    return Part(tuple(filter(there, ink)), tuple(filter(there, drawing.labels)))
+    return ViewPart(tuple(filter(there, ink)), tuple(filter(there, drawing.labels)))
 
 
 _When = tuple[int, int | None]

@@ -73,11 +73,11 @@ def holds(within: Within, *views: Drawing) -> bool:
     return all(share(view, within) >= 1.0 for view in views)
 
 
-def settled(view: Drawing, within: Within) -> list[Drawing]:
+def in_pieces(view: Drawing, within: Within) -> list[Drawing]:
     """Return a view as it is where an empty sheet holds it, else what it comes apart into."""
     if view.apart is None or holds(within, view):
         return [view]
-    return [part for one in view.apart(within) for part in settled(one, within)]
+    return [part for one in view.apart(within) for part in in_pieces(one, within)]
 
 
 def free(room: Room) -> list[Box]:

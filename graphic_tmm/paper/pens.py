@@ -109,7 +109,9 @@ def tracing(box: Mapping[str, Pen], colour: str) -> Mapping[str, Pen]:
     return MappingProxyType(pen | hidden)
 
 
-def fitted(dashes: tuple[float, ...], length: float, *, closed: bool = False) -> tuple[float, ...]:
+def stretched(
+    dashes: tuple[float, ...], length: float, *, closed: bool = False
+) -> tuple[float, ...]:
     """Return the pattern stretched so that a line of ``length`` mm begins and ends with a stroke.
 
     A dash-dot line has a stroke in its middle too, where it crosses another in the middle of a

@@ -249,7 +249,7 @@ def _pad(size: float, head_size: float) -> float:
     return max(PADDING, size / 2, head_size / 2)
 
 
-def table(
+def ruled_table(
     name: str,
     title: str,
     columns: Sequence[str],

@@ -17,7 +17,7 @@ from graphic_tmm.paper.formats import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
-from graphic_tmm.paper.packing import bounds, settled
+from graphic_tmm.paper.packing import bounds, in_pieces
 
 BELOW = 0.7
 """Clear height between two lines of a caption, and between it and its view, of the height of its capitals."""
@@ -84,7 +84,7 @@ def captioned(
         told += [_Line(text, heights.point, of if k else ()) for k, text in enumerate(lines[1:])]
 
     def apart(within: Within) -> list[Drawing]:
-        *first, last = settled(view, within)
+        *first, last = in_pieces(view, within)
         return [
             *first,
             _above(

@@ -14,12 +14,12 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain, symbol
 from graphic_tmm.readers.equations import Equation, equations, heading
-from graphic_tmm.readers.sentences import calculation, figure, reason, sentence
+from graphic_tmm.readers.sentences import calculation, reason, sentence, step_figure
 from graphic_tmm.scene.captions import Named, captions, view_name
 from graphic_tmm.scene.chapter import chapters
 
 
-class Line(NamedTuple):
+class ProtocolLine(NamedTuple):
     """One line of the protocol: its number (0 for a remark), its text, its calculation ("" if none).
 
     ``first``: the number of the first of the steps that the line tells, where it tells several. ``why``: the
@@ -54,7 +54,7 @@ def protocol(
     *,
     turned: bool = False,
     elsewhere: Sequence[tuple[int, str]] = (),
-) -> Iterator[Line]:
+) -> Iterator[ProtocolLine]:
     """Yield the numbered protocol of one plan in one position, with equations and the calculation note.
 
     ``place``: the index of the position in ``reading``; ``turned``: the plan is turned by 90°. ``elsewhere``:
@@ -65,7 +65,7 @@ def protocol(
     solved = {e.group: e for e in equations(construction, plan, turned=turned)}
     steps = [step for step in construction.steps if step.it.view == plan]
     sums = _sums(steps)
-    first, remarks, left_out = 0, list[Line](), list[Line]()
+    first, remarks, left_out = 0, list[ProtocolLine](), list[ProtocolLine]()
     for counted, step in enumerate(steps, 1):
         remarks = _remarks(step, solved, language) or remarks
         first = first or counted
@@ -74,44 +74,44 @@ def protocol(
             continue  # told with the sum that it is a part of
         at = next((k for k in own if defined(reading, step.it, k)), None)
         if at is None:
-            left_out.append(Line(counted, "", first=first))
+            left_out.append(ProtocolLine(counted, "", first=first))
             first = 0
             continue
         yield from remarks
         remarks = []
         if at != told and own.get(at) and not _still(reading, step.it):
-            yield Line(0, f"{captions(language)['position']} {own[at]}")
+            yield ProtocolLine(0, f"{captions(language)['position']} {own[at]}")
             told = at
         note = calculation(step, reading, at, language, terms)
         why = reason(step, language, reading, at)
         told_so = sentence(step, language, reading, at)
-        value, of = figure(step, reading, at, language)
-        yield Line(counted, told_so, note, first, why, step, at, value=value, unit=of)
+        value, of = step_figure(step, reading, at, language)
+        yield ProtocolLine(counted, told_so, note, first, why, step, at, value=value, unit=of)
         first = 0
     yield from _left_out(left_out, language)
 
 
-def _left_out(lines: Sequence[Line], language: str) -> Iterator[Line]:
+def _left_out(lines: Sequence[ProtocolLine], language: str) -> Iterator[ProtocolLine]:
     """Yield the remark that tells the numbers of steps, those that follow one another as a stretch."""
-    stretches: list[Line] = []
+    stretches: list[ProtocolLine] = []
     for one in lines:
         if stretches and stretches[-1].number + 1 == one.first:
             one = one._replace(first=stretches.pop().first)
         stretches.append(one)
     if listed := ", ".join(one.label for one in stretches):
         text = said("steps that do not exist here: {listed}", listed=listed)
-        yield Line(0, speaking(language)(text))
+        yield ProtocolLine(0, speaking(language)(text))
 
 
-def _remarks(step: Step, solved: Mapping[str, Equation], language: str) -> list[Line]:
+def _remarks(step: Step, solved: Mapping[str, Equation], language: str) -> list[ProtocolLine]:
     """Return what stands before a step: its remarks, and the equations that they begin."""
     found = []
     for note in filter(None, step.note.split("\n")):
         heading = view_name if step.it.view == SCALES else remark
-        found.append(Line(0, heading(note, language)))
+        found.append(ProtocolLine(0, heading(note, language)))
         if note in solved:
             equation = solved[note]
-            found.append(Line(0, _equation_text(equation, language), equation=equation))
+            found.append(ProtocolLine(0, _equation_text(equation, language), equation=equation))
     return found
 
 

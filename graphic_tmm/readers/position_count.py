@@ -74,7 +74,7 @@ class Finer(NamedTuple):
         return tuple(name for name, share in self.off.items() if abs(share) > SHARE)
 
 
-def whole(scene: Scene) -> Scene:
+def at_all_positions(scene: Scene) -> Scene:
     """Return the scene with its plans at all positions of the row; one without a mechanism has no row."""
     if scene.mechanism is not None:
         for chapter in chapters():
@@ -167,7 +167,7 @@ def _enough(drawn: Drawn, due: Figures) -> Iterator[int]:
 
 def _at(drawn: Drawn, count: int) -> Figures | None:
     """Return the results of curves at another number of positions by the exact hand; None if there are none."""
-    scene = at_count(whole(drawn.scene), count, drawn.board)
+    scene = at_count(at_all_positions(drawn.scene), count, drawn.board)
     if scene is None:
         return None
     scene = replace(scene, row=replace(scene.row, extra=()))

@@ -18,7 +18,7 @@ from graphic_tmm.fitting.choice import SCALES, Choices, choices
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.synthesis import SynthesisLog, rocker
 from graphic_tmm.project import Project
-from graphic_tmm.readers.narration import Line
+from graphic_tmm.readers.narration import ProtocolLine
 from graphic_tmm.readers.narration import protocol as narrate
 from graphic_tmm.scene.captions import Named, captions, plans_named, view_name
 from graphic_tmm.scene.chapter import MECHANISM, Answer, Holder, chapters
@@ -81,7 +81,7 @@ class PlanProtocol(NamedTuple):
     """A plan's protocol in one position: what it is headed by, its lines."""
 
     title: str
-    lines: tuple[Line, ...]
+    lines: tuple[ProtocolLine, ...]
 
 
 def plans() -> tuple[str, ...]:
@@ -229,7 +229,7 @@ def _no_position(scene: Scene, name: str, names: Sequence[str]) -> SceneError:
     return SceneError(scene.source, (Fault("--position", 0, told),))
 
 
-def _printed(lines: Iterable[Line], reasons: str) -> Iterator[str]:
+def _printed(lines: Iterable[ProtocolLine], reasons: str) -> Iterator[str]:
     """Yield lines as text; ``reasons``: the language of the reasons, each told where it is a new one."""
     before = ""
     for line in lines:
@@ -265,7 +265,7 @@ def _plan_told(drawn: Drawn, view: str, place: int, language: str) -> Iterator[P
         return
     title = title_of(drawn.project, view, language)
     equations = [
-        Line(0, text)
+        ProtocolLine(0, text)
         for one in drawn.project.chapters
         for text in Protocols.of(one).equations(drawn, view, language)
     ]

@@ -15,8 +15,8 @@ from graphic_tmm.paper.lettering.letters import (
     escape,
 )
 from graphic_tmm.paper.lettering.markup import markup
-from graphic_tmm.paper.packing import settled
-from graphic_tmm.paper.ruled import table
+from graphic_tmm.paper.packing import in_pieces
+from graphic_tmm.paper.ruled import ruled_table
 from graphic_tmm.readers.columns import (
     Column,
     known_at,
@@ -72,7 +72,7 @@ def result_table(
     made = usual()
 
     def apart(within: Within) -> list[Drawing]:
-        return fewest(within, settled(made, within), settled(other(), within))
+        return fewest(within, in_pieces(made, within), in_pieces(other(), within))
 
     return made._replace(apart=apart)
 
@@ -82,7 +82,7 @@ def results(
 ) -> Drawing:
     """Return a table of results, ``name`` in the drawing: each row a quantity, its figure and its unit."""
     words = captions(language)
-    return table(
+    return ruled_table(
         name,
         title,
         [words["value"], words["results"], words["unit"]],

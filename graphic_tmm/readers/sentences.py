@@ -157,7 +157,9 @@ def _closed(formula: str, numbers: dict[str, str]) -> dict[str, str]:
     }
 
 
-def figure(step: Step, reading: Reading, place: int, language: str) -> tuple[float | None, str]:
+def step_figure(
+    step: Step, reading: Reading, place: int, language: str
+) -> tuple[float | None, str]:
     """Return the figure that a step leaves in a position, and its unit; None where it leaves none."""
     if not worth(step) or step.it.kind not in (Length, Number, Angle):
         return None, ""

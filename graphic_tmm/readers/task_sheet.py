@@ -179,12 +179,14 @@ def _cells(row: Given, language: str) -> tuple[str, str, str]:
     words = captions(language)
     word = words.get(row.symbol) or markup(symbol(row.symbol, language))
     told = (
-        words.get(value, value) if isinstance(value := row.value, str) else figure(value, language)
+        words.get(value, value)
+        if isinstance(value := row.value, str)
+        else given_figure(value, language)
     )
     return word, escape(told), unit(row.unit, language) or "—"
 
 
-def figure(value: float, language: str) -> str:
+def given_figure(value: float, language: str) -> str:
     """Return what is given as it is written, to the digits that it was given with."""
     whole = math.isclose(value, float(f"{value:.{DIGITS}g}"), rel_tol=1e-9)
     return number(value, language, DIGITS if whole else DIGITS - 1)

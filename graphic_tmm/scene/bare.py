@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from graphic_tmm.language.said import Said, said
 from graphic_tmm.scene import quantities
-from graphic_tmm.scene.units import UNITS, plain
+from graphic_tmm.scene.units import UNITS, plain_unit
 
 
 class _Usual(NamedTuple):
@@ -82,7 +82,7 @@ def _doubt(number: float, si: str, other: str) -> Said:
             number=number,
             si=si,
         )
-    size = number * float(UNITS[plain(si)].factor) / float(UNITS[plain(other)].factor)
+    size = number * float(UNITS[plain_unit(si)].factor) / float(UNITS[plain_unit(other)].factor)
     return said(
         '{number:g} without a unit is {number:g} {si} = {size:.10g} {other}; write "{number:g} {other}" '
         'if that is meant, else "{number:g} {si}"',

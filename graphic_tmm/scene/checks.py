@@ -16,7 +16,7 @@ from graphic_tmm.mechanism.records import shared
 from graphic_tmm.scene import mechanism, registry
 from graphic_tmm.scene.chapter import chapters, places
 from graphic_tmm.scene.declare import Flaw, Path, Said, Section, build
-from graphic_tmm.scene.document import table
+from graphic_tmm.scene.document import as_table
 from graphic_tmm.scene.mechanism import Drive, Extreme, Link, Slide
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.registry import called, of_section, sections
@@ -25,7 +25,7 @@ from graphic_tmm.scene.units import SI
 from graphic_tmm.scene.values import OTHER_EXTREME
 
 
-def check(parts: Parts) -> Iterator[Flaw]:
+def contradictions(parts: Parts) -> Iterator[Flaw]:
     """Every contradiction in the sections that could be understood."""
     if parts.frame is not None:
         yield from _places(("frame",), parts.frame.points)
@@ -82,7 +82,7 @@ def _placed(parts: Parts) -> Iterator[Flaw]:
     asked = [(place, one) for one in registry.sections() for place in of_section(one)]
     sheets = parts.doc.get("sheet")
     for i, sheet in enumerate(sheets if isinstance(sheets, list) else []):
-        places = table(sheet).get("place")
+        places = as_table(sheet).get("place")
         for place, section in asked:
             if isinstance(places, list) and place in places and section.name not in parts.doc:
                 says = said(

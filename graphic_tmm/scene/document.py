@@ -235,18 +235,18 @@ def _refuse(file: Path, message: str, line: int = 0) -> NoReturn:
 def texts(doc: Document) -> list[tuple[Place, str]]:
     """Every text of a document that is drawn, with its path: titles, names, letters."""
     drawn: list[tuple[Place, str]] = [(("title",), doc.get("title", ""))]
-    for key, value in table(doc.get("title_block")).items():
+    for key, value in as_table(doc.get("title_block")).items():
         drawn.append((("title_block", key), value))
     sheets = doc.get("sheet")
     for k, sheet in enumerate(sheets if isinstance(sheets, list) else []):
         drawn.extend(
-            (("sheet", k, key), table(sheet).get(key, "")) for key in ("name", "designation")
+            (("sheet", k, key), as_table(sheet).get(key, "")) for key in ("name", "designation")
         )
-    drawn.extend((("frame", key), key) for key in table(doc.get("frame")) if key != "number")
+    drawn.extend((("frame", key), key) for key in as_table(doc.get("frame")) if key != "number")
     for path, link in raw_links(doc):
         drawn.append(((*path, "name"), link.get("name", "")))
         for part in ("points", "guides"):
-            drawn.extend(((*path, part, key), key) for key in table(link.get(part)))
+            drawn.extend(((*path, part, key), key) for key in as_table(link.get(part)))
     return [(path, value) for path, value in drawn if isinstance(value, str)]
 
 
@@ -258,7 +258,7 @@ def raw_links(doc: Document) -> list[tuple[Place, Document]]:
     return [(("link", i), link) for i, link in enumerate(links) if isinstance(link, dict)]
 
 
-def table(value: object) -> Document:
+def as_table(value: object) -> Document:
     """Return a value of the document if it is a table, else an empty one."""
     return value if isinstance(value, dict) else {}
 

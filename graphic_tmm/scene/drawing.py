@@ -81,7 +81,7 @@ class Hand:
 
 
 def _listed(value: object, names: Names) -> tuple[str, ...]:
-    known = list(registry.known())
+    known = list(registry.known_places())
     if not isinstance(value, list) or not value:
         raise ValueError(stands(value, said('a list of plans is wanted, ["positions"]')))
     for item in value:
@@ -94,7 +94,7 @@ def _listed(value: object, names: Names) -> tuple[str, ...]:
 
 _PLACES = Kind(
     _listed,
-    lambda: {"type": "array", "items": {"type": "string", "enum": list(registry.known())}},
+    lambda: {"type": "array", "items": {"type": "string", "enum": list(registry.known_places())}},
 )
 
 

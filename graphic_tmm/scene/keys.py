@@ -104,7 +104,7 @@ def called(table: type) -> str:
 
 def inner_tables(sort: Sort) -> Iterator[type]:
     """Yield the records of the tables that may stand for a key."""
-    if isinstance(sort, tables.Table):
+    if isinstance(sort, tables.DeclaredTable):
         yield sort.record
     elif isinstance(sort, (tables.Named, tables.Several)):
         yield from inner_tables(sort.each)
@@ -116,7 +116,7 @@ def _value(sort: Sort, speech: Speech) -> str:
     """Return what may stand for a key, in a few words."""
     if isinstance(sort, Kind):
         return _of_kind(sort, speech)
-    if isinstance(sort, tables.Table):
+    if isinstance(sort, tables.DeclaredTable):
         return speech(said("a table: {what}"), what=speech(called(sort.record)))
     if isinstance(sort, tables.Named):
         return speech(said("a table by name: {what}"), what=_value(sort.each, speech))

@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.scene import misfits, quantities
 from graphic_tmm.scene.quantities import NUMBER
-from graphic_tmm.scene.units import UNITS, plain
+from graphic_tmm.scene.units import UNITS, plain_unit
 
 NAME = re.compile(r"[^\W\d_][^\W²¹]*")
 _TERM = re.compile(
@@ -56,7 +56,7 @@ def _is_quantity(text: str, names: Mapping[str, float]) -> bool:
     if match is None:
         return False
     rest = match.group(1).strip()
-    return rest not in names and (not rest or plain(rest) in UNITS)
+    return rest not in names and (not rest or plain_unit(rest) in UNITS)
 
 
 def _sum(text: str, names: Mapping[str, float]) -> float:

@@ -14,7 +14,7 @@ from graphic_tmm.mechanism.records import Guide as MechanismGuide
 from graphic_tmm.scene import letters, misfits
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import FAULTY, Flaw, Names, Path, Schema, Sort, combined_key, key
-from graphic_tmm.scene.tables import ByShape, Named, Several, Table
+from graphic_tmm.scene.tables import ByShape, DeclaredTable, Named, Several
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class _Place:
 class Frame:
     """The fixed link: every key but number is a guide's name or a fixed point's letter (not P, p, Π, π)."""
 
-    OTHERS: ClassVar[Sort] = ByShape(dict, Table(Guide), _Place())
+    OTHERS: ClassVar[Sort] = ByShape(dict, DeclaredTable(Guide), _Place())
 
     number: int = key(v.LINK_NUMBER, "the number of the fixed link", 6, 0)
     others: Mapping[str, complex | Guide] = combined_key(lambda said: said.others, ())
@@ -103,10 +103,10 @@ class Link:
         default={},
     )
     guides: Mapping[str, Guide] = key(
-        Named(Table(Guide)), "guides that move with the link", default={}
+        Named(DeclaredTable(Guide)), "guides that move with the link", default={}
     )
     slides: Slide | tuple[Slide, ...] = key(
-        ByShape(list, Several(Table(Slide)), Table(Slide)),
+        ByShape(list, Several(DeclaredTable(Slide)), DeclaredTable(Slide)),
         "its sliding pairs: a table, or a list of tables",
         default=(),
     )
@@ -186,7 +186,7 @@ class Drive:
         v.POSITIONS, "the positions with an acceleration plan", [2, 6], ()
     )
     zero: float | Extreme = key(
-        ByShape(dict, Table(Extreme), v.ANGLE),
+        ByShape(dict, DeclaredTable(Extreme), v.ANGLE),
         "the zero position: a crank angle, or an extreme of a point",
         default=0.0,
     )

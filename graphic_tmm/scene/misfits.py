@@ -47,7 +47,7 @@ def stands(value: object, *remedies: str) -> Said:
     return joined("; ", (here, *filter(None, remedies)))
 
 
-def listed(item: object, remedy: str) -> Said:
+def fault_in_list(item: object, remedy: str) -> Said:
     """Return ``the number 5 in the list; a point is a list of two``."""
     return joined("; ", (said("{kind} in the list", kind=kind_of(item)), remedy))
 

@@ -17,7 +17,7 @@ from typing import NamedTuple, NoReturn
 
 from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.scene.misfits import digits_of, meant, short, stands
-from graphic_tmm.scene.units import GRAVITY, SI, SYSTEMS, UNITS, Dimension, System, Unit, plain
+from graphic_tmm.scene.units import GRAVITY, SI, SYSTEMS, UNITS, Dimension, System, Unit, plain_unit
 
 NUMBER = r"(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?"
 LARGEST, SMALLEST = 1e12, 1e-15
@@ -170,7 +170,7 @@ def _parse_text(text: str, dimension: Dimension, example: str) -> float:
         says = said('"{text}" is not a number with a unit', text=short(text))
         raise ValueError(joined("; ", (says, wanted(dimension, example))))
     number, rest = match.groups()
-    unit = UNITS.get(plain(rest))
+    unit = UNITS.get(plain_unit(rest))
     refuse_ambiguous(number, "" if unit else rest, text)
     if not rest.strip():
         raise ValueError(_no_unit(number, dimension))
@@ -272,7 +272,7 @@ def _unknown_unit(text: str, rest: str, dimension: Dimension) -> Said:
             text=short(text),
         ),
         said("it mixes Latin and Russian letters") if mixed else "",
-        meant(plain(rest), known),
+        meant(plain_unit(rest), known),
         said(
             "units of {noun} are {listed}", noun=_WORDS[dimension][0], listed=", ".join(known[:10])
         ),
@@ -283,7 +283,7 @@ def _unknown_unit(text: str, rest: str, dimension: Dimension) -> Said:
 def is_a(text: str, dimension: Dimension) -> bool:
     """Whether a text is a number with a unit of a dimension."""
     match = _QUANTITY.fullmatch(spoken(text)) if len(text) <= 200 else None
-    unit = UNITS.get(plain(match[2])) if match else None
+    unit = UNITS.get(plain_unit(match[2])) if match else None
     return unit is not None and unit.dimension == dimension
 
 

@@ -70,8 +70,8 @@ def _scene(file: Path, text: str | None, doc: Document, missing: Callable[[str],
     with measuring(measures(doc)):
         parts, found = understand(doc)
         faults = [one for one in found if one.fault]
-        faults.extend(references.check(doc, missing))
-        faults.extend(checks.check(parts))
+        faults.extend(references.name_faults(doc, missing))
+        faults.extend(checks.contradictions(parts))
         if faults:
             raise SceneError(str(file), _in_order(text or "", doc, faults))
         made = build.scene(parts, str(file))

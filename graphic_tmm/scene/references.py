@@ -11,7 +11,7 @@ from typing import NamedTuple, TypeGuard
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.scene import letters
 from graphic_tmm.scene.declare import Flaw, Path
-from graphic_tmm.scene.document import Document, raw_links, table, texts
+from graphic_tmm.scene.document import Document, as_table, raw_links, texts
 from graphic_tmm.scene.values import link_side
 
 
@@ -39,7 +39,7 @@ class Outline(NamedTuple):
 
 def outline(doc: Document) -> Outline:
     """Return the names of a file, whatever else is wrong; of two links of one number the first."""
-    frame = table(doc.get("frame"))
+    frame = as_table(doc.get("frame"))
     number = frame.get("number", 0)
     fixed: int = number if _is_whole(number) else 0
     places = _places(doc)
@@ -50,7 +50,9 @@ def outline(doc: Document) -> Outline:
     for path, link in raw_links(doc):
         complete = complete and _is_number(link.get("number"))
         if _is_whole(link.get("number")):
-            body = Body(path, tuple(table(link.get("points"))), tuple(table(link.get("guides"))))
+            body = Body(
+                path, tuple(as_table(link.get("points"))), tuple(as_table(link.get("guides")))
+            )
             bodies.setdefault(link["number"], body)
     letters = dict.fromkeys(name for body in bodies.values() for name in body.letters)
     standing = set(bodies[fixed].letters)
@@ -58,7 +60,7 @@ def outline(doc: Document) -> Outline:
     return Outline(fixed, bodies, complete, tuple(letters), moving)
 
 
-def check(doc: Document, missing: Callable[[str], str]) -> Iterator[Flaw]:
+def name_faults(doc: Document, missing: Callable[[str], str]) -> Iterator[Flaw]:
     """Everything that is wrong with the names of a file.
 
     Parameters
@@ -77,13 +79,13 @@ def check(doc: Document, missing: Callable[[str], str]) -> Iterator[Flaw]:
         yield from _slides(path, link, names)
         yield from _sides(path, link, names)
         yield from _centre(path, link)
-    yield from _drive(table(doc.get("drive")), names)
-    yield from _trajectories(table(doc.get("plans")).get("trajectories"), names)
+    yield from _drive(as_table(doc.get("drive")), names)
+    yield from _trajectories(as_table(doc.get("plans")).get("trajectories"), names)
 
 
 def _places(doc: Document) -> Document:
     """Return the points and guides of the frame."""
-    frame = table(doc.get("frame"))
+    frame = as_table(doc.get("frame"))
     return {key: value for key, value in frame.items() if isinstance(value, (list, dict))}
 
 
@@ -130,7 +132,7 @@ def _written(doc: Document) -> Iterator[tuple[Path, str, bool]]:
         yield ("frame", key), key, not isinstance(value, dict)
     for path, link in raw_links(doc):
         for part in ("points", "guides"):
-            for key in table(link.get(part)):
+            for key in as_table(link.get(part)):
                 yield (*path, part, key), key, part == "points"
 
 
@@ -139,7 +141,7 @@ def _slides(path: Path, link: Document, names: Outline) -> Iterator[Flaw]:
     several = isinstance(slides, list)
     for i, slide in enumerate(slides if several else [slides]):
         at: Path = (*path, "slides", i) if several else (*path, "slides")
-        on = table(slide).get("on")
+        on = as_table(slide).get("on")
         number = names.frame if on == "frame" else on
         if not isinstance(number, int) or isinstance(number, bool):
             continue
@@ -240,7 +242,7 @@ def _drive(drive: Document, names: Outline) -> Iterator[Flaw]:
             "link {number} is the frame, which does not turn; name the crank", number=number
         )
         yield Flaw(("drive", "link"), says)
-    point = table(drive.get("zero")).get("point")
+    point = as_table(drive.get("zero")).get("point")
     if isinstance(point, str):
         yield from _moving(("drive", "zero", "point"), point, names)
 

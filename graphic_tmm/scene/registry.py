@@ -32,7 +32,7 @@ SMALLEST = "A4"
 """The format on which nothing stands that no sheet asks for."""
 
 
-def known() -> tuple[str, ...]:
+def known_places() -> tuple[str, ...]:
     """Return all places: first those of a sheet that does not say what it shows, in their order."""
     ranks = {name: place.rank for name, (_, place) in places().items()}
     first = sorted((name for name in ranks if ranks[name]), key=ranks.__getitem__)
@@ -45,7 +45,7 @@ def usual(asked: Set[str], *, mechanism: bool) -> tuple[str, ...]:
     ``asked``: the sections that are there; a chapter without one shows something of every mechanism.
     """
     there = places()
-    ranked = (name for name in known() if there[name][1].rank)
+    ranked = (name for name in known_places() if there[name][1].rank)
     return tuple(name for name in ranked if called(there[name][0], asked, mechanism=mechanism))
 
 

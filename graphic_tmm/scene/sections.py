@@ -19,7 +19,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.scene import author, drawing, lengths, letters, mechanism, quantities, registry
 from graphic_tmm.scene.bare import taken
 from graphic_tmm.scene.declare import Flaw, Path, Section, build, keys_of
-from graphic_tmm.scene.document import Document, raw_links, table
+from graphic_tmm.scene.document import Document, as_table, raw_links
 from graphic_tmm.scene.references import Outline, outline
 from graphic_tmm.scene.registry import of_section, without_mechanism
 from graphic_tmm.scene.tables import MOST, understood, unknown_key
@@ -111,7 +111,7 @@ class Parts:
 
     def moves(self, path: Path, letter: str) -> Iterator[Flaw]:
         """Tell of a letter that is no point of a moving link."""
-        there = [name for _, link in raw_links(self.doc) for name in table(link.get("points"))]
+        there = [name for _, link in raw_links(self.doc) for name in as_table(link.get("points"))]
         if there and letter not in there:
             says = said('"{letter}" is no point of a moving link', letter=letter[:20])
             what = said("points of moving links")
@@ -133,7 +133,7 @@ def measures(doc: Document) -> quantities.Measures:
     """Return what quantities of a document are kept in, and its g; the usual where it says nothing sound."""
     system = SYSTEMS.get(str(doc.get("units")), SYSTEMS[SI])
     with suppress(ValueError, StopIteration):
-        own = next(one["g"] for one in map(table, doc.values()) if "g" in one)
+        own = next(one["g"] for one in map(as_table, doc.values()) if "g" in one)
         if (g := quantities.in_si(own, "acceleration")) > 0:
             return quantities.Measures(system, g)
     return quantities.Measures(system)
@@ -191,7 +191,7 @@ def _top_level(doc: Document) -> list[Flaw]:
 def needs_mechanism(doc: Document) -> bool:
     """Whether a document asks for anything that cannot stand without a mechanism."""
     raw = doc.get("sheet")
-    sheets = [table(sheet) for sheet in raw] if isinstance(raw, list) and raw else [{}]
+    sheets = [as_table(sheet) for sheet in raw] if isinstance(raw, list) and raw else [{}]
     places = [place for s in sheets for place in _listed(s.get("place", []))]
     asked = any(key in doc for key in _EXAMPLES)
     asked = asked or any(s.name in doc and not s.alone for s in registry.sections())

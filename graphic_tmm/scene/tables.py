@@ -34,7 +34,7 @@ _EXAMPLES = {
 
 
 @dataclass(frozen=True)
-class Table:
+class DeclaredTable:
     """A table that has a declaration of its own."""
 
     record: type

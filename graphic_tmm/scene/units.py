@@ -164,7 +164,7 @@ UNITS: Mapping[str, Unit] = _units()
 """Every spelling of a unit in its plain form (see ``plain``) -> what it means."""
 
 
-def plain(unit: str) -> str:
+def plain_unit(unit: str) -> str:
     """One form for the ways a unit may be typed: ``kg * m^2``, ``kg m2`` -> ``kg·m²``.
 
     Parameters

@@ -309,7 +309,7 @@ def _accelerations(value: object, names: Names) -> tuple[str, ...]:
         return ("all",)
     if not isinstance(value, list):
         raise ValueError(stands(value, said('write a list of positions, [2, 6, "6*"], or "all"')))
-    return tuple(_position(item, misfits.listed) for item in value)
+    return tuple(_position(item, misfits.fault_in_list) for item in value)
 
 
 def _position(value: object, wrong: Callable[[object, str], Said] = stands) -> str:

@@ -115,7 +115,7 @@ def changed(doc: Document, values: Mapping[str, object], source: str) -> Documen
             continue
         taken[path] = str(key)
         try:
-            put_in = None if value is None else plain(value, str(key))
+            put_in = None if value is None else toml_value(value, str(key))
             made = put(made, path, put_in)
         except SceneError as error:
             faults += error.faults
@@ -138,7 +138,7 @@ def document_of(tables: Mapping[Any, Any], source: str) -> Document:
     faults, made = list[Fault](), Document()
     for key, value in tables.items():
         try:
-            made[_key(key, "")] = plain(value, str(key))
+            made[_key(key, "")] = toml_value(value, str(key))
         except SceneError as error:
             faults += error.faults
     if faults:
@@ -146,7 +146,7 @@ def document_of(tables: Mapping[Any, Any], source: str) -> Document:
     return made
 
 
-def plain(value: Any, key: str, deep: int = 1) -> Any:
+def toml_value(value: Any, key: str, deep: int = 1) -> Any:
     """Return a value as TOML would give it.
 
     Raises
@@ -163,9 +163,9 @@ def plain(value: Any, key: str, deep: int = 1) -> Any:
     if isinstance(value, str) and _written(value):
         return str(value)
     if deep < DEEPEST and isinstance(value, Mapping):
-        return {_key(k, key): plain(one, f"{key}.{k}", deep + 1) for k, one in value.items()}
+        return {_key(k, key): toml_value(one, f"{key}.{k}", deep + 1) for k, one in value.items()}
     if deep < DEEPEST and isinstance(value, (list, tuple)):
-        return [plain(one, f"{key}[{k + 1}]", deep + 1) for k, one in enumerate(value)]
+        return [toml_value(one, f"{key}[{k + 1}]", deep + 1) for k, one in enumerate(value)]
     says = said(
         'a scene cannot hold this ({kind}); give a number, a text such as "95 mm", true or false, a list or '
         "a table",

@@ -161,7 +161,9 @@ class Desk:
             return None
         draft = asyncio.create_task(self._drafted(scene, task, soon, show=True))
         try:
-            found = await self.behind.ask(jobs.drawn, task, limit=DRAWING, urgency=scene.urgency)
+            found = await self.behind.ask(
+                jobs.drawn_sheets, task, limit=DRAWING, urgency=scene.urgency
+            )
         finally:
             draft.cancel()
         if isinstance(found, Refused):

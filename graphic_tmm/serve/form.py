@@ -18,13 +18,13 @@ from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Key, Kind, Path, Section, Sort, keys_of
-from graphic_tmm.scene.document import Document, default_text, parsed, table
+from graphic_tmm.scene.document import Document, as_table, default_text, parsed
 from graphic_tmm.scene.drawing import Head
 from graphic_tmm.scene.lines import Layout, key_of, layout
 from graphic_tmm.scene.new import about
 from graphic_tmm.scene.quantities import noun_of
 from graphic_tmm.scene.sections import LENGTHS, declared
-from graphic_tmm.scene.tables import ByShape, Named, Several, Table
+from graphic_tmm.scene.tables import ByShape, DeclaredTable, Named, Several
 
 
 class Field(NamedTuple):
@@ -181,7 +181,7 @@ class _Written(NamedTuple):
 
     def table(self, record: type, raw: object, at: Path, above: Path) -> Iterator[Field]:
         """Yield the fields of a table; ``above``: the path of its section, which labels leave out."""
-        there = table(raw)
+        there = as_table(raw)
         known = keys_of(record)
         for name, one in known.items():
             if name in there:
@@ -198,7 +198,7 @@ class _Written(NamedTuple):
     ) -> Iterator[Field]:
         if isinstance(sort, ByShape):
             sort = sort.such if isinstance(value, sort.shape) else sort.other
-        if isinstance(sort, Table) and isinstance(value, dict):
+        if isinstance(sort, DeclaredTable) and isinstance(value, dict):
             yield from self.table(sort.record, value, at, above)
         elif isinstance(sort, (Named, Several)):
             yield from self.several(sort, value, at, above)
@@ -254,7 +254,7 @@ def _sentence(section: Section) -> str:
 
 
 def _name(item: object) -> str:
-    name = table(item).get("name", "")
+    name = as_table(item).get("name", "")
     return name[:60] if isinstance(name, str) else ""
 
 
@@ -264,7 +264,7 @@ def _label(at: Path, above: Path) -> str:
 
 def _is_point(sort: Sort, value: object) -> bool:
     """Whether a value is a list of two coordinates, each of which has a field of its own."""
-    point = sort is v.POINT or not isinstance(sort, (Kind, Table))
+    point = sort is v.POINT or not isinstance(sort, (Kind, DeclaredTable))
     return point and isinstance(value, list) and len(value) == len(AXES)
 
 

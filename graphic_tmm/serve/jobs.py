@@ -133,7 +133,7 @@ def _given(task: Task) -> Composition | None:
 
 
 @refusing
-def drawn(task: Task) -> Sheets:
+def drawn_sheets(task: Task) -> Sheets:
     """Return the sheets of a scene."""
     made, found = composed(task)
     warnings = tuple(map(printable, all_warnings(made, made.scene.language, sheets=True)))

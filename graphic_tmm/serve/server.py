@@ -42,7 +42,7 @@ def serve(
     desk = Desk(folder, language)
     config = uvicorn.Config(
         application(desk, token, open=host not in LOOPBACK),
-        http=Line,
+        http=Connection,
         loop="asyncio",
         ws="none",
         lifespan="on",
@@ -85,7 +85,7 @@ def _listening(host: str, port: int) -> socket.socket:
     return made
 
 
-class Line(H11Protocol):
+class Connection(H11Protocol):
     """A connection; where many stand, the one that has asked nothing for longest makes room for it.
 
     Connections that know no token, or say nothing, would else keep out those that do: beyond its limit the
@@ -96,7 +96,7 @@ class Line(H11Protocol):
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Take the connection, in the place of another if there is no room."""
-        idle = [line for line in self.connections if isinstance(line, Line) and line.is_idle]
+        idle = [line for line in self.connections if isinstance(line, Connection) and line.is_idle]
         if idle and len(self.connections) >= CONNECTIONS // 2:
             oldest = min(idle, key=lambda line: line.last)
             self.connections.discard(oldest)

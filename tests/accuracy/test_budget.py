@@ -10,9 +10,9 @@ from support.gallery import SHEETS
 from graphic_tmm.accuracy.budget import choose
 from graphic_tmm.accuracy.drawing import References, pinned
 from graphic_tmm.accuracy.measure import Measure
-from graphic_tmm.accuracy.settings import Setting, named
+from graphic_tmm.accuracy.settings import Setting, hand_named
 from graphic_tmm.errors import SceneError
-from graphic_tmm.readers.position_count import whole
+from graphic_tmm.readers.position_count import at_all_positions
 from graphic_tmm.scene.build import DIVISIONS
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
@@ -33,10 +33,10 @@ def test_a_budget_keeps_its_promise_on_the_sheet_that_is_drawn_by_other_drawings
 ) -> None:
     """Measured again with other seeds and 300 drawings, to 3 standard errors of both measurements."""
     taken = choose(task("slider-diagrams", hand), 10.0)
-    other = whole(replace(taken.scene, seed=4711))
+    other = at_all_positions(replace(taken.scene, seed=4711))
     scales = pinned(make(taken.scene, exact=True))
     judge = Measure(scales, References(other, scales), clock=False)
-    runs = judge.runs(Setting(other, hand, named(hand, other, 300)), "", "")
+    runs = judge.runs(Setting(other, hand, hand_named(hand, other, 300)), "", "")
     for run in runs:
         if run.quantity != "a":
             few = run.errors.spread * 3**0.5  # of 100 drawings, by which the setting was chosen

@@ -12,7 +12,16 @@ import pytest
 from support.gallery import ALL, NAMES
 from support.logs import FourBar, logs, sizes
 
-from graphic_tmm.accuracy.cost import ALONG, MINUTES, NOTHING, Work, count, done, repeated, varying
+from graphic_tmm.accuracy.cost import (
+    ALONG,
+    MINUTES,
+    NOTHING,
+    BoardWork,
+    count,
+    done,
+    repeated,
+    varying,
+)
 from graphic_tmm.accuracy.geometrography import ELEMENTARY, elements, symbol
 from graphic_tmm.board.execute import execute, needed
 from graphic_tmm.board.operations.curve import french_curve
@@ -293,7 +302,7 @@ def test_works_are_added_and_multiplied() -> None:
     assert thrice.minutes == pytest.approx(added.minutes)
     assert (work + work).simplicity == 2 * work.simplicity
     mark = bar.phi
-    left, right = Work({}, {}, 0.0, (mark,)), Work({}, {}, 0.0, (mark, bar.a))
+    left, right = BoardWork({}, {}, 0.0, (mark,)), BoardWork({}, {}, 0.0, (mark, bar.a))
     assert (left + right).untold == (mark, bar.a)
 
 

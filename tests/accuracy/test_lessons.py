@@ -12,9 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from support.each import each
 
-from graphic_tmm.accuracy.cost import Work
-from graphic_tmm.accuracy.lessons import best_of, cheapest, fitted, front, optima, slope, student
-from graphic_tmm.accuracy.measure import Errors, Run, Seconds
+from graphic_tmm.accuracy.cost import BoardWork
+from graphic_tmm.accuracy.lessons import best_of, cheapest, front, optima, slope, slopes, student
+from graphic_tmm.accuracy.measure import Errors, Measurement, Seconds
 
 
 @pytest.mark.slow
@@ -207,16 +207,18 @@ def test_costs_and_errors_belong_to_the_same_settings() -> None:
 
 def run(
     n: int, error: float, *, hand: str = "student", spread: float = 0.0, axis: str = "positions"
-) -> Run:
+) -> Measurement:
     errors = Errors(error, error / 2, spread, 0.0)
     seconds = Seconds(1e-3 * n**0.5, 0.0, 1.0)
-    return Run(axis, f"{n}", "V", n, hand, 1.0, 100, errors, Work({}, {}, 5.0 * n), seconds)
+    return Measurement(
+        axis, f"{n}", "V", n, hand, 1.0, 100, errors, BoardWork({}, {}, 5.0 * n), seconds
+    )
 
 
 def test_powers_of_the_number_of_positions_are_found() -> None:
     runs = [run(n, 300.0 / n**2, hand="exact") for n in (4, 8, 12, 24, 48, 96)]
     runs[0] = run(4, 1e6, hand="exact")  # too few positions to follow the power
-    (found,) = fitted(runs)
+    (found,) = slopes(runs)
     assert found.error.slope == pytest.approx(-2.0, abs=1e-9)
     assert found.minutes.slope == pytest.approx(1.0, abs=1e-9)
     assert found.seconds.slope == pytest.approx(0.5, abs=1e-9)

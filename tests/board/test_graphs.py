@@ -80,7 +80,7 @@ def differentiated(n: int, method: str = "chords", pole: float = 15.0) -> Differ
         curve = graphs.through(draft, axes, sheet.at)
         points = graphs.by_tangents(draft, axes, curve, to, at_pole, "a")
         extra = points.points
-    reading = graphs.read(draft, to, points.points, "a")
+    reading = graphs.measure_ordinates(draft, to, points.points, "a")
     value, found, scale = sheet.run(reading, extra, mu)
     factor = float(scale[0, 0])
     between = found.imag[0] * factor if method == "chords" else None

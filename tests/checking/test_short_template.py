@@ -8,7 +8,7 @@ import pytest
 from support import gallery
 
 from graphic_tmm.checking.cells import cells, points
-from graphic_tmm.checking.check import check, known
+from graphic_tmm.checking.check import check, known_readings
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.readings.writing import file_of
 from graphic_tmm.checking.template import letters_sheet, short
@@ -83,7 +83,7 @@ def test_a_template_filled_in_by_a_ruler_comes_back(tmp_path, name, form):
             (one.key, one.mm, one.value, one.x, one.y) for one in wanted
         ]
     assert back
-    assert len(known(made, back, "r")[0]) == len(back)
+    assert len(known_readings(made, back, "r")[0]) == len(back)
 
 
 def test_a_template_filled_in_rightly_is_fine():

@@ -15,7 +15,7 @@ from babel.plural import PluralRule
 from support.messages import PACKAGE, calls, messages, nodes, places, sources
 
 from graphic_tmm.language import catalogue
-from graphic_tmm.language.catalogue import Catalogue, Speech, languages, read, speaking
+from graphic_tmm.language.catalogue import Catalogue, Speech, languages, read_catalogue, speaking
 from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.language.units import BASE, unit
@@ -48,7 +48,7 @@ RUSSIAN_BY_NATURE = {
 
 
 def held(language: str) -> Catalogue:
-    return read(catalogue.FOLDER / f"{language}.po")
+    return read_catalogue(catalogue.FOLDER / f"{language}.po")
 
 
 @pytest.mark.parametrize("language", OTHERS)
@@ -142,7 +142,7 @@ def test_reading_escapes_several_lines_comments_and_what_is_fuzzy(tmp_path: Path
         'msgid "{n} ox"\nmsgid_plural "{n} oxen"\nmsgstr[0] "{n} vaca"',
         encoding="utf-8",
     )
-    assert read(file) == ({("c", 'a "b"'): ("x\ny",), ("", "{n} ox"): ("{n} vaca",)}, "0")
+    assert read_catalogue(file) == ({("c", 'a "b"'): ("x\ny",), ("", "{n} ox"): ("{n} vaca",)}, "0")
 
 
 SPOKEN = Speech(

@@ -16,9 +16,9 @@ from graphic_tmm.page.strands import (
     NEAR,
     STEP,
     Letter,
-    Line,
     Moving,
     MovingFigures,
+    MovingStroke,
     Strands,
     folded,
     line_key,
@@ -43,7 +43,7 @@ def _moving(drawn: Drawn) -> Iterator[Moving]:
         yield from MovingFigures.of(chapter).figures(drawn)
 
 
-def _ink(moving: Moving, k: int) -> dict[Line, list[float]]:
+def _ink(moving: Moving, k: int) -> dict[MovingStroke, list[float]]:
     met = Counter[object]()
     return {
         line_key(one, met): [value for vertex in one.path for value in vertex]
@@ -67,7 +67,7 @@ def test_at_the_positions_ink_is_that_of_the_sheet(name: str) -> None:
             there = {
                 key
                 for key, rows in made.rows.items()
-                if isinstance(key, Line) and np.isfinite(rows[row, 0])
+                if isinstance(key, MovingStroke) and np.isfinite(rows[row, 0])
             }
             assert there == due.keys(), (moving.name, k)
             for key, values in due.items():
@@ -162,4 +162,4 @@ def test_letters_and_lines_are_told_apart() -> None:
         _dense("oscillating-cylinder"), next(_moving(_dense("oscillating-cylinder").drawn))
     )
     kinds = {type(key) for key in found.rows}
-    assert kinds == {Line, Letter}
+    assert kinds == {MovingStroke, Letter}

@@ -12,7 +12,7 @@ from support.examples import most
 from graphic_tmm.errors import SheetError, ViewError
 from graphic_tmm.paper.compose.sheets import pack
 from graphic_tmm.paper.drawing import Drawing, Stand, line
-from graphic_tmm.paper.packing import GAP, Room, bounds, settled
+from graphic_tmm.paper.packing import GAP, Room, bounds, in_pieces
 
 ROOM = Room((20.0, 5.0, 836.0, 589.0), ((651.0, 5.0, 836.0, 60.0), (20.0, 575.0, 90.0, 589.0)))
 kinds = st.sampled_from(["velocities-1", "table-links", "accelerations-2"])
@@ -69,9 +69,9 @@ def test_a_view_that_fits_no_sheet_says_its_name_and_size() -> None:
 def test_a_view_comes_apart_only_where_no_sheet_holds_it() -> None:
     halves = [view("table-a", 400, 20), view("table-b", 400, 20)]
     whole = view("table", 800, 20)._replace(apart=lambda within: halves)
-    assert settled(whole, ROOM.within) == [whole]
+    assert in_pieces(whole, ROOM.within) == [whole]
     wider = view("table", 810, 20)._replace(apart=lambda within: halves)
-    assert settled(wider, ROOM.within) == halves
+    assert in_pieces(wider, ROOM.within) == halves
 
 
 def test_a_sheet_offers_its_largest_free_rectangles() -> None:

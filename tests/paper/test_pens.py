@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.pens import CENTRE, DASHED, PHANTOM, fitted, pens
+from graphic_tmm.paper.pens import CENTRE, DASHED, PHANTOM, pens, stretched
 
 
 @pytest.mark.parametrize("format", ["A1", "A4"])
@@ -43,7 +43,7 @@ def test_unknown_format_is_refused() -> None:
 def test_a_dashed_line_begins_and_ends_with_a_whole_stroke(
     length: float, dashes: tuple[float, ...]
 ) -> None:
-    pattern = fitted(dashes, length)
+    pattern = stretched(dashes, length)
     if not pattern:
         assert length < 2.5 * sum(dashes)
         return
@@ -56,7 +56,7 @@ def test_a_dashed_line_begins_and_ends_with_a_whole_stroke(
 def test_a_dash_dot_line_has_a_stroke_in_its_middle(
     length: float, dashes: tuple[float, ...]
 ) -> None:
-    pattern = fitted(dashes, length)
+    pattern = stretched(dashes, length)
     if not pattern:
         assert length < 5.0 * (2 * sum(dashes) + dashes[0]) / dashes[0]
         return
@@ -67,10 +67,10 @@ def test_a_dash_dot_line_has_a_stroke_in_its_middle(
 
 
 def test_a_closed_line_takes_whole_periods() -> None:
-    pattern = fitted(CENTRE, 100.0, closed=True)
+    pattern = stretched(CENTRE, 100.0, closed=True)
     assert 100.0 / sum(pattern) == pytest.approx(6.0)
 
 
 def test_a_short_centre_line_and_a_solid_one_have_no_dashes() -> None:
-    assert fitted(CENTRE, 12.0) == ()
-    assert fitted((), 100.0) == ()
+    assert stretched(CENTRE, 12.0) == ()
+    assert stretched((), 100.0) == ()

@@ -13,7 +13,7 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke, line
 from graphic_tmm.paper.lettering import letters
-from graphic_tmm.paper.ruled import Box, Slot, fit, set_text, table
+from graphic_tmm.paper.ruled import Box, Slot, fit, ruled_table, set_text
 from graphic_tmm.paper.views import captioned
 
 DRAWABLE = [chr(k) for k in range(32, 0x2300) if not letters.missing(chr(k))]
@@ -147,7 +147,7 @@ def test_no_text_of_a_table_crosses_a_ruling(
     case: tuple[list[str], list[list[str]], float],
 ) -> None:
     columns, rows, size = case
-    made = table("t", "Таблица", columns, rows, size=size)
+    made = ruled_table("t", "Таблица", columns, rows, size=size)
     xs, ys = rulings(made)
     assert xs[0] == ys[0] == 0
     assert len(xs) == len(columns) + 1
@@ -166,7 +166,7 @@ def test_no_text_of_a_table_crosses_a_ruling(
 
 
 def test_the_outside_and_the_head_are_heavy() -> None:
-    made = table("t", "", ["a", "b"], [["1", "2"], ["3", "4"], ["5", "6"]])
+    made = ruled_table("t", "", ["a", "b"], [["1", "2"], ["3", "4"], ["5", "6"]])
     heavy = [s for s in made.strokes if s.pen == "main"]
     thin = [s for s in made.strokes if s.pen == "thin"]
     assert len(heavy) == 2
@@ -176,7 +176,7 @@ def test_the_outside_and_the_head_are_heavy() -> None:
 
 def test_numerals_share_their_decimal_place() -> None:
     cells = ["1,5", "12,25", "−103", "–", "0,125"]
-    made = table("t", "", ["x"], [[cell] for cell in cells])
+    made = ruled_table("t", "", ["x"], [[cell] for cell in cells])
     labels = {label.text: label for label in made.labels}
     points = {
         round(labels[cell].at.real + letters.width(cell.split(",")[0], size=3.5), 6)
@@ -188,7 +188,7 @@ def test_numerals_share_their_decimal_place() -> None:
 
 
 def test_columns_are_as_wide_as_their_widest_text_and_its_padding() -> None:
-    made = table("t", "", ["Положение", "v"], [["1", "длинное значение"]], size=5)
+    made = ruled_table("t", "", ["Положение", "v"], [["1", "длинное значение"]], size=5)
     xs, _ = rulings(made)
     assert xs[1] == pytest.approx(letters.letter("Положение", size=5).right + 5)
     assert xs[2] - xs[1] == pytest.approx(letters.letter("длинное значение", size=5).right + 5)
@@ -196,7 +196,7 @@ def test_columns_are_as_wide_as_their_widest_text_and_its_padding() -> None:
 
 def test_left_and_centre_can_be_asked_for() -> None:
     rows = [["1", "1"], ["100", "100"]]
-    made = table("t", "", ["длинный заголовок", "c"], rows, align=("left", "centre"))
+    made = ruled_table("t", "", ["длинный заголовок", "c"], rows, align=("left", "centre"))
     (a, b, c, d) = (label for label in made.labels if label.text in ("1", "100"))
     assert a.at.real == b.at.real == 1.75
     assert a.anchor == "start"
@@ -206,11 +206,11 @@ def test_left_and_centre_can_be_asked_for() -> None:
 
 def test_a_ragged_table_and_an_unknown_alignment_are_refused() -> None:
     with pytest.raises(SheetError, match="table t"):
-        table("t", "", ["a", "b"], [["1"]])
+        ruled_table("t", "", ["a", "b"], [["1"]])
     with pytest.raises(SheetError, match="table t"):
-        table("t", "", [], [])
+        ruled_table("t", "", [], [])
     with pytest.raises(SheetError, match="right"):
-        table("t", "", ["a"], [["1"]], align=("right",))
+        ruled_table("t", "", ["a"], [["1"]], align=("right",))
 
 
 def test_a_title_much_wider_than_its_table_stands_in_two_lines() -> None:

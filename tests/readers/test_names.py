@@ -29,7 +29,7 @@ from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.language.symbols import plain, spoken, symbol
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.lettering.markup import plain as lettered
-from graphic_tmm.readers.narration import Line, protocol
+from graphic_tmm.readers.narration import ProtocolLine, protocol
 from graphic_tmm.readers.protocol import protocol as told
 from graphic_tmm.readers.protocol import steps_of
 from graphic_tmm.readers.table import scene_columns, table
@@ -206,7 +206,7 @@ def test_what_a_sheet_calls_a_quantity_the_protocol_or_the_table_calls_it_too(na
         ]
 
 
-def _lines(log: Construction, reading: Reading, language: str) -> Iterator[Line]:
+def _lines(log: Construction, reading: Reading, language: str) -> Iterator[ProtocolLine]:
     for view in dict.fromkeys(step.it.view for step in log.steps):
         yield from protocol(log, view, reading, 0, language)
 

@@ -143,7 +143,9 @@ def test_equal_lengths_stand_for_equal_quantities(seed: int) -> None:
     figures = rounded_figures(columns)
     for column, one in zip(columns, figures, strict=True):
         for (mm, value), (length, figure) in zip(
-            zip(*column.first_figures, strict=True), zip(one.mm, one.value, strict=True), strict=True
+            zip(*column.first_figures, strict=True),
+            zip(one.mm, one.value, strict=True),
+            strict=True,
         ):
             assert mm is not None
             assert value is not None

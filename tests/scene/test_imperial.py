@@ -20,7 +20,7 @@ from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import languages
 from graphic_tmm.readers.table import scene_columns, scene_results
 from graphic_tmm.scene.read import understood
-from graphic_tmm.scene.units import UNITS, plain
+from graphic_tmm.scene.units import UNITS, plain_unit
 
 SCENE = """title = "Inches and pounds"
 language = "en"
@@ -73,7 +73,7 @@ def _made(text: str, units: str) -> DrawnScene:
 
 
 def _si(unit: str) -> float:
-    known = UNITS.get(plain(unit))
+    known = UNITS.get(plain_unit(unit))
     return float(known.factor) if known is not None else OTHERS.get(unit, 1.0)
 
 

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from graphic_tmm.scene.quantities import LARGEST, Measures, measuring, parse
-from graphic_tmm.scene.units import UNITS, plain
+from graphic_tmm.scene.units import UNITS, plain_unit
 
 
 @pytest.mark.parametrize(
@@ -151,7 +151,7 @@ def test_two_alphabets_in_one_unit_are_pointed_out():
 
 
 def test_every_spelling_is_its_own_plain_form():
-    assert [spelling for spelling in UNITS if plain(spelling) != spelling] == []
+    assert [spelling for spelling in UNITS if plain_unit(spelling) != spelling] == []
 
 
 @given(

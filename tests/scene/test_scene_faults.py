@@ -384,7 +384,7 @@ def test_any_wrong_value_gives_faults_in_words(name, data):
         if not doc:
             return
     parts, found = sections.understand(doc)
-    found += [*references.check(doc, lambda text: ""), *checks.check(parts)]
+    found += [*references.name_faults(doc, lambda text: ""), *checks.contradictions(parts)]
     told = [fault(doc, {}, item) for item in found]
     assert all(item.key and item.message for item in told)
     if not found:

@@ -21,7 +21,7 @@ from xml.etree import ElementTree
 from graphic_tmm.__main__ import main
 from graphic_tmm.board.formula_text import FUNCTIONS
 from graphic_tmm.language import catalogue
-from graphic_tmm.language.catalogue import read
+from graphic_tmm.language.catalogue import read_catalogue
 from graphic_tmm.readers.protocol import plans
 from graphic_tmm.scene.new import schema
 
@@ -44,7 +44,7 @@ def _english(text: str) -> Iterator[str]:
 @cache
 def english() -> frozenset[str]:
     """The words that are English and nothing else here."""
-    texts = read(catalogue.FOLDER / "ru.po").texts
+    texts = read_catalogue(catalogue.FOLDER / "ru.po").texts
     words = _words(text for _, text in texts) - {"tab"}  # as a column is called, too: t_ab
     kept = _words(form for told in texts.values() for form in told)
     typed = {*_names(schema()), *plans(), *main.list_commands(None)}  # type: ignore[arg-type]

@@ -7,10 +7,10 @@ from functools import cache
 from graphic_tmm.accuracy.drawing import Pinned, References, draw, pinned
 from graphic_tmm.accuracy.measure import Measure
 from graphic_tmm.accuracy.quantities import Quantity, quantities
-from graphic_tmm.accuracy.settings import Setting, named
+from graphic_tmm.accuracy.settings import Setting, hand_named
 from graphic_tmm.accuracy.study import Study, study
 from graphic_tmm.project import Project
-from graphic_tmm.readers.position_count import whole
+from graphic_tmm.readers.position_count import at_all_positions
 from graphic_tmm.scene.records import Scene
 from support import gallery
 from support.gallery import exact
@@ -18,7 +18,7 @@ from support.gallery import exact
 
 @cache
 def scene(name: str) -> Scene:
-    return whole(gallery.scene(name))
+    return at_all_positions(gallery.scene(name))
 
 
 @cache
@@ -41,7 +41,7 @@ def measure(name: str) -> Measure:
 
 def by(name: str, hand: str, trials: int = 100, changed: Scene | None = None) -> Setting:
     task = changed or scene(name)
-    return Setting(task, hand, named(hand, task, trials))
+    return Setting(task, hand, hand_named(hand, task, trials))
 
 
 @cache

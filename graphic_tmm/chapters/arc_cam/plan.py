@@ -132,7 +132,7 @@ def _diagrams(draft: Draft, order: ArcTask, follower: Follower, base: Base) -> d
 
 def _chart(draft: Draft, which: str, axes: Axes, at: Boundaries, unit: str) -> Chart:
     draft.open(axes.view)
-    ordinate = graphs.read(draft, axes, at.points, LETTERS[which])
+    ordinate = graphs.measure_ordinates(draft, axes, at.points, LETTERS[which])
     return Chart(axes.view, LETTERS[which], unit, axes.mu, (ordinate,), True, None, ROOM)
 
 

@@ -28,7 +28,7 @@ from graphic_tmm.note.document import (
     Symbol,
 )
 from graphic_tmm.note.figures import is_figure, picture, readable
-from graphic_tmm.note.plans import Page, listed
+from graphic_tmm.note.plans import Page, section_table
 from graphic_tmm.note.protocol import Known
 from graphic_tmm.note.steps import NumberSource, calculated
 from graphic_tmm.readers.rounding import rounded_figures as as_told
@@ -201,7 +201,7 @@ class CamPage(Page):
 
     def from_log(self, view: str, at: int, shown: Sequence[Picture] = ()) -> Iterator[Block]:
         """Yield a view as the log tells it, step by step."""
-        yield from listed(self.drawn, view, at, self.language, shown, known=self.known)
+        yield from section_table(self.drawn, view, at, self.language, shown, known=self.known)
 
     def cell(self, segment: str, factor: int) -> Number:
         """Return what a column holds in the position that is worked: in mm (0), or the quantity (1)."""

@@ -13,7 +13,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Flaw, Kind, Names, Said, Section, combined_key, key
-from graphic_tmm.scene.misfits import listed, stands
+from graphic_tmm.scene.misfits import fault_in_list, stands
 from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
@@ -132,7 +132,7 @@ def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
             isinstance(x, (int, float)) and not isinstance(x, bool) for x in item
         ):
             raise ValueError(
-                listed(item, said("a point is a share of the phase and a number, [0.25, 1]"))
+                fault_in_list(item, said("a point is a share of the phase and a number, [0.25, 1]"))
             )
         found.append((float(item[0]), float(item[1])))
     return tuple(found)

@@ -27,7 +27,7 @@ from graphic_tmm.readers.task_sheet import (
     Listed,
     Scheme,
     TaskSheet,
-    figure,
+    given_figure,
     given_speed,
 )
 from graphic_tmm.scene.records import Scene
@@ -189,8 +189,8 @@ def listed(scene: Scene, language: str) -> Iterator[Listed]:
     laws = {"rise": (order.rise_law, _RISE), "return": (order.return_law, _RETURN)}
     for name, (law, title) in laws.items():
         if law.points and (name == "rise" or law.points != order.rise_law.points):
-            heads = ("φ/φ_{0}", *(figure(share, language) for share, _ in law.points))
-            row = ("a", *(figure(size, language) for _, size in law.points))
+            heads = ("φ/φ_{0}", *(given_figure(share, language) for share, _ in law.points))
+            row = ("a", *(given_figure(size, language) for _, size in law.points))
             yield Listed(f"law-{name}", _(title), heads, (row,))
 
 

@@ -122,7 +122,7 @@ def _moment(
     axes = graphs.draw_axes(draft, VIEWS["moment"], base, mu)
     at = graphs.lay_ordinates(draft, axes, heights, "k")
     curve = graphs.taut(draft, axes, at)
-    read = graphs.read(draft, axes, at.points, "M")
+    read = graphs.measure_ordinates(draft, axes, at.points, "M")
     chart = Chart(VIEWS["moment"], "M", "N·m", mu, (read,), True, order.flywheel.mu_M, None)
     return base, moment, axes, at, chart, curve
 
@@ -136,6 +136,6 @@ def _energy(draft: Draft, source: Axes, at: Boundaries, done: Works) -> tuple[Ax
     axes = graphs.draw_axes(draft, VIEWS["energy"], done.axes.base, done.axes.mu)
     gained = graphs.lay_ordinates(draft, axes, done.surplus, "g")
     own = graphs.along_rays(draft, axes, gained, done.pole, at, source)
-    read = graphs.read(draft, axes, gained.points, "ΔT")
+    read = graphs.measure_ordinates(draft, axes, gained.points, "ΔT")
     chart = done.chart._replace(view=VIEWS["energy"], symbol="T", ordinates=(read,), figure=())
     return axes, own, chart

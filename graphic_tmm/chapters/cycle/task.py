@@ -23,7 +23,7 @@ from graphic_tmm.scene.declare import (
     key,
     keys_of,
 )
-from graphic_tmm.scene.misfits import listed, stands
+from graphic_tmm.scene.misfits import fault_in_list, stands
 from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
     found = []
     for item in value:
         if not isinstance(item, list) or len(item) != 2:
-            raise ValueError(listed(item, remedy))
+            raise ValueError(fault_in_list(item, remedy))
         found.append((quantities.parse(item[0], "angle"), quantities.parse(item[1], "moment")))
     v.follow([angle for angle, _ in found])
     return tuple(found)

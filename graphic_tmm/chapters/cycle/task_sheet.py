@@ -9,7 +9,7 @@ from graphic_tmm.chapters.flywheel.task_sheet import given_of, of_order
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
-from graphic_tmm.readers.task_sheet import Given, Listed, TaskSheet, figure, given_speed
+from graphic_tmm.readers.task_sheet import Given, Listed, TaskSheet, given_figure, given_speed
 from graphic_tmm.scene.records import Scene
 
 
@@ -41,8 +41,11 @@ def listed(scene: Scene, language: str) -> Iterator[Listed]:
     opposes = order.flywheel.constant == "driving"
     for k, one in enumerate(order.moments):
         title = _(_RESISTING if opposes else _DRIVING) if k == 0 else ""
-        heads = ("φ, °", *(figure(angle, language) for angle, _ in one.points))
-        row = (f"M, {unit('N·m', language)}", *(figure(size, language) for _, size in one.points))
+        heads = ("φ, °", *(given_figure(angle, language) for angle, _ in one.points))
+        row = (
+            f"M, {unit('N·m', language)}",
+            *(given_figure(size, language) for _, size in one.points),
+        )
         yield Listed(f"moment-{k + 1}", title, heads, (row,))
 
 

@@ -286,7 +286,7 @@ def _chart(
     draft: Draft, symbol: str, axes: Axes, at: Boundaries, chosen: bool, order: KinematicTask
 ) -> Chart:
     draft.open(axes.view)
-    ordinate = graphs.read(draft, axes, at.points, symbol)
+    ordinate = graphs.measure_ordinates(draft, axes, at.points, symbol)
     unit, drawn = unit_of(symbol, order), getattr(order, symbol)
     return Chart(axes.view, symbol, unit, axes.mu, (ordinate,), chosen, drawn.mu, ROOM)
 

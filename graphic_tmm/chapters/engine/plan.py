@@ -244,7 +244,7 @@ def _diagrams(
             # the links' own inertia is smooth, what the gas has a part in is not
             draw_curve = graphs.through if letter == "P_in" else graphs.taut
             curve = draw_curve(draft, axes, at)
-            found.append(graphs.read(draft, axes, at.points, ordinate("y", letter)))
+            found.append(graphs.measure_ordinates(draft, axes, at.points, ordinate("y", letter)))
         charts.append(Chart(view, symbol, unit, mu, tuple(found), True, None, ROOM))
         curves[view] = letters
     return tuple(charts), curves, (axes, curve)

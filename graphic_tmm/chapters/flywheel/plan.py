@@ -130,7 +130,7 @@ def draw_flywheel(
     axes = graphs.draw_axes(draft, VIEWS["moment"], base, mu_M)
     at = graphs.lay_ordinates(draft, axes, heights, "k")
     curve = graphs.taut(draft, axes, at)
-    reading = graphs.read(draft, axes, at.points, "M")
+    reading = graphs.measure_ordinates(draft, axes, at.points, "M")
     chart = Chart(VIEWS["moment"], "M", "N·m", mu_M, (reading,), True, order.mu_M, None)
     done = draw_works(draft, axes, at, curve, order)
     energies, gained, own, charts = _energies(draft, machine, axes, at, done)
@@ -331,7 +331,7 @@ def _energies(
     own = graphs.lay_ordinates(draft, axes, rest, "f")
     curve = graphs.difference(draft, axes, own, ahead, carried)
     readings = [
-        graphs.read(draft, axes, points.points, letter)
+        graphs.measure_ordinates(draft, axes, points.points, letter)
         for points, letter in ((gained, "ΔT"), (links, "T_L"), (own, "T_F"))
     ]
     energy = done.chart._replace(

@@ -7,7 +7,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Names
-from graphic_tmm.scene.misfits import listed, stands
+from graphic_tmm.scene.misfits import fault_in_list, stands
 from graphic_tmm.scene.units import Dimension
 
 AGAINST = "against"
@@ -67,7 +67,7 @@ def _pairs(value: object, names: Names, *, angle: bool) -> tuple[tuple[float, fl
     for item in value:
         if not isinstance(item, list) or len(item) != 2:
             remedy = said("a point is a list of two, {example}", example=example)
-            raise ValueError(listed(item, remedy))
+            raise ValueError(fault_in_list(item, remedy))
         at = quantities.parse(item[0], "angle") if angle else v.within(item[0])
         found.append((at, _size(item[1], names)))
     v.follow([at for at, _ in found])

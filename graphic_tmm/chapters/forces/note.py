@@ -45,7 +45,7 @@ from graphic_tmm.note.document import (
     text,
 )
 from graphic_tmm.note.figures import WALL, in_hand, is_figure, picture
-from graphic_tmm.note.plans import at_position, listed, section, shown_and_listed
+from graphic_tmm.note.plans import at_position, section, section_table, shown_and_listed
 from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.paper.seen import Seen
 from graphic_tmm.scene.captions import captions
@@ -71,7 +71,7 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
     page = _Page(drawn, made, language)
     yield paragraph(speaking(language)(WORKED, position=drawn.names[page.at]))
     yield from (Paragraph(text(plain(pin))) for pin in pin_sentences(drawn, language))
-    yield from listed(drawn, LOADS, page.at, language)
+    yield from section_table(drawn, LOADS, page.at, language)
     plans = KINEMATICS_PLAN.on(drawn)
     crank = plans.structure.driver
     pivot = plans.positions.bodies[crank].marks[plans.structure.pivot]
@@ -80,7 +80,7 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
         yield from page.detached(solved.closing.group.name, solved.polygon, rows)
     rows = driver_rows(page.writer, made, pivot, crank)
     yield from page.detached(str(crank), made.driven.polygon, rows)
-    yield from listed(drawn, FRICTION, page.at, language)
+    yield from section_table(drawn, FRICTION, page.at, language)
     yield from page.lever()
     yield from columns(drawn, force_columns(drawn), language)
 

@@ -24,7 +24,7 @@ from graphic_tmm.paper.drawing import Wanted
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.symbols.dimensions import arrow
 from graphic_tmm.paper.symbols.kinematic import round_arrow
-from graphic_tmm.readers.task_sheet import Acting, Listed, Posed, TaskSheet, figure
+from graphic_tmm.readers.task_sheet import Acting, Listed, Posed, TaskSheet, given_figure
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
 
@@ -107,8 +107,10 @@ def _across(
     language: str,
 ) -> Listed:
     """Return a table of two rows: where, and how much."""
-    heads = (head, *(figure(at, language) for at, _ in points))
-    return Listed(name, title, heads, ((row, *(figure(size, language) for _, size in points)),))
+    heads = (head, *(given_figure(at, language) for at, _ in points))
+    return Listed(
+        name, title, heads, ((row, *(given_figure(size, language) for _, size in points)),)
+    )
 
 
 def acting(scene: Scene, posed: Posed) -> Iterator[Acting]:

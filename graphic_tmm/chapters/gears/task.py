@@ -9,7 +9,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Names, Section, key
-from graphic_tmm.scene.misfits import listed, stands
+from graphic_tmm.scene.misfits import fault_in_list, stands
 from graphic_tmm.scene.tasks import SectionKey
 
 GEARS = "gears"
@@ -21,7 +21,9 @@ def _stations(value: object, names: Names) -> tuple[float, ...]:
     found = tuple(1000.0 * quantities.parse(item, "length") for item in value)
     for item, station in zip(value, found, strict=True):
         if not POSITIVE.holds(station):
-            raise ValueError(listed(item, said("a station lies beyond N1: write it positive")))
+            raise ValueError(
+                fault_in_list(item, said("a station lies beyond N1: write it positive"))
+            )
     return found
 
 

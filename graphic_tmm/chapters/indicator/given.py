@@ -11,7 +11,7 @@ from graphic_tmm.language.units import unit
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.drawing import Wanted
 from graphic_tmm.paper.symbols.dimensions import arrow
-from graphic_tmm.readers.task_sheet import SIZE, Acting, Given, Listed, Posed, figure
+from graphic_tmm.readers.task_sheet import SIZE, Acting, Given, Listed, Posed, given_figure
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
 
@@ -49,13 +49,13 @@ def _side(scene: Scene, gas: Gas, title: str, language: str) -> Iterator[Listed]
     _, words, pascal = speaking(language), captions(language), f"p, {unit('Pa', language)}"
     if gas.even:
         parts = [part.pressure for part in gas.stretches]
-        level = figure((*gas.pressures, *parts)[0], language)
+        level = given_figure((*gas.pressures, *parts)[0], language)
         yield Listed("pressure", title, (pascal,), ((level,),))
         return
     for k in range(0, len(gas.pressures), ACROSS):
         some = gas.pressures[k : k + ACROSS]
         heads = (words["position"], *(str(scene.row.first + k + n) for n in range(len(some))))
-        row = (pascal, *(figure(p, language) for p in some))
+        row = (pascal, *(given_figure(p, language) for p in some))
         yield Listed(f"pressures-{k}", "" if k else title, heads, (row,))
     if gas.stretches:
         heads = tuple(map(_, (_STROKE, _FROM, _TO, _LAW)))
@@ -66,12 +66,16 @@ def _side(scene: Scene, gas: Gas, title: str, language: str) -> Iterator[Listed]
 def _stretch(one: Stretch, language: str) -> tuple[str, ...]:
     _ = speaking(language)
     way = _(_OUT if one.stroke == "out" else _BACK)
-    spots = figure(one.start, language), figure(one.end, language)
+    spots = given_figure(one.start, language), given_figure(one.end, language)
     if one.exponent is None:
-        size = f"{figure(one.pressure, language)} … {figure(one.last, language)}"
+        size = f"{given_figure(one.pressure, language)} … {given_figure(one.last, language)}"
         return (way, *spots, _(_STRAIGHT), size)
-    law = "p = const" if not one.exponent else f"pV^{{{figure(one.exponent, language)}}} = const"
-    return (way, *spots, law, figure(one.pressure, language))
+    law = (
+        "p = const"
+        if not one.exponent
+        else f"pV^{{{given_figure(one.exponent, language)}}} = const"
+    )
+    return (way, *spots, law, given_figure(one.pressure, language))
 
 
 _COVER = said("Pressures on the side of the piston away from the crank")

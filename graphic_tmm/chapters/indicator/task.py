@@ -12,8 +12,8 @@ from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Flaw, Kind, Names, Said, Section, combined_key, key
-from graphic_tmm.scene.misfits import listed, stands
-from graphic_tmm.scene.tables import Several, Table
+from graphic_tmm.scene.misfits import fault_in_list, stands
+from graphic_tmm.scene.tables import DeclaredTable, Several
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -42,7 +42,7 @@ def _traced(value: object, names: Names) -> tuple[tuple[float, float], ...]:
     for item in value:
         if not isinstance(item, list) or len(item) != 2:
             raise ValueError(
-                listed(
+                fault_in_list(
                     item, said('a point is a share of the stroke and a pressure, [0.4, "2 bar"]')
                 )
             )
@@ -203,15 +203,15 @@ class IndicatorTask:
         cover=key(
             _PRESSURES, "pressures on the side away from the crank", ["300 kPa", "240 kPa"], None
         ),
-        cover_points=key(Table(Traced), _POINTS, default=None),
-        cover_strokes=key(Several(Table(Stroke)), _STROKES, default=()),
+        cover_points=key(DeclaredTable(Traced), _POINTS, default=None),
+        cover_strokes=key(Several(DeclaredTable(Stroke)), _STROKES, default=()),
     )
     shaft: Gas | None = combined_key(
         _gas("shaft"),
         None,
         shaft=key(_PRESSURES, "pressures on the side towards the crank", default=None),
-        shaft_points=key(Table(Traced), _POINTS, default=None),
-        shaft_strokes=key(Several(Table(Stroke)), _STROKES, default=()),
+        shaft_points=key(DeclaredTable(Traced), _POINTS, default=None),
+        shaft_strokes=key(Several(DeclaredTable(Stroke)), _STROKES, default=()),
         clearance=key(v.WITHIN, "clearance as a share of the stroke", 0.08, 0.0),
         rod=key(v.POSITIVE_LENGTH, "diameter of the rod on that side", "30 mm", None),
     )

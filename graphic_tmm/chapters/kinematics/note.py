@@ -11,7 +11,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.note.bricks import columns, worked
 from graphic_tmm.note.document import Block, Picture
 from graphic_tmm.note.figures import in_hand, picture, readable
-from graphic_tmm.note.plans import listed
+from graphic_tmm.note.plans import section_table
 from graphic_tmm.note.protocol import Known
 from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.paper.formats import heights
@@ -25,11 +25,13 @@ def note(drawn: Drawn, language: str) -> Iterator[Block]:
     """Yield the section of kinematics: each plan is drawn in one position, the tables hold all."""
     at = worked(drawn)
     known: Known = set()
-    yield from listed(drawn, EXTREMES, at, language, known=known)
+    yield from section_table(drawn, EXTREMES, at, language, known=known)
     shown = _positions(drawn, language)
-    yield from listed(drawn, POSITIONS, at, language, shown, known=known)
+    yield from section_table(drawn, POSITIONS, at, language, shown, known=known)
     for view in (VELOCITIES, ACCELERATIONS):
-        yield from listed(drawn, view, at, language, _plan(drawn, view, at, language), known=known)
+        yield from section_table(
+            drawn, view, at, language, _plan(drawn, view, at, language), known=known
+        )
     yield from columns(drawn, kinematic_columns(drawn), language)
 
 

@@ -21,7 +21,7 @@ from graphic_tmm.chapters.planetary.pictures import (
     draw_end_view,
     draw_pair,
 )
-from graphic_tmm.chapters.planetary.rates import Picture, Rates, draw_picture, draw_rates
+from graphic_tmm.chapters.planetary.rates import Rates, VelocityPicture, draw_picture, draw_rates
 from graphic_tmm.chapters.planetary.task import ASKED, PLANETARY_TRAIN, PlanetaryTask, Train
 from graphic_tmm.chapters.planetary.tooth_search import choose
 from graphic_tmm.project import Bench
@@ -53,7 +53,7 @@ class Drawn:
     train: Train
     end: EndView
     axial: AxialView
-    picture: Picture
+    picture: VelocityPicture
     rates: Rates
     pair: PairView | None = None
     size: float = 1.0
@@ -141,7 +141,7 @@ class Planetary:
     sizes: Dimensions
     end: EndView
     axial: AxialView
-    picture: Picture
+    picture: VelocityPicture
     rates: Rates
     results: Mapping[str, Mark]
     pair: PairView | None = None

@@ -33,7 +33,7 @@ RATES = "planetary-rates"
 
 
 @dataclass(frozen=True)
-class Picture:
+class VelocityPicture:
     """The picture of linear velocities.
 
     ``place``: where its zero line stands along the axis (Length, given); ``zeros``: O, A, B, C on it; ``ends``:
@@ -71,7 +71,9 @@ class Rates:
     difference: Mark
 
 
-def draw_picture(draft: Draft, order: PlanetaryTask, end: EndView, sizes: Dimensions) -> Picture:
+def draw_picture(
+    draft: Draft, order: PlanetaryTask, end: EndView, sizes: Dimensions
+) -> VelocityPicture:
     """Draw the picture from the velocity of the driving shaft: of A if wheel 1 drives, of B if the carrier."""
     draft.open(VELOCITIES)
     mu = draft.scale("μ_v", "(m/s)/mm")
@@ -110,7 +112,7 @@ def draw_picture(draft: Draft, order: PlanetaryTask, end: EndView, sizes: Dimens
     found = draft.draw(in_si, f"v_{sought}", read, unit="m/s")
     readings, speeds = {known: length, sought: read}, {known: speed, sought: found}
     ends = (tips["A"], tips["B"])
-    return Picture(mu, place, (origin, a, b, c), ends, lines, readings, speeds)
+    return VelocityPicture(mu, place, (origin, a, b, c), ends, lines, readings, speeds)
 
 
 def draw_rates(
@@ -119,7 +121,7 @@ def draw_rates(
     train: Train,
     end: EndView,
     sizes: Dimensions,
-    picture: Picture,
+    picture: VelocityPicture,
 ) -> Rates:
     """Draw the plan of angular velocities below the picture; measure the ratio and compare it."""
     draft.open(RATES)

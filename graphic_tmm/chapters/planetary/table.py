@@ -29,7 +29,7 @@ from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.lettering.letters import letter
-from graphic_tmm.paper.ruled import PADDING, table
+from graphic_tmm.paper.ruled import PADDING, ruled_table
 from graphic_tmm.paper.views import wrapped
 from graphic_tmm.readers.columns import Column, Tabled, listed, measured_columns
 from graphic_tmm.readers.rounding import rounded_figures
@@ -102,7 +102,7 @@ def condition_table(
             for k, line in enumerate(wrapped(text, size, most))
         ]
         heads, align = [words["condition"], words["check"]], ["left", "left"]
-        return table(
+        return ruled_table(
             "table-planetary",
             words["conditions"],
             heads,

@@ -14,7 +14,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure, dissect
-from graphic_tmm.note.bricks import filled, folded, referred, side_by_side
+from graphic_tmm.note.bricks import filled, in_columns, referred, side_by_side
 from graphic_tmm.note.calculations import without_letters
 from graphic_tmm.note.document import (
     Block,
@@ -110,7 +110,7 @@ def _links(mechanism: Mechanism, structure: Structure, language: str) -> Table:
         for link in links
     )
     heads = text(words["number"]), text(words["link"]), text(words["mobility"])
-    return folded(Table("table-links", text(speaking(language)(LINKS)), heads, rows, "cll"), 2)
+    return in_columns(Table("table-links", text(speaking(language)(LINKS)), heads, rows, "cll"), 2)
 
 
 def _pairs(mechanism: Mechanism, structure: Structure, language: str) -> Table:

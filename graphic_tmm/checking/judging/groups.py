@@ -57,7 +57,7 @@ SAYS = {
 }
 
 
-class Entry(NamedTuple):
+class CountedReading(NamedTuple):
     """A reading that counts: how many times what the hand is off, in this drawing and in each of the hand's."""
 
     judged: Judged
@@ -70,11 +70,11 @@ class Group(NamedTuple):
     """Readings that belong together: of which kind, how likely a hand's are so far off."""
 
     kind: str
-    entries: tuple[Entry, ...]
+    entries: tuple[CountedReading, ...]
     likely: float
 
     @property
-    def first(self) -> Entry:
+    def first(self) -> CountedReading:
         """The reading that is the farthest off."""
         return max(self.entries, key=lambda one: abs(one.times))
 
@@ -93,7 +93,7 @@ def groups(made: DrawnScene, judged: Sequence[Judged], by: Yardstick) -> tuple[L
     by
         By what they were judged.
     """
-    together: dict[tuple[str, ...], list[Entry]] = defaultdict(list)
+    together: dict[tuple[str, ...], list[CountedReading]] = defaultdict(list)
     for one in entries(made, judged, by):
         taken = one.judged.taken
         if taken.position:
@@ -125,7 +125,7 @@ def _of(one: Judged) -> tuple[tuple[str, ...], ...]:
     )
 
 
-def entries(made: DrawnScene, judged: Sequence[Judged], by: Yardstick) -> list[Entry]:
+def entries(made: DrawnScene, judged: Sequence[Judged], by: Yardstick) -> list[CountedReading]:
     """Return the readings that count: not rates, which say what their lengths do, nor what is given."""
     work, found = made.mechanism, []
     steps: Mapping[tuple[str, str], Step] = steps_of(work)
@@ -143,7 +143,7 @@ def entries(made: DrawnScene, judged: Sequence[Judged], by: Yardstick) -> list[E
             hand = _sense(one) * spread.drawn / (spread.rms or 1.0)
         if hand.size and float(np.ptp(hand)) > 0.0:
             times = one.times * (_sense(one) if one.found < 0.0 else 1.0)
-            found.append(Entry(one, times, step, hand))
+            found.append(CountedReading(one, times, step, hand))
     return found
 
 
@@ -152,7 +152,7 @@ def _sense(one: Judged) -> float:
     return 1.0 if one.taken.pointed else math.copysign(1.0, one.due)
 
 
-def rarity(kind: str, some: Sequence[Entry]) -> float:
+def rarity(kind: str, some: Sequence[CountedReading]) -> float:
     """Return in which share of a hand's drawings readings are together so far off."""
     if kind == CLOSED:
         # only lengths that are drawn together: those of diagrams are found from one another by figures

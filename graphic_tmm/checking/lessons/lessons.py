@@ -15,7 +15,7 @@ from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.judging.own_errors import exact
 from graphic_tmm.checking.judging.taken_marks import Reader, steps_of
 from graphic_tmm.checking.lessons.steps import NamedStep, Numbers, Steps, step_of_figure
-from graphic_tmm.checking.records import FINE, WRONG, Judged, Lesson, Likely, Picture
+from graphic_tmm.checking.records import FINE, WRONG, Judged, Lesson, Likely, PlanPicture
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.symbols import spoken
 from graphic_tmm.paper.drawing import Drawing
@@ -32,9 +32,9 @@ class SmallPlans:
 
     def __init__(self, made: DrawnScene) -> None:
         self.made = made
-        self._drawn: dict[tuple[str, int], Picture | None] = {}
+        self._drawn: dict[tuple[str, int], PlanPicture | None] = {}
 
-    def picture(self, told: NamedStep, shown: Judged | None, place: int) -> Picture | None:
+    def picture(self, told: NamedStep, shown: Judged | None, place: int) -> PlanPicture | None:
         """Return the plan of a reading in a position (index); None where its plan has no picture.
 
         A point stands where it was read; of a length the due segment is as long as was found. Without a
@@ -63,7 +63,7 @@ class SmallPlans:
         )
         return picture._replace(due=ends, found=found)
 
-    def _plan(self, work: Drawn, plan: str, place: int) -> Picture | None:
+    def _plan(self, work: Drawn, plan: str, place: int) -> PlanPicture | None:
         """Return the exact plan in a position; None where it is none, or not drawn there."""
         at = (plan, place)
         if at not in self._drawn:
@@ -75,7 +75,7 @@ class SmallPlans:
                 drawing = Readings.of(chapters[0]).plan_at(
                     work, plan, place, f"lesson-{plan}-{place}", "", ()
                 )
-                self._drawn[at] = Picture(drawing, named=_named(work, drawing, place))
+                self._drawn[at] = PlanPicture(drawing, named=_named(work, drawing, place))
         return self._drawn[at]
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.formula import FORMULAS, computed
-from graphic_tmm.board.formula_text import Node, names_of, text_of
+from graphic_tmm.board.formula_text import Node, names_of, tree_text
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Length, Number
@@ -54,7 +54,7 @@ def otherwise(op: Operation) -> tuple[Otherwise, ...]:
     for family, tree, touched in _changed(formula.tree):
         if not names_of(tree) or tree == formula.tree:
             continue
-        text = text_of(tree)
+        text = tree_text(tree)
         run = computed(op.name, formula.arguments, tree)
         found.setdefault(text, Otherwise(family, op._replace(run=run, formula=text), touched))
     return tuple(found.values())

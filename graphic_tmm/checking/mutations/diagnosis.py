@@ -36,7 +36,7 @@ from graphic_tmm.checking.mutations.choosing import (
     told_of,
 )
 from graphic_tmm.checking.mutations.columns import multiples
-from graphic_tmm.checking.mutations.evidence import Board, Readings, of_mutations, unexplained
+from graphic_tmm.checking.mutations.evidence import AssumedLog, Readings, of_mutations, unexplained
 from graphic_tmm.checking.mutations.hypotheses import (
     A_NUMBER,
     SOMETHING,
@@ -130,12 +130,12 @@ def second_mistake(
     return tuple(sorted(group, key=plausible)), min(chance, UNSURE)
 
 
-def with_mistake(mistakes: Mistakes, one: Hypothesis, base: Board | None = None) -> Board:
+def with_mistake(mistakes: Mistakes, one: Hypothesis, base: AssumedLog | None = None) -> AssumedLog:
     """Return a board on which a mistake is made."""
     assert isinstance(one.what, Mutation)
     base = base or mistakes.boards[one.board].base
     log, given = mutation.changed_log(base.log, base.given, one.what, one.place)
-    return Board(base.board, log, given)
+    return AssumedLog(base.board, log, given)
 
 
 def _allowed(
@@ -157,7 +157,7 @@ def _allowed(
 
 
 def _seconds(
-    readings: Readings, mistakes: Mistakes, base: Board, first: Hypothesis, least: Least
+    readings: Readings, mistakes: Mistakes, base: AssumedLog, first: Hypothesis, least: Least
 ) -> list[Hypothesis]:
     offered = mistakes.boards[first.board]
     slots = first.what.slots if isinstance(first.what, Mutation) else frozenset()
@@ -171,7 +171,7 @@ def _seconds(
 
 
 def _written(
-    readings: Readings, mistakes: Mistakes, base: Board, first: Hypothesis
+    readings: Readings, mistakes: Mistakes, base: AssumedLog, first: Hypothesis
 ) -> list[Hypothesis]:
     """Return what may have been amiss with the table of readings, beside a first mistake."""
     plain = mistakes.boards[first.board].run([NONE], base)
@@ -244,7 +244,7 @@ def _left(
     readings: Readings, mistakes: Mistakes, said: Sequence[Told], wrong: Sequence[Judged]
 ) -> tuple[Judged, ...]:
     """Return the wrong readings that what is sure does not explain; of the table all are explained."""
-    base: Board | None = None
+    base: AssumedLog | None = None
     for group, sure in said:
         one = group[0]
         if sure < SURE:

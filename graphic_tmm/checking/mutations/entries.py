@@ -36,7 +36,7 @@ from graphic_tmm.checking.mutations.mutation import Mutation
 Array = NDArray[np.float64]
 
 
-class Entry(NamedTuple):
+class MarkErrors(NamedTuple):
     """The errors of one mark where it was read, (part, position), NaN where it was not; with their sizes.
 
     ``figure``: what was read, its size; ``mm``: what a millimetre is in its unit; ``drawn``: it is drawn and
@@ -181,7 +181,7 @@ def entry_of(
     error: Array,
     read: Any,
     scatters: Mapping[Mark, Array] | None,
-) -> Entry | None:
+) -> MarkErrors | None:
     """Return the errors of a mark with how a hand makes them; None where nothing is known of that."""
     places = read.shape[0]
     scatter = np.full((error.shape[0], places), np.nan)
@@ -205,13 +205,13 @@ def entry_of(
     step = drawing.step_of(mark)
     drawn = mark.kind is Point or step is None or step.op.reads
     whole = np.broadcast_to(error, scatter.shape)
-    return Entry(mark, whole, scatter, np.nan_to_num(figure), mm, drawn)
+    return MarkErrors(mark, whole, scatter, np.nan_to_num(figure), mm, drawn)
 
 
 class EntryEvidence:
     """An entry's evidence, of the base once, then of rows."""
 
-    def __init__(self, entry: Entry) -> None:
+    def __init__(self, entry: MarkErrors) -> None:
         self.entry = entry
         self.figure = np.full_like(entry.figure, PLAN) if entry.mark.kind is Point else entry.figure
         self.size = size_of(entry.scatter, entry.figure, entry.mm)

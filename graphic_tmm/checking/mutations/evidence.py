@@ -42,7 +42,7 @@ class Evidence(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Board:
+class AssumedLog:
     """A log as it is taken to be drawn, and what is given."""
 
     board: Drawn
@@ -99,7 +99,7 @@ class Readings:
 
 def of_mutations(
     readings: Readings,
-    base: Board,
+    base: AssumedLog,
     mutations: Sequence[Mutation],
     plain: Executed,
     rows: NDArray[np.intp],
@@ -134,7 +134,7 @@ def of_mutations(
 
 
 def unexplained(
-    readings: Readings, base: Board, scatters: Mapping[Mark, Array] | None = None
+    readings: Readings, base: AssumedLog, scatters: Mapping[Mark, Array] | None = None
 ) -> set[tuple[Key, bool]]:
     """Return the readings that are beyond what a hand does on a board; ``scatters``: as `weighed`'s."""
     found: set[tuple[Key, bool]] = set()
@@ -163,7 +163,7 @@ def unexplained(
 
 def of_variations(
     readings: Readings,
-    base: Board,
+    base: AssumedLog,
     some: Sequence[Variation],
     due: Mapping[tuple[Key, bool], Any],
 ) -> Evidence:
@@ -220,7 +220,7 @@ def _add(evidence: Evidence, at: Any, told: Any, unknown: Any, before: Any, writ
 
 
 def _of_marks(
-    readings: Readings, base: Board, some: Sequence[Variation], evidence: Evidence
+    readings: Readings, base: AssumedLog, some: Sequence[Variation], evidence: Evidence
 ) -> None:
     drawing, count, places = readings.drawing, len(some), readings.places
     copied = np.array([way.copied for way in some])

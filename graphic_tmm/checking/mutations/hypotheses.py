@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
-from graphic_tmm.checking.mutations.evidence import Board, Evidence, Readings, of_variations
+from graphic_tmm.checking.mutations.evidence import AssumedLog, Evidence, Readings, of_variations
 from graphic_tmm.checking.mutations.mutation import FAMILIES, PREVIOUS, Mutation
-from graphic_tmm.checking.mutations.tables import Table, Variation, copied, variations
+from graphic_tmm.checking.mutations.tables import ReadingTable, Variation, copied, variations
 from graphic_tmm.checking.records import INSTRUMENT, Taken
 
 Array = NDArray[np.float64]
@@ -176,7 +176,7 @@ FAR = 3.0, 0.01
 
 
 def of_written(
-    readings: Readings, base: Board, due: Mapping[tuple[Key, bool], Any] | None = None
+    readings: Readings, base: AssumedLog, due: Mapping[tuple[Key, bool], Any] | None = None
 ) -> Iterator[Hypothesis]:
     """Yield the hypotheses of a table that was written down otherwise, on a board.
 
@@ -184,7 +184,9 @@ def of_written(
     """
     drawing = readings.drawing
     names = drawing.made.mechanism.names if drawing.made.mechanism is not None else ()
-    table = Table(drawing.rows, names or tuple(dict.fromkeys(t.position for t in drawing.rows)))
+    table = ReadingTable(
+        drawing.rows, names or tuple(dict.fromkeys(t.position for t in drawing.rows))
+    )
 
     def off(k: int) -> complex:
         taken = drawing.rows[k]

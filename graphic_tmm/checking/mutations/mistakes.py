@@ -17,7 +17,7 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.checking.cells import Key, cells
 from graphic_tmm.checking.mutations.calculated import BY_UNIT, POWERS_OF_TEN
-from graphic_tmm.checking.mutations.evidence import Board
+from graphic_tmm.checking.mutations.evidence import AssumedLog
 from graphic_tmm.checking.mutations.execution import Executed, executed, figures_of
 from graphic_tmm.checking.mutations.grammar import mutations
 from graphic_tmm.checking.mutations.mutation import (
@@ -189,9 +189,9 @@ class Offered:
         self.made, self.board = made, board
 
     @cached_property
-    def base(self) -> Board:
+    def base(self) -> AssumedLog:
         """The board as it should be drawn."""
-        return Board(self.board, late(self.board.construction), self.board.given)
+        return AssumedLog(self.board, late(self.board.construction), self.board.given)
 
     @cached_property
     def mutations(self) -> tuple[Mutation, ...]:
@@ -228,7 +228,7 @@ class Offered:
         log = self.base.log
         return executed(log, self.base.given, _reaching(log, self.mutations, points), points)
 
-    def run(self, some: Sequence[Mutation], base: Board | None = None) -> Executed:
+    def run(self, some: Sequence[Mutation], base: AssumedLog | None = None) -> Executed:
         """Execute mutations without readings."""
         base = base or self.base
         return executed(base.log, base.given, some, base.marks)
@@ -288,6 +288,6 @@ class Mistakes:
         self.made = made
         self.boards = tuple(Offered(made, board) for board in made.boards)
 
-    def base_of(self, board: int) -> Board:
+    def base_of(self, board: int) -> AssumedLog:
         """Return a board as it should be drawn."""
         return self.boards[board].base

@@ -15,7 +15,13 @@ from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.step_scatter import as_read, where_read
 from graphic_tmm.checking.mutations import mutation
 from graphic_tmm.checking.mutations.entries import EntryEvidence, Own, entry_of
-from graphic_tmm.checking.mutations.evidence import Board, Evidence, Readings, nothing, of_mutations
+from graphic_tmm.checking.mutations.evidence import (
+    AssumedLog,
+    Evidence,
+    Readings,
+    nothing,
+    of_mutations,
+)
 from graphic_tmm.checking.mutations.execution import executed
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis, groups
 from graphic_tmm.checking.mutations.likelihood import BEYOND, explained
@@ -32,7 +38,7 @@ DRAWN = 50
 
 
 def reweighed(
-    readings: Readings, base_of: Callable[[int], Board], found: Sequence[Hypothesis]
+    readings: Readings, base_of: Callable[[int], AssumedLog], found: Sequence[Hypothesis]
 ) -> list[Hypothesis]:
     """Return hypotheses, the best of them weighed anew by a hand that draws with the mistake.
 
@@ -58,14 +64,14 @@ def reweighed(
     return [anew.get(id(one), one) for one in found]
 
 
-def refined(readings: Readings, base: Board, one: Hypothesis) -> Hypothesis:
+def refined(readings: Readings, base: AssumedLog, one: Hypothesis) -> Hypothesis:
     """Return a hypothesis weighed by the scatter of a hand that draws with it; of readings of marks only."""
     what = one.what
     work = readings.drawing.made.mechanism
     if not isinstance(what, Mutation) or base.board is not work or not readings.found:
         return one
     log, given = mutation.changed_log(base.log, base.given, what, one.place)
-    other = Board(base.board, log, given)
+    other = AssumedLog(base.board, log, given)
     scatters = scatters_of(readings, other)
     own = Own(readings.drawing, readings.found, log)
     executed(log, given, (), readings.found, own.seen)
@@ -96,7 +102,7 @@ def _fit(off: Array, before: Array) -> Array:
     return np.array([moved.sum(), squares.sum()])
 
 
-def scatters_of(readings: Readings, other: Board) -> dict[Mark, Array]:
+def scatters_of(readings: Readings, other: AssumedLog) -> dict[Mark, Array]:
     """Return the hand's own errors where it draws a log, root mean squares, (part, position)."""
     by = readings.drawing.by.reader
     hand = by.hand._replace(trials=DRAWN)
@@ -136,7 +142,7 @@ KEPT_GIVENS = 3
 
 
 def fitted(
-    readings: Readings, offered: Offered, base: Board, least: Mapping[tuple[Key, bool], float]
+    readings: Readings, offered: Offered, base: AssumedLog, least: Mapping[tuple[Key, bool], float]
 ) -> tuple[list[Mutation], Evidence]:
     """Return the givens that were misread, each as it fits the readings best, and the evidence for them.
 
@@ -165,14 +171,14 @@ def fitted(
 
 
 def _evidence(
-    readings: Readings, offered: Offered, base: Board, some: Sequence[Mutation]
+    readings: Readings, offered: Offered, base: AssumedLog, some: Sequence[Mutation]
 ) -> Evidence:
     plain = offered.run(some, base)
     return of_mutations(readings, base, some, plain, np.arange(len(some)))[0]
 
 
 def put_amiss(
-    readings: Readings, offered: Offered, base: Board, least: Mapping[tuple[Key, bool], float]
+    readings: Readings, offered: Offered, base: AssumedLog, least: Mapping[tuple[Key, bool], float]
 ) -> tuple[list[Mutation], Evidence]:
     """Return the crank put amiss, by as much as fits the readings of a position best, and the evidence.
 

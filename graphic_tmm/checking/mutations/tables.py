@@ -69,7 +69,7 @@ class Variation(NamedTuple):
     copied: bool = False
 
 
-class Table:
+class ReadingTable:
     """The rows of readings by plan, segment and position."""
 
     def __init__(self, rows: Sequence[Taken], positions: Sequence[str]) -> None:
@@ -104,7 +104,7 @@ class Table:
 
 
 def variations(
-    table: Table,
+    table: ReadingTable,
     scales: Callable[[Taken], float],
     off: Callable[[int], complex],
     others: Mapping[str, float],
@@ -129,7 +129,7 @@ def variations(
 
 
 def _moved(
-    table: Table,
+    table: ReadingTable,
     named: Variation,
     told: Mapping[str, object],
     columns: Sequence[Column],
@@ -155,7 +155,7 @@ def _moved(
 
 
 def _by_position(
-    table: Table,
+    table: ReadingTable,
     named: Variation,
     says: str,
     told: Mapping[str, object],
@@ -171,7 +171,7 @@ def _by_position(
 
 
 def _other_row(
-    table: Table,
+    table: ReadingTable,
     named: Variation,
     told: Mapping[str, object],
     columns: Sequence[Column],
@@ -187,7 +187,7 @@ def _other_row(
             yield named._replace(says=says, source=whole, told=told)
 
 
-def copied(table: Table, apart: Callable[[int, int], bool]) -> Iterator[Variation]:
+def copied(table: ReadingTable, apart: Callable[[int, int], bool]) -> Iterator[Variation]:
     """Yield positions with the readings of the one before; ``apart``: whether two are due to differ."""
     for plan in table.plans():
         columns = [c for c in table.columns if c[0] == plan]
@@ -219,7 +219,7 @@ def _figure(taken: Taken) -> object:
 
 
 def _times(
-    table: Table,
+    table: ReadingTable,
     named: Variation,
     told: Mapping[str, object],
     columns: Sequence[Column],
@@ -250,7 +250,7 @@ def _scaled(
 
 
 def _quantities(
-    table: Table,
+    table: ReadingTable,
     named: Variation,
     told: Mapping[str, object],
     columns: Sequence[Column],
@@ -274,7 +274,7 @@ def _quantities(
         yield _scaled(named, DEGREES, told, rates, np.pi / 180.0)
 
 
-def _swapped(table: Table, apart: Callable[[int, int], bool]) -> Iterator[Variation]:
+def _swapped(table: ReadingTable, apart: Callable[[int, int], bool]) -> Iterator[Variation]:
     for plan in table.plans():
         mine = [c for c in table.columns if c[0] == plan]
         for one, other in combinations(mine, 2):
@@ -293,7 +293,7 @@ def _swapped(table: Table, apart: Callable[[int, int], bool]) -> Iterator[Variat
 
 
 def _instruments(
-    table: Table,
+    table: ReadingTable,
     named: Variation,
     told: Mapping[str, object],
     columns: Sequence[Column],

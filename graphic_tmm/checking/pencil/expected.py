@@ -46,14 +46,14 @@ LINES = ("", "link", "guide")
 """Parts of a view whose strokes are lines of its construction."""
 
 
-class Place(NamedTuple):
+class ExpectedPlace(NamedTuple):
     """A place of a view, mm on the sheet, and the points that stand there; none: a pole, a pivot."""
 
     at: complex
     names: tuple[Name, ...]
 
 
-class Line(NamedTuple):
+class ExpectedLine(NamedTuple):
     """A straight line of a view, mm on the sheet, and the places (indices) on it."""
 
     start: complex
@@ -85,8 +85,8 @@ class View(NamedTuple):
     """
 
     name: str
-    places: tuple[Place, ...]
-    lines: tuple[Line, ...]
+    places: tuple[ExpectedPlace, ...]
+    lines: tuple[ExpectedLine, ...]
     poles: dict[tuple[str, str], int]
     ink: tuple[Complexes, ...]
     of: tuple[int | None, ...]
@@ -102,7 +102,7 @@ class View(NamedTuple):
         """Whether it shows several positions, one upon another."""
         return len(set(self.of) - {None}) > 1
 
-    def aside(self, line: Line) -> float:
+    def aside(self, line: ExpectedLine) -> float:
         """Return how far aside drawings have the places of a line at most, mm (one deviation)."""
         off = self.astray[:, list(line.places)] / line.way
         return float(np.sqrt((off.imag**2).mean(axis=0)).max(initial=0.0))
@@ -150,7 +150,7 @@ class Stood:
     """
 
     def __init__(self, work: Drawn, drawing: Drawing, shown: Sequence[str]) -> None:
-        self.places: list[Place] = []
+        self.places: list[ExpectedPlace] = []
         self.at: list[int | None] = []
         self.poles: dict[tuple[str, str], int] = {}
         self.by_slot: dict[int, dict[int | None, int]] = {}
@@ -170,7 +170,7 @@ class Stood:
         places = _inked(row, inked)
         if reading is None or not places:
             return
-        pole = self._put(Place(origin, ()), None, None)
+        pole = self._put(ExpectedPlace(origin, ()), None, None)
         self.poles |= {(plan, work.names[row[k]]): pole for k in places}
         groups: dict[tuple[complex, ...], list[Mark]] = {}
         for mark in _points(work, plan):
@@ -186,11 +186,13 @@ class Stood:
                 called = tuple((plan, name, work.names[row[k]]) for name in names)
                 of = (marks[0], row[k], spot)
                 if not fixed:
-                    by[k] = self._put(Place(origin + spot, called), k, of)
+                    by[k] = self._put(ExpectedPlace(origin + spot, called), k, of)
                     continue
                 if None not in by:
                     at_pole = abs(spot) < 1e-3
-                    by[None] = pole if at_pole else self._put(Place(origin + spot, ()), None, of)
+                    by[None] = (
+                        pole if at_pole else self._put(ExpectedPlace(origin + spot, ()), None, of)
+                    )
                 one = self.places[by[None]]
                 self.places[by[None]] = one._replace(names=(*one.names, *called))
             if len(row) == 1 and 0 in by:  # nothing on its drawing is of a position then
@@ -198,7 +200,9 @@ class Stood:
             for one_of in marks:
                 self.by_slot.setdefault(one_of.slot, {}).update(by)
 
-    def _put(self, place: Place, k: int | None, mark: tuple[Mark, int, complex] | None) -> int:
+    def _put(
+        self, place: ExpectedPlace, k: int | None, mark: tuple[Mark, int, complex] | None
+    ) -> int:
         self.places.append(place)
         self.at.append(k)
         self._marks.append(mark)
@@ -295,7 +299,7 @@ def _merged(segments: Iterable[Segment]) -> list[Segment]:
     return found
 
 
-def _through(spots: Complexes, near: Sequence[int], start: complex, end: complex) -> Line:
+def _through(spots: Complexes, near: Sequence[int], start: complex, end: complex) -> ExpectedLine:
     """Return a line with those of some places that are on it; it reaches those that its vectors' heads do."""
     length = abs(end - start)
     own = (spots[list(near)] - start) / (end - start) * length
@@ -304,7 +308,9 @@ def _through(spots: Complexes, near: Sequence[int], start: complex, end: complex
         way = (end - start) / length
         low, high = float(own.real[on].min()), float(own.real[on].max())
         start, end = start + way * min(low, 0.0), start + way * max(high, length)
-    return Line(start, end, tuple(int(k) for k, there in zip(near, on, strict=True) if there))
+    return ExpectedLine(
+        start, end, tuple(int(k) for k, there in zip(near, on, strict=True) if there)
+    )
 
 
 def _signs(drawing: Drawing, at: complex, k: int | None) -> Complexes:

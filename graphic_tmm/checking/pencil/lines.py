@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.checking.pencil.darkness import Flat, Greys
-from graphic_tmm.checking.pencil.expected import Line
+from graphic_tmm.checking.pencil.expected import ExpectedLine
 
 BAND = 5.0
 """Pencil is sought as far aside of the expected line, mm: of a student's points nine in ten are nearer."""
@@ -52,7 +52,7 @@ class Track(NamedTuple):
         return self.start + (self.end - self.start) * share
 
 
-def tracks(flat: Flat, line: Line, shift: complex, band: float = BAND) -> tuple[Track, ...]:
+def tracks(flat: Flat, line: ExpectedLine, shift: complex, band: float = BAND) -> tuple[Track, ...]:
     """Return the lines of pencil near a line that is moved by ``shift``, mm, the most covered first.
 
     ``band``: how far aside it is sought, mm.
@@ -95,7 +95,9 @@ def _best(sums: Greys, turn: int, half: int) -> list[Track]:
     return found
 
 
-def refined(flat: Flat, line: Line, shift: complex, some: Sequence[Track]) -> Iterator[Track]:
+def refined(
+    flat: Flat, line: ExpectedLine, shift: complex, some: Sequence[Track]
+) -> Iterator[Track]:
     """Yield the axes of lines of pencil, by centroids of darkness; as one was if too little of it is seen."""
     count = int(np.clip(line.length * 1.5, 16, 120))
     share = (np.arange(count) + 0.5) / count

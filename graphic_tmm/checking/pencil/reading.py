@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.checking.pencil.darkness import Flat
-from graphic_tmm.checking.pencil.expected import Line, Name, View
+from graphic_tmm.checking.pencil.expected import ExpectedLine, Name, View
 from graphic_tmm.checking.pencil.fitting import Fit, fit
 from graphic_tmm.checking.pencil.lines import BAND, ONE, Track, tracks
 from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE, Spot, signs_of, spots
@@ -98,7 +98,7 @@ def _clear(first: Fit, n: int) -> bool:
 
 
 def _followed(
-    flat: Flat, view: View, shift: complex, line: Line, known: Sequence[Track], first: Fit
+    flat: Flat, view: View, shift: complex, line: ExpectedLine, known: Sequence[Track], first: Fit
 ) -> list[Track]:
     """Return the tracks of a line about where its places are by all that is known, that were not found yet."""
     left = 1j * line.way
@@ -110,7 +110,7 @@ def _followed(
     else:
         slope, start = 0.0, float(off.mean())
     aside = Track(float(start), float(start + slope), 0.0)
-    moved = Line(line.start + left * aside.start, line.end + left * aside.end, line.places)
+    moved = ExpectedLine(line.start + left * aside.start, line.end + left * aside.end, line.places)
     found: list[Track] = []
     for one in tracks(flat, moved, shift, NARROW * spread + NEAREST):
         track = one._replace(start=one.start + aside.start, end=one.end + aside.end)

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.checking.pencil.expected import Line, View
+from graphic_tmm.checking.pencil.expected import ExpectedLine, View
 from graphic_tmm.checking.pencil.lines import BAND, Track
 
 MORE = 1.4
@@ -154,7 +154,7 @@ def _weight(track: Track) -> float:
     return max(track.error, 0.08) ** -2
 
 
-def _rival(line: Line, other: Line) -> bool:
+def _rival(line: ExpectedLine, other: ExpectedLine) -> bool:
     """Whether one line of pencil may be taken for either of two lines that should be apart."""
     if line is other or abs((other.way / line.way).imag) > 0.25:
         return False
@@ -163,6 +163,6 @@ def _rival(line: Line, other: Line) -> bool:
     return bool(near and abs(own.imag).max() > 2 * SAME)
 
 
-def _ends(line: Line, track: Track) -> tuple[complex, complex]:
+def _ends(line: ExpectedLine, track: Track) -> tuple[complex, complex]:
     left = 1j * line.way
     return line.start + left * track.start, line.end + left * track.end

@@ -29,7 +29,7 @@ from graphic_tmm.checking.photo.perspective import (
     through,
     vertices,
 )
-from graphic_tmm.checking.photo.picture import MOST, Sent, pillow, read
+from graphic_tmm.checking.photo.picture import MOST, Sent, pillow, read_photo
 from graphic_tmm.checking.photo.quadrilaterals import Ruled
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.said import joined, said
@@ -103,7 +103,7 @@ def flatten(
     whole, rows, columns = _raster(wanted, dots_per_mm)
     known = isinstance(corners, Ruled)
     clicked = vertices(box) if isinstance(corners, Ruled) else ordered(corners)
-    image = read(photo)
+    image = read_photo(photo)
     found: Lines | None = None
     if isinstance(corners, Ruled):
         found = frame_found(image, corners).lines

@@ -30,7 +30,7 @@ class Sent(NamedTuple):
     data: bytes
 
 
-def read(photo: str | Path | Sent) -> NDArray[np.uint8]:
+def read_photo(photo: str | Path | Sent) -> NDArray[np.uint8]:
     """Return a photograph (rows, columns, 3), 0 ... 255, upright as its camera says.
 
     Raises

@@ -35,7 +35,7 @@ NO_BOOK = said("this is no xlsx workbook, or a damaged one; save the sheet as CS
 _NO_TEXT = said("this is not a text; save the table as CSV with the encoding UTF-8")
 
 
-def text_of(file: Path) -> str:
+def decoded_text(file: Path) -> str:
     """Return the text of a file, its encoding found out.
 
     Raises
@@ -124,7 +124,7 @@ def _with_comma() -> frozenset[str]:
     return frozenset(title for titles in found for title in titles) - frozenset(HEADS)
 
 
-class Row(NamedTuple):
+class CellRow(NamedTuple):
     """The cells of one row and the line where it begins; ``wrong``: why it cannot be split, or ""."""
 
     line: int
@@ -175,7 +175,7 @@ class Head(NamedTuple):
         return next(filter(None, (near(one, unknown, 0.8) for one in known)), "")
 
 
-def table(text: str) -> tuple[Head, Iterator[Row]] | None:
+def header_and_rows(text: str) -> tuple[Head, Iterator[CellRow]] | None:
     """Return the first row of a text and an iterator over the others; None if the text is empty.
 
     Of the separators that one is taken which makes most of the first row columns that are known.
@@ -190,24 +190,24 @@ def table(text: str) -> tuple[Head, Iterator[Row]] | None:
     return max(found, key=lambda one: (len(one[0].places), len(one[0].titles)), default=None)
 
 
-def rows(text: str, separator: str) -> Iterator[Row]:
+def rows(text: str, separator: str) -> Iterator[CellRow]:
     """Yield the rows of a text; blank lines and comments (#) between rows are left out."""
     numbered = enumerate(io.StringIO(text, newline=None), 1)
     for line, first in numbered:
         if not first.strip() or first.lstrip(" ").startswith("#"):
             continue
         if '"' not in first:
-            yield Row(line, first.rstrip("\n").split(separator))
+            yield CellRow(line, first.rstrip("\n").split(separator))
             continue
         lines = chain((first,), (more for _, more in numbered))
         reader = csv.reader(lines, delimiter=separator, skipinitialspace=True, strict=True)
         try:
-            yield Row(line, next(reader))
+            yield CellRow(line, next(reader))
         except csv.Error as error:
-            yield Row(line, [], str(error))
+            yield CellRow(line, [], str(error))
 
 
-def first_row(following: Iterator[Row]) -> Row | None:
+def first_row(following: Iterator[CellRow]) -> CellRow | None:
     """Return the row of titles: not a comment that a spreadsheet has quoted, nor its line ``sep=;``."""
     for row in following:
         start = "".join(row.cells[:2])
@@ -216,7 +216,7 @@ def first_row(following: Iterator[Row]) -> Row | None:
     return None
 
 
-def head_of(row: Row, separator: str) -> Head:
+def head_of(row: CellRow, separator: str) -> Head:
     """Return the first row of a table."""
     titles = [" ".join(cell.split()) for cell in row.cells]
     while titles and not titles[-1]:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.quantities import LARGEST, NUMBER
-from graphic_tmm.scene.units import UNITS, plain
+from graphic_tmm.scene.units import UNITS, plain_unit
 
 SHEET = {
     **dict.fromkeys(("mm", "мм"), 1.0),
@@ -87,7 +87,7 @@ def value_of(cell: str, unit: str, *, commas: bool) -> tuple[float | None, str]:
     if not cell:
         return None, "" if unit in BARE else unit
     number, rest = _figure(cell, commas, said("a value, such as 16.3"))
-    if rest and unit and plain(rest) != plain(unit):
+    if rest and unit and plain_unit(rest) != plain_unit(unit):
         raise ValueError(
             said(
                 '"{cell}" has a unit, and "{unit}" is another; keep one',
@@ -145,7 +145,7 @@ def _figure(cell: str, commas: bool, wanted: str) -> tuple[float, str]:
         )
     digits, rest = match.groups()
     rest = rest.strip()
-    if rest and not (rest[0].isalpha() or rest[0] in '°%("″') and plain(rest) not in UNITS:
+    if rest and not (rest[0].isalpha() or rest[0] in '°%("″') and plain_unit(rest) not in UNITS:
         raise ValueError(
             said(
                 '"{cell}" is not one number; write it in one piece, such as 1234.5',

@@ -13,8 +13,8 @@ from typing import Any, NamedTuple, NoReturn
 
 from graphic_tmm.checking.readings.csv_cells import (
     NO_BOOK,
+    CellRow,
     Head,
-    Row,
     decoded,
     first_row,
     head_of,
@@ -42,10 +42,10 @@ class Sheet(NamedTuple):
     """A sheet: its name, its rows that hold something."""
 
     name: str
-    rows: list[Row]
+    rows: list[CellRow]
 
 
-def sheet_table(file: Path, data: bytes) -> tuple[Head, Iterator[Row]] | None:
+def sheet_table(file: Path, data: bytes) -> tuple[Head, Iterator[CellRow]] | None:
     """Return the row of titles of a workbook and its other rows as text; None if no sheet holds anything.
 
     Of several sheets that is taken which has the titles of readings; what stands above them means nothing.
@@ -73,7 +73,7 @@ def sheet_table(file: Path, data: bytes) -> tuple[Head, Iterator[Row]] | None:
     return head_of(first, ";"), iter(below)
 
 
-def _below(rows: Sequence[Row]) -> tuple[Head | None, list[Row]]:
+def _below(rows: Sequence[CellRow]) -> tuple[Head | None, list[CellRow]]:
     """Return the titles of a sheet that holds readings, if it does, and the rows below them."""
     for k, row in enumerate(rows[:_ABOVE]):
         head = head_of(row, ";")
@@ -82,11 +82,11 @@ def _below(rows: Sequence[Row]) -> tuple[Head | None, list[Row]]:
     return None, []
 
 
-def _wide(row: Row, width: int) -> Row:
+def _wide(row: CellRow, width: int) -> CellRow:
     return row._replace(cells=row.cells[:width] + [""] * (width - len(row.cells)))
 
 
-def _filled(head: Head, row: Row) -> bool:
+def _filled(head: Head, row: CellRow) -> bool:
     return any(row.cells[head.places[name]] for name in _FIGURES if name in head.places)
 
 
@@ -136,7 +136,7 @@ def _read(load_workbook: Any, data: bytes, columns: int, *, results: bool) -> li
         book.close()
 
 
-def _rows(sheet: Any, columns: int) -> Iterator[Row]:
+def _rows(sheet: Any, columns: int) -> Iterator[CellRow]:
     """Yield the rows of a sheet that hold something and are no comment; ValueError beyond all rows."""
     sheet.reset_dimensions()  # a file may tell fewer than it has
     before = None
@@ -150,7 +150,7 @@ def _rows(sheet: Any, columns: int) -> Iterator[Row]:
         while texts and not texts[-1].strip():
             texts.pop()
         if texts and not texts[0].lstrip().startswith("#"):
-            yield Row(line, texts)
+            yield CellRow(line, texts)
 
 
 def _with_results(typed: list[Sheet], worked: list[Sheet]) -> list[Sheet]:
@@ -207,8 +207,8 @@ class Grid(NamedTuple):
     """The first row that holds something, and an iterator over the others; ``separator``: "" of a workbook."""
 
     separator: str
-    first: Row
-    rows: Iterator[Row]
+    first: CellRow
+    rows: Iterator[CellRow]
 
 
 def grid(file: Path, data: bytes, columns: int) -> Grid | None:

@@ -10,10 +10,10 @@ from graphic_tmm.checking.readings.csv_cells import (
     HEADS,
     READINGS,
     SEPARATORS,
+    CellRow,
     Head,
-    Row,
     decoded,
-    table,
+    header_and_rows,
 )
 from graphic_tmm.checking.readings.figures import (
     decimal_comma,
@@ -113,14 +113,14 @@ def readings_of(file: Path, data: bytes) -> tuple[Taken, ...]:
     return _taken(file, head, following)
 
 
-def _table(file: Path, data: bytes) -> tuple[Head, Iterator[Row]] | None:
+def _table(file: Path, data: bytes) -> tuple[Head, Iterator[CellRow]] | None:
     """Return the row of titles and the others of a text or a workbook; None if it is empty."""
     if is_book(file, data):
         return sheet_table(file, data)
-    return table(decoded(file, data))
+    return header_and_rows(decoded(file, data))
 
 
-def _taken(file: Path, head: Head, rows: Iterable[Row]) -> tuple[Taken, ...]:
+def _taken(file: Path, head: Head, rows: Iterable[CellRow]) -> tuple[Taken, ...]:
     faults: list[Fault] = []
     columns = head.columns
     found = (_cells(row, head, columns, faults) for row in rows)
@@ -165,7 +165,9 @@ def _missing(head: Head, name: str, remedy: str) -> Fault:
     return Fault(name, head.line, says)
 
 
-def _cells(row: Row, head: Head, columns: tuple[int, ...], faults: list[Fault]) -> _Cells | None:
+def _cells(
+    row: CellRow, head: Head, columns: tuple[int, ...], faults: list[Fault]
+) -> _Cells | None:
     """Return the cells of a row by columns; None, and a fault, if it does not fit under the titles."""
     cells, width = row.cells, len(head.titles)
     if row.wrong:

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from functools import cache, partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Judged, Picture
+from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Judged, PlanPicture
 from graphic_tmm.checking.report.rows import WORDS, plan_name, printable_text, signed
 from graphic_tmm.files import environment
 from graphic_tmm.language.numbers import number
@@ -189,7 +189,7 @@ class _Letter(NamedTuple):
     box: tuple[float, float, float, float]
 
 
-def small_plan(picture: Picture, label: str) -> Markup:
+def small_plan(picture: PlanPicture, label: str) -> Markup:
     """Return a plan as an SVG element: the plan grey, what is due green, what was found red."""
     picture = _near(picture)
     left, low, right, top = _box(picture)
@@ -220,7 +220,7 @@ def small_plan(picture: Picture, label: str) -> Markup:
     )
 
 
-def _near(picture: Picture) -> Picture:
+def _near(picture: PlanPicture) -> PlanPicture:
     """Return the picture with what was found so near that it can be drawn; what is no number is left out."""
     found = picture.found
     if not all(map(cmath.isfinite, (*found, *picture.due))):
@@ -232,7 +232,7 @@ def _near(picture: Picture) -> Picture:
     return picture._replace(found=tuple(near))
 
 
-def _box(picture: Picture) -> tuple[float, float, float, float]:
+def _box(picture: PlanPicture) -> tuple[float, float, float, float]:
     """Return what the picture shows of the plan's plane, mm: the plan, and what was found if it is not far."""
     left, low, right, top = bounds(picture.drawing)
     far = BEYOND * max(right - left, top - low)
@@ -254,7 +254,7 @@ def _drawn(page: _Page, ink: Iterable[Ink]) -> tuple[str, str]:
     return lines, filled
 
 
-def _letters(page: _Page, picture: Picture) -> Iterator[_Letter]:
+def _letters(page: _Page, picture: PlanPicture) -> Iterator[_Letter]:
     """Yield the letters: each stands to its point as it does on the sheet, by its own size."""
     labels = picture.drawing.labels
     for one, named in zip(labels, picture.named or [one.at for one in labels], strict=True):

@@ -15,7 +15,7 @@ from graphic_tmm.checking.records import (
     Judged,
     Lesson,
     Likely,
-    Picture,
+    PlanPicture,
     Report,
 )
 from graphic_tmm.checking.report.rows import (
@@ -25,7 +25,7 @@ from graphic_tmm.checking.report.rows import (
     Grid,
     by_plan,
     counts,
-    figure,
+    figure_of,
     plan_name,
     printable_text,
     reading_grid,
@@ -169,7 +169,7 @@ class Part(NamedTuple):
     heading: str
     told: tuple[str, ...] = ()
     grid: Grid | None = None
-    picture: Picture | None = None
+    picture: PlanPicture | None = None
     caption: str = ""
 
 
@@ -299,12 +299,12 @@ def _yours(one: Judged, language: str, calculation: str, both: str = "") -> str:
     if one.taken.pointed:
         key, off = ("off", one.deviation) if one.own is None else ("off itself", abs(one.own))
         return words[key].format(
-            segment=printable_text(one.taken.segment), off=figure(off, 1, language)
+            segment=printable_text(one.taken.segment), off=figure_of(off, 1, language)
         )
     unit = unit_name(one.unit, language)
 
     def figure_text(value: float) -> str:
-        text = figure(value, 1, language) if one.unit == "mm" else number(value, language)
+        text = figure_of(value, 1, language) if one.unit == "mm" else number(value, language)
         return f"{text} {unit}".rstrip()
 
     if calculation and calculation.endswith(unit):

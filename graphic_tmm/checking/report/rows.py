@@ -237,11 +237,11 @@ def signed(value: float, places: int, language: str) -> str:
     >>> signed(0.46, 1, "ru"), signed(-0.04, 1, "en")
     ('+0,5', '0.0')
     """
-    text = figure(value, places, language)
+    text = figure_of(value, places, language)
     return f"+{text}" if value > 0 and text.strip("0.,") and text != "—" else text
 
 
-def figure(value: float, places: int, language: str) -> str:
+def figure_of(value: float, places: int, language: str) -> str:
     """Return a figure with ``places`` decimals, or with a power of ten if it is large."""
     if math.isfinite(value) and abs(value) >= LARGE:
         return number(value, language)
@@ -252,7 +252,7 @@ def _reading(one: Judged, language: str) -> dict[str, str]:
     taken, drawn = one.taken, one.unit == "mm"
 
     def figure_text(value: float) -> str:
-        return figure(value, 2, language) if drawn else number(value, language)
+        return figure_of(value, 2, language) if drawn else number(value, language)
 
     deviation = 0.0 if abs(one.deviation) <= NOISE * abs(one.due) else one.deviation
     off = signed(deviation, 2, language) if drawn else figure_text(deviation)
@@ -264,7 +264,7 @@ def _reading(one: Judged, language: str) -> dict[str, str]:
         "due": figure_text(one.due),
         "unit": "" if drawn else unit_name(one.unit, language),
         "deviation": off if drawn or not deviation > 0 else f"+{off}",
-        "percent": figure(one.percent, 1, language),
+        "percent": figure_of(one.percent, 1, language),
         "farther": _share(one.quantile, language),
         "step": printable_text(plain(one.step)),
         "own": "" if one.own is None else signed(one.own, 2, language),
@@ -285,7 +285,7 @@ def _place(one: Judged, language: str) -> str:
     x, y = one.taken.x, one.taken.y
     if x is None or y is None:
         return ""
-    return f" ({figure(x, 2, language)}; {figure(y, 2, language)})"
+    return f" ({figure_of(x, 2, language)}; {figure_of(y, 2, language)})"
 
 
 def _share(share: float, language: str) -> str:

@@ -51,7 +51,7 @@ FIGURES = frozenset({"points", "readings", "fine", "doubtful", "wrong"})
 """Columns of numbers."""
 
 
-class Line(NamedTuple):
+class SummaryRow(NamedTuple):
     """A row of the summary: its cells by column; ``mark`` and points are numbers where they are any.
 
     ``worst``: "wrong", "doubtful", "fine"; ``report``: the file of its report in the folder of the summary.
@@ -62,13 +62,13 @@ class Line(NamedTuple):
     report: str
 
 
-def lines(marked: Marked) -> tuple[Line, ...]:
+def lines(marked: Marked) -> tuple[SummaryRow, ...]:
     """Return the rows of a class, in the order of its names."""
     remarks = _remarks(marked)
     return tuple(_line(marked, one, remarks[k]) for k, one in enumerate(marked.entries))
 
 
-def _line(marked: Marked, one: Entry, remarks: list[str]) -> Line:
+def _line(marked: Marked, one: Entry, remarks: list[str]) -> SummaryRow:
     row, plans = one.row, plans_due(marked.rule, one.row)
     count = Counter(plan.there for plan in plans)[True]
     wrong = len(row.wrong)
@@ -87,7 +87,7 @@ def _line(marked: Marked, one: Entry, remarks: list[str]) -> Line:
         "remarks": " ".join(remarks),
     }
     worst = "wrong" if wrong else "doubtful" if row.doubtful else "fine"
-    return Line(cells, worst, f"{REPORTS}/{one.hand_in.file}.html")
+    return SummaryRow(cells, worst, f"{REPORTS}/{one.hand_in.file}.html")
 
 
 def _remarks(marked: Marked) -> list[list[str]]:

@@ -22,7 +22,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.packing import bounds
-from graphic_tmm.paper.ruled import table
+from graphic_tmm.paper.ruled import ruled_table
 from graphic_tmm.readers.protocol import synthesis
 from graphic_tmm.readers.task_sheet import (
     Given,
@@ -238,8 +238,10 @@ def _listed(scene: Scene, setting: Setting) -> Iterator[Block]:
 
 def _table(one: Listed, wide: float, setting: Setting) -> Drawing:
     name, ways, size = f"table-given-{one.name}", ["centre"] * len(one.heads), setting.rows
-    bare = table(name, "", one.heads, one.rows, size=size, title_size=size, align=ways)
+    bare = ruled_table(name, "", one.heads, one.rows, size=size, title_size=size, align=ways)
     left, _, right, _ = bounds(bare)
     lines = even(one.title, setting.text, max(right - left, wide / 2.0))
     title = "\n".join(line.text for line in lines)
-    return table(name, title, one.heads, one.rows, size=size, title_size=setting.text, align=ways)
+    return ruled_table(
+        name, title, one.heads, one.rows, size=size, title_size=setting.text, align=ways
+    )

@@ -22,7 +22,7 @@ from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.chapter import chapters, places
 from graphic_tmm.scene.declare import keys_of
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.scene.units import plain
+from graphic_tmm.scene.units import plain_unit
 
 Document = Mapping[str, Any]
 
@@ -185,7 +185,7 @@ def _quantity(value: object, language: str) -> str:
         size = number(float(found[1].replace(",", ".")), language, 6)
     except ValueError:
         return escape(text)
-    own = plain(found[2]).replace("*", "·").replace("^2", "²").replace("^3", "³")
+    own = plain_unit(found[2]).replace("*", "·").replace("^2", "²").replace("^3", "³")
     return escape(f"{size} {unit(own, language)}".strip())
 
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from graphic_tmm.handout.sheets import CAPTION, TITLE, advance, framed, paper, set_rows
-from graphic_tmm.handout.words import Row, broken
+from graphic_tmm.handout.words import LetteringRow, broken
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.packing import bounds
@@ -165,7 +165,7 @@ def below(view: Drawing, rows: Sequence[str], name: str, size: float, most: floa
     return view._replace(name=name, labels=(*view.labels, *labels))
 
 
-def even(text: str, size: float, wide: float) -> list[Row]:
+def even(text: str, size: float, wide: float) -> list[LetteringRow]:
     """Return mark-up in lines no wider than ``wide`` mm, the last of them no rag of a word if it can be."""
     rows = list(broken(text, size, wide))
     for share in NARROWER:
@@ -176,7 +176,7 @@ def even(text: str, size: float, wide: float) -> list[Row]:
     return rows
 
 
-def rag(row: Row) -> bool:
+def rag(row: LetteringRow) -> bool:
     """Tell whether a line is too short to stand alone below others."""
     return letter(row.text, size=row.size).right < RAG * row.size
 
@@ -211,7 +211,7 @@ def laid(head: Sequence[str], bands: Sequence[Band], scene: Scene, between: floa
     return paged(bands, whole - _taken(_head(head, scene)), whole - HEAD, between)
 
 
-def _head(head: Sequence[str], scene: Scene) -> list[Row]:
+def _head(head: Sequence[str], scene: Scene) -> list[LetteringRow]:
     """Return the lines of the head (mark-up)."""
     room = paper(scene.language)
     sizes = [TITLE, *[CAPTION] * (len(head) - 2), TITLE]
@@ -219,7 +219,7 @@ def _head(head: Sequence[str], scene: Scene) -> list[Row]:
     return [row for k, one in enumerate(head) for row in broken(one, sizes[k], wide)]
 
 
-def _taken(told: Sequence[Row]) -> float:
+def _taken(told: Sequence[LetteringRow]) -> float:
     return max(sum(map(advance, told)), HEAD)
 
 

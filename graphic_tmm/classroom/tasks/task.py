@@ -24,7 +24,7 @@ from graphic_tmm.classroom.tasks.sheet import (
     width_of,
 )
 from graphic_tmm.handout.sheets import advance, set_rows
-from graphic_tmm.handout.words import Row, broken
+from graphic_tmm.handout.words import LetteringRow, broken
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note.section_opening import DISCIPLINE, THEME, TO, VARIANT
@@ -120,7 +120,7 @@ def _run_in(one: Paragraph, wide: float, setting: Setting) -> Block:
     if not one.part:
         return _below(one, wide, setting)
     first, rest = (one.sheet, one.told) if one.sheet else (one.told, "")
-    head = Row(one.part, setting.heading)
+    head = LetteringRow(one.part, setting.heading)
     begin = letter(head.text, size=head.size).right + BEHIND * head.size
     line, again = _begun(first, setting.text, wide - begin, wide - INDENT)
     if letter(line, size=setting.text).right > wide - begin:
@@ -135,9 +135,9 @@ def _run_in(one: Paragraph, wide: float, setting: Setting) -> Block:
     return _block(one, labels, down, setting)
 
 
-def _begun(text: str, size: float, wide: float, whole: float) -> tuple[str, list[Row]]:
+def _begun(text: str, size: float, wide: float, whole: float) -> tuple[str, list[LetteringRow]]:
     """Return the line that begins a sentence, ``wide`` mm, and the lines below it; the last is no rag."""
-    found = list[tuple[str, list[Row]]]()
+    found = list[tuple[str, list[LetteringRow]]]()
     for share in (1.0, *NARROWER):
         first, *others = broken(text, size, share * wide)
         rest = even(" ".join(row.text for row in others), size, whole)

@@ -169,7 +169,7 @@ class DrawnVariants(NamedTuple):
         return said("{head}; refused: {listed}", head=head, listed=joined(", ", listed))
 
 
-def drawn(
+def draw_variants(
     of: Base,
     ranges: Ranges,
     count: int,

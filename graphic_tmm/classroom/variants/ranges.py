@@ -29,7 +29,7 @@ from graphic_tmm.scene.document import Document, document
 from graphic_tmm.scene.lines import key_of, line_of, locate
 from graphic_tmm.scene.misfits import meant, short
 from graphic_tmm.scene.quantities import NUMBER, parse
-from graphic_tmm.scene.units import UNITS, Dimension, plain
+from graphic_tmm.scene.units import UNITS, Dimension, plain_unit
 
 FILE = "ranges.toml"
 RANGES = Kind(said("a file of ranges"), said("name a file of ranges (TOML)"), 256_000)
@@ -182,7 +182,7 @@ def _listed(value: object) -> tuple[tuple[str, ...], str]:
     matches = [_QUANTITY.fullmatch(one) for one in typed]
     units = {match[2] or "" if match else "" for match in matches}
     unit = units.pop() if len(units) == 1 else ""
-    if not unit or plain(unit) not in UNITS:
+    if not unit or plain_unit(unit) not in UNITS:
         return tuple(typed), ""
     return tuple(match[1] for match in matches if match), unit
 
@@ -203,7 +203,7 @@ def _stepped(value: Document) -> tuple[tuple[str, ...], str]:
     if value.keys() != set(_STEPS):
         raise ValueError(joined("; ", (said("a range has from, to and step"), _EXAMPLE)))
     numbers, units = zip(*(_number(value[name]) for name in _STEPS), strict=True)
-    if len({plain(unit) for unit in units}) > 1:
+    if len({plain_unit(unit) for unit in units}) > 1:
         raise ValueError(said("from, to and step have one unit, or none of them has one"))
     first, last, step = numbers
     if step <= 0 or last < first:
@@ -226,7 +226,7 @@ def _number(value: object) -> tuple[Decimal, str]:
     if match is None:
         raise ValueError(joined("; ", (said("from, to and step are numbers"), _EXAMPLE)))
     unit = match[2] or ""
-    if unit and plain(unit) not in UNITS:
+    if unit and plain_unit(unit) not in UNITS:
         raise ValueError(said('the unit "{unit}" is not known; write OA (mm)', unit=short(unit)))
     return _bounded(Decimal(match[1].replace(",", "."))), unit
 

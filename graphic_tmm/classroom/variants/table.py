@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path as File
 from typing import NamedTuple, NoReturn
 
-from graphic_tmm.checking.readings.csv_cells import Row
+from graphic_tmm.checking.readings.csv_cells import CellRow
 from graphic_tmm.checking.readings.grid import Grid, grid, too_many, torn
 from graphic_tmm.checking.readings.writing import csv_text, is_workbook, workbook_of
 from graphic_tmm.classroom.variants.variant import LONGEST_NAME, Value, Variant, is_name
@@ -18,7 +18,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.quantities import NUMBER
-from graphic_tmm.scene.units import UNITS, plain
+from graphic_tmm.scene.units import UNITS, plain_unit
 
 VARIANTS = Kind(said("a table of variants"), said("name a CSV or xlsx file of variants"), 8_000_000)
 MOST, COLUMNS = 100_000, 256
@@ -115,7 +115,11 @@ def _columns(found: Grid, faults: list[Fault]) -> list[_Column]:
 
 def _doubtful(found: Grid, place: int, title: str, before: Sequence[str], key: str) -> str:
     """Return what is wrong with a title among others, or ""."""
-    if found.separator == "," and found.first.cells[place][:1] == " " and plain(title) in UNITS:
+    if (
+        found.separator == ","
+        and found.first.cells[place][:1] == " "
+        and plain_unit(title) in UNITS
+    ):
         return said(
             '"{unit}" is a unit; quote a title that holds a comma, "OA, mm", or write OA [mm]',
             unit=title,
@@ -127,26 +131,26 @@ def _doubtful(found: Grid, place: int, title: str, before: Sequence[str], key: s
 def parted(title: str) -> tuple[str, str, str]:
     """Return the key of a title and its unit, "" if it has none; and what is wrong with it, or ""."""
     key, comma, unit = title.rpartition(", ")
-    if comma and plain(unit) in UNITS:
+    if comma and plain_unit(unit) in UNITS:
         return key.strip(), unit.strip(), ""
     match = _BRACED.fullmatch(title)
     if match is not None:
         unit = (match["unit"] or match["of"]).strip()
-        known = plain(unit) in UNITS
+        known = plain_unit(unit) in UNITS
         says = said('the unit "{unit}" is not known; write OA (mm)', unit=unit)
         return match["key"] or match["named"], unit, "" if known else says
     says = said("a column without a title; it is a key of the scene, with a unit: OA, mm")
     return title, "", "" if title else says
 
 
-def _filled(found: Grid) -> Iterator[Row]:
+def _filled(found: Grid) -> Iterator[CellRow]:
     """Yield the rows in which anything stands."""
     for row in found.rows:
         if row.wrong or any(cell.strip() for cell in row.cells):
             yield row
 
 
-def _variant(row: Row, of: Grid, columns: Sequence[_Column], faults: list[Fault]) -> Variant:
+def _variant(row: CellRow, of: Grid, columns: Sequence[_Column], faults: list[Fault]) -> Variant:
     """Return the variant of a row; what is wrong with it is added to ``faults``."""
     width = len(columns) + 1
     cells = [" ".join(cell.split()) for cell in row.cells] + [""] * width

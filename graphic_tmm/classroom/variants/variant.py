@@ -22,7 +22,7 @@ from graphic_tmm.scene.quantities import NUMBER
 from graphic_tmm.scene.read import judged
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.splice import Unplaced, literal, quoted, set_to
-from graphic_tmm.scene.units import UNITS, plain
+from graphic_tmm.scene.units import UNITS, plain_unit
 from graphic_tmm.scene.vary import place_of as place_in
 
 LONGEST_NAME = 40
@@ -164,7 +164,7 @@ def _written(of: Base, path: Path, value: Value) -> str:
         return quoted(f"{typed} {value.unit}")
     if isinstance(there, str):
         unit = _WITH_UNIT.fullmatch(there)
-        if unit is None or plain(unit[1]) not in UNITS:
+        if unit is None or plain_unit(unit[1]) not in UNITS:
             raise ValueError(
                 said(
                     'the scene has "{text}" there: write the value with its unit, "110 mm"',

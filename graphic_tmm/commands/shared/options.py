@@ -114,7 +114,7 @@ class Finite(click.FloatRange):
         return number
 
 
-def chosen(forms: str, known: Sequence[str], option: str = "--format") -> list[str]:
+def chosen_forms(forms: str, known: Sequence[str], option: str = "--format") -> list[str]:
     """Return the forms that an option names.
 
     Raises

@@ -21,7 +21,7 @@ from graphic_tmm.checking.judging.own_errors import Run, run_log
 from graphic_tmm.checking.judging.scatter import Limits, Scatter, limited_figure
 from graphic_tmm.checking.judging.step_scatter import StepScatter, scatters_of
 from graphic_tmm.checking.judging.taken_marks import Reader, reader
-from graphic_tmm.page.practice.tasks import Row
+from graphic_tmm.page.practice.tasks import PoseRow
 from graphic_tmm.scene.records import Scene
 
 HAND = "student"
@@ -34,7 +34,7 @@ Named = Mapping[Mark, tuple[str, str, str, str]]
 """What a check reads of marks, see `tasks.readable`."""
 
 
-def drawings(row: Row, marks: Collection[Mark], scene: Scene) -> dict[Mark, Any]:
+def drawings(row: PoseRow, marks: Collection[Mark], scene: Scene) -> dict[Mark, Any]:
     """Return marks as the hand draws them, (trial, position), at all positions of a row."""
     by = reader(scene, HANDS[HAND]._replace(trials=TRIALS, seed=scene.seed), "screen")
     found = execute(row.log, row.given, marks, hand=by.hand)
@@ -43,7 +43,7 @@ def drawings(row: Row, marks: Collection[Mark], scene: Scene) -> dict[Mark, Any]
 
 
 def own_limits(
-    row: Row, read: Collection[Mark], drawn: Mapping[Mark, Any], by: Reader
+    row: PoseRow, read: Collection[Mark], drawn: Mapping[Mark, Any], by: Reader
 ) -> dict[tuple[Mark, int], StepScatter]:
     """Return how large the hand's own errors are where these marks are read, by mark and position."""
     found = {mark: _there(row, mark) for mark in read}
@@ -55,7 +55,7 @@ def own_limits(
 
 
 def total_limits(
-    row: Row, plan: str, named: Named, drawn: Mapping[Mark, Any], by: Reader
+    row: PoseRow, plan: str, named: Named, drawn: Mapping[Mark, Any], by: Reader
 ) -> dict[tuple[Mark, int], Scatter]:
     """Return how far the hand's figures are off what is due, by mark and position."""
     found = {}
@@ -87,7 +87,7 @@ def bounds(found: Iterable[float]) -> list[float]:
     return sizes_for_page(x * (1.0 + MARGIN) for x in found)
 
 
-def _there(row: Row, mark: Mark) -> Any:
+def _there(row: PoseRow, mark: Mark) -> Any:
     """Return where a mark is read: the numbers of it in the positions of its plan, NaN in the others."""
     due = _exact(row, mark)
     found = np.full((1, len(row.names)), np.nan, due.dtype)
@@ -96,7 +96,7 @@ def _there(row: Row, mark: Mark) -> Any:
     return found
 
 
-def _exact(row: Row, mark: Mark) -> Any:
+def _exact(row: PoseRow, mark: Mark) -> Any:
     return row.reading[mark]
 
 
@@ -126,7 +126,9 @@ def reader_of(scene: Scene) -> dict[str, Any]:
     }
 
 
-def manner(scene: Scene, row: Row, named: Named, name: str, plans: Sequence[str]) -> dict[str, Any]:
+def manner(
+    scene: Scene, row: PoseRow, named: Named, name: str, plans: Sequence[str]
+) -> dict[str, Any]:
     """Return the limits of the hand, read in one manner; ``plans``: as the page counts them.
 
     ``own``: of a plan read alone; ``with``: by the numbers of those before it whose points are read too.

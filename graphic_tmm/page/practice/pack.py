@@ -25,10 +25,17 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import spoken, with_functions
 from graphic_tmm.language.units import unit
 from graphic_tmm.page.practice.limits import HAND, MANNERS, Named, manner, reader_of, sizes_for_page
-from graphic_tmm.page.practice.tasks import Row, posed, readable, sheet_row, with_others, written
+from graphic_tmm.page.practice.tasks import (
+    PoseRow,
+    posed,
+    readable,
+    sheet_row,
+    with_others,
+    written,
+)
 from graphic_tmm.page.sentences import indexed, marked_up, runs
-from graphic_tmm.page.tools import named as instruments
 from graphic_tmm.page.tools import symbol_of
+from graphic_tmm.page.tools import tools_sentence as instruments
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.write.svg import ids
 from graphic_tmm.readers.protocol import title_of
@@ -48,7 +55,7 @@ HEAD = 'import { ARITHMETIC } from "./arithmetic.js";\nimport { enterBoard } fro
 class Packing:
     """A row of positions while it is written down."""
 
-    def __init__(self, made: DrawnScene, row: Row, sheets: Sequence[Sheet]) -> None:
+    def __init__(self, made: DrawnScene, row: PoseRow, sheets: Sequence[Sheet]) -> None:
         self.made, self.row, self.sheets = made, row, sheets
         self.language = made.scene.language
         self.named: Named = {m: told for m, told in readable(made).items() if m.view in row.places}

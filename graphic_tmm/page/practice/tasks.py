@@ -25,7 +25,7 @@ from graphic_tmm.page.dense import WHOLE, Dense, dense
 
 
 @dataclass(frozen=True)
-class Row:
+class PoseRow:
     """A mechanism at a row of positions, drawn by the exact hand: those of the sheet, or others.
 
     ``given``: what is given there; ``places``: the positions (indices) in which each plan is practised;
@@ -37,7 +37,7 @@ class Row:
     given: Mapping[Mark, object]
     names: Sequence[str]
     places: Mapping[str, Sequence[int]]
-    own: tuple[Row, ...] = ()
+    own: tuple[PoseRow, ...] = ()
 
     @cached_property
     def steps(self) -> tuple[Step, ...]:
@@ -65,7 +65,7 @@ class Row:
         return np.stack(np.broadcast_arrays(*flat), axis=1).tolist()  # type: ignore[no-any-return]
 
 
-def sheet_row(made: DrawnScene) -> Row | None:
+def sheet_row(made: DrawnScene) -> PoseRow | None:
     """Return the row of the sheet; None of a scene without a mechanism, or without a plan that is practised."""
     work = made.mechanism
     if work is None:
@@ -74,10 +74,10 @@ def sheet_row(made: DrawnScene) -> Row | None:
     places = {plan: work.row(plan) for plan in pointed() if plan in plans and work.row(plan)}
     if not places:
         return None
-    return Row(work, work.construction, work.given, work.names, places)
+    return PoseRow(work, work.construction, work.given, work.names, places)
 
 
-def with_others(row: Row, other: Row) -> Row:
+def with_others(row: PoseRow, other: PoseRow) -> PoseRow:
     """Return a row with the positions of another one behind its own."""
     count, more = len(row.names), len(other.names)
     used = {mark for step in row.steps for mark in step.uses}
@@ -97,7 +97,7 @@ def with_others(row: Row, other: Row) -> Row:
         for plan, at in row.places.items()
     }
     names = (*row.names, *other.names)
-    return Row(row.work, row.log, given, names, places, (row, other))
+    return PoseRow(row.work, row.log, given, names, places, (row, other))
 
 
 def written(script: Script, steps: Iterable[Step]) -> dict[str, Any]:
@@ -135,7 +135,7 @@ SHORT = 4.0
 """No vector of a pose is shorter, mm, if the turn has such an angle: directions of shorter ones are lost."""
 
 
-def posed(row: Row, seed: int) -> Row | None:
+def posed(row: PoseRow, seed: int) -> PoseRow | None:
     """Return poses of a mechanism, one for each plan of a row; None where nothing turns.
 
     The same seed poses the same.
@@ -151,10 +151,10 @@ def posed(row: Row, seed: int) -> Row | None:
     language = row.work.scene.language
     names = tuple(f"{fixed(float(turn.angles[k]) % WHOLE, 1, language)}°" for k in at)
     places = {plan: (at.index(k),) for plan, k in chosen.items()}
-    return Row(turn.drawn, turn.log, given, names, places)
+    return PoseRow(turn.drawn, turn.log, given, names, places)
 
 
-def _angle(turn: Dense, row: Row, plan: str, seed: int) -> int | None:
+def _angle(turn: Dense, row: PoseRow, plan: str, seed: int) -> int | None:
     """Return the angle (its index) that a plan is posed at; None where it is nowhere drawn."""
     good = _drawn(turn)
     shortest = np.where(good, _shortest(turn, row, plan), -1.0)
@@ -178,7 +178,7 @@ def _drawn(turn: Dense) -> Any:
     return ~near
 
 
-def _shortest(turn: Dense, row: Row, plan: str) -> Reals:
+def _shortest(turn: Dense, row: PoseRow, plan: str) -> Reals:
     """Return the shortest vector of a plan at every whole degree, mm; NaN counts as none."""
     rows = list(_vectors(turn, row, plan))
     if not rows:
@@ -186,7 +186,7 @@ def _shortest(turn: Dense, row: Row, plan: str) -> Reals:
     return np.asarray(np.nan_to_num(np.min(rows, axis=0), nan=-1.0))
 
 
-def _vectors(turn: Dense, row: Row, plan: str) -> Iterator[Reals]:
+def _vectors(turn: Dense, row: PoseRow, plan: str) -> Iterator[Reals]:
     """Yield what is to be drawn of a plan, mm along the angles: lengths, points from its pole.
 
     What is nothing everywhere is none.

@@ -23,7 +23,7 @@ from graphic_tmm.paper.write.dxf_ink import spot, vertices, weight
 from graphic_tmm.paper.write.svg import shift
 
 
-class Run(NamedTuple):
+class TextRun(NamedTuple):
     """Letters of one size on one base line, mm from the start of the whole line, x right, y up.
 
     ``x``: where its first letter begins on its base line; ``width``: from there to where its last letter ends.
@@ -40,7 +40,7 @@ class Run(NamedTuple):
 class Runs(NamedTuple):
     """A line of lettering: the runs that can be written as text, and the letters and lines that are drawn."""
 
-    runs: tuple[Run, ...]
+    runs: tuple[TextRun, ...]
     drawn: tuple[tuple[float, float, Form], ...]
     width: float
 
@@ -62,7 +62,7 @@ class _RunSetter(Setter):
     def __init__(self, inclined: bool, writable: Callable[[str], bool]) -> None:
         super().__init__(inclined)
         self.writable = writable
-        self.runs: list[Run] = []
+        self.runs: list[TextRun] = []
         self.drawn: list[tuple[float, float, Form]] = []
 
     def _text(self, text: str, x: float, y: float, size: float) -> float:
@@ -87,7 +87,7 @@ class _RunSetter(Setter):
         if ahead := len(piece) - len(piece.lstrip()):
             x += width(" " * ahead, size=size) + gap
         begin = x - gap / 2 + self.slant * y
-        self.runs.append(Run(text, begin, y, width(escape(text), size=size) + gap, size))
+        self.runs.append(TextRun(text, begin, y, width(escape(text), size=size) + gap, size))
 
     def _line(self, x: float, end: float, y: float, pen: float) -> None:
         first = len(self.parts)
@@ -149,7 +149,7 @@ class Letterer:
             group = self.document.groups.new(description=letters.plain(label.text)[:255])
             group.extend(made)
 
-    def run(self, run: Run, label: Label, start: complex, turn: complex, layer: str) -> Any:
+    def run(self, run: TextRun, label: Label, start: complex, turn: complex, layer: str) -> Any:
         """Write a run of letters; return its TEXT."""
         from ezdxf.enums import TextEntityAlignment
 

@@ -25,7 +25,7 @@ from graphic_tmm.language.numbers import number as spoken
 from graphic_tmm.language.units import unit_name
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Sheet, Stroke
 from graphic_tmm.paper.lettering import letters
-from graphic_tmm.paper.pens import KINDS, LETTERING, Pen, fitted, pens, refuse_unknown, tracing
+from graphic_tmm.paper.pens import KINDS, LETTERING, Pen, pens, refuse_unknown, stretched, tracing
 from graphic_tmm.paper.write.svg_path import clockwise, length, number, path_data
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ class ReadyElement:
         return self.xml
 
 
-def text_of(tree: Element) -> str:
+def svg_text(tree: Element) -> str:
     """Return a tree as text, one element a line."""
     lines = list[str]()
     _write(tree, lines)
@@ -148,7 +148,7 @@ def svg(sheet: Sheet, *, under: Under | None = None, searchable: bool = False) -
         writer.trace = box["thin"]
     for name, drawing in zip(names, sheet.drawings, strict=True):
         page.add(writer.drawing(name, drawing, box))
-    return text_of(page.get_xml())
+    return svg_text(page.get_xml())
 
 
 class _Writer:
@@ -296,7 +296,7 @@ def _style(pen: Pen, stroke: Ink) -> dict[str, str]:
     if isinstance(stroke, Stroke) and stroke.filled:
         return {"fill": pen.colour if pen.fill == "none" else pen.fill, "stroke": "none"}
     closed = isinstance(stroke, Stroke) and stroke.closed
-    dashes = fitted(pen.dashes, length(stroke), closed=closed) if pen.dashes else ()
+    dashes = stretched(pen.dashes, length(stroke), closed=closed) if pen.dashes else ()
     return {"stroke-dasharray": " ".join(map(number, dashes))} if dashes else {}
 
 

@@ -14,7 +14,7 @@ from support.trials import readings
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells
-from graphic_tmm.checking.check import known
+from graphic_tmm.checking.check import known_readings
 from graphic_tmm.checking.judging.groups import NAME, RARE, groups, tail
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
@@ -45,7 +45,7 @@ def yardsticks(name: str) -> Yardsticks:
 def told(name: str, rows: Rows, folder: Path) -> Told:
     path = folder / "readings.csv"
     path.write_text(csv_of(rows), "utf-8")
-    taken, _ = known(made(name), read_readings(path), "readings")
+    taken, _ = known_readings(made(name), read_readings(path), "readings")
     by = yardsticks(name).of(taken)
     judged = judge(made(name), taken, by)
     return groups(made(name), judged, by), judged

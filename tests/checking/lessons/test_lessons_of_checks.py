@@ -24,7 +24,7 @@ from support.lessons_told import (
 )
 
 from graphic_tmm.checking.lessons.lessons import PICTURED, Teacher
-from graphic_tmm.checking.records import UNKNOWN, WRONG, Judged, Likely, Picture, Taken
+from graphic_tmm.checking.records import UNKNOWN, WRONG, Judged, Likely, PlanPicture, Taken
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.readers.protocol import plan_protocols
 
@@ -226,7 +226,7 @@ def test_a_step_that_nothing_was_read_of_is_shown_in_some_position() -> None:
     assert (rate.picture, rate.position) == (None, "")
 
 
-def picture(*args: object, **more: object) -> Picture | None:
+def picture(*args: object, **more: object) -> PlanPicture | None:
     (lesson,) = lessons(row(*args, **more))  # type: ignore[arg-type]
     return lesson.picture
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from graphic_tmm.board.formula import FORMULAS
-from graphic_tmm.board.formula_text import FUNCTIONS, text_of, tree_of
+from graphic_tmm.board.formula_text import FUNCTIONS, tree_of, tree_text
 from graphic_tmm.board.grammar import OPERATIONS
 from graphic_tmm.checking.mutations.calculated import is_product, otherwise, with_sense
 from graphic_tmm.checking.mutations.mutation import FACTOR, LEFT_OUT, POWER, SENSE
@@ -26,7 +26,7 @@ def test_texts_are_read_back() -> None:
     whole_book()
     for name, formula in FORMULAS.items():
         tree = tree_of(formula.text, FUNCTIONS)
-        assert tree_of(text_of(tree), FUNCTIONS) == tree, name
+        assert tree_of(tree_text(tree), FUNCTIONS) == tree, name
 
 
 @pytest.mark.parametrize("name", ["normal", "coriolis", "rate", "product_of_squares", "total"])

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from support.photographed.rubbed import DOTS, flat, paper, rubbed
 
-from graphic_tmm.checking.pencil.expected import Line
+from graphic_tmm.checking.pencil.expected import ExpectedLine
 from graphic_tmm.checking.pencil.lines import tracks
 
-DUE = Line(20 + 20j, 130 + 70j, (0, 1))
+DUE = ExpectedLine(20 + 20j, 130 + 70j, (0, 1))
 
 
 @pytest.mark.parametrize("squared", [False, True])
@@ -36,7 +36,7 @@ def test_a_line_is_found_within_a_tenth_of_a_millimetre(
 
 
 def test_a_line_along_the_squares_is_found_beside_them() -> None:
-    due = Line(20 + 40j, 130 + 40j, (0, 1))
+    due = ExpectedLine(20 + 40j, 130 + 40j, (0, 1))
     grey = rubbed(paper(squared=True), 20 + 41.3j, 130 + 41.3j)
     found = tracks(flat(grey), due, 0j)
     assert abs(found[0].start - 1.3) < 0.1

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from graphic_tmm.checking.pencil.expected import Line, Place, View
+from graphic_tmm.checking.pencil.expected import ExpectedLine, ExpectedPlace, View
 from graphic_tmm.checking.pencil.fitting import DOUBT, Fit, Swaps, crossing
 from graphic_tmm.checking.pencil.lines import Track
 from graphic_tmm.checking.pencil.points import Signs
@@ -28,8 +28,8 @@ def view(
     )
     return View(
         "velocities",
-        tuple(Place(one, ()) for one in at),
-        tuple(Line(at[a], at[b], (a, b)) for a, b in lines),
+        tuple(ExpectedPlace(one, ()) for one in at),
+        tuple(ExpectedLine(at[a], at[b], (a, b)) for a, b in lines),
         {},
         (NO_INK,) * len(at),
         tuple([None, *[0] * (len(at) - 1)] if of is None else of),

@@ -13,7 +13,7 @@ from support.photographed.student import Left, exact
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.pencil.darkness import Flat
-from graphic_tmm.checking.pencil.expected import Line, Place, View, views
+from graphic_tmm.checking.pencil.expected import ExpectedLine, ExpectedPlace, View, views
 from graphic_tmm.checking.pencil.fitting import fit, robbed
 from graphic_tmm.checking.pencil.lines import Track
 from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE, Spot
@@ -40,8 +40,8 @@ def plan() -> View:
     count = len(places)
     return View(
         "velocities",
-        tuple(Place(at, ()) for at in places),
-        tuple(Line(places[0], at, (0, k)) for k, at in enumerate(ENDS, 1)),
+        tuple(ExpectedPlace(at, ()) for at in places),
+        tuple(ExpectedLine(places[0], at, (0, k)) for k, at in enumerate(ENDS, 1)),
         {},
         (np.empty((0, 2), dtype=np.complex128),) * count,
         (None, 0, 0, 0),
@@ -87,8 +87,12 @@ def view(astray: float = 2.0, of: tuple[int | None, ...] = (None, 0, 0)) -> View
     places = POLE, LEFT, RIGHT
     return View(
         "velocities",
-        tuple(Place(at, ()) for at in places),
-        (Line(POLE, LEFT, (0, 1)), Line(POLE, RIGHT, (0, 2)), Line(LEFT, RIGHT, (1, 2))),
+        tuple(ExpectedPlace(at, ()) for at in places),
+        (
+            ExpectedLine(POLE, LEFT, (0, 1)),
+            ExpectedLine(POLE, RIGHT, (0, 2)),
+            ExpectedLine(LEFT, RIGHT, (1, 2)),
+        ),
         {},
         (NO_INK,) * 3,
         of,
@@ -134,8 +138,8 @@ def test_a_line_is_followed_again_from_where_its_points_were_seen() -> None:
 def test_a_line_that_has_anothers_pencil_is_doubted_by_how_far_they_should_be_apart() -> None:
     at = [POLE, 90 + 24j, 90 + 20j]
     one = view()._replace(
-        places=tuple(Place(z, ()) for z in at),
-        lines=(Line(POLE, at[1], (0, 1)), Line(POLE, at[2], (0, 2))),
+        places=tuple(ExpectedPlace(z, ()) for z in at),
+        lines=(ExpectedLine(POLE, at[1], (0, 1)), ExpectedLine(POLE, at[2], (0, 2))),
     )
     mine = Track(0.0, -4.0, 1.0, 0.1)  # the upper line lies where the lower one should be
     own = Track(0.0, 0.0, 1.0, 0.1)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from graphic_tmm.checking.photo.picture import read
+from graphic_tmm.checking.photo.picture import read_photo
 from graphic_tmm.errors import SceneError, SheetError
 
 
@@ -39,7 +39,7 @@ def test_more_than_100_megapixels_are_refused_before_they_are_read(
     path.write_bytes(header(columns, rows))
     limit, filters = Image.MAX_IMAGE_PIXELS, list(warnings.filters)
     with pytest.raises(SheetError, match="at most 100 megapixels"):
-        read(path)
+        read_photo(path)
     assert (Image.MAX_IMAGE_PIXELS, warnings.filters) == (limit, filters)
 
 
@@ -47,7 +47,7 @@ def test_100_megapixels_are_allowed_and_damage_is_told(tmp_path: Path) -> None:
     path = tmp_path / "damaged.png"
     path.write_bytes(header(10_000, 9_999))
     with pytest.raises(SheetError, match="cannot be read"):
-        read(path)
+        read_photo(path)
 
 
 @pytest.mark.parametrize(
@@ -67,7 +67,7 @@ def test_what_is_no_photograph_is_told(tmp_path: Path, content: bytes) -> None:
     path = tmp_path / "photo.jpg"
     path.write_bytes(content)
     with pytest.raises(SheetError, match=r"photo\.jpg: .*(JPEG|PNG)"):
-        read(path)
+        read_photo(path)
 
 
 @pytest.mark.parametrize(
@@ -81,7 +81,7 @@ def test_what_is_no_photograph_is_told(tmp_path: Path, content: bytes) -> None:
 )
 def test_what_is_no_file_is_told(name: str, said: str, tmp_path: Path) -> None:
     with pytest.raises(SceneError, match=said):
-        read(tmp_path / name)
+        read_photo(tmp_path / name)
 
 
 @pytest.mark.parametrize("form", ["JPEG", "PNG", "TIFF", "WEBP", "BMP"])
@@ -89,10 +89,10 @@ def test_a_photograph_cut_short_is_told(tmp_path: Path, form: str) -> None:
     random = np.random.default_rng(1).integers(0, 255, (90, 120, 3), dtype=np.uint8)
     path = tmp_path / "photo"
     Image.fromarray(random).save(path, form)
-    assert read(path).shape == (90, 120, 3)
+    assert read_photo(path).shape == (90, 120, 3)
     path.write_bytes(path.read_bytes()[: -path.stat().st_size // 3])
     with pytest.raises(SheetError, match=r"photo: .*(cannot|can) be read"):
-        read(path)
+        read_photo(path)
 
 
 def test_every_mode_is_read_as_colours(tmp_path: Path) -> None:
@@ -103,14 +103,14 @@ def test_every_mode_is_read_as_colours(tmp_path: Path) -> None:
     assert deep.mode == "I;16"
     for image in (grey, grey.convert("RGB"), grey.convert("P"), grey.convert("RGBA"), deep):
         image.save(tmp_path / "mode.png")
-        assert (read(tmp_path / "mode.png") == due).all(), image.mode
+        assert (read_photo(tmp_path / "mode.png") == due).all(), image.mode
     clear = np.concatenate([due, np.zeros((20, 52, 1), dtype=np.uint8)], axis=2)
     Image.fromarray(clear).save(tmp_path / "clear.png")
-    assert (read(tmp_path / "clear.png") == 255).all()
+    assert (read_photo(tmp_path / "clear.png") == 255).all()
     grey.convert("CMYK").save(tmp_path / "ink.jpg", quality=95)
-    assert abs(read(tmp_path / "ink.jpg").astype(int) - due).max() < 12
+    assert abs(read_photo(tmp_path / "ink.jpg").astype(int) - due).max() < 12
     grey.convert("1").save(tmp_path / "bits.png")
-    assert set(np.unique(read(tmp_path / "bits.png"))) <= {0, 255}
+    assert set(np.unique(read_photo(tmp_path / "bits.png"))) <= {0, 255}
 
 
 @pytest.mark.parametrize(("orientation", "turn"), [(1, 0), (3, 2), (6, -1), (8, 1)])
@@ -121,10 +121,10 @@ def test_a_photograph_stands_as_its_camera_says(
     said = Image.Exif()
     said[0x0112] = orientation
     Image.fromarray(stored).save(tmp_path / "turned.png", exif=said)
-    assert (read(tmp_path / "turned.png") == np.rot90(stored, turn)).all()
+    assert (read_photo(tmp_path / "turned.png") == np.rot90(stored, turn)).all()
 
 
 def test_without_pillow_the_extra_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "PIL", None)
     with pytest.raises(SheetError, match=r"graphic-tmm\[photo\]"):
-        read(tmp_path / "photo.jpg")
+        read_photo(tmp_path / "photo.jpg")

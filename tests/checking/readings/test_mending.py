@@ -9,7 +9,7 @@ from support import gallery
 from support.misspelt import misspelt
 
 from graphic_tmm.checking.cells import cells, points
-from graphic_tmm.checking.check import known
+from graphic_tmm.checking.check import known_readings
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.errors import SceneError
@@ -34,7 +34,9 @@ def made():
 
 def typed(folder, made, rows, encoding="utf-8"):
     """Return what becomes of rows of a file, "plan;position;segment;mm;value;unit;x;y", and the notes."""
-    return known(made, read(folder, HEAD + "".join(f"{row}\n" for row in rows), encoding), "r.csv")
+    return known_readings(
+        made, read(folder, HEAD + "".join(f"{row}\n" for row in rows), encoding), "r.csv"
+    )
 
 
 def test_misspelt_readings_are_those_of_the_scene(made):
@@ -61,7 +63,7 @@ def test_misspelt_readings_are_those_of_the_scene(made):
         given.append(one._replace(segment=name, position=place))
     assert len(due) > 60
     assert given != due
-    rows, notes = known(made, given, "r.csv")
+    rows, notes = known_readings(made, given, "r.csv")
     assert keys(rows) == keys(due)
     assert 0 < len(notes) < len(due)
 

@@ -21,7 +21,7 @@ from graphic_tmm.classroom.variants import drawing
 from graphic_tmm.classroom.variants.drawing import (
     DrawnVariants,
     Measure,
-    drawn,
+    draw_variants,
     measure_of,
     refused,
 )
@@ -145,7 +145,7 @@ def test_variants_are_good_by_loops_and_tables(
     name: str, tmp_path: Path, many: Callable[[int, int], int]
 ) -> None:
     count = many(10, 1)
-    found = drawn(scene(name), ranges(name), count, 11, missing=missing)
+    found = draw_variants(scene(name), ranges(name), count, 11, missing=missing)
     all_good(name, found, count)
     tables_hold(scene(name), name, found.variants[::3], tmp_path)
 
@@ -155,7 +155,7 @@ def test_shapers_are_good_and_stand_on_the_sheets_ordered(
 ) -> None:
     """With ``--measured`` three hundred of them."""
     count = many(300, 3)
-    found = drawn(scene("shaper"), ranges("shaper"), count, 7, missing=missing)
+    found = draw_variants(scene("shaper"), ranges("shaper"), count, 7, missing=missing)
     all_good("shaper", found, count)
     tables_hold(scene("shaper"), "shaper", found.variants[::10], tmp_path)
     made, sheets = composed_sheets(scene_of(scene("shaper"), found.variants[-1]))
@@ -165,9 +165,9 @@ def test_shapers_are_good_and_stand_on_the_sheets_ordered(
 def test_ranges_that_hold_too_few_are_refused_with_the_reasons() -> None:
     long = Ranges((Range("OA", ("330", "340", "350"), "mm"), Range("CD", ("180",), "mm")), Good())
     with pytest.raises(SheetError, match=r"hold 3 variants, 4 are wanted"):
-        drawn(scene("shaper"), long, 4, 1)
+        draw_variants(scene("shaper"), long, 4, 1)
     with pytest.raises(SheetError, match=r"of 3 tried 0 were good; refused: .*no side"):
-        drawn(scene("shaper"), long, 3, 1)
+        draw_variants(scene("shaper"), long, 3, 1)
 
 
 def test_values_are_rounded_as_a_task_is() -> None:
@@ -186,10 +186,10 @@ def test_a_wish_that_nothing_meets_is_soon_told_and_one_that_a_tenth_meets_is_me
     with pytest.raises(
         SheetError, match=r"of (\d+) tried 0 were good; refused: \1 too steep"
     ) as told:
-        drawn(scene("shaper"), ranges("shaper"), 1, 1)
+        draw_variants(scene("shaper"), ranges("shaper"), 1, 1)
     assert 100 <= int(str(told.value).partition(" tried")[0].split()[-1]) <= 250
     monkeypatch.setattr(drawing, "refused", lambda *given: "" if die.random() < 0.1 else "bad")
-    found = drawn(scene("shaper"), ranges("shaper"), 30, 1)
+    found = draw_variants(scene("shaper"), ranges("shaper"), 30, 1)
     assert len(found.variants) == 30
     assert 100 < found.tried < 900
 

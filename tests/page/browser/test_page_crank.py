@@ -18,7 +18,7 @@ from graphic_tmm.language.numbers import fixed
 from graphic_tmm.mechanism.records import Row
 from graphic_tmm.page.dense import Dense, dense
 from graphic_tmm.page.page import page
-from graphic_tmm.page.strands import Line, MovingFigures, strands
+from graphic_tmm.page.strands import MovingFigures, MovingStroke, strands
 from graphic_tmm.readers.rounding import rounded_figures
 from graphic_tmm.readers.table import columns_of
 from graphic_tmm.scene.records import Scene, SheetOrder
@@ -158,7 +158,7 @@ def test_the_ink_is_that_of_python(page_of: Begin, number: int) -> None:
     ]
     moving = figures[number]
     made = strands(found, moving)
-    rows = made.at(found.whole, [key for key in made.rows if isinstance(key, Line)])
+    rows = made.at(found.whole, [key for key in made.rows if isinstance(key, MovingStroke)])
     shown.locator("#crank .card").nth(number).scroll_into_view_if_needed()
     for index in (0, 7, 45, 203, 331):
         shown.get_by_role("slider").fill(str(index))

@@ -15,7 +15,7 @@ from support.benches import Packed, practised, worked
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Point
-from graphic_tmm.checking.check import TRIALS, known
+from graphic_tmm.checking.check import TRIALS, known_readings
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.equivalents import ways_of
 from graphic_tmm.checking.judging.judge import judge
@@ -83,7 +83,7 @@ class Case:
     def compare(self, *others: Case) -> tuple[tuple[Judged, ...], Comparison]:
         made = self.scene.made
         taken = [one for case in (self, *others) for one in case.taken.values()]
-        rows, _ = known(made, taken, "readings")
+        rows, _ = known_readings(made, taken, "readings")
         assert len(rows) == len(taken)
         by = _yardstick(self.scene, self.manner, rows)
         return judge(made, rows, by), Comparison(made, rows, by)

@@ -14,19 +14,19 @@ from support.each import each
 from graphic_tmm.board.values import Length
 from graphic_tmm.page.dense import dense
 from graphic_tmm.page.practice.pack import Packing, practice
-from graphic_tmm.page.practice.tasks import APART, SHORT, Row, posed, sheet_row, with_others
+from graphic_tmm.page.practice.tasks import APART, SHORT, PoseRow, posed, sheet_row, with_others
 from graphic_tmm.scene.packaged import packaged
 
 NAMES = ("windrower", "scotch-yoke", "crank-rocker", "toggle-press")
 
 
-def row(name: str) -> Row:
+def row(name: str) -> PoseRow:
     found = sheet_row(gallery.exact(name))
     assert found is not None
     return found
 
 
-def poses(name: str, seed: int) -> Row:
+def poses(name: str, seed: int) -> PoseRow:
     found = posed(row(name), seed)
     assert found is not None
     return found

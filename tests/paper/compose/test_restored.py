@@ -12,7 +12,7 @@ from graphic_tmm.errors import SceneError
 from graphic_tmm.fitting.composition import (
     Composition,
     composition_file,
-    named,
+    distinct_names,
     read_composition,
     text,
 )
@@ -69,7 +69,7 @@ def test_what_it_does_not_name_is_added_and_what_has_no_room_makes_it_useless() 
 
 
 def test_names_are_told_apart() -> None:
-    assert named(["a", "b", "a", "a"]) == ["a", "b", "a 2", "a 3"]
+    assert distinct_names(["a", "b", "a", "a"]) == ["a", "b", "a 2", "a 3"]
 
 
 def test_a_sheet_drawn_by_its_composition_is_the_same_to_the_byte(tmp_path: Path) -> None:
