@@ -80,9 +80,9 @@ class Drawn:
         return self.project.construction
 
     @property
-    def made(self) -> Mapping[str, Any]:
-        """What the chapters made."""
-        return self.project.made
+    def recorded(self) -> Mapping[str, Any]:
+        """What the chapters recorded."""
+        return self.project.recorded
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -58,7 +58,7 @@ class Plan(Answer):
 class Project:
     """The log of a board and what is given on it but for the scale factors that are chosen.
 
-    ``made``: what the chapters made, by chapter. ``names`` and ``angles`` (degrees, None where there are
+    ``recorded``: what the chapters recorded, by chapter. ``names`` and ``angles`` (degrees, None where there are
     none) run along the positions; ``count`` of them make the closed row. ``rows``: the positions (indices) at
     which a view is drawn, if these are not all; ``told``: those at which what becomes of a view is told.
     ``best``: finds the position (index) that shows the board best; None where nobody knows.
@@ -68,7 +68,7 @@ class Project:
     scene: Scene
     construction: Construction
     given: dict[Mark, object]
-    made: Mapping[str, Any]
+    recorded: Mapping[str, Any]
     names: tuple[str, ...]
     angles: tuple[float | None, ...]
     count: int
@@ -79,13 +79,13 @@ class Project:
     @property
     def chapters(self) -> tuple[Chapter, ...]:
         """The chapters that have made something, in the order of the book."""
-        return tuple(one for one in chapters(self.board) if one.name in self.made)
+        return tuple(one for one in chapters(self.board) if one.name in self.recorded)
 
     @property
     def charts(self) -> tuple[Chart, ...]:
         """The graphs on axes, in the order in which they stand one below the other."""
         found = chain.from_iterable(
-            Plan.of(one).charts(self.made[one.name]) for one in self.chapters
+            Plan.of(one).charts(self.recorded[one.name]) for one in self.chapters
         )
         return tuple({chart.view: chart for chart in found}.values())
 
@@ -134,7 +134,7 @@ class Bench:
     ) -> None:
         self.board, self.scene, self.wanted = board, scene, wanted
         self.draft = Draft()
-        self.made: dict[str, Any] = {}
+        self.recorded: dict[str, Any] = {}
         self.needed: dict[str, Any] = {}
         self.sizes, self.usual = sizes or {}, usual
         self.names: tuple[str, ...] = ()
@@ -155,7 +155,7 @@ class Bench:
     def enter(self, name: str, made: Any) -> None:
         """Keep what a chapter made, if it made anything."""
         if made is not None:
-            self.made[name] = made
+            self.recorded[name] = made
 
     def call(self) -> list[Chapter]:
         """Return the chapters to be recorded, in their order, and enter what they need."""
@@ -172,7 +172,7 @@ class Bench:
     def project(self) -> Project:
         """Return what was recorded; positions that nobody told are numbered from 1."""
         log = self.draft.board.construction()
-        given, made = dict(self.draft.given), dict(self.made)
+        given, made = dict(self.draft.given), dict(self.recorded)
         rows, told = dict(self.rows), dict(self.told)
         arrays = (np.asarray(v) for v in given.values() if isinstance(v, np.ndarray))
         whole = max((v.shape[1] for v in arrays if v.ndim == 2), default=1)
@@ -227,7 +227,7 @@ def record(
         for chapter in bench.call():
             bench.enter(chapter.name, Plan.of(chapter).record(bench))
         for chapter in in_order(board):
-            if chapter.name in bench.made:
+            if chapter.name in bench.recorded:
                 bench.enter(aside(chapter.name), Plan.of(chapter).aside(bench))
     except StructureError as error:
         raise scene.located(error) from error

@@ -143,5 +143,5 @@ class Accuracy(Answer):
 
 def quantities(project: Project) -> tuple[Quantity, ...]:
     """Return the quantities that a drawing has, in the order in which they are found at the board."""
-    there = (chapter for chapter in in_order(project.board) if chapter.name in project.made)
+    there = (chapter for chapter in in_order(project.board) if chapter.name in project.recorded)
     return tuple(one for chapter in there for one in Accuracy.of(chapter).quantities(project))

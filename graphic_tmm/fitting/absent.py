@@ -62,7 +62,9 @@ def _absent(scene: Scene) -> Iterator[Chapter]:
     for board in (*((MECHANISM,) if scene.mechanism is not None else ()), *boards):
         project = record(scene, board)
         marks = [
-            mark for one in project.chapters for mark in Plan.of(one).result(project.made[one.name])
+            mark
+            for one in project.chapters
+            for mark in Plan.of(one).result(project.recorded[one.name])
         ]
         given: Mapping[object, object] = dict.fromkeys(project.construction.given, 1.0)
         reading = execute(project.construction, {**given, **project.given}, marks)  # type: ignore[dict-item]
@@ -72,6 +74,8 @@ def _absent(scene: Scene) -> Iterator[Chapter]:
 def _without(project: Project, reading: Reading) -> Iterator[Chapter]:
     """Yield the chapters of which no result is known."""
     for one in project.chapters:
-        marks = [mark for mark in Plan.of(one).result(project.made[one.name]) if mark in reading]
+        marks = [
+            mark for mark in Plan.of(one).result(project.recorded[one.name]) if mark in reading
+        ]
         if any(not np.isfinite(reading[mark]).any() for mark in marks):
             yield one

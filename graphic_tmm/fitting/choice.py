@@ -294,7 +294,7 @@ def choices(drawn: Drawn) -> Choices:
         ledger = Ledger()
         for chapter in drawn.project.chapters:
             Choice.of(chapter).choose(drawn, ledger)
-            _graphs(drawn, Plan.of(chapter).charts(drawn.made[chapter.name]), ledger)
+            _graphs(drawn, Plan.of(chapter).charts(drawn.recorded[chapter.name]), ledger)
         _calculated(drawn, ledger)
         _shared(drawn.project.charts, ledger)
         drawn.cache[SCALES] = ledger.choices()

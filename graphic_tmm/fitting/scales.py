@@ -43,9 +43,9 @@ class Fitting:
         return self.project.scene
 
     @property
-    def made(self) -> Mapping[str, Any]:
-        """What the chapters made."""
-        return self.project.made
+    def recorded(self) -> Mapping[str, Any]:
+        """What the chapters recorded."""
+        return self.project.recorded
 
     def plan_scales(self) -> dict[str, Scale]:
         """Return μ of the plans, by view."""
@@ -203,7 +203,7 @@ def _graph_scales(fitting: Fitting) -> dict[Mark, float]:
     for one in project.chapters:
         height = _graphs_on(fitting.scene, {place.name for place in one.places})
         heights |= {
-            chart.view: height * share for chart in Plan.of(one).charts(project.made[one.name])
+            chart.view: height * share for chart in Plan.of(one).charts(project.recorded[one.name])
         }
     found: dict[Mark, float] = {}
     for chart in (chart.shrunk(share) for chart in project.charts if chart.chosen):

@@ -3,7 +3,7 @@
 A chapter is a folder of `graphic_tmm.chapters` whose package declares a `Chapter` called CHAPTER. It is found
 by being there, and gone when its folder is. What a reader wants to know of chapters is declared in the reader's
 room, as an `Answer`; a chapter answers in the file that the answer names, which is imported when a reader asks.
-A chapter that has no such file has nothing to say to that reader. What it made is got by a key (`Made`)
+A chapter that has no such file has nothing to say to that reader. What it recorded is got by a key (`Recorded`)
 that stands with its records.
 """
 
@@ -28,27 +28,27 @@ MECHANISM = "mechanism"
 
 
 class Holder(Protocol):
-    """What holds what chapters made: a bench while it is recorded, a project and a drawn board afterwards."""
+    """What holds what chapters recorded: a bench while it is recorded, a project and a drawn board afterwards."""
 
     @property
-    def made(self) -> Mapping[str, Any]:
-        """What was made, by chapter."""
+    def recorded(self) -> Mapping[str, Any]:
+        """What was recorded, by chapter."""
 
 
 @dataclass(frozen=True)
 class Recorded(Generic[T]):
-    """What a chapter made on a board, by the name of the chapter."""
+    """What a chapter recorded on a board, by the name of the chapter."""
 
     chapter: str
 
     def of(self, holder: Holder) -> T | None:
         """Return what was made; None if the chapter was not called for."""
-        made: T | None = holder.made.get(self.chapter)
+        made: T | None = holder.recorded.get(self.chapter)
         return made
 
     def on(self, holder: Holder) -> T:
         """Return what was made where it is known to have been."""
-        made: T = holder.made[self.chapter]
+        made: T = holder.recorded[self.chapter]
         return made
 
 
