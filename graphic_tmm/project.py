@@ -58,7 +58,7 @@ class Plan(Answer):
 class Project:
     """The log of a board and what is given on it but for the scale factors that are chosen.
 
-    ``recorded``: what the chapters recorded, by chapter. ``names`` and ``angles`` (degrees, None where there are
+    ``recorded``: what chapters recorded, by chapter. ``names`` and ``angles`` (degrees, None where there are
     none) run along the positions; ``count`` of them make the closed row. ``rows``: the positions (indices) at
     which a view is drawn, if these are not all; ``told``: those at which what becomes of a view is told.
     ``best``: finds the position (index) that shows the board best; None where nobody knows.

@@ -64,10 +64,10 @@ def variants(
     wanted = read_ranges(Path(ranges) if ranges else of.file.with_name(FILE), of)
     with progress() as on_the_way:
 
-        def shown(done: int, all: int, name: str) -> None:
+        def in_reader_language(done: int, all: int, name: str) -> None:
             on_the_way(done, all, reader()(name))
 
-        found = draw_variants(of, wanted, count, seed, missing=missing, tell=shown)
+        found = draw_variants(of, wanted, count, seed, missing=missing, tell=in_reader_language)
     text = write_variants(found.variants, table.name, language=spoken or "en")
     if output is None:
         click.echo(text, nl=False)

@@ -28,7 +28,7 @@ MECHANISM = "mechanism"
 
 
 class Holder(Protocol):
-    """What holds what chapters recorded: a bench while it is recorded, a project and a drawn board afterwards."""
+    """What holds what chapters recorded: a bench at first, a project and a drawn board afterwards."""
 
     @property
     def recorded(self) -> Mapping[str, Any]:
