@@ -43,7 +43,7 @@ def traceless() -> dict[str, set[str]]:
 def drawings(work: Drawn) -> Iterator[tuple[str, Drawing]]:
     """Every view that a place can show of a board, with its chapter."""
     for one in chapters():
-        if one.name in work.made:
+        if one.name in work.recorded:
             for place in one.places:
                 yield from ((one.name, view) for view in drawing_of(place.name)(work, False))
 

@@ -90,7 +90,7 @@ def faults(work: Drawn) -> list[str]:
     known, found, seen = places(), list[str](), 0
     for place in PLACES:
         chapter = known[place][0]
-        if chapter.name not in work.made:
+        if chapter.name not in work.recorded:
             continue
         for view in drawing_of(place)(work, False):
             if view.shows:

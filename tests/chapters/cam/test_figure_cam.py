@@ -86,7 +86,7 @@ def random_order(draw: random.Random, kind: str) -> CamTask:
 
 
 def test_steps_of_the_scene_are_its_ink() -> None:
-    (work,) = (work for work in exact("cam").boards if "cam" in work.made)
+    (work,) = (work for work in exact("cam").boards if "cam" in work.recorded)
     own = {"cam centre", "cam profile"}
     drawn = [view for view in cam_views(work, True) if own & set(view.shows)]
     assert {name for view in drawn for name in view.shows} == own
@@ -121,7 +121,7 @@ def test_the_scheme_shows_the_follower_as_it_stands(kind: str) -> None:
 
 
 def test_the_scheme_of_the_scene_shows_the_largest_pressure_angle() -> None:
-    (work,) = (work for work in exact("cam").boards if "cam" in work.made)
+    (work,) = (work for work in exact("cam").boards if "cam" in work.recorded)
     (view,) = scheme_views(work, True)
     assert any("α = 25,9°" in label.text for label in view.labels)
     assert {"contour", "roller", "follower", "normal", "circle"} <= {s.part for s in view.strokes}

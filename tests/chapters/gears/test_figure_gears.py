@@ -57,7 +57,7 @@ def random_pairs(draw: random.Random, count: int) -> list[GearTask]:
 
 
 def test_steps_of_the_scene_are_its_ink() -> None:
-    (work,) = (work for work in exact("gear-pair").boards if "gears" in work.made)
+    (work,) = (work for work in exact("gear-pair").boards if "gears" in work.recorded)
     assert_laws(work.construction, [view for view in gear_views(work, True) if view.shows])
 
 

@@ -39,7 +39,7 @@ def assert_laws(log: Construction, view: Drawing) -> None:
 
 
 def test_steps_of_the_scene_are_its_ink() -> None:
-    found = [work for work in exact("planetary").boards if "planetary" in work.made]
+    found = [work for work in exact("planetary").boards if "planetary" in work.recorded]
     assert found
     for work in found:
         (view,) = (one for one in planetary_views(work, True) if one.shows)
