@@ -28,7 +28,7 @@ from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import composed_sheets, files_of, make
 
 Texts = dict[str, str | bytes]
-OPERATION = f"{__name__}:made"
+OPERATION = f"{__name__}:make_request"
 """The operation of works that make what is asked of a scene."""
 
 

@@ -53,7 +53,7 @@ class Recorded(Generic[T]):
 
 
 def aside(chapter: str) -> str:
-    """Return the name under which is held (see `Made`) what a chapter calculated beside its drawing."""
+    """Return the name under which is held (see `Recorded`) what a chapter calculated beside its drawing."""
     return f"{chapter} aside"
 
 

@@ -161,7 +161,7 @@ def _units() -> dict[str, Unit]:
 
 
 UNITS: Mapping[str, Unit] = _units()
-"""Every spelling of a unit in its plain form (see ``plain``) -> what it means."""
+"""Every spelling of a unit in its plain form (see ``plain_unit``) -> what it means."""
 
 
 def plain_unit(unit: str) -> str:

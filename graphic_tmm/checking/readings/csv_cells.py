@@ -47,7 +47,7 @@ def decoded_text(file: Path) -> str:
 
 
 def decoded(file: Path, data: bytes) -> str:
-    """Return the text of the bytes of a file; raises as `text_of` if they are none."""
+    """Return the text of the bytes of a file; raises as `decoded_text` if they are none."""
     for encoding in _encodings(data):
         try:
             text = codecs.decode(data, encoding).lstrip("\ufeff").rstrip("\x1a")

@@ -164,7 +164,7 @@ def template(
     *,
     language: str = "en",
 ) -> str:
-    """Return a CSV file to be filled in; see `asked`; ``language``: as in ``write_readings``."""
+    """Return a CSV file to be filled in; see `empty_rows`; ``language``: as in ``write_readings``."""
     return write_readings(empty_rows(columns, names, points), language=language)
 
 

@@ -114,7 +114,7 @@ LEGEND = Tongues(LEGENDS)
 def printable_text(text: str, most: int = LONGEST) -> str:
     r"""Return text as it may be shown: on one line, what is not printable as its escape, cut to ``most``.
 
-    >>> shown(" a\n\x1b[31mb"), shown("abcdef", 4)
+    >>> printable_text(" a\n\x1b[31mb"), printable_text("abcdef", 4)
     ('a \\x1b[31mb', 'abc…')
     """
     line = " ".join(text.split())[: most + 1]

@@ -49,7 +49,7 @@ class ReadyElement:
             SubElement(self.xml, "title").text = title
 
     def add(self, tag: str, attributes: Mapping[str, str]) -> None:
-        """Put an element into it; see `Made`."""
+        """Put an element into it; see `ReadyElement`."""
         self.xml.append(ReadyElement(tag, attributes).xml)
 
     def get_xml(self) -> Any:
