@@ -1,8 +1,8 @@
 """How a section of a scene is declared: a frozen record whose fields tell what may be written for them.
 
-A field is a key of the section (`key`), or is made of several (`combined_key`), or neither: then only a program sets
-it. From the one declaration come the reading with its faults, the schema, the reference of keys, and the record
-that plans use.
+A field is a key of the section (`key`), or is made of several (`combined_key`), or neither: then only a
+program sets it. From the one declaration come the reading with its faults, the schema, the reference of
+keys, and the record that plans use.
 """
 
 from __future__ import annotations
