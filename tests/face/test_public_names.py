@@ -194,7 +194,7 @@ def test_users_scripts_are_typed_by_mypy_strict(tmp_path: Path) -> None:
     assert len(shown) == SCRIPT.read_text(encoding="utf-8").count("\nreveal_type(") + 1
     bare = [one for one in shown if one == "Any" or one.startswith("Any ")]
     assert bare == []
-    for due in ("records.Scene", "drawn.Drawn", "tables.Table", "quantity.Quantity", "Path"):
+    for due in ("records.Scene", "drawn.Drawn", "tables.Table", "tables.Quantity", "Path"):
         assert any(due in one for one in shown), due
     found = {int(line) for line in re.findall(r"wrong\.py:(\d+): error: ", told)}
     assert found == set(range(3, 9)), told
