@@ -81,12 +81,12 @@ print(*columns["S"].value[0, :13])
 MISTAKE = """
 import sys
 from graphic_tmm.checking.mutations.grammar import mutations
-from graphic_tmm.checking.mutations.mutation import late
+from graphic_tmm.checking.mutations.mutation import measured_last
 from graphic_tmm.checking.mutations.names import name_of
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
 (board,) = make(read(sys.argv[1]), exact=True).boards
-found = [one for one in mutations(late(board.construction)) if name_of(one) == "rate by half"]
+found = [one for one in mutations(measured_last(board.construction)) if name_of(one) == "rate by half"]
 print(*sorted({one.at.it.letter for one in found}))
 """
 

@@ -29,7 +29,7 @@ from graphic_tmm.checking.mutations.mutation import (
     WRONG_END,
     Amiss,
     Mutation,
-    late,
+    measured_last,
 )
 from graphic_tmm.checking.mutations.words import (
     COUNTED,
@@ -191,7 +191,7 @@ class Offered:
     @cached_property
     def base(self) -> AssumedLog:
         """The board as it should be drawn."""
-        return AssumedLog(self.board, late(self.board.construction), self.board.given)
+        return AssumedLog(self.board, measured_last(self.board.construction), self.board.given)
 
     @cached_property
     def mutations(self) -> tuple[Mutation, ...]:

@@ -96,7 +96,7 @@ TAKEN_FOR = {"1/s²": "1/s", "kg·m²": "kg"}
 MEASURES = (measure.name, measure_along.name)
 
 
-def late(log: Construction) -> Construction:
+def measured_last(log: Construction) -> Construction:
     """Return a log whose readings of the ruler are taken as late as they can be: when the plan stands.
 
     Another point may be taken for the right one then, if only it does not hang on what is measured. A length

@@ -17,7 +17,7 @@ from graphic_tmm.checking.mutations.evidence import Readings
 from graphic_tmm.checking.mutations.execution import executed
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis
 from graphic_tmm.checking.mutations.mistakes import NONE, Mistakes
-from graphic_tmm.checking.mutations.mutation import CRANK, Mutation, late
+from graphic_tmm.checking.mutations.mutation import CRANK, Mutation, measured_last
 from graphic_tmm.checking.mutations.names import BY_FAMILY, INSTRUMENT, name_of
 from graphic_tmm.checking.mutations.tables import EVERYTHING, Variation
 from graphic_tmm.checking.records import INSTRUMENT as OFF
@@ -95,7 +95,7 @@ def _columns(
 ) -> list[tuple[str, str]]:
     """Return the figures of tables that a mutation moves, in the order of the tables."""
     board = drawing.made.boards[one.board]
-    log = late(board.construction)
+    log = measured_last(board.construction)
     beside = executed(log, board.given, (NONE, what), [step.it for step in log.steps])
     figures = readings.figures(board, beside, np.arange(2))
     found = []

@@ -102,7 +102,7 @@ class View(NamedTuple):
         """Whether it shows several positions, one upon another."""
         return len(set(self.of) - {None}) > 1
 
-    def aside(self, line: ExpectedLine) -> float:
+    def sideways_scatter(self, line: ExpectedLine) -> float:
         """Return how far aside drawings have the places of a line at most, mm (one deviation)."""
         off = self.astray[:, list(line.places)] / line.way
         return float(np.sqrt((off.imag**2).mean(axis=0)).max(initial=0.0))

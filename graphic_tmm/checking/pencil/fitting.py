@@ -246,7 +246,7 @@ def crossing(view: View, fit: Fit, k: int) -> Cross:
         share = ((view.places[k].at - line.start) / line.way).real / line.length
         left = 1j * line.way
         rows.append([left.real, left.imag])
-        asides.append(float(track.aside(share)))
+        asides.append(float(track.offset(share)))
         errors.append(_error(track, share, fit.doubt[n]))
         clear.append(_error(track, share, None))
     if not rows:

@@ -47,7 +47,7 @@ class Track(NamedTuple):
     covered: float
     error: float = 0.3
 
-    def aside(self, share: float | Reals) -> float | Reals:
+    def offset(self, share: float | Reals) -> float | Reals:
         """Return how far it is aside at a share (0 ... 1, or beyond) of the line, mm."""
         return self.start + (self.end - self.start) * share
 

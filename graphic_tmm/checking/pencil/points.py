@@ -221,7 +221,7 @@ def _spot(flat: Flat, view: View, fit: Fit, shift: complex, k: int, signs: Signs
         return Spot(at, together, SEEN if met and cross.misfit <= MISFIT else UNSURE)
     if sure or not signs.hemmed(k, cross.way, GAP * spread):
         return found
-    agreed = abs(found.at - at) < AGREED and signs.aside(k, fit.doubt) < RIVAL
+    agreed = abs(found.at - at) < AGREED and signs.farthest_other(k, fit.doubt) < RIVAL
     return found if agreed else Spot(at, cross.error, UNSURE)
 
 
@@ -321,7 +321,7 @@ class Signs:
 
     def apart(self, k: int) -> bool:
         """Whether the lines of a crowded place are its own, by all lines together."""
-        return self.aside(k, self.fit.far) < RIVAL and not self.passed(k)
+        return self.farthest_other(k, self.fit.far) < RIVAL and not self.passed(k)
 
     def none(self, k: int) -> bool:
         """Whether a vector of no length leads to a place: another one of its position should stand there."""
@@ -331,7 +331,7 @@ class Signs:
         """Whether the sign of another place may be taken for that of a place, along a direction."""
         return self.near(k) or self.passed(k) or self.alone(k, way) < reach
 
-    def aside(self, k: int, doubts: Sequence[Doubt | None]) -> float:
+    def farthest_other(self, k: int, doubts: Sequence[Doubt | None]) -> float:
         """Return how far from a place another line is, at most, that one through it may be, mm."""
         at = self.view.places[k].at
         found = 0.0

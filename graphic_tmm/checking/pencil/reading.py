@@ -190,7 +190,7 @@ def seen(
 def followed(flat: Flat, view: View, shift: complex) -> list[tuple[Track, ...]]:
     """Return by line of a view the lines of pencil near it: as far as a hand may have it."""
     return [
-        tracks(flat, line, shift, float(np.clip(WIDE * view.aside(line), BAND, WIDEST)))
+        tracks(flat, line, shift, float(np.clip(WIDE * view.sideways_scatter(line), BAND, WIDEST)))
         for line in view.lines
     ]
 

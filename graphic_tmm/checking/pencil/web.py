@@ -64,7 +64,7 @@ class Web:
                 at, rows = self._rows(k)
                 weight = _weight(track)
                 normal[np.ix_(at, at)] += weight * rows.T @ rows
-                right[at] += weight * rows.T @ np.asarray(track.aside(self.shares[k]))
+                right[at] += weight * rows.T @ np.asarray(track.offset(self.shares[k]))
         scatter = np.asarray(np.linalg.inv(normal), dtype=np.float64)
         return Solved(scatter @ right, scatter)
 
@@ -76,7 +76,7 @@ class Web:
         if track is None:
             return due, spread
         weight = _weight(track)
-        due = due - weight * spread @ np.asarray(track.aside(self.shares[k]))
+        due = due - weight * spread @ np.asarray(track.offset(self.shares[k]))
         gain = spread @ np.linalg.inv(np.eye(len(due)) / weight - spread)
         return due + gain @ due, spread + gain @ spread
 
@@ -89,7 +89,7 @@ class Web:
         inverse = np.linalg.inv(spread + GRAIN**2 * np.eye(len(due)))
         worth = []
         for track in found:
-            off = np.asarray(track.aside(self.shares[k])) - due
+            off = np.asarray(track.offset(self.shares[k])) - due
             chi = off @ inverse @ off / max(len(off) / 2, 1)
             chi += ((track.end - track.start) / turned) ** 2
             worth.append(float(WORTH * (track.covered - NONE) - 0.5 * chi))

@@ -20,7 +20,7 @@ from graphic_tmm.checking.mutations import mutation
 from graphic_tmm.checking.mutations.diagnosis import diagnosed
 from graphic_tmm.checking.mutations.grammar import mutations
 from graphic_tmm.checking.mutations.mistakes import Mistakes, mistaken
-from graphic_tmm.checking.mutations.mutation import CRANK, Mutation, late
+from graphic_tmm.checking.mutations.mutation import CRANK, Mutation, measured_last
 from graphic_tmm.checking.mutations.telling import likely_mistakes
 from graphic_tmm.checking.records import INSTRUMENT, MISTAKE, SLIP, Likely, Taken
 from graphic_tmm.drawn import DrawnScene
@@ -42,7 +42,7 @@ def drawn_with(*some: Mutation, place: int | None = None, seed: int = SEED) -> l
     (board,) = made.boards
     log, given = board.construction, board.given
     for one in some:
-        log, given = mutation.changed_log(late(log), given, one, place)
+        log, given = mutation.changed_log(measured_last(log), given, one, place)
     other = replace(board, project=replace(board.project, construction=log), given=given)
     drawn = DrawnScene(made.scene, (other.drawn_by(HANDS["student"]._replace(seed=seed)),))
     rows = []
@@ -69,7 +69,7 @@ def said_of(rows: Sequence[Taken], language: str = "en") -> tuple[Likely, ...]:
 
 def planted(wanted: Callable[[Mutation], bool]) -> Mutation:
     (board,) = exact(SCENE).boards
-    return next(one for one in mutations(late(board.construction)) if wanted(one))
+    return next(one for one in mutations(measured_last(board.construction)) if wanted(one))
 
 
 def of(letter: str, family: str, was: str = "", now: str = "") -> Callable[[Mutation], bool]:

@@ -15,7 +15,7 @@ from graphic_tmm.checking.mutations import mutation
 from graphic_tmm.checking.mutations.execution import executed
 from graphic_tmm.checking.mutations.grammar import mutations
 from graphic_tmm.checking.mutations.mistakes import mistaken
-from graphic_tmm.checking.mutations.mutation import late
+from graphic_tmm.checking.mutations.mutation import measured_last
 
 SOME = ("arc-cam", "crank-rocker", "engine", "oscillating-cylinder", "planetary", "slider-diagrams")
 """Scenes of all chapters but few steps; with ``--measured`` it is every one."""
@@ -35,7 +35,7 @@ def alike(one: object, other: object) -> bool:
 @each("name", ALL)
 def test_each_is_what_it_is_alone(name: str, many: Callable[[int, int], int]) -> None:
     for board in exact(name).boards if many(1, 0) or name in SOME else ():
-        log = late(board.construction)
+        log = measured_last(board.construction)
         some = (*mutations(log), *mistaken(log, board.given))
         marks = [step.it for step in log.steps]
         beside = executed(log, board.given, some, marks)
@@ -53,7 +53,7 @@ def test_each_is_what_it_is_alone(name: str, many: Callable[[int, int], int]) ->
 
 def test_the_base_is_the_drawing() -> None:
     (board,) = exact("crank-rocker").boards
-    log = late(board.construction)
+    log = measured_last(board.construction)
     marks = [step.it for step in log.steps if not step.op.across]
     beside = executed(log, board.given, (), marks)
     right = execute(log, board.given, marks)
@@ -62,7 +62,7 @@ def test_the_base_is_the_drawing() -> None:
 
 def test_a_row_without_effect_is_dropped() -> None:
     (board,) = exact("crank-rocker").boards
-    log = late(board.construction)
+    log = measured_last(board.construction)
     some = tuple(mutations(log))
     beside = executed(log, board.given, some, [step.it for step in log.steps])
     for slot, sparse in beside.rows.items():

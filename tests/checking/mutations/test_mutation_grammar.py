@@ -22,13 +22,13 @@ from graphic_tmm.checking.mutations.mutation import (
     SCALE,
     TABLE,
     Mutation,
-    late,
+    measured_last,
 )
 
 
 def test_a_log_has_thousands() -> None:
     (board,) = exact("windrower").boards
-    log = late(board.construction)
+    log = measured_last(board.construction)
     found = [*mutations(log), *mistaken(log, board.given)]
     assert len(found) >= 9_000
     assert {one.family for one in found} == {*FAMILIES} - {TABLE}
@@ -39,7 +39,7 @@ def test_a_log_has_thousands() -> None:
 
 def test_every_one_is_of_a_mark_of_its_kind_that_is_there() -> None:
     (board,) = exact("crank-rocker").boards
-    log = late(board.construction)
+    log = measured_last(board.construction)
     turn = {mark.slot: -1 for mark in log.given} | {s.it.slot: k for k, s in enumerate(log.steps)}
     for one in mutations(log):
         if one.family == OPERAND and one.was is not None and one.now is not None:
@@ -50,7 +50,7 @@ def test_every_one_is_of_a_mark_of_its_kind_that_is_there() -> None:
 
 def test_nothing_meets_itself() -> None:
     """Where two lines, points or arcs are used none is taken for the other: any place would be on both."""
-    log = late(exact("windrower").boards[0].construction)
+    log = measured_last(exact("windrower").boards[0].construction)
     found = [one for one in mutations(log) if one.family == OPERAND and one.at is not None]
     drawn = [one for one in found if one.was is not None and one.was.kind in (Point, Line, Arc)]
     assert len(drawn) > 500
@@ -61,7 +61,7 @@ def test_nothing_meets_itself() -> None:
 
 def test_readings_of_the_ruler_are_taken_late() -> None:
     log = exact("windrower").boards[0].construction
-    moved = late(log)
+    moved = measured_last(log)
     assert sorted(s.it.slot for s in moved.steps) == sorted(s.it.slot for s in log.steps)
     known = {mark.slot for mark in log.given}
     for step in moved.steps:
@@ -112,7 +112,7 @@ def test_two_arcs_are_struck_with_one_another_s_opening() -> None:
     board = exact("crank-rocker").boards[0]
     (one,) = [
         m
-        for m in mutations(late(board.construction))
+        for m in mutations(measured_last(board.construction))
         if m.family == EXCHANGED and m.at is not None and m.at.op.name == "cross"
     ]
     assert one.was is not None
@@ -132,7 +132,7 @@ def test_two_arcs_are_struck_with_one_another_s_opening() -> None:
 def test_a_circle_is_divided_into_another_number_of_parts() -> None:
     """About where the first position stands, all others at the distance of the parts told."""
     board = exact("crank-rocker").boards[0]
-    log = late(board.construction)
+    log = measured_last(board.construction)
     found = [one for one in mistaken(log, board.given) if "divided" in one.says]
     assert len(found) >= 4
     for one in found:
@@ -145,7 +145,7 @@ def test_a_circle_is_divided_into_another_number_of_parts() -> None:
 
 
 def test_an_angular_velocity_is_taken_for_an_angular_acceleration() -> None:
-    log = late(exact("crank-press").boards[0].construction)
+    log = measured_last(exact("crank-press").boards[0].construction)
     found = [
         (one.was.unit, one.now.unit)
         for one in mutations(log)
@@ -156,7 +156,7 @@ def test_an_angular_velocity_is_taken_for_an_angular_acceleration() -> None:
 
 
 def test_a_wrong_scale_factor_is_taken_wherever_the_right_one_should_be() -> None:
-    log = late(exact("cam").boards[0].construction)
+    log = measured_last(exact("cam").boards[0].construction)
     wide = [one for one in mutations(log) if one.family == SCALE and one.wide and one.now]
     assert any(len({step.op.name for step in _steps(log, one)}) > 1 for one in wide)
 

@@ -127,5 +127,5 @@ def test_of_two_points_in_one_place_neither_is_told() -> None:
 def test_how_far_aside_a_hand_has_a_line_is_measured_across_it() -> None:
     one = view([0j, 40 + 0j], [(0, 1)], astray=2.0)
     along = one._replace(astray=one.astray.real + 0j)
-    assert one.aside(one.lines[0]) == pytest.approx(2.0, rel=0.3)
-    assert along.aside(one.lines[0]) == 0.0
+    assert one.sideways_scatter(one.lines[0]) == pytest.approx(2.0, rel=0.3)
+    assert along.sideways_scatter(one.lines[0]) == 0.0
