@@ -53,7 +53,7 @@ PRINTED = {
     "table trials": ("table", "--trials", "20"),
     "steps": ("steps", "--why"),
     "steps scales": ("steps", "-p", "scales"),
-    "template": ("check", "--template"),
+    "template": ("template",),
     "accuracy": ("accuracy", "-f", "json", "--no-time", "--trials", "10"),
 }
 WRITTEN = {
@@ -127,7 +127,7 @@ def judged(folder: Path, language: str) -> Iterator[tuple[str, bytes]]:
     """Yield how readings are judged of which every fifth is half as large again."""
     with tempfile.TemporaryDirectory() as home:
         template, readings = Path(home) / "template.csv", Path(home) / "readings.csv"
-        printed("check", folder, "--template", "-l", language, "-o", template)
+        printed("template", folder, "-l", language, "-o", template)
         if template.exists():
             readings.write_bytes(filled(template.read_text("utf-8-sig"), folder / "scene.toml"))
             asked = ("check", folder, readings, "--trials", "20", "-l", language, "-f", "json")

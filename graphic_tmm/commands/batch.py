@@ -9,7 +9,14 @@ from typing import TYPE_CHECKING
 import click
 
 from graphic_tmm.commands.shared.ending import WRONG
-from graphic_tmm.commands.shared.options import SceneName, chosen_forms, hands, language_of, limited
+from graphic_tmm.commands.shared.options import (
+    SceneName,
+    chosen_forms,
+    hands,
+    language_of,
+    limited,
+    processors,
+)
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import progress, tell, waiting
 from graphic_tmm.language.reader import asked_language, hear, reader
@@ -101,7 +108,7 @@ def batch(
             ran = run(
                 works,
                 Path(output),
-                executor=scheduler or jobs or _processors(),
+                executor=scheduler or jobs or processors(),
                 limit=limit or USUAL,
                 tell=lambda done, all_, name: on_the_way(done, all_, names[name].name),
             )
@@ -214,11 +221,3 @@ def _at_its_line(of: Base, variant: Variant, table: Path) -> str:
     except SceneError as error:
         return error.in_language(reader())
     return ""
-
-
-def _processors() -> int:
-    import os
-
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1

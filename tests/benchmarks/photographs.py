@@ -125,9 +125,9 @@ def command(number: int, folder: Path) -> tuple[float, float, float]:
     A process between counts its memory: a child of this large one would be told to have been as large.
     """
     shown = taken(number)
-    options = ("--photo", f"{folder / f'{number}.jpg'}", "--sheet", str(shown.number))
+    options = (f"{folder / f'{number}.jpg'}", "--sheet", str(shown.number))
     out = ("--overlay", str(folder / "under.svg"))
-    line = (sys.executable, "-m", "graphic_tmm", "check", str(SHEETS / shown.name), *options, *out)
+    line = (sys.executable, "-m", "graphic_tmm", "photo", str(SHEETS / shown.name), *options, *out)
     done = subprocess.run((sys.executable, "-c", COUNTED, *line), check=True, capture_output=True)
     wall, cpu, memory = map(float, done.stdout.split())
     return wall, cpu, memory / 1024

@@ -151,7 +151,7 @@ def test_the_first_sheet_is_taken_if_none_is_named(tmp_path: Path) -> None:
         (("--sheet", 0), "'--sheet'"),
         (("--overlay", "drawing.png"), "drawing.png: the drawing is an SVG file; name it .svg"),
         (("--corners", "1,2"), "--corners: write the four corners"),
-        (("--photo", "none.jpg"), "none.jpg: there is no such file; name a photograph"),
+        (("none.jpg",), "none.jpg: there is no such file; name a photograph"),
     ],
 )
 def test_what_cannot_be_laid_under_is_told(
@@ -162,7 +162,8 @@ def test_what_cannot_be_laid_under_is_told(
     image.new("RGB", (210, 297), "white").save("photo.png")
     before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
     ends = "20,292 205,292 205,5 20,5"
-    done = check("scene.toml", "--photo", "photo.png", "--corners", ends, *options)
+    photo, *rest = options if len(options) == 1 else ("photo.png", *options)
+    done = invoke("photo", "scene.toml", photo, "--corners", ends, *rest)
     assert (done.exit_code, done.stdout) == (2, "")
     assert said in done.stderr
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
@@ -182,7 +183,7 @@ def test_what_goes_with_a_photograph_is_not_passed_over_without_one(
 ) -> None:
     done = check("crank-rocker", "readings.csv", *option)
     assert done.exit_code == 2
-    assert "add --photo FILE" in done.stderr
+    assert "it is an option of photo" in done.stderr
 
 
 @pytest.mark.slow

@@ -24,7 +24,7 @@ ALL = (
     ("table", "cam"),
     ("table", "cam", "-f", "json"),
     ("steps", "cam"),
-    ("check", "cam", "--template"),
+    ("template", "cam"),
     ("accuracy", "cam", "--trials", "10", "--no-time"),
 )
 POSIX = pytest.mark.skipif(os.name != "posix", reason="signals are of POSIX")
@@ -121,7 +121,7 @@ def test_a_process_broken_off_while_it_writes_leaves_nothing_half_written(
         ("table", "crank-rocker"),
         ("table", "crank-rocker", "-f", "csv"),
         ("steps", "crank-rocker"),
-        ("check", "crank-rocker", "--template"),
+        ("template", "crank-rocker"),
     ],
     ids=" ".join,
 )

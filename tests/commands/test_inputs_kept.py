@@ -41,7 +41,7 @@ def folder(path: Path) -> None:
     path.mkdir()
 
 
-PHOTO = ("check", "plan.svg", "--photo", "p.png", "--corners", ENDS, "--overlay")
+PHOTO = ("photo", "plan.svg", "p.png", "--corners", ENDS, "--overlay")
 ACCURACY = ("accuracy", "cam", "--trials", "10", "--no-time", "-o", ".", "--minutes")
 CASES = {
     "a scene that is named like its sheet": ({"x.svg": ONE_SHEET}, ("draw", "x.svg", "-o", ".")),

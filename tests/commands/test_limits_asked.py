@@ -30,7 +30,7 @@ def test_where_it_does_not_hold(tmp_path: Path) -> None:
     assert "--limit" in done.stderr
     done = invoke("check", "shaper", "some.csv", "--limit", "1 min")
     assert done.exit_code == 2
-    assert "--class" in done.stderr
+    assert "mark" in done.stderr
     assert not list(tmp_path.iterdir())
 
 

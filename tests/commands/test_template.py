@@ -1,4 +1,4 @@
-"""check --template: printed or written, whole or short; what does not go together is refused."""
+"""template: printed or written, whole or short; what does not go together is refused."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from support.command import invoke
 
 
 def test_a_short_template_is_printed_without_a_picture() -> None:
-    done = invoke("check", "slider-diagrams", "--template", "--short")
+    done = invoke("template", "slider-diagrams", "--short")
     assert done.exit_code == 0
     assert "velocities;1;pb;;;;;" in done.stdout
     assert "svg" not in done.stdout
@@ -20,7 +20,7 @@ def test_a_template_is_written_with_its_picture_and_read_back(tmp_path: Path, fo
     if form == "xlsx":
         pytest.importorskip("openpyxl")
     file = tmp_path / f"t.{form}"
-    done = invoke("check", "slider-diagrams", "--template", "--only", "скорости:pb", "-o", file)
+    done = invoke("template", "slider-diagrams", "--only", "скорости:pb", "-o", file)
     assert done.exit_code == 0
     assert done.stdout.split() == [str(file), str(tmp_path / "t.svg")]
     assert "<svg" in (tmp_path / "t.svg").read_text("utf-8")
@@ -31,8 +31,8 @@ def test_a_template_is_written_with_its_picture_and_read_back(tmp_path: Path, fo
 
 def test_the_whole_template_is_written_too(tmp_path: Path) -> None:
     file = tmp_path / "t.csv"
-    assert invoke("check", "slider-diagrams", "--template", "-o", file).exit_code == 0
-    printed = invoke("check", "slider-diagrams", "--template").stdout
+    assert invoke("template", "slider-diagrams", "-o", file).exit_code == 0
+    printed = invoke("template", "slider-diagrams").stdout
     assert file.read_text("utf-8") == printed
     assert list(tmp_path.iterdir()) == [file]
 
@@ -40,16 +40,16 @@ def test_the_whole_template_is_written_too(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "says"),
     [
-        (("readings.csv", "--short"), "go with --template"),
-        (("readings.csv", "-o", "t.csv"), "go with --template"),
-        (("--template", "-o", "t.txt"), "name it .csv or .xlsx"),
-        (("--template", "--only", "rates"), 'what is "rates"'),
-        (("--template", "--position", "99"), 'what is "99"'),
-        (("--template", "-o", "/dev/null/t.csv"), "name another file with -o"),
+        (("check", "readings.csv", "--short"), "--short; it is an option of template"),
+        (("check", "readings.csv", "-o", "t.csv"), "a report is no table"),
+        (("template", "-o", "t.txt"), "name it .csv or .xlsx"),
+        (("template", "--only", "rates"), 'what is "rates"'),
+        (("template", "--position", "99"), 'what is "99"'),
+        (("template", "-o", "/dev/null/t.csv"), "name another file with -o"),
     ],
 )
 def test_what_cannot_be_asked_for(arguments: tuple[str, ...], says: str) -> None:
-    done = invoke("check", "slider-diagrams", *arguments, "-l", "en")
+    done = invoke(arguments[0], "slider-diagrams", *arguments[1:], "-l", "en")
     assert done.exit_code == 2
     assert says in done.stderr
     assert "Traceback" not in done.stderr
@@ -59,6 +59,6 @@ def test_a_template_is_not_written_over_its_scene(tmp_path: Path) -> None:
     scene = tmp_path / "scene.csv"
     source = Path(__file__).parents[2] / "sheets" / "slider-diagrams" / "scene.toml"
     scene.write_bytes(source.read_bytes())
-    done = invoke("check", scene, "--template", "-o", scene)
+    done = invoke("template", scene, "-o", scene)
     assert done.exit_code == 2
     assert scene.read_bytes() == source.read_bytes()

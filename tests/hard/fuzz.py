@@ -100,7 +100,7 @@ def _told(line: tuple[str, ...], text: str) -> str:
     """Return what is wrong with a text printed for machines."""
     if "json" not in line[line.index("-f") :][1:2] if "-f" in line else True:
         return ""
-    if line.count("-f") != 1 or text.startswith("Usage:") or "--template" in line:
+    if line.count("-f") != 1 or text.startswith("Usage:") or {"template", "--template"} & {*line}:
         return ""
     try:
         json.loads(text, parse_constant=_no_number)

@@ -123,7 +123,7 @@ def handed() -> dict[str, bytes]:
 def unchanged(kind: str) -> Task:
     """Return the task of a kind, its files good."""
     scene = (SHEETS / (QUICKEST if kind == "minutes" else NAME) / "scene.toml").read_text("utf-8")
-    marking = ("check", SCENE, "--class", f"{FOLDER}/handed", "--trials", "20", "-o", OUT)
+    marking = ("mark", SCENE, f"{FOLDER}/handed", "--trials", "20", "-o", OUT)
     by_table = (*marking, "--variants", f"{FOLDER}/variants.csv")
     table = {"variants.csv": VARIANTS.encode()}
     at_once = ("-f", "json", "--trials", "10", "--no-time")

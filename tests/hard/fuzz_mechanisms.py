@@ -30,7 +30,7 @@ from support.one_letter import GROUPS, scene
 TEMPLATE = "t.csv"
 DRAW = ("draw", SCENE, "-o", OUT, "-f", "svg,dxf", "--composition")
 """What is run of every mechanism first; the composition that it writes is used by what follows."""
-BLANK = ("check", SCENE, "--template", "-o", f"{OUT}/{TEMPLATE}")
+BLANK = ("template", SCENE, "-o", f"{OUT}/{TEMPLATE}")
 IN_TURN: tuple[tuple[tuple[str, ...], ...], ...] = (
     (("page", SCENE, "-o", OUT),),
     (("table", SCENE, "-f", "json", "--exact"), BLANK, ("check", SCENE, CSV, "--trials", "20")),

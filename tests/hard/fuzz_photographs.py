@@ -255,7 +255,7 @@ def task(seed: int, number: int, names: tuple[str, ...] = ()) -> Task:
     name, sheet = source.choice(names or NAMES), source.choice((1, 2, 2, 3))
     whole, text, given = shown(name, sheet), scenes()[name], None
     wrong = {source.choice(CHANGED) for _ in range(source.choice((1, 1, 1, 2, 4)))}
-    line = ["check", SCENE, "--photo", PHOTO, "--sheet", str(sheet)]
+    line = ["photo", SCENE, PHOTO, "--sheet", str(sheet)]
     line += ["--overlay", f"{OUT}/o.svg", "--trials", "20"]
     if whole.poles and not {"sheet", "scene"} & wrong:  # a sheet without plans has no report
         line += ["-f", "json"]
@@ -266,10 +266,10 @@ def task(seed: int, number: int, names: tuple[str, ...] = ()) -> Task:
     for _ in range(source.choice((1, 1, 2)) if "pole" in wrong else 0):
         line += ["--pole", pole(source, whole.poles)]
     if "sheet" in wrong:
-        line[5] = source.choice(("1", "2", "3", "0", "4", "99999999999999999999", "-1", "x", "1.0"))
+        line[4] = source.choice(("1", "2", "3", "0", "4", "99999999999999999999", "-1", "x", "1.0"))
     if "readings" in wrong:
         given = changed_readings(source, name)
-        line.insert(2, CSV)
+        line.insert(3, CSV)
     elif source.random() < 0.4:
         line += ["--readings-out", source.choice(WRITTEN)]
     if "scene" in wrong:

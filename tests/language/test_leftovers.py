@@ -83,8 +83,8 @@ def told(file: Path, language: str, folder: Path) -> Iterator[tuple[str, str]]:
     yield "table -f csv", without_plans(ran(language, "table", file, "-f", "csv"))
     if "[cam]" in file.read_text(encoding="utf-8"):
         yield "accuracy", ran(language, "accuracy", file, "--trials", "10", "--no-time")
-    yield "template", without_plans(ran(language, "check", file, "--template"))
-    short = ran(language, "check", file, "--template", "--short")
+    yield "template", without_plans(ran(language, "template", file))
+    short = ran(language, "template", file, "--short")
     yield "short", without_plans(short)
     cells = [
         re.split("[,;]", row) for row in short.splitlines() if row.endswith((",,,,,", ";;;;;"))

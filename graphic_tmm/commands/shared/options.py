@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable, Sequence
 from pathlib import PurePath
@@ -181,6 +182,13 @@ def limited(command: F) -> F:
             "What takes longer is broken off and named, the rest is made: 90 s, 10 min.  [default: 10 min]"
         ),
     )(command)
+
+
+def processors() -> int:
+    """Return how many processors there are for this process."""
+    if hasattr(os, "sched_getaffinity"):  # not on every system
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
 
 
 def budgeted(command: F) -> F:

@@ -123,6 +123,22 @@ class Command(click.Command):
         super().__init__(*args, **options)
         self.params += [quiet_option(), language_option()]
 
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Understand a command line; of an option that other commands have, say which."""
+        try:
+            return super().parse_args(ctx, args)
+        except click.NoSuchOption as error:
+            if owners := _owners(ctx, error.option_name):
+                raise click.UsageError(
+                    said(
+                        "No such option: {name}; it is an option of {commands}",
+                        name=error.option_name,
+                        commands=", ".join(owners),
+                    ),
+                    ctx,
+                ) from error
+            raise
+
     def get_help(self, ctx: click.Context) -> str:
         """Return the help in the reader's language."""
         return click.Command.get_help(translated(self, reader()), ctx)
@@ -130,6 +146,19 @@ class Command(click.Command):
     def get_short_help_str(self, limit: int = 45) -> str:
         """Return the line of the command in the help of all, in the reader's language."""
         return click.Command.get_short_help_str(translated(self, reader()), limit)
+
+
+def _owners(ctx: click.Context, option: str) -> list[str]:
+    """Return the names of the commands, of those that stand with this one, that have an option."""
+    group = None if ctx.parent is None else ctx.parent.command
+    if not isinstance(group, click.Group):
+        return []
+    commands = {name: group.get_command(ctx, name) for name in group.list_commands(ctx)}
+    return [
+        name
+        for name, command in commands.items()
+        if command is not None and any(option in param.opts for param in command.params)
+    ]
 
 
 def translated(command: C, speech: Speech) -> C:

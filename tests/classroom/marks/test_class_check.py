@@ -1,4 +1,4 @@
-"""check --class on a class drawn without the package: rows, marks, files, statuses."""
+"""mark on a class drawn without the package: rows, marks, files, statuses."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def marked() -> Handed:
 
 def run(folder: Path, *options: object) -> Result:
     table = ("--variants", folder / "variants.csv")
-    return invoke("check", folder / SCENE, "--class", folder / "handed", *table, *TRIALS, *options)
+    return invoke("mark", folder / SCENE, folder / "handed", *table, *TRIALS, *options)
 
 
 def by_name(text: str) -> dict[str, dict[str, str]]:
@@ -210,9 +210,7 @@ def test_a_class_of_one_scene_without_variants(tmp_path: Path) -> None:
         (place / f"Студент {k}.csv").write_text(one.text, "utf-8")
     rule = tmp_path / "marks.toml"
     rule.write_text('[mark]\nscale = 100\n[asked]\nplans = ["velocities"]\n', "utf-8")
-    done = invoke(
-        "check", scene, "--class", place, "--marks", rule, "--trials", 40, "-f", "csv", "-l", "ru"
-    )
+    done = invoke("mark", scene, place, "--marks", rule, "--trials", 40, "-f", "csv", "-l", "ru")
     assert done.exit_code == 0, done.output
     rows = list(csv.DictReader(io.StringIO(done.stdout, newline="")))
     assert [row["работа"] for row in rows] == ["Студент 1", "Студент 2"]

@@ -26,7 +26,7 @@ def test_a_cluster_whose_workers_stand_elsewhere_writes_what_processes_write(
 ) -> None:
     write_class(tmp_path, 3, positions=8)
     monkeypatch.chdir(tmp_path)
-    words = ("check", SCENE, "--class", "handed", "--variants", "variants.csv", "--trials", 40)
+    words = ("mark", SCENE, "handed", "--variants", "variants.csv", "--trials", 40)
     there = invoke(*words, "-o", "there", "--scheduler", scheduler)
     here = invoke(*words, "-o", "here")
     assert (there.exit_code, there.stdout) == (here.exit_code, here.stdout), there.output
@@ -59,11 +59,11 @@ def test_a_photograph_is_judged_as_it_would_be_alone(
     photo.write_bytes(taking.taken(NUMBER, taking.Conditions(wide=1600)).jpeg)
     Image.new("RGB", (600, 400), "white").save(place / "Петров.png")
     monkeypatch.chdir(tmp_path)
-    words = ("--class", "handed", "--scheduler", scheduler, "-o", "out")
-    done = invoke("check", scene, *words, *options)
+    words = ("handed", "--scheduler", scheduler, "-o", "out")
+    done = invoke("mark", scene, *words, *options)
     assert done.exit_code == 1, done.output
     alone = invoke(
-        "check", scene, "--photo", photo, "--sheet", sheet, *options, "-f", "json",
+        "photo", scene, photo, "--sheet", sheet, *options, "-f", "json",
         "--overlay", tmp_path / "under.svg",
     )  # fmt: skip
     assert alone.exit_code in (0, 1), alone.output

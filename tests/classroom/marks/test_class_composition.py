@@ -34,8 +34,8 @@ def test_a_class_is_judged_by_the_composition_that_check_takes(tmp_path: Path) -
     single.write_text(unscaled(variant_text(3, POSITIONS)), "utf-8")
 
     def both() -> tuple[str, str]:
-        folder = ("--class", place, "--variants", tmp_path / "variants.csv", "--trials", 20)
-        printed("check", tmp_path / "slider.toml", *folder, "-o", tmp_path / "out")
+        folder = (place, "--variants", tmp_path / "variants.csv", "--trials", 20)
+        printed("mark", tmp_path / "slider.toml", *folder, "-o", tmp_path / "out")
         alone = invoke("check", single, place / "03.csv", "--trials", 20, "-f", "json").stdout
         return (tmp_path / "out" / "reports" / "03.json").read_text("utf-8"), alone
 

@@ -1,4 +1,4 @@
-"""check --class with wrong input: one message, status 2, nothing written; names that are hostile."""
+"""mark with wrong input: one message, status 2, nothing written; names that are hostile."""
 
 from __future__ import annotations
 
@@ -24,20 +24,20 @@ def scene(tmp_path: Path) -> Path:
 
 
 WRONG = {
-    "no folder": ("--class", "none"),
-    "empty folder": ("--class", "empty"),
-    "no table": ("--class", "handed", "--variants", "none.csv"),
-    "bad table": ("--class", "handed", "--variants", "bad.csv"),
-    "bad variant": ("--class", "handed", "--variants", "variant.csv"),
-    "no rule": ("--class", "handed", "--marks", "none.toml"),
-    "bad rule": ("--class", "handed", "--marks", "bad.toml"),
-    "readings too": ("handed/01.csv", "--class", "handed"),
-    "template too": ("--template", "--class", "handed"),
-    "no class": ("handed/01.csv", "--variants", "variant.csv"),
-    "json": ("--class", "handed", "-f", "json"),
-    "xlsx to nowhere": ("--class", "handed", "-f", "xlsx"),
-    "out among them": ("--class", "handed", "-o", "handed/out"),
-    "csv of one": ("handed/01.csv", "-f", "csv"),
+    "no folder": ("mark", "none"),
+    "empty folder": ("mark", "empty"),
+    "no table": ("mark", "handed", "--variants", "none.csv"),
+    "bad table": ("mark", "handed", "--variants", "bad.csv"),
+    "bad variant": ("mark", "handed", "--variants", "variant.csv"),
+    "no rule": ("mark", "handed", "--marks", "none.toml"),
+    "bad rule": ("mark", "handed", "--marks", "bad.toml"),
+    "readings too": ("mark", "handed", "handed/01.csv"),
+    "of one": ("mark", "handed", "--overlay", "o.svg"),
+    "no class": ("check", "handed/01.csv", "--variants", "variant.csv"),
+    "json": ("mark", "handed", "-f", "json"),
+    "xlsx to nowhere": ("mark", "handed", "-f", "xlsx"),
+    "out among them": ("mark", "handed", "-o", "handed/out"),
+    "csv of one": ("check", "handed/01.csv", "-f", "csv"),
 }
 
 
@@ -51,9 +51,10 @@ def test_wrong_input_is_told_and_nothing_written(
     Path("variant.csv").write_text("variant,wheel\n01,5\n", "utf-8")
     Path("bad.toml").write_text("[points]\nwrong = -3\n", "utf-8")
     before = sorted(scene.parent.rglob("*"))
-    done = invoke("check", scene, *WRONG[name], *(() if "-o" in WRONG[name] else ("-o", "out"))) if (
-        name not in ("xlsx to nowhere", "no class", "csv of one")
-    ) else invoke("check", scene, *WRONG[name])  # fmt: skip
+    command, *words = WRONG[name]
+    if "-o" not in words and name not in ("xlsx to nowhere", "no class", "csv of one"):
+        words += ["-o", "out"]
+    done = invoke(command, scene, *words)
     assert done.exit_code == 2, done.output
     assert done.stderr.strip()
     assert "Traceback" not in done.output
@@ -66,7 +67,7 @@ def test_hostile_names_do_nothing(scene: Path) -> None:
     (place / f"{EVIL} 1.csv").write_text(hand_in(1, 5, positions=6, mode="mm").text, "utf-8")
     (place / f"@{EVIL}.csv").write_text("", "utf-8")
     out = scene.parent / "out"
-    done = invoke("check", scene, "--class", place, "--trials", 40, "-o", out)
+    done = invoke("mark", scene, place, "--trials", 40, "-o", out)
     assert done.exit_code == 1, done.output
     assert "\x1b" not in done.output
     for name in ("summary.csv", "gradebook.csv"):

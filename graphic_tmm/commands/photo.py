@@ -1,0 +1,146 @@
+"""photo: a photograph of a hand-made sheet, laid under its exact plans, its points judged."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from graphic_tmm.commands.shared.judging import (
+    JudgedBy,
+    composition_of,
+    end_with,
+    judged_by,
+    refuse,
+    report_form,
+    report_on,
+)
+from graphic_tmm.commands.shared.options import SceneName, read_scene
+from graphic_tmm.commands.shared.spoken import Command
+from graphic_tmm.commands.shared.telling import tell, waiting
+from graphic_tmm.language.said import said
+
+if TYPE_CHECKING:
+    from graphic_tmm.checking.pencil.reading import Pole
+    from graphic_tmm.checking.pictures import Laid
+    from graphic_tmm.checking.records import Report
+    from graphic_tmm.scene.records import Scene
+
+
+@click.command(cls=Command)
+@click.argument("scene", type=SceneName())
+@click.argument("photo")
+@click.argument("readings", required=False)
+@click.option(
+    "--sheet",
+    type=click.IntRange(1),
+    default=1,
+    show_default=True,
+    help=said("Which sheet the photograph shows."),
+)
+@click.option(
+    "--corners",
+    default="",
+    help=said(
+        "The corners of the frame in the photograph, if it is not found: x,y x,y x,y x,y (dots)."
+    ),
+)
+@click.option(
+    "--pole",
+    "poles",
+    multiple=True,
+    help=said(
+        "Where the pole of a plan is in the photograph, if it stands elsewhere on the sheet: "
+        "velocities:3=x,y (dots)."
+    ),
+)
+@click.option(
+    "--readings-out",
+    help=said("CSV file for the points seen in the photograph, to be corrected and checked."),
+)
+@click.option(
+    "--overlay",
+    default="photo.svg",
+    show_default=True,
+    help=said("SVG file for the exact plans over the photograph."),
+)
+@click.option("-o", "--output", help=said("File for the report, instead of printing."))
+@judged_by
+@report_form
+def photo(
+    scene: str,
+    photo: str,
+    readings: str | None,
+    sheet: int,
+    corners: str,
+    poles: tuple[str, ...],
+    readings_out: str | None,
+    overlay: str,
+    output: str | None,
+    by: JudgedBy,
+    form: str | None,
+) -> None:
+    """Lay PHOTO of a hand-made sheet of SCENE under it; judge its points, or READINGS; status 1: some wrong."""
+    from graphic_tmm.checking.photographed import poles_of
+    from graphic_tmm.checking.pictures import drawing_file, laid, other_place, underlay
+
+    if readings is not None and (poles or readings_out is not None):
+        raise click.UsageError(
+            said(
+                "--pole and --readings-out are for points seen in the photograph: leave out READINGS"
+            )
+        )
+    refuse(scene, readings, output)
+    of = read_scene(scene, lettered=True)
+    other_place(readings_out, drawing_file(overlay))
+    clicked = poles_of(poles)
+    with waiting(said("drawing the plans")):
+        shown = laid(of, photo, corners, sheet, composition_of(of))
+    for warning in shown.flat.warnings:
+        tell(said("warning: {text}", text=warning))
+    if readings is not None:
+        report: Report | None = report_on(of, readings, by)
+        written = underlay(shown, overlay)
+    else:
+        report, written = _seen(of, shown, clicked, by, readings_out or "", photo, overlay)
+    for path in written:
+        click.echo(str(path), err=report is not None)  # a report has the other stream to itself
+    if report is not None:
+        end_with(report, form, output)
+
+
+def _seen(
+    scene: Scene,
+    shown: Laid,
+    clicked: dict[Pole, complex],
+    by: JudgedBy,
+    readings_out: str,
+    photo: str,
+    overlay: str,
+) -> tuple[Report | None, tuple[Path, ...]]:
+    """Judge the points that are seen in a photograph, and draw them over it; return the files, too."""
+    from graphic_tmm.checking.judging.scatter import Limits
+    from graphic_tmm.checking.photographed import judged, photographed, points_drawing, write_seen
+    from graphic_tmm.checking.pictures import underlay
+
+    with waiting(said("following the lines in the photograph")):
+        seen = photographed(shown, clicked, by.hand)
+    if seen is None:
+        if readings_out:
+            without = said("no plan on this sheet: no file for --readings-out")
+            tell(said("warning: {text}", text=without))
+        return None, underlay(shown, overlay)
+    with waiting(said("drawing by the hand, to tell what is usual")):
+        report = judged(
+            scene,
+            seen,
+            hand=by.hand,
+            trials=by.trials,
+            limits=Limits(by.doubtful, by.wrong),
+            given=composition_of(scene),
+            source=readings_out or photo,
+        )
+    points = points_drawing(seen, report, shown.sheet)
+    files = write_seen(readings_out, seen, scene.language) if readings_out else ()
+    return report, (*underlay(shown, overlay, (points,)), *files)
