@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from xml.etree import ElementTree
@@ -85,6 +86,45 @@ def test_what_it_costs_is_told(scene: Path) -> None:
     assert run["quantity"] == "CA"
     assert run["minutes"] > 0.0
     assert run["error_percent"] > 0.0
+
+
+def test_its_note_has_what_is_given_its_figure_its_steps_and_its_table(
+    scene: Path, tmp_path: Path
+) -> None:
+    printed("note", scene, "-f", "md", "-o", tmp_path)
+    (file,) = tmp_path.glob("*.md")
+    text = file.read_text(encoding="utf-8")
+    assert [head[2:] for head in text.splitlines() if head.startswith("# ")][:3] == [
+        "1 Task",
+        "2 Scale factors",
+        "3 Triangle by its sides",
+    ]
+    given, _, own = text.partition("# 3")
+    assert re.findall(r"\| \$`(\w)`\$ +\| +(\d+) +\| +mm", given) == [
+        ("a", "60"),
+        ("b", "50"),
+        ("c", "40"),
+    ]
+    assert "Figure 1 — Triangle by its sides" in own
+    assert "0.06/0.0005 = 120" in own
+    assert re.search(r"\| \$`CA`\$ +\| +m +\| 0\.0500 \|", own)
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_its_task_is_set_without_its_solution(language: str, tmp_path: Path) -> None:
+    printed("task", written(tmp_path, SCENE.format(language)), "-j", 0, "-o", tmp_path / "out")
+    (sheet,) = (tmp_path / "out" / "tasks").glob("*.svg")
+    text = sheet.read_text(encoding="utf-8")
+    asks = {"en": "To be drawn: Triangle by its sides.", "ru": "Построить: Triangle by its sides."}
+    assert asks[language] in text
+    assert text.count('id="s-task-1-table-given-triangle"') == 1
+    assert 'id="s-task-1-triangle"' not in text
+
+
+def test_its_page_shows_it_and_lets_it_be_drawn(scene: Path, tmp_path: Path) -> None:
+    printed("page", scene, "--practice", "-o", tmp_path)
+    (page,) = tmp_path.glob("*.html")
+    assert "Triangle by its sides" in page.read_text(encoding="utf-8")
 
 
 def test_without_it_its_section_is_unknown(scene: Path, monkeypatch: pytest.MonkeyPatch) -> None:

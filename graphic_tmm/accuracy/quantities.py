@@ -9,11 +9,12 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction, Mark
-from graphic_tmm.board.values import Reals
+from graphic_tmm.board.record import Construction, Mark, segment_name
+from graphic_tmm.board.values import Length, Reals
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
-from graphic_tmm.scene.chapter import Answer, in_order
+from graphic_tmm.readers.columns import unit_of_value
+from graphic_tmm.scene.chapter import MECHANISM, Answer, in_order
 from graphic_tmm.scene.records import Scene
 
 
@@ -114,8 +115,8 @@ class Axis:
 class Accuracy(Answer):
     """What a chapter tells of its accuracy; what it leaves out it has nothing to say to.
 
-    ``quantities``: of what was recorded; ``places``: those of sheets that call for one. ``axes``: what can be
-    varied.
+    ``quantities``: of what was recorded (see `quantities` for where no chapter says any); ``places``: those of
+    sheets that call for one. ``axes``: what can be varied.
 
     ``words``: what quantities, axes and values are called, in English, by their names.
 
@@ -142,6 +143,23 @@ class Accuracy(Answer):
 
 
 def quantities(project: Project) -> tuple[Quantity, ...]:
-    """Return the quantities that a drawing has, in the order in which they are found at the board."""
+    """Return the quantities that a drawing has, in the order in which they are found at the board.
+
+    Where no chapter of a board of its own says which, they are all lengths that are measured there.
+    """
     there = (chapter for chapter in in_order(project.board) if chapter.name in project.recorded)
-    return tuple(one for chapter in there for one in Accuracy.of(chapter).quantities(project))
+    declared = tuple(one for chapter in there for one in Accuracy.of(chapter).quantities(project))
+    return declared or (measured(project) if project.board != MECHANISM else ())
+
+
+def measured(project: Project) -> tuple[Quantity, ...]:
+    """Return what is measured on a board as quantities; what is due is the same, by an exact hand."""
+    log, row = project.construction, len(project.names)
+    found: dict[str, Quantity] = {}
+    for step in log.steps:
+        view = log.view(step.it.view)
+        if step.it.kind is Length and step.op.reads and view is not None and view.scale is not None:
+            value, name = Value(step.it, view.scale), segment_name(step.it.letter)
+            unit = unit_of_value(view.scale)
+            found.setdefault(name, Quantity(name, unit, (value,), row, due=(value,)))
+    return tuple(found.values())

@@ -106,12 +106,19 @@ TEXTS: dict[str, str] = {
 }
 
 
+class _Names(dict[str, str]):
+    """Texts by name; what has none is called by its letters."""
+
+    def __missing__(self, name: str) -> str:
+        return name
+
+
 class _Words(Tongues):
     """These texts and what chapters tell of, in every language."""
 
     def __getitem__(self, language: str) -> Words:
         told = (Accuracy.of(one).words.items() for one in chapters())
-        return Words({**TEXTS, **dict(chain.from_iterable(told))}, speaking(language))
+        return Words(_Names({**TEXTS, **dict(chain.from_iterable(told))}), speaking(language))
 
 
 WORDS = _Words(TEXTS)

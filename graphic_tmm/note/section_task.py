@@ -34,9 +34,14 @@ from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.columns import Readings
 from graphic_tmm.readers.protocol import SYNTHESIS
 from graphic_tmm.readers.protocol import synthesis as found_for
-from graphic_tmm.readers.task_sheet import TaskSheet, given_figure, given_rows, sought
+from graphic_tmm.readers.task_sheet import (
+    TaskSheet,
+    given_figure,
+    given_rows,
+    given_title,
+    sought,
+)
 from graphic_tmm.scene.captions import captions, view_name
-from graphic_tmm.scene.chapter import MECHANISM
 
 TASK = said("Task")
 SCHEME = said("Scheme of the mechanism")
@@ -111,7 +116,7 @@ def given_table(drawn: Drawn, language: str) -> Table | None:
         told.append((called, value, text(unit(row.unit, language) or "—")))
     if not told:
         return None
-    title = words["given" if drawn.board == MECHANISM else f"given {drawn.board}"]
+    title = given_title(drawn.board, language)
     heads = text(words["letter"]), text(words["figure"]), text(words["unit"])
     return in_columns(Table(f"table-given-{drawn.board}", text(title), heads, tuple(told), "lcc"))
 

@@ -136,12 +136,17 @@ def measured_columns(drawn: Drawn) -> tuple[Column, ...]:
         count = mm.shape[1]
         value = drawn.reading.figure(step.it, mu) if mu is not None else empty(count)
         lengths, figures = (row_of(row, range(count), count) for row in (mm, value))
-        unit = mu.unit.removesuffix("/mm").strip("()") if mu is not None else ""
-        unit = "" if unit == "1" else unit_name(unit, drawn.scene.language)
+        unit = unit_name(unit_of_value(mu), drawn.scene.language) if mu is not None else ""
         at = tuple((name, None) for name in drawn.names[:count])
         segment = segment_name(step.it.letter)
         found.append(Column(step.it.view, segment, step.it.name, unit, lengths, figures, at))
     return tuple(found)
+
+
+def unit_of_value(mu: Mark) -> str:
+    """Return the unit of what a length stands for by a scale factor, in SI; "" where that is a number."""
+    unit = mu.unit.removesuffix("/mm").strip("()")
+    return "" if unit == "1" else unit
 
 
 def own_columns(drawn: Drawn) -> Iterable[Column]:

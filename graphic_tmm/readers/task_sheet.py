@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 from graphic_tmm.fitting.views import Draw
@@ -18,7 +19,7 @@ from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.protocol import synthesis
 from graphic_tmm.scene.captions import captions
-from graphic_tmm.scene.chapter import MECHANISM, Answer, chapters
+from graphic_tmm.scene.chapter import MECHANISM, Answer, Chapter, chapters
 from graphic_tmm.scene.quantities import turns_a_minute
 from graphic_tmm.scene.records import Scene
 
@@ -80,14 +81,15 @@ class Scheme(NamedTuple):
 class TaskSheet(Answer):
     """What a chapter says on the sheet of a task.
 
-    ``given``: what a scene gives for it; ``stated``: what it says besides in words, a sentence each in a
+    ``given``: what a scene gives for it, if that is not the numbers of its section, each by the letter that its
+    key is, or has (`given_by_keys`); ``stated``: what it says besides in words, a sentence each in a
     language; ``listed``: what it gives point by point, as tables in a language. ``scheme``: what is shown of
     it within a width and a height (complex, mm), without its solution; ``acting``: what is shown there to act
     on it. ``wanted``: by place, how it is asked for, sentences in a language.
     """
 
     stands: ClassVar[str] = "task_sheet.TASK_SHEET"
-    given: Callable[[Scene], Iterable[Given]] = lambda scene: ()
+    given: Callable[[Scene], Iterable[Given]] | None = None
     stated: Callable[[Scene, str], Iterable[str]] = lambda scene, language: ()
     listed: Callable[[Scene, str], Iterable[Listed]] = lambda scene, language: ()
     scheme: Callable[[Scene, complex], Scheme | None] = lambda scene, room: None
@@ -104,12 +106,50 @@ DIGITS = 6
 
 def given_rows(scene: Scene, board: str = MECHANISM) -> tuple[Given, ...]:
     """Return what a scene gives for what stands on a board, chapter by chapter; nothing twice."""
-    found = (
-        _sized(row, scene.language)
-        for one in chapters(board)
-        for row in TaskSheet.of(one).given(scene)
-    )
+    found = (_sized(row, scene.language) for one in chapters(board) for row in _given(one, scene))
     return tuple(dict.fromkeys(found))
+
+
+def _given(chapter: Chapter, scene: Scene) -> Iterable[Given]:
+    own = TaskSheet.of(chapter).given
+    return given_by_keys(chapter, scene) if own is None else own(scene)
+
+
+UNITS = {
+    "": "",
+    "length": SIZE,
+    "angle": "°",
+    "angular speed": "1/s",
+    "speed": "m/s",
+    "acceleration": "m/s²",
+    "time": "s",
+    "mass": "kg",
+    "force": "N",
+    "moment": "N·m",
+    "moment of inertia": "kg·m²",
+    "pressure": "Pa",
+    "density": "kg/m³",
+    "power": "W",
+    "ratio": "",
+}
+"""The unit in which a quantity of a dimension is given; what has none here is no given size."""
+LETTER = re.compile(r"([A-Za-z])(\d?)")
+
+
+def given_by_keys(chapter: Chapter, scene: Scene) -> Iterator[Given]:
+    """Yield what the section of a chapter gives: its numbers, by the letters of their keys."""
+    section = chapter.asking
+    order = section and scene.tasks.get(section.name)
+    if not section or order is None or isinstance(order, tuple):
+        return
+    for field_ in fields(section.record):
+        for written, key in field_.metadata.get("keys", {}).items():
+            value = getattr(order, field_.name)
+            letter = LETTER.fullmatch(written or field_.name)
+            symbol = key.symbol or (letter and "_".join(filter(None, letter.groups())))
+            dimension = getattr(key.kind, "unit", None)
+            if symbol and not key.fixes and dimension in UNITS and isinstance(value, (int, float)):
+                yield Given(symbol, value, UNITS[dimension])
 
 
 def _sized(row: Given, language: str) -> Given:
@@ -165,7 +205,7 @@ def given_table(
     heads = [words["letter"], words["figure"], words["unit"]] * beside
     return breakable(
         NAME if board == MECHANISM else f"{NAME}-{board}",
-        words["given" if board == MECHANISM else f"given {board}"],
+        given_title(board, language),
         heads,
         lines,
         again=words["continued"],
@@ -173,6 +213,12 @@ def given_table(
         title_size=heights.title,
         align=["left", "centre", "centre"] * beside,
     )
+
+
+def given_title(board: str, language: str) -> str:
+    """Return what the table of what is given for a board is called."""
+    words = captions(language)
+    return words.get(f"given {board}", words["given"])
 
 
 def _cells(row: Given, language: str) -> tuple[str, str, str]:

@@ -65,7 +65,8 @@ class Place:
     it shows it. ``shows``: the plans of which it shows something, ``beside``: those of which it does so where
     they are drawn; ``follows``: the plans whose μ its room depends on. ``together``: it is these places, one
     after the other. ``attends``: it stands behind this one even where no sheet asks for it; ``tells``: a part
-    of another place stands behind this one, on the sheet that shows it.
+    of another place stands behind this one, on the sheet that shows it. ``asks``: how a task asks for it, a
+    sentence each, where it always does so alike.
     """
 
     name: str
@@ -76,6 +77,7 @@ class Place:
     together: tuple[str, ...] = ()
     attends: str = ""
     tells: str = ""
+    asks: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -86,7 +86,7 @@ class Key:
     """A key of a section: what may stand there, a sentence, an example, its default.
 
     ``default``: the value, as it is read; MISSING where the key has to be written. ``fixes``: "size" where it
-    fixes how large something is drawn.
+    fixes how large something is drawn. ``symbol``: the letter of what it gives, if its name is none.
     """
 
     kind: Sort
@@ -94,6 +94,7 @@ class Key:
     example: Any
     default: Any
     fixes: str = ""
+    symbol: str = ""
 
     def left_out(self) -> Any:
         """Return the default, a new one where it could be changed."""
@@ -108,9 +109,10 @@ def key(
     *,
     written: str = "",
     fixes: str = "",
+    symbol: str = "",
 ) -> Any:
     """Return a field that is a key of the file (``written`` differently there); as `Key`."""
-    declared = Key(kind, says, example, default, fixes)
+    declared = Key(kind, says, example, default, fixes, symbol)
     about = {"keys": {written: declared}, "make": None}
     if isinstance(default, dict):
         return field(default_factory=declared.left_out, metadata=about)

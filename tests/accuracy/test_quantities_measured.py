@@ -24,7 +24,7 @@ from graphic_tmm.readers.table import scene_columns, scene_results
         ("locomobile", "v a M_engine"),
         ("cam", "r0_min"),
         ("gear-pair", "contact_ratio contact_arc"),
-        ("planetary", ""),
+        ("planetary", "O2O′2 Bb s1 s2 sH"),
     ],
 )
 def test_a_scene_has_the_quantities_that_its_sheets_show(name: str, found: str) -> None:

@@ -139,7 +139,7 @@ def test_the_figure_has_a_panel_for_each_quantity() -> None:
 
 def test_a_scene_without_quantities_is_refused() -> None:
     with pytest.raises(SceneError, match="nothing whose error can be told"):
-        study(read(SHEETS / "planetary"), clock=False)
+        study(read(SHEETS / "lettering"), clock=False)
 
 
 def test_the_choice_of_scale_factors_is_counted_and_told() -> None:

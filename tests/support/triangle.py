@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from graphic_tmm.accuracy.quantities import Accuracy, Quantity, Value
 from graphic_tmm.board.operations.instruments import cross, lay_off, measure, ray, strike
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point, Side
@@ -14,9 +13,9 @@ from graphic_tmm.fitting.scales import ScaleFactors
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.paper.drawing import Drawing, line
 from graphic_tmm.paper.views import captioned, mu_text
-from graphic_tmm.project import Bench, Plan, Project
+from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.captions import Named
+from graphic_tmm.scene.captions import Named, captions
 from graphic_tmm.scene.chapter import Chapter, Place, Recorded
 from graphic_tmm.scene.declare import Section, key
 from graphic_tmm.scene.tasks import SectionKey
@@ -58,12 +57,9 @@ def record(bench: Bench) -> Triangle:
 def figure(drawn: Drawn, lettered: bool) -> list[Drawing]:
     spots = [complex(drawn.reading[mark][0, 0]) for mark in TRIANGLE.on(drawn).corners]
     view = Drawing("triangle", "triangle", (line("main", *spots, closed=True),))
-    return [captioned(view, mu_text(drawn.scales["triangle"], drawn.scene.language))]
-
-
-def side(project: Project) -> tuple[Quantity, ...]:
-    value = Value(TRIANGLE.on(project).side, TRIANGLE.on(project).mu)
-    return (Quantity("CA", "m", (value,), due=(value,)),)
+    language = drawn.scene.language
+    mu = mu_text(drawn.scales["triangle"], language)
+    return [captioned(view, captions(language)["triangle"], mu)]
 
 
 CHAPTER = Chapter(
@@ -74,6 +70,5 @@ CHAPTER = Chapter(
         Plan(record=record), Views(draw={"triangle": figure}),
         ScaleFactors(scales=lambda fitting: {TRIANGLE.on(fitting).mu: 0.0005}),
         Named(captions={"triangle": "Triangle by its sides"}, plans=("triangle",)),
-        Accuracy(quantities=side, words={"CA": "side CA"}),
     ),
 )  # fmt: skip

@@ -35,12 +35,19 @@ windrower (scene ``windrower``).
 from __future__ import annotations
 
 from graphic_tmm.chapters.cam.task import CAM, SECTIONS
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.chapter import Chapter, Place
+
+_SCHEME = said("The scheme of the cam mechanism is drawn.")
 
 CHAPTER = Chapter(
     name=CAM,
     number=8,
     board=CAM,
-    places=(Place("cam", 100), Place("cam scheme"), Place("cam given", attends="cam")),
+    places=(
+        Place("cam", 100),
+        Place("cam scheme", asks=(_SCHEME,)),
+        Place("cam given", attends="cam"),
+    ),
     sections=SECTIONS,
 )

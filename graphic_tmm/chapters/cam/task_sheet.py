@@ -175,11 +175,6 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
     yield _(_FACE if flat else _PROFILE)
 
 
-def scheme_sentence(scene: Scene, language: str) -> Iterator[str]:
-    """Ask for the scheme of the mechanism."""
-    yield speaking(language)(_SCHEME)
-
-
 def listed(scene: Scene, language: str) -> Iterator[Listed]:
     """Yield the acceleration diagrams of laws that are given by points."""
     order = ASKED.of(scene)
@@ -208,7 +203,6 @@ _PROFILE = said(
     "The radius of the roller is chosen; the theoretical and the working profile of the cam are drawn."
 )
 _FACE = said("The profile of the cam and the width of the face are drawn.")
-_SCHEME = said("The scheme of the cam mechanism is drawn.")
 _RISE = said("Acceleration of the follower by shares of the rise (in proportion)")
 _RETURN = said("Acceleration of the follower by shares of the return (in proportion)")
 
@@ -218,5 +212,5 @@ TASK_SHEET = TaskSheet(
     stated=stated,
     listed=listed,
     scheme=scheme,
-    wanted={"cam": asks, "cam scheme": scheme_sentence},
+    wanted={"cam": asks},
 )

@@ -31,16 +31,27 @@ from graphic_tmm.chapters.engine.task import ENGINE, SECTIONS, TRANSFER_PLACE
 from graphic_tmm.chapters.forces.task import FORCES
 from graphic_tmm.chapters.indicator.task import INDICATOR
 from graphic_tmm.chapters.kinematics.task import KINEMATICS, POSITIONS
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.chapter import Chapter, Place
+
+_PLAN = said(
+    "The indicator diagram is drawn; the forces of the gas and of inertia on the piston are "
+    "resolved into the pressure on the guide N, the force along the rod Q, the tangential force T "
+    "and the radial force K in every position."
+)
+_TRANSFER = said("The transfer of forces in the crank mechanism is shown in one position.")
+_DIAGRAMS = said(
+    "Diagrams of the forces and of the turning moment over a turn of the crank are drawn."
+)
 
 CHAPTER = Chapter(
     name=ENGINE,
     number=7,
     builds_on=(KINEMATICS, INDICATOR, FORCES),
     places=(
-        Place("engine", 70, follows=(POSITIONS,)),
-        Place(TRANSFER_PLACE, follows=(POSITIONS,)),
-        Place("engine diagrams", 71, follows=(POSITIONS,)),
+        Place("engine", 70, follows=(POSITIONS,), asks=(_PLAN,)),
+        Place(TRANSFER_PLACE, follows=(POSITIONS,), asks=(_TRANSFER,)),
+        Place("engine diagrams", 71, follows=(POSITIONS,), asks=(_DIAGRAMS,)),
     ),
     sections=SECTIONS,
 )

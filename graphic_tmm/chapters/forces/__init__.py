@@ -38,7 +38,11 @@ from graphic_tmm.chapters.forces.sections import SECTIONS
 from graphic_tmm.chapters.forces.task import FORCES, LOADS
 from graphic_tmm.chapters.indicator.task import INDICATOR
 from graphic_tmm.chapters.kinematics.task import KINEMATICS, POSITIONS, VELOCITIES
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.chapter import Chapter, Place
+
+_LEVER = said("The balancing force is found by Zhukovsky's lever as well.")
+_TABLE = said("Reactions and balancing forces are set in a table.")
 
 CHAPTER = Chapter(
     name=FORCES,
@@ -46,8 +50,8 @@ CHAPTER = Chapter(
     builds_on=(KINEMATICS, DIAGRAMS, INDICATOR),
     places=(
         Place("forces", 60, follows=(POSITIONS,)),
-        Place("lever", 61, follows=(POSITIONS, VELOCITIES)),
-        Place("force table", 62, follows=(POSITIONS,)),
+        Place("lever", 61, follows=(POSITIONS, VELOCITIES), asks=(_LEVER,)),
+        Place("force table", 62, follows=(POSITIONS,), asks=(_TABLE,)),
         Place(LOADS, follows=(POSITIONS,), attends=POSITIONS),
     ),
     sections=SECTIONS,

@@ -43,22 +43,10 @@ def polygons(scene: Scene, language: str) -> Iterator[str]:
     yield _(_POLYGONS)
 
 
-def lever(scene: Scene, language: str) -> Iterator[str]:
-    """Ask for the lever."""
-    yield speaking(language)(_LEVER)
-
-
-def table(scene: Scene, language: str) -> Iterator[str]:
-    """Ask for the table of forces."""
-    yield speaking(language)(_TABLE)
-
-
 _EVERYWHERE = said("Forces are found in all positions.")
 _POLYGONS = said(
     "Reactions in all pairs are found by polygons of forces, group by group; the balancing force is found."
 )
-_LEVER = said("The balancing force is found by Zhukovsky's lever as well.")
-_TABLE = said("Reactions and balancing forces are set in a table.")
 _SHARE = said("{letter} by the travel of point {point}, from the zero position")
 _BACK = said("{letter} by the travel of point {point}, on the way back")
 _ANGLE = said("{letter} by the turn of the crank from the zero position")
@@ -159,5 +147,5 @@ TASK_SHEET = TaskSheet(
     stated=stated,
     listed=listed,
     acting=acting,
-    wanted={"forces": polygons, "lever": lever, "force table": table},
+    wanted={"forces": polygons},
 )

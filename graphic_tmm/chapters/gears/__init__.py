@@ -33,12 +33,23 @@ Sources: Артоболевский И. И., Теория механизмов �
 from __future__ import annotations
 
 from graphic_tmm.chapters.gears.task import GEARS, SECTIONS
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.chapter import Chapter, Place
+
+_ASKS = (
+    said("The dimensions of the gear pair are calculated."),
+    said(
+        "The meshing is drawn: the line of action with its working part, the construction of the "
+        "flanks, three teeth of each wheel, the active flanks."
+    ),
+    said("The contact ratio is found from the drawing and by the formula."),
+    said("The diagram of specific sliding is drawn."),
+)
 
 CHAPTER = Chapter(
     name=GEARS,
     number=9,
     board=GEARS,
-    places=(Place("gears", 110), Place("gears given", attends="gears")),
+    places=(Place("gears", 110, asks=_ASKS), Place("gears given", attends="gears")),
     sections=SECTIONS,
 )

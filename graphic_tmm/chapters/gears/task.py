@@ -51,10 +51,12 @@ class GearTask:
     m: float = key(v.POSITIVE_LENGTH, "the module", "8 mm")
     x1: float = key(_SHIFT, "shift coefficient of wheel 1", 0.83, 0.0)
     x2: float = key(_SHIFT, "shift coefficient of wheel 2", 0.445, 0.0)
-    alpha: float = key(v.RACK, "pressure angle of the rack", "20 deg", 20.0)
-    ha: float = key(v.ADDENDUM, "addendum coefficient", 1, 1.0)
-    c: float = key(v.CLEARANCE, "clearance coefficient", 0.25, 0.25)
-    delta_y: float | None = key(_SHIFT, "equalising shift, if a table gives it", 0.19, None)
+    delta_y: float | None = key(
+        _SHIFT, "equalising shift, if a table gives it", 0.19, None, symbol="Δy"
+    )
+    alpha: float = key(v.RACK, "pressure angle of the rack", "20 deg", 20.0, symbol="α")
+    ha: float = key(v.ADDENDUM, "addendum coefficient", 1, 1.0, symbol="h_a^*")
+    c: float = key(v.CLEARANCE, "clearance coefficient", 0.25, 0.25, symbol="c^*")
     steps: int = key(v.number(Bound(4, 60, whole=True)), "steps by which a flank is rolled", 12, 12)
     least_tip: float = 0.2
     stations: tuple[float, ...] = key(

@@ -47,10 +47,13 @@ from graphic_tmm.chapters.kinematics.task import (
     SECTIONS,
     VELOCITIES,
 )
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.chapter import Chapter, Place
 
 _BOTH = (VELOCITIES, ACCELERATIONS)
 _AT = (POSITIONS,)
+_EQUATIONS = said("The vector equations of velocities are written down.")
+_TABLE = said("Velocities of points and angular velocities of links are set in a table.")
 
 CHAPTER = Chapter(
     name=KINEMATICS,
@@ -67,10 +70,21 @@ CHAPTER = Chapter(
             follows=_AT,
             together=("velocity equations", "acceleration equations"),
         ),
-        Place("velocity equations", shows=(VELOCITIES,), follows=_AT, tells=VELOCITIES),
+        Place(
+            "velocity equations",
+            shows=(VELOCITIES,),
+            follows=_AT,
+            tells=VELOCITIES,
+            asks=(_EQUATIONS,),
+        ),
         Place("acceleration equations", shows=(ACCELERATIONS,), follows=_AT, tells=ACCELERATIONS),
         Place("position table", shows=_AT, follows=_AT),
-        Place("velocity table", shows=(VELOCITIES,), follows=(POSITIONS, VELOCITIES)),
+        Place(
+            "velocity table",
+            shows=(VELOCITIES,),
+            follows=(POSITIONS, VELOCITIES),
+            asks=(_TABLE,),
+        ),
         Place("acceleration table", shows=(ACCELERATIONS,), follows=(POSITIONS, ACCELERATIONS)),
         Place("results", 99, shows=_BOTH, together=("velocity table", "acceleration table")),
     ),

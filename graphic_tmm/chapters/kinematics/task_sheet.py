@@ -72,23 +72,14 @@ def accelerations(scene: Scene, language: str) -> Iterator[str]:
 
 def equations(scene: Scene, language: str) -> Iterator[str]:
     """Ask for the equations of the plans."""
-    yield speaking(language)(_BOTH_EQUATIONS if scene.row.accelerations else _EQUATIONS)
-
-
-def velocity_equations(scene: Scene, language: str) -> Iterator[str]:
-    """Ask for those of velocities."""
-    yield speaking(language)(_EQUATIONS)
+    if scene.row.accelerations:
+        yield speaking(language)(_BOTH_EQUATIONS)
 
 
 def acceleration_equations(scene: Scene, language: str) -> Iterator[str]:
     """Ask for those of accelerations."""
     if scene.row.accelerations:
         yield speaking(language)(_ACCELERATION_EQUATIONS)
-
-
-def velocity_table(scene: Scene, language: str) -> Iterator[str]:
-    """Ask for the table of velocities."""
-    yield speaking(language)(_VELOCITY_TABLE)
 
 
 def acceleration_table(scene: Scene, language: str) -> Iterator[str]:
@@ -99,7 +90,8 @@ def acceleration_table(scene: Scene, language: str) -> Iterator[str]:
 
 def both_tables(scene: Scene, language: str) -> Iterator[str]:
     """Ask for both tables."""
-    yield speaking(language)(_BOTH_TABLES if scene.row.accelerations else _VELOCITY_TABLE)
+    if scene.row.accelerations:
+        yield speaking(language)(_BOTH_TABLES)
 
 
 _LENGTHS = said("In every position these lengths are read off: {listed}.")
@@ -128,10 +120,8 @@ _TURNED = said("Velocity plans, turned by 90°, are drawn for all positions.")
 _COMMON = said("Velocity plans of all positions are drawn from one pole.")
 _TURNED_COMMON = said("Velocity plans of all positions, turned by 90°, are drawn from one pole.")
 _ALL = said("Acceleration plans are drawn for all positions.")
-_EQUATIONS = said("The vector equations of velocities are written down.")
 _ACCELERATION_EQUATIONS = said("The vector equations of accelerations are written down.")
 _BOTH_EQUATIONS = said("The vector equations of velocities and accelerations are written down.")
-_VELOCITY_TABLE = said("Velocities of points and angular velocities of links are set in a table.")
 _ACCELERATION_TABLE = said(
     "Accelerations of points and angular accelerations of links are set in a table."
 )
@@ -150,10 +140,8 @@ TASK_SHEET = TaskSheet(
         VELOCITIES: velocities,
         ACCELERATIONS: accelerations,
         "equations": equations,
-        "velocity equations": velocity_equations,
         "acceleration equations": acceleration_equations,
         "position table": position_table,
-        "velocity table": velocity_table,
         "acceleration table": acceleration_table,
         "results": both_tables,
     },

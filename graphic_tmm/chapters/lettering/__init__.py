@@ -16,8 +16,15 @@ Sources: ГОСТ 2.303 (линии), ГОСТ 2.304 (шрифты чертёж�
 
 from __future__ import annotations
 
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.chapter import Chapter, Place
 
+_CHARACTERS = said("Letters and figures are drawn on their auxiliary grid, in the standard sizes.")
+_SYMBOLS = said("Lines and the symbols of links and pairs are drawn as the standards have them.")
+
 CHAPTER = Chapter(
-    name="lettering", number=11, board="", places=(Place("lettering"), Place("symbols"))
+    name="lettering",
+    number=11,
+    board="",
+    places=(Place("lettering", asks=(_CHARACTERS,)), Place("symbols", asks=(_SYMBOLS,))),
 )

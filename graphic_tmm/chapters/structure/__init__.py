@@ -28,17 +28,26 @@ Sources: Ассур Л. В., Исследование плоских стерж�
 
 from __future__ import annotations
 
+from graphic_tmm.language.said import said
 from graphic_tmm.scene.chapter import Chapter, Place
 
 STRUCTURE = "structure"
 """The chapter, its view, its place."""
 PARTS = "groups of structure"
 """The place of the parts by themselves."""
+_TABLES = said(
+    "The structure is analysed: links and pairs, mobility, Assur groups, formula of structure, "
+    "class of the mechanism."
+)
+_PARTS = said("The driving link and each Assur group are drawn by themselves.")
 
 CHAPTER = Chapter(
     name=STRUCTURE,
     number=1,
     builds_on=("kinematics",),
-    places=(Place(STRUCTURE, 90), Place(PARTS, follows=("positions",))),
+    places=(
+        Place(STRUCTURE, 90, asks=(_TABLES,)),
+        Place(PARTS, follows=("positions",), asks=(_PARTS,)),
+    ),
     always=True,
 )

@@ -43,6 +43,7 @@ ALL = said(
     "The scale factors are chosen: μ = 1; 2; 2.5; 4; 5 (1.5; 7.5), multiplied by 10 to a whole power; scales "
     "of lengths by the standard row."
 )
+DRAWN = said("To be drawn: {title}.", context="task")
 HANDED = said("Sheets: {listed}.")
 NOTE = said("Explanatory note with the calculations.")
 READINGS = said("Table of the lengths read off the drawing, for the check.")
@@ -97,10 +98,15 @@ def orders(scene: Scene) -> Iterator[Paragraphs]:
 
 
 def _asks(name: str, scene: Scene) -> Iterable[str]:
+    """Return how a place is asked for: as its chapter does, as it says itself, as its parts, by its caption."""
     chapter, place = places()[name]
+    language = scene.language
     wanted = TaskSheet.of(chapter).wanted.get(name)
-    own = list(wanted(scene, scene.language)) if wanted is not None else []
-    return own or [one for part in place.together for one in _asks(part, scene)]
+    own = wanted(scene, language) if wanted else map(speaking(language), place.asks)
+    told = [*own] or [one for part in place.together for one in _asks(part, scene)]
+    if told or wanted or place.attends or name not in (words := captions(language)):
+        return told
+    return [speaking(language)(DRAWN, title=words[name])]
 
 
 def conditions(scene: Scene) -> Iterator[str]:
