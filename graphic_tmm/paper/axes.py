@@ -62,10 +62,10 @@ def position_numbers(
     """Return the numbers of positions on one level along the base, below it if curves leave room there.
 
     ``row``: the positions that divide the base, with their feet; ``others``: the end of the base, positions
-    beside the row. A number stands beside the perpendicular of its position, where no curve goes. They stand
-    lower, or above the axis, only where curves are in the way, and one alone on the other side only where a
-    curve is in the way of it in all its places. Where they have no room every second, or fifth … position of
-    the row is numbered; of others that stand too close the first.
+    outside the row. A number stands next to the perpendicular of its position, clear of curves. Numbers move
+    lower, or above the axis, only where curves are in the way; a single number changes sides only where a
+    curve crosses all its places. Where there is no room, every second, fifth … position of the row is
+    numbered; of others that stand too close, the first.
     """
     there = [one for one in (*_thinned(row, size), *others) if np.isfinite(one.at)]
     if not there:
@@ -102,9 +102,9 @@ def tick_figures(ticks: Iterable[tuple[float, str]], size: float) -> tuple[Label
 def base_figures(
     ticks: Iterable[tuple[float, str]], strokes: Iterable[Ink], size: float
 ) -> tuple[Label, ...]:
-    """Return the figures of a base, each below its tick; where a curve is in the way beside it, or above.
+    """Return the figures of a base, each below its tick, or next to it or above it where a curve is in the way.
 
-    ``ticks``: where they stand, mm, with what they say. The last one stays, others as they have room.
+    ``ticks``: positions, mm, with their texts. The last one always stays, others where there is room.
     """
     low, high = -TICK - CLEAR - size, TICK + CLEAR
     ink = _Inked(strokes, (low, high + size))
@@ -126,7 +126,7 @@ def base_figures(
 
 
 def _thinned(row: Sequence[Named], size: float) -> list[Named]:
-    """Return the positions that bear numbers: as many as have room beside each other."""
+    """Return the positions that bear numbers: as many as fit side by side."""
     feet = np.sort([one.at.real for one in row if np.isfinite(one.at)])
     apart = np.diff(feet)
     pitch = float(np.min(apart, initial=np.inf, where=apart > 1e-6))
@@ -168,7 +168,7 @@ def _is_level(stroke: Ink) -> bool:
 
 
 def _meets(stroke: Ink, band: tuple[float, float]) -> bool:
-    """Whether a stroke may come into a band of heights: an arc bows out by no more than its bulge tells."""
+    """Whether a stroke may enter a band of heights; an arc bows out by its bulge at most."""
     if isinstance(stroke, Bezier):
         heights, by = [spot.imag for spot in stroke.controls], 0.0
     else:

@@ -13,9 +13,9 @@ from graphic_tmm.paper.ruled import TITLE_GAP, Grid, measured, ruled_table
 from graphic_tmm.paper.views import stacked, wrapped
 
 CROWNED = 1.8
-"""Room for the title above a block, beside the gap under it, of the height of its capitals."""
+"""Room for the title above a block in addition to the gap below it, in heights of its capitals."""
 OVERHANG, SHARES = 1.3, (0.5, 0.6, 0.75)
-"""A title so many times as wide as its table stands in two lines, the first so long at the most."""
+"""A title 1.3 times as wide as its table is set in two lines; the first takes one of these shares at most."""
 
 
 def breakable(

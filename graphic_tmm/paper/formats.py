@@ -1,4 +1,4 @@
-"""The formats of paper: what of a drawing depends on them, how high letters are; stated nowhere else."""
+"""Formats of paper, and what depends on them: room for plans and graphs, heights of letters."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from typing import NamedTuple, Protocol
 
 @dataclass(frozen=True)
 class Format:
-    """A format: width and height (mm), the width s of its main line (mm), ``called`` so in Russian scenes too.
+    """A format: width, height and width s of the main line, mm; ``called``: its Cyrillic name.
 
-    ``room``: for a plan of positions, and ``graph``: for how high a graph is, three of which stand in a column
-    (mm); on a small sheet both are what it holds beside its title block.
+    ``room``: for a plan of positions, mm. ``graph``: the height of a graph, three of which stand in a column,
+    mm. On a small sheet both are what it holds next to its title block.
     """
 
     width: float
@@ -36,13 +36,12 @@ FORMATS: Mapping[str, Format] = MappingProxyType(
         "A4 landscape": Format(297.0, 210.0, 0.6, 100.0, 30.0),
     }
 )
-"""By name: all of them lie unless they are asked to stand, but A4, which stands (ГОСТ 2.301; lines by ГОСТ
-2.303)."""
+"""By name. All are landscape by default but A4, which is portrait (ГОСТ 2.301; lines by ГОСТ 2.303)."""
 USUAL = "A1"
 """The format of a sheet that does not say."""
 AUTO = "auto"
-"""What a scene writes for the smallest format that holds a sheet's views; until it is found, they are drawn as
-large as on `SENSIBLE`."""
+"""What a scene writes for the smallest format that holds a sheet's views; they are drawn as large as on
+`SENSIBLE` until it is known."""
 SENSIBLE = "A2"
 
 
@@ -85,7 +84,7 @@ class Heights(NamedTuple):
     number: float
 
     def times(self, factor: float) -> Heights:
-        """Return heights so many times as large."""
+        """Return the heights multiplied by a factor."""
         return Heights(*(factor * height for height in self))
 
 

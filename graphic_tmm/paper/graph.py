@@ -147,10 +147,9 @@ class Names(NamedTuple):
     """What is lettered on a graph: the positions, the quantity of the ordinates, that along the base.
 
     ``curves``: the label of a curve by its mark or that of the readings of its points, where there are several.
-    ``points``: what points on the axis of the ordinates are called otherwise than in the log.
-    ``lengths``: the figures of what is dimensioned, by their marks: along the axis of the ordinates what was
-    measured there, below the graph the distance of a pole. ``levels``: limits; ``spans``: of the base, ``at``:
-    its places that bear names besides the positions.
+    ``points``: names of points on the axis of ordinates that differ from those in the log.
+    ``lengths``: figures of dimensions, by their marks: measured ordinates along the axis, the distance of a
+    pole below the graph. ``levels``: limits; ``spans``: of the base; ``at``: its further named places.
     """
 
     positions: Sequence[str]
@@ -210,7 +209,7 @@ def _slots(mark: Mark | None) -> tuple[int, ...]:
 
 
 def _outlines(graph: Graph) -> Iterator[Ink]:
-    """The bodies of the plan: what is drawn besides the curves."""
+    """The bodies of the plan: everything but the curves."""
     for one in graph.outlines:
         for start, end in zip(one.marks, one.marks[1:], strict=False):
             ends = graph.point(start, 0), graph.point(end, 0)
@@ -267,7 +266,7 @@ def _spans(graph: Graph, names: Names, size: float) -> Dimensioned:
 
 
 def _positions(graph: Graph, names: Names) -> tuple[list[Named], list[Named]]:
-    """Return the positions of the row with their feet, and those beside it with the end of the base."""
+    """Return the positions of the row with their feet, and the others with the end of the base."""
     feet, end = graph.axes.feet, graph.axes.end
     named = [
         Named(graph.point(feet, k), text, (feet.slot,), k) for k, text in enumerate(names.positions)

@@ -36,11 +36,11 @@ DOT = 0.5
 EXTREMES = (g.highest, g.lowest)
 """Operations that find where a curve turns."""
 OUTLINE = "outline"
-"""Kind of the figures of a log that are drawn besides the curves of a graph, straight from mark to mark."""
+"""Kind of figures of a log that are drawn straight from mark to mark, in addition to the curves of a graph."""
 
 
 class AxesMarks(NamedTuple):
-    """What the log tells of the axes of a view, in the order in which the plan told it."""
+    """The axes of a view as the log records them, in the order of the plan."""
 
     origin: Mark
     along: Mark
@@ -92,7 +92,7 @@ class Graph(Seen):
 
     @cached_property
     def outlines(self) -> tuple[Figure, ...]:
-        """What is drawn besides the curves: dwells, jumps, straight lines that are given."""
+        """Ink that is no curve: dwells, jumps, given straight lines."""
         figures = self.construction.figures
         return tuple(f for f in figures if f.view == self.view and f.kind == OUTLINE)
 
@@ -145,8 +145,8 @@ def _at_x(x: list[float], to: float) -> float:
 def ends_of(seen: Seen, step: Step, k: int) -> tuple[complex, complex]:
     """Return the ends of a line: where it begins, or was met behind its beginning, and where it was met.
 
-    A line that is the same in all positions reaches to what was found on it in any; a level that is itself a
-    graph goes over the whole base, as its curve does.
+    A line common to all positions reaches to every point marked on it in any of them; a level that is itself
+    a graph spans the whole base, as its curve does.
     """
     at, along = seen.line(step.it, k)
     if step.it.role == roles.STRAIGHT and isinstance(seen, Graph) and step.op is not join:
@@ -194,7 +194,7 @@ def ordinate(graph: Seen, step: Step, k: int) -> Iterator[Ink]:
 
 
 def laid_along_base(graph: Graph, step: Step) -> bool:
-    """Whether a point was only found on the base, or on a level of it: it is pricked."""
+    """Whether a point was only marked on the base or on a level of it: it is pricked."""
     _, along = graph.line(step.uses[0], 0)
     return not step.it.role and abs(along.imag) < 1e-9
 

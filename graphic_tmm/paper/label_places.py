@@ -27,7 +27,7 @@ HEAVY_HALF = 0.4
 RINGS = ((0.0, 1.2, 6.0, 8.0, 11.0), (15.0, 21.0, 29.0, 36.0))
 """How much farther than next to its point a label is tried, mm; and where all that is dear. Chosen by eye."""
 AT_ONCE = 256
-"""Of so many labels the places are found at once: arrays of some MB, however many there are."""
+"""Places of labels are computed in blocks of this many: arrays of some MB, however many labels there are."""
 DIRECTIONS = 24
 """Directions in which a label is tried, every 15°; chosen by eye."""
 BESIDE = 2.2
@@ -53,7 +53,7 @@ another line."""
 _ALONG = {"heavy": 3.0, "firm": 3.0, "soft": 0.5}
 """What it costs that a leader runs on a line, per mm."""
 _NEARER = 0.94
-"""The middle of a name is so many times nearer to its own line than to another, at least."""
+"""The middle of a name is nearer to its own line than to any other by this factor at least."""
 _COSTS = {"heavy": 480.0, "firm": 60.0, "soft": 4.0, "ring": 2.0, "turn": 2.4}
 """What it costs to stand on a line once, to be a millimetre farther, to stand 60° off where it is wanted."""
 _GRAZED = 0.5
@@ -108,7 +108,7 @@ class Boxes(NamedTuple):
 
 
 def gives_way(stroke: Ink) -> bool:
-    """Whether a stroke is broken where a letter stands on it; one whose length a page tells is not."""
+    """Whether a stroke is broken where a letter stands on it; one whose length is shown on a page is not."""
     solid = isinstance(stroke, Stroke) and stroke.filled
     return stroke.pen in _SOFT and not solid and not stroke.data and stroke.part != RINGED
 
@@ -165,7 +165,7 @@ def _about(wanted: Sequence[Wanted], ink: Sequence[complex]) -> Rect:
 
 
 def tried(wanted: Sequence[Wanted], rings: Sequence[float], inks: Sequence[Lines]) -> list[Boxes]:
-    """Return the boxes in which labels are tried; ``rings``: how much farther than beside their points, mm."""
+    """Return the boxes in which labels are tried; ``rings``: distances beyond the nearest places, mm."""
     blocks = (wanted[k : k + AT_ONCE] for k in range(0, len(wanted), AT_ONCE))
     return [boxes for block in blocks for boxes in _tried(block, np.array(rings), inks)]
 

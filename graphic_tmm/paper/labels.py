@@ -37,11 +37,10 @@ from graphic_tmm.paper.shapes import box, frame, shape, shapes
 APART = 0.9
 """Clear space between two labels beyond that, mm."""
 ASIDE = 0.9
-"""Still more clear space between labels beside each other, mm, or they would be read as one."""
+"""Additional space between labels side by side, mm, or they would be read as one."""
 WEIGHED = (3, 48)
-"""Of so many of the cheapest places it is found out what stands beside them and what their leaders cross: of
-the few of the first number if one of these stays cheaper than the next place is by itself; of all places, if
-all of the second cross something."""
+"""Numbers of cheapest places for which neighbours and crossings of leaders are computed: the first number, if
+one of these stays cheaper than the next place alone; else the second; all, if these all cross something."""
 LEADER = "leader"
 """The part of a view that leads from points to letters: of one that letters break the longest piece stays."""
 _CROSSED = 460.0
@@ -50,11 +49,11 @@ _PAST, _PASSED, _THROUGH = 0.6, 120.0, 60.0
 """A leader passes other labels with so much room more, mm; what it costs that one does not, and that it passes
 through another point that is lettered."""
 _FOOT, _TOUCH, _SAMPLES = 1.5, 1.0, 24
-"""So far from its point a leader may run on lines, mm; so near to another point it seems to lead there, mm; of
-so many places of it it is found out whether they are on a line."""
+"""How far from its point a leader may run on lines, mm; how near to another point it seems to lead there, mm;
+the number of its places that are tested against lines."""
 _VALUE, _MINUS, _STROKE = 12.0, 150.0, 0.35
-"""What it costs to stand level beside another label, as if they were one term; with a stroke between them that
-reads as a minus; of how much of the way between them there is one."""
+"""Costs of a place: level with another label, as if both were one term; with a stroke between that reads as a
+minus; the share of the gap that such a stroke fills."""
 _DEAR = 30.0
 """A place that costs more is left for one farther away, if there is a better one."""
 
@@ -80,8 +79,8 @@ def _placed(
 ) -> Label:
     """Return a label at the place that costs least, and take it.
 
-    ``beside``: the nearest places; farther ones are tried where all of these are dear. ``spots``: all points
-    that are lettered.
+    ``beside``: the nearest places; farther ones are tried where all of these cost much. ``spots``: all
+    lettered points.
     """
     found = _cheapest(one, beside, inks, occupied, spots)
     if found[0] > _DEAR:
@@ -181,7 +180,7 @@ def _through(one: Wanted, starts: Spots, ends: Spots, spots: Spots) -> NDArray[n
 
 
 def _leader(one: Wanted, rect: Rect) -> Line | None:
-    """Return the leader from the ink of a point to its label; None to one beside it."""
+    """Return the leader from the ink of a point to its label; None if the label is next to it."""
     end = rect.nearest(one.at)
     away = abs(end - one.at)
     if away <= one.radius + BESIDE:
@@ -191,7 +190,7 @@ def _leader(one: Wanted, rect: Rect) -> Line | None:
 
 
 def leaders(wanted: Sequence[Wanted], labels: Sequence[Label]) -> tuple[Stroke, ...]:
-    """Return thin lines from points to those of their labels that found no place beside them."""
+    """Return thin lines from points to labels that had to move away from them."""
     made = []
     for one, label in zip(wanted, labels, strict=True):
         (rect,) = upright(frame(label))
@@ -248,7 +247,7 @@ def finished(view: Drawing, lettered: bool = True) -> Drawing:
 
 
 def _about(one: Wanted) -> tuple[float, float, float, float]:
-    """Return about where a letter will stand: beside its point, on the preferred side if there is one."""
+    """Return roughly where a letter will stand: next to its point, on the preferred side if there is one."""
     made = letter(one.text, size=one.size)
     wide, high = made.width / 2 + CLEAR, (made.ascent + made.descent) / 2 + CLEAR
     at = one.at
@@ -297,7 +296,7 @@ def _joined(group: Sequence[Named]) -> Named:
 def lettered(
     points: Iterable[Named], size: float, radius: float = 1.0, away_from: complex | None = None
 ) -> list[Wanted]:
-    """Return the letters wanted at points, preferably on the side away from a place (mm) if one is told."""
+    """Return the letters wanted at points, preferably on the side away from a given place (mm)."""
     return [
         Wanted(
             one.text,

@@ -79,7 +79,7 @@ def _pieces(lines: Iterable[Sequence[complex]]) -> tuple[Spots, Spots]:
 
 
 def _inside(starts: Spots, ends: Spots, frame: Extent) -> tuple[Spots, Spots]:
-    """Return what of straight pieces lies in a frame."""
+    """Return the parts of straight pieces inside a frame."""
     way = ends - starts
     first, last = spans(starts, ends, *frame)
     there = first < last
@@ -232,7 +232,7 @@ class Occupied:
         return np.asarray((first <= last).any(axis=1))
 
     def alone(self, rect: Rect, past: float) -> bool:
-        """Whether no label can stand level beside a rectangle, and no leader nearer than ``past`` mm."""
+        """Whether no label is level with a rectangle, and no leader nearer than ``past`` mm."""
         about = Rect(rect.left - ROW, rect.bottom, rect.right + ROW, rect.top)
         near = list(_squares(about.grown(past)))
         if any(square in self._leaders for square in near):
@@ -249,7 +249,7 @@ class Occupied:
     def level(
         self, left: Reals, bottom: Reals, right: Reals, top: Reals
     ) -> tuple[NDArray[np.int64], Reals, Reals, Reals, Reals]:
-        """Return which of some rectangles stand level beside a label, and what lies between: its four edges."""
+        """Return which rectangles are level with a label, and the four edges of the gap between."""
         near = self._near(self._letters, left - ROW, bottom, right + ROW, top)
         x0, y0, x1, y1 = np.array([self.rects[k] for k in near]).reshape(-1, 4).T
         low, high = np.maximum(bottom[:, None], y0), np.minimum(top[:, None], y1)

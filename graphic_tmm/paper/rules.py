@@ -46,7 +46,7 @@ LEAST = 0.3
 BEYOND = 4.0
 """How far a construction line goes on behind where it was met, mm."""
 STUB = 12.0
-"""The length of a line that nothing was found on, mm."""
+"""The length of a line on which nothing was marked, mm."""
 NICK = 2.5
 """Half an arc of the compass about where it was cut, mm."""
 PRICK = 0.4
@@ -85,7 +85,7 @@ def stays(seen: Seen, step: Step) -> bool:
 
 
 def drawn_line(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-    """A line, from where it begins to all that was found on it; behind what it met it goes on."""
+    """A line from its beginning to every point marked on it; it runs on past what it crossed."""
     at, along = seen.line(step.it, k)
     found = [(0.0, False)]
     for use in seen.uses.get(step.it, ()):

@@ -1,4 +1,4 @@
-"""The shapes of strokes and letters, mm: what of the paper they take."""
+"""The shapes of strokes and letters, mm: the paper that they cover."""
 
 from __future__ import annotations
 
@@ -92,13 +92,13 @@ def flat(controls: Sequence[complex]) -> list[complex]:
 
 @lru_cache(maxsize=1024)
 def _flattened(controls: tuple[complex, ...]) -> tuple[complex, ...]:
-    """Return the same of a curve that is asked for again and again while its view is drawn."""
+    """Return the same, cached, for a curve that is needed many times while its view is drawn."""
     return tuple(flat(controls))
 
 
 @lru_cache(maxsize=CHORDS)
 def _weights(count: int) -> tuple[Reals, Reals, Reals, Reals]:
-    """Return what each control point of an arc counts at the ends of so many chords, but for the first."""
+    """Return the weights of an arc's control points at the ends of a number of chords, except the first."""
     t = np.linspace(0.0, 1.0, count + 1)[1:]
     return (1 - t) ** 3, 3 * (1 - t) ** 2 * t, 3 * (1 - t) * t**2, t**3
 

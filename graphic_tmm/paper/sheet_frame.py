@@ -49,9 +49,9 @@ FIELDS: tuple[str, ...] = tuple(
 """The fields of a title block that a scene may fill; the numbers of the sheets are filled here."""
 
 NAME = "frame"
-"""Of its drawing, by which it is told from the views."""
+"""The name of its drawing, by which it is distinguished from views."""
 CHECK_LENGTH = 100.0
-"""The check line, mm: laid against a ruler it tells whether a print is true to size."""
+"""The check line, mm: a ruler laid against it shows whether a print is true to size."""
 CHECK_DOWN, CHECK_END, CHECK_TICK, CHECK_SIZE = 2.2, 20.0, 1.0, 2.5
 """The check line: how far below the upper edge, from the right of the frame; half a tick, its lettering, mm."""
 

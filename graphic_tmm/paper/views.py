@@ -56,7 +56,7 @@ def noted(views: Sequence[Drawing], block: str) -> list[Drawing]:
 
 
 def paired(views: Sequence[Drawing]) -> list[Drawing]:
-    """Return views that stand beside each other: a figure and what belongs to it."""
+    """Return views that stand side by side: a figure and what belongs to it."""
     return [view._replace(stand=Stand(views[0].name, "pair")) for view in views]
 
 
@@ -71,8 +71,8 @@ def captioned(
 
     The first of them is the title, broken where it is much wider than its view, or than the ``narrowest`` of a
     series that it is one of, mm; a table has its own above it. Where a sheet is too narrow, all lines are
-    broken, and the view comes apart if it can. ``known``: the marks that the lines behind the second one tell:
-    these appear with them.
+    broken, and the view comes apart if it can. ``known``: the marks that the lines after the second one state:
+    the lines appear with them.
     """
     view, of = view._replace(cell=bounds(view)), tuple(mark.slot for mark in known)
     if view.name.startswith("table"):

@@ -11,7 +11,7 @@ from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.packing import GAP, Box, Room, free, without
 
 NEAR = 0.02
-"""Places are told to hundredths of a mm: boxes that overlap by no more touch."""
+"""Places are written to hundredths of a mm: boxes that overlap by less than this touch."""
 
 
 class Restored(NamedTuple):

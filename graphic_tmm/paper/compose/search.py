@@ -1,4 +1,4 @@
-"""Orders tried for a sheet: rows broken beside what leads, tables moved to where they close a block best.
+"""Orders tried for a sheet: rows broken next to the leading view, tables moved to where they close a block.
 
 Reading order is kept: what leads comes first, rows come in order and below each other; tables stand below what
 leads or behind the rows, and single views may change places with their neighbours. Each order is composed and
@@ -32,7 +32,7 @@ HOPELESS, FAR = 1.02, (0.25, 0.11, 0.03)
 alone, and after one round of moves, after two and all others, no more than these. Of 6,000 sets of boxes that
 sheets were tried for, three are given up that would have fitted; it saves two fifths of the time."""
 KEPT = 4096
-"""Of so many sets of boxes it is kept whether a sheet holds them."""
+"""Size of the cache that remembers whether a sheet holds a set of boxes."""
 LEAD = "\0lead"
 """The block of what leads: tables may stand below it."""
 
@@ -63,8 +63,8 @@ def fitting(
 ) -> tuple[Order, Places] | None:
     """Return an order in which a sheet holds boxes, and where they stand then; None if none tried fits.
 
-    Of orders that do not fit the one that is least too high is the start of the next. What boxes are called,
-    and where they are drawn, has no part in it: of the same boxes it is found out once.
+    Of orders that do not fit, the one least too high starts the next round. Names of boxes and where they were
+    drawn play no part: the same boxes are computed once.
     """
     alike = (one._replace(name="", title="", corner=0j) for one in outlines)
     return _fitting(tuple(alike), room, tries)
@@ -167,7 +167,7 @@ def _tables(order: Order) -> Iterator[Order]:
 def _broken(order: Order) -> Iterator[Order]:
     """Yield orders with a block of rows in one part or in two, the second below the first.
 
-    The last view is a part where something can stand beside it.
+    The last view is a part of its own where something can stand next to it.
     """
     for k, unit in enumerate(order):
         if unit.stand.kind != "row" or len(unit.members) < 3:

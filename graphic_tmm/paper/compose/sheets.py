@@ -80,12 +80,12 @@ def composed(orders: Sequence[Order], *, polished: bool = True) -> list[tuple[Sh
 
 
 def _written_place(at: complex) -> complex:
-    """Return a place as people are told it: a composition that is written down is the one that was drawn."""
+    """Return a place rounded as it is written: a composition read back is the one that was drawn."""
     return complex(round(at.real, 2), round(at.imag, 2))
 
 
 def shared(orders: Sequence[Order], tries: int = QUICK, enough: float = 0.0) -> list[Shared]:
-    """Return what stands on which sheet: how many sheets there are tells whether sizes fit; see `composed`.
+    """Return which boxes stand on which sheet; the number of sheets shows whether sizes fit. See `composed`.
 
     What a sheet leaves to the next may save one: where sheets are not `FULL`, and more than would be
     ``enough``, that is tried too.
@@ -156,7 +156,7 @@ def _filled(
 def _taken(
     boxes: Sequence[Outline], waiting: Sequence[int], room: Room, tries: int, most: float | None
 ) -> list[int]:
-    """Return what of the boxes that wait a sheet holds: as many in order as it can, and tables behind them."""
+    """Return which of the waiting boxes a sheet holds: as many in order as fit, and tables behind them."""
 
     def held(chosen: Sequence[int], tried: int = FEW) -> bool:
         if most is not None and len(chosen) > 1 and _area(boxes, chosen) > most:

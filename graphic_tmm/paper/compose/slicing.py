@@ -61,7 +61,7 @@ class Curves(NamedTuple):
 
 
 def grid_of(leaves: int) -> float:
-    """Return the grid, mm, for so many leaves."""
+    """Return the grid, mm, for a number of leaves."""
     return FINE if leaves <= FEW else GRID
 
 
@@ -113,8 +113,8 @@ def curves(leaves: Sequence[np.ndarray], height: int, below: Sequence[Below] = (
 def _inverse(found: np.ndarray, size: int) -> np.ndarray:
     """Return, for curves that fall, the least place at which each is no higher than 0 … size − 1.
 
-    Read backward a curve rises from 0 to ``size``: by as much as it rises before a place, so many heights have
-    that place as their least.
+    Read backward, a curve rises from 0 to ``size``; the rise before a place is the number of heights whose
+    least place it is.
     """
     runs, places = found.shape
     rising = np.empty((runs, places + 2), dtype=found.dtype)

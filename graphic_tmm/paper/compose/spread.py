@@ -14,7 +14,7 @@ from graphic_tmm.paper.compose.slicing import GRID, Leaf, Tree
 from graphic_tmm.paper.compose.units import PAIRED, WIDEST, Shape, Unit, high, split
 
 NEAR = 50.0
-"""What leaves no more than this, mm, of the height beside it stands at the upper edge."""
+"""A cell that leaves no more than this, mm, of the height next to it stands at the upper edge."""
 
 Spots = Iterator[tuple[int, float, float]]
 """Boxes by their index, each with its left and upper edge."""
@@ -78,7 +78,7 @@ def _unfilled(shape: Shape, cell: tuple[float, float]) -> float:
 
 
 def grown(least: float, count: int, room: float, gap: float, most: float = WIDEST) -> float:
-    """Return the gap between so many with which they fill a room, but none above the widest."""
+    """Return the gap with which a number of parts fill a room, at most the widest gap."""
     if count < 2:
         return gap
     return max(gap, min(most, gap + (room - least) / (count - 1)))
@@ -99,7 +99,7 @@ def spread(
 
 
 def _single_column(part: Need) -> bool:
-    """Whether nothing in a part stands beside anything else."""
+    """Whether a part is a single column."""
     if part.cut is None:
         return max(part.shape.rows, default=1) == 1
     return not part.cut and all(map(_single_column, part.parts))
@@ -136,7 +136,7 @@ def _single(part: Need) -> bool:
 def _line(part: Need, height: float) -> tuple[float, float]:
     """Return top and height of the cell in which the single rows that stand side by side end on one line.
 
-    It is at the upper edge, beside columns that begin there, if little is left below it; else in the middle.
+    It stands at the upper edge, like the columns next to it, if little is left below it; else in the middle.
     """
     most = max((one.height for one in part.parts if _single(one)), default=height)
     columns = any(one.cut is not None or one.down > 1 for one in part.parts)

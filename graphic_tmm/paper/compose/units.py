@@ -52,7 +52,7 @@ class Unit(NamedTuple):
 
 
 class Shape(NamedTuple):
-    """What a unit takes in rows of so many boxes: width and height, mm; what of it is kept free before them."""
+    """Size of a unit by the number of boxes in a row: width, height and room kept free before them, mm."""
 
     width: float
     height: float
@@ -92,7 +92,7 @@ def shapes(sizes: tuple[Sized, ...], gap: float) -> tuple[Shape, ...]:
 
 
 def measured(sizes: Sequence[Sized], rows: tuple[int, ...], gap: float) -> Shape:
-    """Return what boxes take in rows of so many."""
+    """Return the size of boxes set in rows of a given number."""
     lines = split(sizes, rows)
     width = max(sum(w for w, _, _ in line) + gap * (len(line) - 1) for line in lines)
     height = sum(map(high, lines)) + gap * (len(lines) - 1)

@@ -1,10 +1,10 @@
-"""The letters and signs drawn on the grid of ГОСТ 2.304 type B, by alphabet; the notation is told in glyphs.py.
+"""The letters and signs drawn on the grid of ГОСТ 2.304 type B, by alphabet; glyphs.py explains the notation.
 
 Clear widths of the standard, in units of h/10: capitals 6, but Г Е З С 5, А Д М Х Ы Ю 7,
 Ж Ф Ш Щ Ъ 8; small letters 5, but м ъ ы ю 6, ж т ф ш щ 7, з с 4. Tails and accents stand outside
 the height, never outside the width. Letters that look like those of an alphabet before them are those.
 
-Digits are 5 units wide, 1 is 3 and 4 is 6. The small l has a foot, to be told from 1 and I. Signs between
+Digits are 5 units wide, 1 is 3 and 4 is 6. The small l has a foot, unlike 1 and I. Signs between
 numbers stand about the height 4, at which the bar of the minus runs.
 """
 

@@ -6,7 +6,7 @@ to 9, a small letter from 0 to 6, a tail ends at -3; with the pen that makes 10,
 
 A line of a table is ``character width path``, or ``character = other`` where two look alike. The
 width is the clear one, pen included (6 for most capitals, so that their paths reach from 0 to 5).
-``|`` lifts the pen between strokes; a stroke is told so:
+``|`` lifts the pen between strokes; a stroke is written so:
 
 ========== =====================================================================================
 ``x,y``     a straight stroke to the point (the first one: the pen is put down there)
@@ -46,7 +46,7 @@ _DOT = 0.15
 """Half the way that the pen is moved for a dot, in tenths of a capital; chosen by eye."""
 _KINK = math.radians(2.0)
 _SAME = 1e-9
-"""Places nearer to one another, in the same unit, are one."""
+"""Places closer than this, in the same unit, coincide."""
 
 
 class _Node(NamedTuple):
@@ -62,7 +62,7 @@ def parse(path: str) -> Stroke:
     Parameters
     ----------
     path : str
-        The notation told at the head of this file.
+        See the notation at the head of this file.
 
     Raises
     ------

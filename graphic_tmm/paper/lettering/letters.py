@@ -2,8 +2,8 @@ r"""Lettering of a sheet: a line of text with indices, bars and underlines, as s
 
 The letters and their spacing are those of ГОСТ 2.304 type B: height h of a capital, pen h/10, gap
 of 2/10 h between letters and 6/10 h between words, upright or leaning by 15°. An index is one step
-down the row of sizes, with the pen of that size. The mark-up of a text, in short (glyphs_markup.py
-tells it in full): ``v_A  v_{BA}  n_{BA}^{t}  \bar{v}  \u{..}  \uu{..}`` and ``\_ \^ \{ \} \\``.
+down the row of sizes, with the pen of that size. The mark-up of a text, in short (markup.py
+has all of it): ``v_A  v_{BA}  n_{BA}^{t}  \bar{v}  \u{..}  \uu{..}`` and ``\_ \^ \{ \} \\``.
 """
 
 from __future__ import annotations
@@ -141,7 +141,7 @@ def letter(text: str, *, size: float = 5.0, inclined: bool = True) -> Lettering:
     Parameters
     ----------
     text : str
-        Mark-up as told at the head of this file; see `escape` for a literal text.
+        Mark-up as at the head of this file; see `escape` for a literal text.
     size : float
         Height of a capital, mm.
     inclined : bool

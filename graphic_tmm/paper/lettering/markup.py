@@ -30,7 +30,7 @@ _SPECIAL = frozenset("_^{}\\")
 _TOLD = _SPECIAL | INDICES
 _COMMANDS = ("bar", "uu", "u")
 _DEEPEST = 8
-"""So many groups may stand in one another: chosen by eye, far more than can be read."""
+"""Greatest depth of nested groups: chosen by eye, far more than can be read."""
 
 
 class Text(NamedTuple):
@@ -71,7 +71,7 @@ def plain(markup: str) -> str:
 
 
 def parse_markup(markup: str) -> tuple[Node, ...]:
-    """Read a mark-up; SheetError tells the character at which it is faulty."""
+    """Read a mark-up; SheetError names the character at which it is faulty."""
     if _TOLD.isdisjoint(markup):
         return (Text(markup),) if markup else ()
     nodes, end = _sequence(markup, 0, 0)

@@ -14,7 +14,7 @@ from graphic_tmm.paper.symbols.kinematic import ARROW_LENGTH, ARROW_WIDTH, arrow
 SHAFT = 0.85
 """The shaft of a vector ends in its head, so much of the head's length before the point."""
 WIDE = {"main": 2.2, "medium": 1.6, "over": 1.6}
-"""Width of the head by the pen of the shaft, mm: it shows beside a heavy one."""
+"""Width of the head by the pen of the shaft, mm: wide enough to show on a heavy one."""
 
 
 def arrow(a: complex, b: complex, pen: str, head: float = ARROW_LENGTH) -> list[Stroke]:
@@ -26,7 +26,7 @@ def arrow(a: complex, b: complex, pen: str, head: float = ARROW_LENGTH) -> list[
 
 
 def told_arrow(a: complex, b: complex, pen: str, letter: str, mu: float, unit: str) -> list[Stroke]:
-    """Return a vector that tells a page its segment, its length in mm and what it stands for."""
+    """Return a vector that carries its segment, its length in mm and its value for the page."""
     mm, name = abs(b - a), segment_name(letter)
     data = (
         ("segment", name),

@@ -69,7 +69,7 @@ STONE_LENGTH, STONE_WIDTH = 10.0, 5.0
 TUBE_WIDTH, PISTON_LENGTH, PISTON_WIDTH = 8.0, 4.0, 6.4
 """A cylinder: the width of its tube, length and width of its piston, mm."""
 PORT = 3.0
-"""Side of the triangle that tells oil (filled) from gas (open), as ГОСТ 2.782 has it, mm."""
+"""Side of the triangle that marks oil (filled) or gas (open), mm; ГОСТ 2.782."""
 CORNER, ROOF = 4.0, 3.2
 """Legs of the triangle that joins two bars firmly, its height over a straight bar, mm."""
 ARROW_LENGTH, ARROW_WIDTH = 4.5, 1.2

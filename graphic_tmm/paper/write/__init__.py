@@ -1,1 +1,1 @@
-"""Sheets as files: SVG true to the millimetre, DXF, and PDF and PNG made of the SVG."""
+"""Sheets as files: SVG true to the millimetre, DXF, and PDF and PNG from the SVG."""

@@ -38,7 +38,7 @@ DASHES = {"DASHED": DASHED, "CENTER": CENTRE, "PHANTOM": PHANTOM}
 UNFIT = re.compile(r"[^\w.~-]+")
 """What the name of a layer does not hold, or better not."""
 LONGEST = 255
-"""Characters that a text beside the drawing may have at the most."""
+"""Greatest number of characters of a text outside the drawing."""
 WINDOW = "viewport"
 """The layer of the frame of the viewport: it is not printed."""
 
@@ -125,9 +125,9 @@ class _Writer:
         self.letterer = Letterer(document, document.modelspace(), stroked=stroked)
 
     def layer(self, drawing: Drawing, position: int | None, kind: str, width: float) -> str:
-        """Return the layer of a line kind in a view, and position, made when it is first needed.
+        """Return the layer of a line kind in a view and position; it is created when first needed.
 
-        A drawing of one position has its number in its name, one of several tells their numbers.
+        A drawing of one position has its number in its name, one of several lists their numbers.
         """
         number = dict(drawing.numbers).get(-1 if position is None else position, "")
         view = f"{drawing.name}-{number}" if number else drawing.name

@@ -18,7 +18,7 @@ from graphic_tmm.paper.pens import Pen
 from graphic_tmm.paper.shapes import shape
 
 SAME = 1e-6
-"""Places nearer to each other than this, mm, are one: a thousandth of what an SVG tells."""
+"""Places closer than this, mm, coincide: a thousandth of the precision of an SVG."""
 
 
 class Line(NamedTuple):
@@ -190,7 +190,7 @@ def gathered(strokes: Iterable[Ink], pens: Mapping[str, Pen]) -> list[Sign]:
 
 
 class Blocks:
-    """The blocks of a document, made when they are first needed."""
+    """The blocks of a document, created when first needed."""
 
     def __init__(self, document: Any, pens: Mapping[str, Pen]) -> None:
         self.document, self.pens = document, pens

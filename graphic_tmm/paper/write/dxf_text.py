@@ -104,7 +104,7 @@ OBLIQUE = 15.0
 STYLES = {True: "GOST_2.304_INCLINED", False: "GOST_2.304_UPRIGHT"}
 """Names of the text styles: inclined or not."""
 SIGNS = "−∂∆∑√∞∫≈≠≡≤≥←↑→↓′″"
-"""Signs beside letters that fonts of Windows for Europe hold (its list WGL4)."""
+"""Signs other than letters in Windows fonts for Europe (list WGL4)."""
 CODES = ("cp1251", "cp1252", "cp1253")
 """Cyrillic, Latin and Greek code pages of Windows, whose characters such fonts hold too."""
 MARKS = "^\\"

@@ -38,7 +38,7 @@ def pdf(sheets: Sequence[Sheet]) -> bytes:
 
 
 def png(sheet: Sheet, *, ppi: float = PPI) -> bytes:
-    """Return a sheet as PNG that tells its size; raises SheetError if typst is not installed."""
+    """Return a sheet as PNG with its physical size; raises SheetError if typst is not installed."""
     return _sized(_compiled([_on_dots(sheet, ppi)], "png", ppi)[0], ppi)
 
 
@@ -76,10 +76,10 @@ def _quoted(text: str) -> str:
 
 
 def _bookmarks(sheet: Sheet, number: int) -> Iterator[str]:
-    """Yield what makes bookmarks of a sheet and of its views, each at its upper left corner.
+    """Yield the bookmarks of a sheet and of its views, each at its upper left corner.
 
-    Headings make them, which are hidden: nothing of them is drawn, nor found by a search. ``number``: of the
-    sheet in a set; 0 for one that stands alone and needs no bookmark of its own.
+    They are hidden headings: not drawn, and not matched by a search. ``number``: of the sheet in a set; 0 for
+    a single sheet, which needs no bookmark of its own.
     """
     if number:
         yield _heading(1, f"{number}. {sheet.title}", 0.0, 0.0)

@@ -105,7 +105,7 @@ def clean(text: str) -> str:
 
 
 class Under(NamedTuple):
-    """A picture that lies under a sheet, as large: its file, beside the SVG; the colour of the ink over it."""
+    """A picture under a sheet, of the same size: its file next to the SVG, the colour of the ink over it."""
 
     file: str
     colour: str = "#d0006f"
@@ -282,7 +282,7 @@ class _Writer:
 
 
 def _from_steps(one: Ink | Label) -> dict[str, str]:
-    """Return what tells of an element the marks whose steps it comes from, its position, its part."""
+    """Return the attributes of an element that name the marks whose steps drew it, its position, its part."""
     told = {"data-of": " ".join(map(str, one.of))}
     if one.position is not None:
         told["data-at"] = str(one.position)
