@@ -125,7 +125,7 @@ def __dir__() -> list[str]:
 if not TYPE_CHECKING:  # whoever checks types sees the imports above
 
     def __getattr__(name):
-        """Import a public name when it is first asked for, so that the package itself is light."""
+        """Import a public name on first use, so that the package itself is light."""
         from importlib import import_module, metadata
 
         if name == "__version__":

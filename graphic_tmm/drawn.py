@@ -50,7 +50,7 @@ class Numbers(NamedTuple):
 class Drawn:
     """A board as drawn: the mechanism's, or that of a part which needs none.
 
-    ``advice``: what its author is told of sizes that the scene fixes; found when somebody asks.
+    ``advice``: sentences to the author on sizes that the scene fixes, computed on first use.
     """
 
     project: Project
@@ -101,10 +101,10 @@ class Drawn:
 
     @cached_property
     def main(self) -> int:
-        """The position (index) that stands for all: drawn heavy; told, played, practised first.
+        """The main position (index): drawn heavy, and the first to be described, played and practised.
 
-        The scene's own, else the one that shows the board best; where neither is drawn, the first that a plan
-        is drawn in by itself, or the second.
+        The scene's own, else the one that shows the board best; if neither is drawn, the first in which a plan
+        is drawn by itself, or the second.
         """
         own = [place for places in self.project.rows.values() for place in places]
         wanted = [*own, *self.all[1:2], *self.all]
@@ -116,7 +116,7 @@ class Drawn:
 
     @property
     def percent_decimals(self) -> int:
-        """Decimals of a difference in %, as much of it as the ruler tells."""
+        """Decimals of a difference in %: as many as the ruler can show."""
         return percent_decimals(self.hand.ruler)
 
     def row(self, view: str) -> tuple[int, ...]:
@@ -131,7 +131,7 @@ class Drawn:
 
     @cached_property
     def cache(self) -> dict[str, Any]:
-        """What chapters found out of this drawing and keep beside it, by what it is called."""
+        """What chapters computed from this drawing and cache with it, by name."""
         return {}
 
     def __getstate__(self) -> dict[str, Any]:
@@ -160,7 +160,7 @@ class Drawn:
         return (*self._asked_for(found), *own)
 
     def _asked_for(self, found: tuple[Finding, ...]) -> Iterator[Finding]:
-        """Yield findings of views only at positions at which it is told what becomes of them."""
+        """Yield findings of views only at the positions that are reported for them."""
         told = self.project.told
         for one in found:
             places, left = set(one.positions), one
@@ -174,11 +174,11 @@ class Drawn:
 
 @dataclass(frozen=True)
 class Findings(Answer):
-    """What a chapter knows of what goes wrong.
+    """What a chapter knows of failures.
 
-    ``undrawn``: the positions that cannot be drawn. ``nothing``: by slot, where a figure has no meaning;
-    ``coarse``: by slot, what leaves fewer digits of it. ``compared``: a finding, its positions -> what is told
-    of it; ``findings``: findings of its own.
+    ``undrawn``: positions that cannot be drawn. ``nothing``: by slot, where a figure has no meaning;
+    ``coarse``: by slot, what leaves fewer digits of it. ``compared``: a finding and its positions -> what to
+    report; ``findings``: its own.
     """
 
     stands: ClassVar[str] = "findings.FINDINGS"
@@ -234,9 +234,9 @@ def doubted(project: Project) -> Doubts:
 
 
 def read_log(project: Project, given: Mapping[Mark, object], hand: Hand, doubts: Doubts) -> Numbers:
-    """Execute the log, once; views with rows of their own are told at their positions, all else at all of them.
+    """Execute the log once and return its reading, without figures that lost all digits.
 
-    What is lost is not there.
+    Views with rows of their own are reported at their positions, everything else at all positions.
     """
     log, rows = project.construction, project.rows
     exact = hand.ruler is None and not hand.slips and hand.digits is None
@@ -264,7 +264,7 @@ def read_log(project: Project, given: Mapping[Mark, object], hand: Hand, doubts:
 
 
 def _marks(log: Construction, left_out: Container[str]) -> set[Mark]:
-    """Return what is given and made in views that are not left out, and what is used there."""
+    """Return the marks given or drawn in views that are not left out, and those used there."""
     found = {mark for mark in log.given if mark.view not in left_out}
     steps = (step for step in log.steps if step.it.view not in left_out)
     return found | {mark for step in steps for mark in (step.it, *step.uses)}

@@ -1,4 +1,4 @@
-"""What can go wrong, told to a person.
+"""Errors, each a message to a person.
 
 ::
 
@@ -26,7 +26,7 @@ from graphic_tmm.language.said import Said, joined, said
 TRACEBACK = "GRAPHIC_TMM_TRACEBACK"
 """The variable of the environment by which a fault of the program shows where it is."""
 LONGEST = 60
-"""Of a key, and of a text of the scene that a message quotes, so many characters are shown."""
+"""Greatest number of characters that a message quotes of a key or of a text of the scene."""
 
 
 _QUOTED = re.compile(r'(?<!\w)"(.*?)"(?!\w)', re.DOTALL)
@@ -130,7 +130,7 @@ class SheetError(TmmError):
 
 
 class ViewError(SheetError):
-    """A view that fits no sheet of its format: its name and size (mm), so that a remedy can be told."""
+    """A view that fits no sheet of its format: its name and size (mm), for a remedy."""
 
     def __init__(self, message: str, view: str, size: tuple[float, float]) -> None:
         super().__init__(message)
@@ -190,7 +190,7 @@ def reason_of(error: OSError | ValueError) -> str:
 
 
 def own_fault(error: BaseException) -> str:
-    """Return what is told of an error that nobody has foreseen: it is the program's, not the person's."""
+    """Return the message on an unforeseen error: it is the program's, not the person's."""
     what = " ".join(f"{type(error).__name__}: {error}".split()).rstrip(":")
     return said(
         "a fault of the program, not of the input ({what}); "
@@ -201,7 +201,7 @@ def own_fault(error: BaseException) -> str:
 
 
 class BareError(TmmError):
-    """Python has thrown the docstrings away (``-OO``): the sentences of the steps are made of them."""
+    """Python runs with ``-OO``, without docstrings, from which the sentences of steps are built."""
 
     def __init__(self) -> None:
         super().__init__(

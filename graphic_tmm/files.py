@@ -137,16 +137,16 @@ def _refuse(file: Path, message: str) -> NoReturn:
 def write(
     folder: Path, texts: Mapping[str, str | bytes], *, remedy: str = said("name another folder")
 ) -> tuple[Path, ...]:
-    """Write texts or bytes (by file name) into a folder, made if it is not there; return the paths.
+    """Write texts or bytes (by file name) into a folder, created if missing; return the paths.
 
-    ``remedy``: what a person can do if the folder cannot be written. What a killed run of this program left
-    there half written is taken away.
+    ``remedy``: what a person can do if the folder cannot be written. Half-written files of a killed run are
+    removed.
 
     Raises
     ------
     SheetError
-        If the folder cannot be made or a file in it cannot be written, or a file would take the place of one
-        that this `call` has read; nothing is left behind then.
+        If the folder cannot be created, a file cannot be written or would replace one that this `call` has
+        read; nothing is left behind then.
     """
     for name in texts:
         _spare(folder / name, remedy)
@@ -198,7 +198,7 @@ def _spare(place: Path, remedy: str) -> None:
 
 
 def _same(file: Path, place: Path) -> bool:
-    """Whether two names mean one file, here or on a disk that does not tell small letters from capitals."""
+    """Whether two names mean one file, here or on a disk that ignores case."""
     with suppress(OSError, ValueError):
         if os.path.samefile(file, place):
             return True
@@ -235,7 +235,7 @@ def _sweep(folder: Path) -> None:
 
 
 def _gone(process: int) -> bool:
-    """Whether there is no such process; where that cannot be asked without harm, there is."""
+    """Whether a process has ended; False where the system offers no harmless way to ask."""
     if os.name != "posix":
         return False
     try:
@@ -248,7 +248,7 @@ def _gone(process: int) -> bool:
 
 
 def _clear(waiting: list[tuple[Path, Path]], made: list[Path]) -> None:
-    """Take away the temporary files, and the folders that were made if nothing stands in them."""
+    """Remove the temporary files, and created folders that are empty."""
     for passing, _ in waiting:
         with suppress(OSError):  # it was never there, or its name is too long to be
             passing.unlink()

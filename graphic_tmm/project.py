@@ -34,14 +34,14 @@ from graphic_tmm.scene.tasks import calls_for
 class Plan(Answer):
     """What a chapter records.
 
-    ``needs``: what else has to be recorded for it, by name: a chapter, or what another chapter understands.
-    ``record``: what it leaves on its board; ``aside``: of what it made, what is calculated beside it when
-    everything on the board was recorded, in views of its own and used by nothing, so that no drawing changes
-    for it; see `chapter.aside`. ``charts``: of what it made, the graphs on axes.
+    ``needs``: what else has to be recorded for it, by name: a chapter, or a word that another chapter
+    understands. ``record``: records its plan on its board; ``aside``: calculations recorded after everything
+    else, in views of their own that nothing uses, so that no drawing changes (`chapter.aside`). ``charts``:
+    the graphs on axes of its record.
 
-    ``result``: of what it made, the marks that are all known at some position where the chapter has a result;
-    ``remedy``: why it has none where one of them is not, and what to do, behind its name. ``ranges``: the end
-    of a sentence that tells the positions that can be drawn, and what helps.
+    ``result``: the marks of its record that are all known at some position if the chapter has a result;
+    ``remedy``: why it has none otherwise, and what to do, printed after its name. ``ranges``: the end of the
+    sentence that lists the positions that can be drawn, and what helps.
     """
 
     stands: ClassVar[str] = "record.PLAN"
@@ -60,8 +60,8 @@ class Project:
 
     ``recorded``: what chapters recorded, by chapter. ``names`` and ``angles`` (degrees, None where there are
     none) run along the positions; ``count`` of them make the closed row. ``rows``: the positions (indices) at
-    which a view is drawn, if these are not all; ``told``: those at which what becomes of a view is told.
-    ``best``: finds the position (index) that shows the board best; None where nobody knows.
+    which a view is drawn, if not all; ``told``: those at which findings of a view are reported. ``best``:
+    computes the position (index) that shows the board best; None where that is unknown.
     """
 
     board: str
@@ -78,7 +78,7 @@ class Project:
 
     @property
     def chapters(self) -> tuple[Chapter, ...]:
-        """The chapters that have made something, in the order of the book."""
+        """The chapters that recorded something, in the order of the book."""
         return tuple(one for one in chapters(self.board) if one.name in self.recorded)
 
     @property
@@ -117,11 +117,11 @@ class Before(Holder, Protocol):
 
 
 class Bench:
-    """What lies on the board while chapters record: the scene, the draft, what is wanted, what was made so far.
+    """The board while chapters record: the scene, the draft, the wanted places, the records so far.
 
-    ``wanted``: places of sheets; ``needed``: what chapters said that they need, of several wishes the
-    greatest. ``sizes``: of what is drawn at a share of its usual size; ``usual``: the same drawn in the usual
-    size, where there are such.
+    ``wanted``: places of sheets; ``needed``: what chapters need, the greatest of several wishes. ``sizes``:
+    shares of the usual size at which views are drawn; ``usual``: the same project in the usual size, if it
+    exists.
     """
 
     def __init__(
@@ -149,11 +149,11 @@ class Bench:
         self.names, self.angles, self.count = tuple(names), tuple(angles), count
 
     def tell(self, view: str, where: Iterable[int]) -> None:
-        """Tell at which positions it is told what becomes of a view; those told before stay."""
+        """Set the positions at which findings of a view are reported, unless they are set already."""
         self.told[view] = self.told.get(view, frozenset()) | frozenset(where)
 
     def enter(self, name: str, made: Any) -> None:
-        """Keep what a chapter made, if it made anything."""
+        """Keep the record of a chapter, if it has one."""
         if made is not None:
             self.recorded[name] = made
 
@@ -170,7 +170,7 @@ class Bench:
         return called[::-1]
 
     def project(self) -> Project:
-        """Return what was recorded; positions that nobody told are numbered from 1."""
+        """Return the project; positions without names are numbered from 1."""
         log = self.draft.board.construction()
         given, made = dict(self.draft.given), dict(self.recorded)
         rows, told = dict(self.rows), dict(self.told)
@@ -235,7 +235,7 @@ def record(
 
 
 def own_boards(scene: Scene) -> tuple[str, ...]:
-    """Return the boards, besides that of the mechanism, on which a scene calls for something to be drawn."""
+    """Return the boards other than the mechanism's on which a scene wants something drawn."""
     return tuple(one for one in boards() if one != MECHANISM and called_on(scene, one))
 
 

@@ -40,10 +40,10 @@ def make(
 ) -> DrawnScene:
     """Draw a scene: its mechanism, if it has one, and its parts.
 
-    All that it calls for is drawn, or of that only what is ``wanted`` (places of a sheet); but whether the rest
-    can be drawn is found out nevertheless. ``given``: a composition to draw it by, of which nothing is tried.
+    Everything that it calls for is drawn, or only the ``wanted`` places of sheets; whether the rest can be
+    drawn is tested all the same. ``given``: a composition that fixes all sizes.
 
-    A chapter that has no result is left out of it, see `absent`.
+    A chapter without a result is left out (`absent`).
 
     Raises
     ------
@@ -110,11 +110,11 @@ def sheets(scene: Scene) -> tuple[DrawnScene, tuple[Sheet, ...]]:
 def composed_sheets(
     scene: Scene, given: Composition | None = None, *, near: bool = False
 ) -> tuple[DrawnScene, Composed]:
-    """Draw a scene onto its sheets, composed anew or as ``given``; what is told of that is the scene's to tell.
+    """Draw a scene onto its sheets, composed anew or as ``given``; its warnings say what became of that.
 
-    A composition of another scene may be given: it is used as far as it fits, and if it is of no use even its
-    sizes are not. ``near``: it is that of a scene like this one, to begin with: its plans are as large
-    as they are there, or a little larger, as long as that takes as many sheets, and nothing is told of it.
+    A composition of another scene may be given: it is used as far as it fits; if nothing fits, its sizes are
+    dropped, too. ``near``: it belongs to a similar scene and is only the start: plans are as large as there, or
+    a little larger while that takes no more sheets, and no warning mentions it.
 
     Raises
     ------

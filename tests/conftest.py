@@ -14,8 +14,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 # What is said to nobody in particular is in the terminal's language: English here, on every machine.
 os.environ["LC_ALL"] = "C.UTF-8"
 # Byte code is kept, whatever the machine says: else each process that a test begins compiles the package again.
-os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
-sys.dont_write_bytecode = False
+os.environ["PYTHONDONTWRITEBYTECODE"] = ""
 # Nothing is kept in the cache of whoever runs the tests.
 os.environ["GRAPHIC_TMM_CACHE"] = ""
 
@@ -23,6 +22,7 @@ from support.examples import FEW
 from support.once import install
 
 install()
+sys.dont_write_bytecode = False
 
 # Machines are noisy: no example is timed. CI draws the same examples each time, a person new ones, and more;
 # the everyday run a few.

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from graphic_tmm.classroom.variants.variant import Base, Variant
 
 NAMED = 3
-"""So many variants are named of which one thing is told; how many more there are is counted."""
+"""Greatest number of variants named in a message; the others are counted."""
 
 
 @click.command(cls=Command)
@@ -128,7 +128,7 @@ def batch(
 
 
 def _end(ran: Ran, names: dict[str, Variant], wrong: Sequence[str], output: str) -> None:
-    """Tell what has come of it; the exit status tells whether something was wrong."""
+    """Print warnings, failures and counts; exit with a status if something was wrong."""
     lines: dict[str, list[str]] = {}
     for name, told in ran.told.items():
         for line in told:
@@ -156,7 +156,7 @@ def _listed(names: Sequence[str]) -> str:
 
 
 def _formatted(plain: Request, makes: str, forms: str | None) -> Request:
-    """Return what is made, in which formats; refuse what is none, and a format that nothing takes."""
+    """Return the request with its outputs and formats; refuse unknown ones, and formats without an output."""
     from graphic_tmm.classroom.making import MAKES, TABLES
     from graphic_tmm.errors import SheetError
     from graphic_tmm.note.formats import FORMATS as NOTES

@@ -83,7 +83,7 @@ def draw(
 
 
 def _page(made: DrawnScene, drawn: Sequence[Sheet]) -> str:
-    """Return the page of a scene; what it is made with is imported only where one is asked for."""
+    """Return the page of a scene; its packages are imported only when one is wanted."""
     from graphic_tmm.page.page import page
 
     return page(made, drawn)

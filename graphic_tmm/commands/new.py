@@ -211,7 +211,7 @@ def new(folder: str | None, mechanism: str | None, like: str | None, listed: boo
 
 
 def _on_terminal() -> bool:
-    """Whether somebody can be asked."""
+    """Whether a person sits at the terminal."""
     return sys.stdin.isatty()
 
 
@@ -239,7 +239,7 @@ def _refuse_old(target: Path) -> None:
 
 
 def _write(target: Path, one: Beginning | None, like: str | None) -> None:
-    """Write the files of a new scene, and tell their names."""
+    """Write the files of a new scene and print their names."""
     from graphic_tmm.files import write
     from graphic_tmm.scene.document import document
     from graphic_tmm.scene.new import begun, begun_with

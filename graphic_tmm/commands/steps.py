@@ -26,10 +26,9 @@ ALL = said("all", context="plans")
 
 
 class Plans(Choice):
-    """The plans of all chapters, looked up when one is asked for: help of other commands stays light.
+    """The name of a plan, looked up only when the option is used, so that help stays light.
 
-    A plan may be named as code names it, or as people do in any language; what may mean several plans means all
-    of them.
+    It may be the name in code or the caption in any language; an ambiguous name means all its plans.
     """
 
     def __init__(self) -> None:
@@ -126,7 +125,7 @@ def steps(
 
 
 def _formats(forms: str | None, *, sheets: bool) -> list[str]:
-    """Return what the sheets are written as; refuse what is none of it, and what is asked of no sheets."""
+    """Return the formats of the sheets; refuse unknown ones, and options of sheets without --sheets."""
     from graphic_tmm.errors import SheetError
     from graphic_tmm.handout import FORMATS
 

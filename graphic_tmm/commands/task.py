@@ -126,7 +126,7 @@ def task(
 
 
 def _refuse(base: Base) -> None:
-    """Refuse a scene that is not good before anything is made of it, in the reader's language."""
+    """Refuse a faulty scene before anything is written, in the reader's language."""
     from graphic_tmm.language.reader import asked_language, hear
     from graphic_tmm.paper.lettering.letters import missing
     from graphic_tmm.scene.document import spoken

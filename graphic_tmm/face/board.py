@@ -256,7 +256,7 @@ class Board(Drafting):
 
     @property
     def _reading(self) -> tuple[Construction, Reading]:
-        """The log and its numbers, found anew when something was drawn."""
+        """The log and its numbers, computed again after something was drawn."""
         log = self.construction
         if self._read is None or self._read[0] != log:
             self._read = log, execute(log, self._draft.given, hand=self._hand)

@@ -1,4 +1,4 @@
-"""Readings of a drawing made by hand, held against the exact one."""
+"""Readings of a hand-made drawing, compared with the exact one."""
 
 from __future__ import annotations
 

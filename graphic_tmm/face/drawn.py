@@ -150,7 +150,7 @@ class Drawn:
 
     @property
     def facts(self) -> Mapping[str, str]:
-        """What else is told of it in words, by name: its ``formula`` by Assur groups."""
+        """Further facts in words, by name: its ``formula`` by Assur groups."""
         told = facts_of(self._work.drawn_scene).items()
         return Named({name: one for name, one in told if isinstance(one, str)})
 
@@ -282,7 +282,7 @@ class Drawn:
         Returns
         -------
         Check
-            Verdicts and likely mistakes, as ``graphic-tmm check`` tells them.
+            Verdicts and likely mistakes, as ``graphic-tmm check`` prints them.
 
         Raises
         ------

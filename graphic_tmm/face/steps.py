@@ -84,7 +84,7 @@ class Steps(Sequence[Step]):
 
 
 def steps_of(told: Sequence[PlanProtocol], language: str, *, why: bool) -> Steps:
-    """Return protocols as their reader tells them; ``why``: print the reasons, too."""
+    """Return protocols as `readers.protocol` words them; ``why``: print the reasons, too."""
     parts = [Part(one.title, tuple(_step(line, language) for line in one.lines)) for one in told]
     return Steps(parts, "\n".join(line for one in told for line in text_of(one, language, why)))
 

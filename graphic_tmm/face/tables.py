@@ -155,7 +155,7 @@ class Table(Mapping[str, Column]):
 
     @property
     def trials(self) -> int:
-        """How many drawings it tells of."""
+        """The number of drawings in it."""
         return len(self._columns[0].value)
 
     def __getitem__(self, segment: str) -> Column:
@@ -170,7 +170,7 @@ class Table(Mapping[str, Column]):
         Raises
         ------
         AbsentError
-            If the plan has none: it is a KeyError that tells those that there are.
+            If the plan has none: a KeyError that lists those that there are.
         """
         known = {one.segment: one for one in self._columns}
         found = known.get(segment) or known.get(

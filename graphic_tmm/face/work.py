@@ -1,4 +1,4 @@
-"""What is found of a scene that is drawn, each thing once and not before somebody asks for it."""
+"""Results of a drawn scene, each computed once, on first use."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Work:
 
     @cached_property
     def given(self) -> Composition | None:
-        """The composition that stands beside the scene's file."""
+        """The composition stored next to the scene's file."""
         source = self.scene.source
         return read_composition(composition_file(source)) if Path(source).is_file() else None
 
@@ -86,7 +86,7 @@ class Work:
 
     @cached_property
     def results(self) -> Named[Quantity]:
-        """What comes out as one figure each, told figures too; what no drawing has is not there."""
+        """Single-valued results, calculated ones too; without those that no drawing has."""
         told = facts_of(self.drawn_scene).items()
         found = {name: Quantity(one) for name, one in told if isinstance(one, (int, float))}
         for name, (row, unit) in self.figures[1].items():

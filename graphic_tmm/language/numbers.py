@@ -46,7 +46,7 @@ def fixed(value: float | None, places: int, language: str) -> str:
 
 
 def decimals_of(division: float) -> int:
-    """Return how many decimals a figure has that is told to a division.
+    """Return the decimals of a figure that is read to a division.
 
     >>> decimals_of(0.1), decimals_of(0.5), decimals_of(0.025), decimals_of(20.0)
     (1, 1, 2, 0)
@@ -55,7 +55,7 @@ def decimals_of(division: float) -> int:
 
 
 def percent_decimals(division: float | None) -> int:
-    """Return how many decimals a difference in % has: as much of it as a ruler tells.
+    """Return the decimals of a difference in %: as many as a ruler can show.
 
     Plans are some 100 mm long: a division of 0.1 mm is 0.1 % of them. Without a ruler it is `EXACTLY`.
 

@@ -1,4 +1,4 @@
-"""Whose language a message is in: that asked for on the command line, else the scene's, else the terminal's."""
+"""The language of messages: of the command line, else of the scene, else of the terminal."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from contextvars import ContextVar
 from graphic_tmm.language.catalogue import SOURCE, Speech, languages, speaking
 
 VARIABLES = ("LC_ALL", "LC_MESSAGES", "LANG")
-"""Of the environment: the first that is set tells the terminal's language."""
+"""Environment variables; the first that is set gives the terminal's language."""
 _ASKED: ContextVar[str] = ContextVar("asked", default="")
 _HEARD: ContextVar[str] = ContextVar("heard", default="")
 
 
 @contextmanager
 def reading(language: str = "") -> Iterator[None]:
-    """Say what is said within in a language that was asked for; "" if none was."""
+    """Speak a wanted language within the block; "" for none."""
     tokens = _ASKED.set(language), _HEARD.set("")
     try:
         yield
@@ -27,12 +27,12 @@ def reading(language: str = "") -> Iterator[None]:
 
 
 def asked_language() -> str:
-    """Return the language that was asked for, "" if none was."""
+    """Return the wanted language, "" if there is none."""
     return _ASKED.get()
 
 
 def hear(language: str) -> None:
-    """Take the language of a scene for that of its reader, unless another was asked for."""
+    """Take the language of a scene as the reader's, unless another one is wanted."""
     _HEARD.set(language)
 
 

@@ -36,7 +36,7 @@ class Said(str):
         return made
 
     def __getnewargs__(self) -> tuple[Any, ...]:
-        """Return what it is made of, for copies and other processes."""
+        """Return its template and values, for copies and other processes."""
         return self.template, self.plural, self.context, self.values
 
 

@@ -23,11 +23,11 @@ from graphic_tmm.language.reader import reader, reading
 from graphic_tmm.language.said import said
 
 FINE, WRONG, BAD, FAULT, BROKEN_OFF, NO_READER = 0, 1, 2, 70, 130, 141
-"""Exit statuses: all well; a check has found something; the input is bad; the program is at fault; Ctrl-C;
-nobody reads what is printed (the last two as a shell tells them of SIGINT and SIGPIPE)."""
+"""Exit statuses: success; a check found something; bad input; a fault of the program; Ctrl-C; the reader of the
+output is gone (the last two as shells report SIGINT and SIGPIPE)."""
 
 SELDOM = 100_000
-"""So many more objects are made than gone, while a command runs, before cycles among them are looked for."""
+"""Threshold of the garbage collector while a command runs: allocations minus deallocations."""
 
 
 class People(SpokenGroup):
@@ -104,7 +104,7 @@ def _ended(error: BaseException) -> int:
 
 
 def _own_fault(error: BaseException) -> int:
-    """Tell of an error that nobody has foreseen: it is the program's, not the person's."""
+    """Report an unforeseen error: it is the program's, not the person's."""
     import os
     import traceback
 
@@ -132,7 +132,7 @@ HOME = "graphic_tmm.commands"
 
 
 class Commands(People):
-    """A file `name.py` holds the command `name`; it is loaded when that, or the help of all, is asked for."""
+    """The commands: `name.py` holds the command `name`, loaded when it runs or when all are listed."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Return the names of the commands, sorted."""

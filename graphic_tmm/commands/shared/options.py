@@ -121,7 +121,7 @@ def chosen_forms(forms: str, known: Sequence[str], option: str = "--format") -> 
     Raises
     ------
     SheetError
-        If one of them is none; those that are known are told.
+        If one of them is unknown; the message lists the known ones.
     """
     from graphic_tmm.errors import SheetError
 
@@ -173,7 +173,7 @@ class Time(ParamType):
 
 
 def limited(command: F) -> F:
-    """Give a command the option of how long one piece of its work may take; None if nobody says."""
+    """Give a command the option of how long one piece of work may take, s; None by default."""
     return click.option(
         "--limit",
         type=Time(),
@@ -203,7 +203,7 @@ def budgeted(command: F) -> F:
 
 
 def within(scene: Scene, budget: str | None) -> Scene:
-    """Return the scene at the cheapest setting within a budget such as "2%"; tell which it is.
+    """Return the scene at the cheapest setting within a budget such as "2%", and print which it is.
 
     Raises
     ------

@@ -37,7 +37,7 @@ def tell(text: str) -> None:
 
 
 def warn(made: DrawnScene, *, sheets: bool = False) -> None:
-    """Tell what of a scene comes to nothing or could not be drawn; ``sheets``: and what no sheet shows."""
+    """Print the warnings of a drawn scene; ``sheets``: also of what no sheet shows."""
     from graphic_tmm.readers.findings import all_warnings
 
     for text in all_warnings(made, reader().language, sheets=sheets):
@@ -116,7 +116,7 @@ def _without_rich(tables: list[Any], width: int, *, printed: bool) -> str | None
 
 
 PATIENCE = 1.0
-"""What takes longer than this, s, is told."""
+"""Work that takes longer than this, s, is announced."""
 
 
 @contextmanager
