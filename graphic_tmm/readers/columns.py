@@ -156,10 +156,10 @@ def own_columns(drawn: Drawn) -> Iterable[Column]:
 
 @dataclass(frozen=True)
 class Tabled(Answer):
-    """What tables tell of a chapter.
+    """A chapter's tables.
 
-    ``columns``: along the positions, if they are not what was measured on a board of its own; ``results``: by
-    name; ``facts``: what is told besides, for machines.
+    ``columns``: along the positions; by default the lengths measured on a board of its own. ``results``: by
+    name; ``facts``: further data for machines.
     """
 
     stands: ClassVar[str] = "table.TABLE"

@@ -52,9 +52,9 @@ class Term(NamedTuple):
 
 
 class Equation(NamedTuple):
-    """The equation of a group: its heading in the log, the vector sought, the sides that it equals.
+    """The equation of a group: its heading in the log, the unknown vector, the sides that it equals.
 
-    ``marks``: where the vector sought begins and ends on the plan: the pole, and the point that was found.
+    ``marks``: the ends of the unknown vector on the plan: the pole and the point constructed.
     """
 
     group: str
@@ -237,9 +237,9 @@ def polygon(construction: Construction, plan: str) -> tuple[Term, ...]:
 
 
 def called(terms: tuple[Term, ...], equations: Iterable[str]) -> tuple[Term, ...]:
-    """Return the sides of a polygon by the letters that the equation of its group has for them, if it has one.
+    """Return the sides of a polygon, named as in the equation of its group if it has one.
 
-    A line is called by the force that lies on it; of a reaction in two parts the equation tells the part.
+    A line is named by the force along it; of a reaction in two components the equation names the component.
     """
     for text in equations:
         letters = [_INDEX.sub(r"\1{\2}", one) for one in text.partition(" = ")[0].split(" + ")]

@@ -1,4 +1,4 @@
-"""What was found on the way, as sentences: what could not be drawn, what is in doubt, other warnings."""
+"""Findings as sentences: what could not be drawn, what is in doubt, other warnings."""
 
 from __future__ import annotations
 
@@ -100,19 +100,19 @@ def _letters_of(found: Finding) -> str:
 
 
 SILENT = ("touching", "lost")
-"""Kinds of findings that are no warning, or are told together."""
+"""Kinds of findings that are no warning, or that share a sentence."""
 
 
 @dataclass(frozen=True)
 class Warned(Answer):
-    """What people are told of a drawing by a chapter, in a language, besides what cannot be drawn."""
+    """A chapter's own warnings of a drawing, sentences in a language."""
 
     stands: ClassVar[str] = "findings.WARNINGS"
     warnings: Callable[[Drawn, str], Iterable[str]] = lambda drawn, language: ()
 
 
 def all_warnings(made: DrawnScene, language: str, *, sheets: bool = False) -> tuple[str, ...]:
-    """Return what of a scene comes to nothing or could not be drawn; ``sheets``: and what no sheet shows."""
+    """Return all warnings of a drawn scene, sentences; ``sheets``: also of what no sheet shows."""
     told = (
         *made.scene.remarks,
         *made.scene.left_out.values(),

@@ -22,10 +22,9 @@ from graphic_tmm.scene.chapter import chapters
 class ProtocolLine(NamedTuple):
     """One line of the protocol: its number (0 for a remark), its text, its calculation ("" if none).
 
-    ``first``: the number of the first of the steps that the line tells, where it tells several. ``why``: the
-    reason of the step. ``step``: the step itself, None of a remark; ``place``: the position (index) in which it
-    is told; ``equation``: the one that a remark is. ``value``: the figure that the step leaves, in its
-    ``unit``; None where that is no figure.
+    ``first``: the number of the first step where a line describes several. ``why``: the reason of the step.
+    ``step``: the step itself, None for a remark; ``place``: the position (index) of its figures; ``equation``:
+    of a remark that is one. ``value``: the figure that the step leaves, in its ``unit``; None if it is none.
     """
 
     number: int
@@ -58,8 +57,8 @@ def protocol(
     """Yield the numbered protocol of one plan in one position, with equations and the calculation note.
 
     ``place``: the index of the position in ``reading``; ``turned``: the plan is turned by 90°. ``elsewhere``:
-    other positions by index and name; what has no value in the first is told in one of them. Steps that do not
-    exist in any of them are left out; one remark at the end tells their numbers.
+    other positions by index and name; a step without a value in the first is printed in one of them. Steps
+    without a value in all of them are left out; one remark at the end lists their numbers.
     """
     told, own = place, {place: "", **dict(elsewhere)}
     solved = {e.group: e for e in equations(construction, plan, turned=turned)}
@@ -92,7 +91,7 @@ def protocol(
 
 
 def _left_out(lines: Sequence[ProtocolLine], language: str) -> Iterator[ProtocolLine]:
-    """Yield the remark that tells the numbers of steps, those that follow one another as a stretch."""
+    """Yield the remark that lists the numbers of steps, consecutive ones as a range."""
     stretches: list[ProtocolLine] = []
     for one in lines:
         if stretches and stretches[-1].number + 1 == one.first:

@@ -30,7 +30,7 @@ FINE = 360
 USUAL = (8, 12, 16, 18, 24, 30, 36, 48, 60, 72, 90, 96, 108, 120, 144, 180, 216, 240, 288)
 """Numbers of positions that are drawn."""
 SHARE = 0.01
-"""A result that is off by no more than this share of what is due is told without a word."""
+"""A result within this share of its true value is printed without a remark."""
 
 
 @dataclass(frozen=True)
@@ -41,9 +41,8 @@ class FinerRow(Answer):
     which still has its old number of positions, gets another; None if it has not what a scene names then.
     What is given position by position is taken to be straight between them.
 
-    ``by_positions``: the results that curves through the positions give, each with the side on which it is
-    dangerous to be off: −1 where it is told too small, +1 too large, 0 none. ``sampled``: whether the scene
-    gives at its positions only what those curves are drawn through.
+    ``by_positions``: results of curves through the positions, each with its dangerous side: −1 too small, +1
+    too large, 0 none. ``sampled``: whether the scene gives its data only at the positions of these curves.
     """
 
     stands: ClassVar[str] = "accuracy.FINER"
@@ -54,12 +53,12 @@ class FinerRow(Answer):
 
 
 class Finer(NamedTuple):
-    """What a finer row tells of results.
+    """Results of a finer row of positions.
 
-    ``own``: the positions of a turn as drawn (of the cycle where there is no crank), ``fine``: those of the
-    finer row. ``due``: by result its figure there and the unit; ``off``: how far the drawing's is off for want
-    of positions, as a signed share of it. ``enough``: the least usual number of positions at which no result is
-    off by more than `SHARE`; None if there is none.
+    ``own``: the number of positions of a turn as drawn (of the cycle without a crank), ``fine``: of the finer
+    row. ``due``: by result, its figure there and the unit; ``off``: the error of the drawing that comes from
+    too few positions, a signed share. ``enough``: the least usual number of positions at which no result is off
+    by more than `SHARE`; None if there is none.
     """
 
     own: int
@@ -104,9 +103,9 @@ def sampled(drawn: Drawn) -> bool:
 
 
 def finer(drawn: Drawn) -> Finer | None:
-    """Return what a finer row tells of the results of a board; None where curves give none.
+    """Return the results of a finer row for a board; None if it has no results of curves.
 
-    It hangs on the scene alone, and is kept beside it.
+    It depends on the scene alone, and is cached with it.
     """
     if not _curved(drawn.project) or sampled(drawn):
         return None
@@ -194,7 +193,7 @@ def _results(project: Project, given: Mapping[Mark, object]) -> Figures:
 
 
 ALIKE = 0.001
-"""Results that are off by the same share, but for so much, are off for the same reason: the first is told."""
+"""Results whose shares differ by less than this are off for the same reason: only the first is reported."""
 _SIDES = {
     -1: said("this is on the dangerous side"),
     1: said("this is on the safe side"),

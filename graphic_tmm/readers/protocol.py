@@ -27,11 +27,10 @@ from graphic_tmm.scene.records import Scene
 
 @dataclass(frozen=True)
 class Protocols(Answer):
-    """What a chapter tells protocols.
+    """A chapter's part in protocols.
 
-    ``views``: the views of the board that each of its plans is drawn in. ``equations``: a view -> lines that
-    stand before its protocol. ``titles``: a view -> what it is called in the protocol of what was made, where
-    that tells more.
+    ``views``: the views of the board in which each of its plans is drawn. ``equations``: a view -> lines before
+    its protocol. ``titles``: a view -> its title in the protocol where the record says more than the caption.
     """
 
     stands: ClassVar[str] = "table.PROTOCOL"
@@ -41,7 +40,7 @@ class Protocols(Answer):
 
 
 def title_of(project: Project, view: str, language: str) -> str:
-    """Return what a view is called, as plain text; a chapter may tell more of it by what was made."""
+    """Return the title of a view, plain text; a chapter may add what its record says."""
     titles = (Protocols.of(one).titles(project, view, language) for one in project.chapters)
     return next((title for title in titles if title), "") or view_name(view, language)
 
@@ -72,9 +71,9 @@ def covering(reading: Reading, marks: Sequence[Mark], first: Sequence[int]) -> l
 
 
 SYNTHESIS = "synthesis"
-"""The plan by which the lengths of a mechanism are found from a task."""
+"""The plan that finds the lengths of a mechanism from a task."""
 BESIDE = (SYNTHESIS, SCALES)
-"""The plans that are calculated beside the drawing."""
+"""The plans that are calculated, not drawn."""
 
 
 class PlanProtocol(NamedTuple):
@@ -85,7 +84,7 @@ class PlanProtocol(NamedTuple):
 
 
 def plans() -> tuple[str, ...]:
-    """Return the plans that a protocol may be asked for, in their order."""
+    """Return the plans that have a protocol, in their order."""
     in_turn = sorted(chapters(), key=lambda one: Named.of(one).rank or 10 * one.number)
     found = dict.fromkeys(plan for one in in_turn for plan in Named.of(one).plans)
     return (*BESIDE, *found)
@@ -121,7 +120,7 @@ def plan_protocols(
     Raises
     ------
     SceneError
-        If the scene has none of the plans (those it has are told), or no such position.
+        If the scene has none of the plans (the message lists its plans), or no such position.
     """
 
     def protocols_of(some: Sequence[str], place: str | None) -> list[PlanProtocol]:
@@ -157,7 +156,7 @@ def protocol(
     Raises
     ------
     SceneError
-        If there is no such position, or the only plan asked for is not drawn in it.
+        If there is no such position, or the only wanted plan is not drawn in it.
     """
     for one in _plan_protocols(drawn, wanted, position, language):
         yield from text_of(one, language, why)
@@ -230,7 +229,7 @@ def _no_position(scene: Scene, name: str, names: Sequence[str]) -> SceneError:
 
 
 def _printed(lines: Iterable[ProtocolLine], reasons: str) -> Iterator[str]:
-    """Yield lines as text; ``reasons``: the language of the reasons, each told where it is a new one."""
+    """Yield lines as text; ``reasons``: the language of the reasons, each printed once."""
     before = ""
     for line in lines:
         yield f"{line.label:>4}. {line.text}" if line.number else f"      [{line.text}]"
@@ -274,7 +273,7 @@ def _plan_told(drawn: Drawn, view: str, place: int, language: str) -> Iterator[P
 
 
 def _calculated_plan(drawn: Drawn, plan: str, language: str) -> Iterator[PlanProtocol]:
-    """Yield a plan that is calculated beside the drawing, if there is anything in it."""
+    """Yield a plan that is calculated, not drawn, if it has any steps."""
     found: SynthesisLog | Choices | None
     found = synthesis(drawn.scene) if plan == SYNTHESIS else choices(drawn)
     if found is None or not found.construction.steps:

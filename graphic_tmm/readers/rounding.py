@@ -1,9 +1,9 @@
-"""To how many digits tables tell figures: who takes the mm of a table times its μ gets its quantity.
+"""The digits of figures in tables: the mm of a table times its μ give its quantity.
 
-Lengths of one plan are drawn to one μ, so they are all known as well as each other: their quantities are told
-to the same decimals. What a ruler has read has one decimal of a mm; what was calculated and laid off has two
-where one does not give its quantities. On the edge between two figures the quantity is what the mm and the μ
-give as they are written: equal lengths of a plan never stand for unequal quantities.
+Lengths of one plan are drawn to one μ, so all are known equally well: their quantities have the same decimals.
+A length read by a ruler has one decimal of a mm; one calculated and laid off has two where one does not give
+its quantity. On the edge between two figures the quantity follows from mm and μ as they are printed: equal
+lengths of a plan never stand for unequal quantities.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from graphic_tmm.readers.columns import Column, Row
 DIGITS = 3
 """Significant digits of the largest figure of a row, at least."""
 COARSEST = 0.5
-"""The last decimal of a quantity that is drawn is worth less than so many mm."""
+"""The last decimal of a drawn quantity is worth less than this, mm."""
 ROUGH, FINE = 1, 2
-"""Decimals of a length in mm: as a ruler tells it, and as it is calculated before it is laid off."""
+"""Decimals of a length in mm: read by a ruler, and calculated before it is laid off."""
 WRITTEN = 4
 """Significant digits of a μ as it is written."""
 NOISE = 1e-12
@@ -28,7 +28,7 @@ NOISE = 1e-12
 
 
 class Figures(NamedTuple):
-    """The figures of a column as tables tell them: mm and quantities, each with its count of decimals."""
+    """The figures of a column as tables print them: mm and quantities, each with its number of decimals."""
 
     mm: Row
     mm_places: int
@@ -60,7 +60,7 @@ def worth(mm: float, value: float, length: float) -> float:
 
 
 def told_as(mm: float | None, value: float | None, fine: int) -> float | None:
-    """Return a quantity as the length in mm gives it that is told to so many decimals."""
+    """Return a quantity from its length in mm rounded to a number of decimals."""
     if mm is None or value is None:
         return value
     return worth(mm, value, rounded(mm, fine))
@@ -80,7 +80,7 @@ def rounded(value: float, places: int) -> float:
 
 
 def decimals(row: Sequence[float | None], digits: int = DIGITS) -> int:
-    """Return how many decimals give the largest figure of a row so many significant digits.
+    """Return the decimals that give the largest figure of a row its significant digits.
 
     >>> decimals([0.5, 48.71, None]), decimals([0.0]), decimals([1234.0])
     (1, 0, 0)
@@ -90,7 +90,7 @@ def decimals(row: Sequence[float | None], digits: int = DIGITS) -> int:
 
 
 def _kind(column: Column) -> tuple[str, str, float]:
-    """Return what columns have in common whose figures are told alike: plan, unit, μ."""
+    """Return what columns with the same decimals have in common: plan, unit, μ."""
     mu = _mu(column)
     return column.plan, column.unit, -1.0 if math.isnan(mu) else mu
 

@@ -34,9 +34,9 @@ _JOINED = re.compile(r"\{(\w+)\}(?=\{)")
 
 
 def _segments(text: str, words: Mapping[str, str]) -> str:
-    """Return a sentence with a dash in each segment whose ends would run into one another: 5–1, i–i+1.
+    """Return a sentence with a dash in each segment whose ends would run together: 5–1, i–i+1.
 
-    Letters of one sign and their figures are told apart as they are: OA, aa3.
+    Letters of one sign with their figures need none: OA, aa3.
     """
 
     def dashed(found: re.Match[str]) -> str:
@@ -70,7 +70,7 @@ def sentence(step: Step, language: str, reading: Reading, place: int) -> str:
 
 
 def reason(step: Step, language: str, reading: Reading, place: int) -> str:
-    """Return why a step is done, as a sentence; "" if nobody gave a reason."""
+    """Return why a step is done, a sentence; "" without a reason."""
     if not step.reason:
         return ""
     words = _words(step, language, reading, place)
@@ -82,7 +82,7 @@ Phrase = tuple[str, Mapping[str, str]]
 
 
 def grounds(step: Step, language: str, reading: Reading, place: int) -> Phrase | None:
-    """Return why a step is done as a template with its words; None if nobody gave a reason."""
+    """Return why a step is done, a template with its words; None without a reason."""
     if not step.reason:
         return None
     words = _words(step, language, reading, place)
@@ -169,7 +169,7 @@ def step_figure(
 
 
 def worth(step: Step) -> bool:
-    """Whether a step has a figure that its sentence has not told: what is taken without a letter it tells."""
+    """Whether a step has a figure that its sentence does not state, as it states a value without a letter."""
     op = step.op
     if op.formula or op.reads:
         return True

@@ -1,4 +1,4 @@
-"""How figures scatter over many drawings by one hand: exact quantiles, block by block, beside each column."""
+"""How figures scatter over many drawings by one hand: exact quantiles of each column, block by block."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Counts = NDArray[np.intp]
 SURE = 6.0
 """So many standard deviations what comes may move a quantile: more happens to two rows of a billion."""
 SLACK = 4
-"""Figures kept beside those: at the end two are wanted, and few figures do not scatter as many do."""
+"""Further figures kept: two are needed at the end, and few figures do not scatter as many do."""
 
 
 class Window:
@@ -88,7 +88,7 @@ class Window:
 
 
 def _cut(values: Reals, first: Counts, count: Counts) -> Reals:
-    """Return so many figures of each row from its ``first`` on, ∞ behind them."""
+    """Return ``count`` figures of each row from its ``first`` on, then ∞."""
     places = np.arange(int(count.max(initial=0)))
     at = np.minimum(first[:, None] + places, max(values.shape[1] - 1, 0))
     return np.where(places < count[:, None], np.take_along_axis(values, at, axis=1), np.inf)
@@ -139,9 +139,9 @@ class Quantiles:
 
 
 QUANTILES = {"median": 0.5, "p5": 0.05, "p95": 0.95}
-"""What is told of the trials, by the end of a column's name."""
+"""Statistics of the trials, by the suffix of a column's name."""
 ATTEMPTS = (SURE, 4 * SURE, 1e12)
-"""How sure it is made, attempt by attempt, that all needed is kept; the last one keeps everything."""
+"""Margins of what is kept, attempt by attempt; the last one keeps everything."""
 
 
 class Scattered:
@@ -187,7 +187,7 @@ class Spread:
         self._figures = {name: Scattered(trials, sure) for name in results}
 
     def add(self, columns: Sequence[Column], results: Results, trials: int) -> None:
-        """Take the same columns, and the results, of a block of so many drawings in."""
+        """Take in the same columns, and the results, of a further block of drawings."""
         for held, base, column in zip(self._scattered, self._columns, columns, strict=True):
             held.add(_paired(column.placed_as(base)), trials)
         for name, figure in self._figures.items():
@@ -196,7 +196,7 @@ class Spread:
 
     @property
     def missed(self) -> bool:
-        """Whether too little was kept to tell all quantiles."""
+        """Whether too little was kept for all quantiles."""
         return any(one.missed for one in (*self._scattered, *self._figures.values()))
 
     def columns(self) -> Iterator[Column]:
@@ -221,7 +221,7 @@ class Spread:
 
 
 def _paired(column: Column) -> Reals:
-    """Return mm and figures of a column beside one another, (trial, place)."""
+    """Return mm and figures of a column side by side, (trial, place)."""
     count = max(len(column.mm), len(column.value))
     rows = (np.broadcast_to(one, (count, one.shape[1])) for one in (column.mm, column.value))
     return np.concatenate(tuple(rows), axis=1)

@@ -25,7 +25,7 @@ from graphic_tmm.scene.packaged import scene_name
 from graphic_tmm.studio import blocks
 
 WIDTH = 220
-"""Characters of a line of text where no terminal tells how many it has."""
+"""Characters of a line of text without a terminal."""
 
 
 def columns_of(drawn: Drawn) -> list[Column]:
@@ -93,13 +93,13 @@ def table(
 
 
 def fine_results(made: DrawnScene) -> dict[str, Finer]:
-    """Return what finer rows tell of the results of curves, by result."""
+    """Return the finer rows of results of curves, by result."""
     found = (finer(drawn) for drawn in made.boards)
     return {name: one for one in found if one is not None for name in one.due}
 
 
 def _divided(name: str, fine: Finer | None) -> dict[str, float]:
-    """Return what machines are told of the number of positions: what is due, how far off the result is."""
+    """Return the cost of the number of positions for machines: the true value, the error of the result."""
     if fine is None:
         return {}
     # the finer row is summed in another order now and then: what rounding leaves is no difference
@@ -167,7 +167,7 @@ def positions_of(made: DrawnScene) -> Positions:
 
 
 def facts_of(made: DrawnScene) -> dict[str, Any]:
-    """Return what is told of a scene beside its results: its mobility W, its formula."""
+    """Return the facts of a scene that are no results: its mobility W, its formula."""
     found: dict[str, Any] = {}
     for drawn in made.boards:
         for chapter in drawn.project.chapters:
@@ -179,7 +179,7 @@ def trial_figures(made: DrawnScene, trials: int) -> tuple[list[Column], Results]
     """Return the columns and the results of a drawing, or of as many as the scene's hand makes.
 
     ``mm``, ``value`` of a column: (trial, position), results (trial,); one trial where all drawings are alike,
-    NaN where one of them has none. All of them are kept: what a table tells of many needs less, see `spread`.
+    NaN where one of them has none. All are kept; a table of many drawings needs less (`spread`).
     """
     if trials == 1:
         return scene_columns(made), scene_results(made)
@@ -192,7 +192,7 @@ def trial_figures(made: DrawnScene, trials: int) -> tuple[list[Column], Results]
 
 
 def joined_columns(blocks: Sequence[tuple[int, Sequence[Column]]]) -> list[Column]:
-    """Return the columns of blocks of drawings, each of so many trials, as those of all of them."""
+    """Return the columns of blocks of drawings, each with its number of trials, joined."""
     trials = [n for n, _ in blocks]
     found = []
     for first, *others in zip(*(columns for _, columns in blocks), strict=True):
@@ -205,7 +205,7 @@ def joined_columns(blocks: Sequence[tuple[int, Sequence[Column]]]) -> list[Colum
 
 
 def joined_results(blocks: Sequence[tuple[int, Results]]) -> Results:
-    """Return the results of blocks of drawings, each of so many trials, as those of all of them."""
+    """Return the results of blocks of drawings, each with its number of trials, joined."""
     trials, nothing = [n for n, _ in blocks], np.full(1, np.nan)
     units = {name: unit for _, some in blocks for name, (_, unit) in some.items()}
     rows = {name: [some.get(name, (nothing,))[0] for _, some in blocks] for name in units}

@@ -1,4 +1,4 @@
-"""What stands on the sheet of a task: what is given, as a table; what is shown; what is asked for."""
+"""The sheet of a task: given data as a table, the scheme, the assignments."""
 
 from __future__ import annotations
 
@@ -32,9 +32,9 @@ SIZE = "size"
 
 
 class Given(NamedTuple):
-    """What a scene gives, as the sheet of a task lists it: its symbol as marks bear it, its value and unit.
+    """A given quantity as the sheet of a task lists it: its symbol as marks bear it, its value and unit.
 
-    Sizes of parts are in `SIZE`: as they are kept, told in mm or in inches.
+    Sizes of parts are in `SIZE`: kept in m or feet, printed in mm or inches.
     """
 
     symbol: str
@@ -70,7 +70,7 @@ class Acting(NamedTuple):
 
 
 class Scheme(NamedTuple):
-    """A mechanism as the sheet of a task shows it, to what scale, m/mm (0: none); what is told below it."""
+    """A mechanism as the sheet of a task shows it; its scale, m/mm (0: none); the lines below it."""
 
     view: Drawing
     mu: float
@@ -79,13 +79,13 @@ class Scheme(NamedTuple):
 
 @dataclass(frozen=True)
 class TaskSheet(Answer):
-    """What a chapter says on the sheet of a task.
+    """A chapter's part of the sheet of a task.
 
-    ``given``: what a scene gives for it, if that is not the numbers of its section, each by the letter that its
-    key is, or has (`given_by_keys`); ``stated``: what it says besides in words, a sentence each in a
-    language; ``listed``: what it gives point by point, as tables in a language. ``scheme``: what is shown of
-    it within a width and a height (complex, mm), without its solution; ``acting``: what is shown there to act
-    on it. ``wanted``: by place, how it is asked for, sentences in a language.
+    ``given``: its given data; by default the numbers of its section, each by the letter that is its key or
+    that its key has (`given_by_keys`). ``stated``: conditions in words, sentences in a language; ``listed``:
+    data point by point, tables in a language. ``scheme``: its picture within a width and a height (complex,
+    mm), without its solution; ``acting``: the loads shown there. ``wanted``: by place, the assignments,
+    sentences in a language; by default those of the place (`Place.asks`).
     """
 
     stands: ClassVar[str] = "task_sheet.TASK_SHEET"
@@ -178,7 +178,7 @@ def given_views(board: str) -> dict[str, Draw]:
 
 
 def sought(scene: Scene) -> frozenset[str]:
-    """Return the symbols of what the synthesis finds, if a scene states a task: it is given, but not told."""
+    """Return the symbols of lengths that the synthesis finds for a task: they are not printed."""
     found = synthesis(scene)
     return frozenset(step.it.name for step in found.construction.steps) if found else frozenset()
 

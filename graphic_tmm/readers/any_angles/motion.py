@@ -38,7 +38,7 @@ WHOLE = 360.0
 
 @dataclass(frozen=True)
 class Recorded:
-    """A log to be run at any angles by a hand: what it tells, and the drawing at the positions of its scene.
+    """A log to be run at any angles by a hand: its quantities, and the drawing at the positions of its scene.
 
     ``whole``: how far the crank turns over the row of positions, degrees, signed.
     """
@@ -75,7 +75,7 @@ class Recorded:
         return self.readers[marks].run(given, hand=self.sheet.hand)
 
     def ready(self, name: object, rows: Callable[[], Sequence[TurnQuantity]]) -> Ready:
-        """Return the slice of the log that tells some rows, and no step more; it is kept by a name."""
+        """Return the slice of the log that gives some rows, without further steps; it is cached by name."""
         if name not in self.slices:
             still = _still(self.sheet, self.known(np.zeros((1, 1))))
             self.slices[name] = made_ready(self.sheet, still, self.known, rows())
@@ -83,7 +83,7 @@ class Recorded:
 
 
 def recorded(scene: Scene, plans: frozenset[Plan], *, exact: bool) -> Recorded:
-    """Record the plans of a scene that are asked for, once.
+    """Record the wanted plans of a scene, once.
 
     Raises
     ------
@@ -139,7 +139,7 @@ def _still(sheet: Drawn, known: Mapping[Mark, Any]) -> dict[Mark, Any]:
 
 
 PLANS: tuple[Plan, ...] = ("positions", "velocities", "accelerations")
-"""What motion tells if nobody says."""
+"""What `motion` returns by default."""
 ALL: frozenset[Plan] = frozenset(get_args(Plan))
 OF_POINTS = frozenset({"places", "velocities", "accelerations"})
 
@@ -163,8 +163,8 @@ def motion(
     StructureError
         If it cannot be drawn, or a load is not known at any angle.
     ConstructionError
-        If a point or a plan is unknown, the angles are no row of numbers, or ``fast`` is asked for and cannot
-        be had.
+        If a point or a plan is unknown, the angles are no row of numbers, or ``fast`` is wanted and not
+        available.
     """
     row = _row(angles)
     asked: frozenset[Plan] = frozenset((plans,) if isinstance(plans, str) else plans)
@@ -214,7 +214,7 @@ def _row(angles: ArrayLike) -> Reals:
 
 
 def _wanted(told: Sequence[TurnQuantity], asked: frozenset[str] | None) -> Sequence[TurnQuantity]:
-    """Return the rows that are wanted: of points only those asked for."""
+    """Return the wanted rows; of points only the wanted ones."""
     if asked is None:
         return told
     known = dict.fromkeys(_letter(row) for row in told if row.quantity in OF_POINTS)

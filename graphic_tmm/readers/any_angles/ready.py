@@ -1,4 +1,4 @@
-"""A slice of a log made ready to run at any angles: what does not vary is found once; readings in SI."""
+"""A slice of a log prepared to run at any angles: constants are computed once; readings in SI."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def in_si(
 ) -> tuple[Construction, dict[TurnQuantity, Mark], dict[Mark, complex]]:
     """Return the log that ends in SI, where it has each quantity, and what more is given in it.
 
-    To a scale of 1 SI unit a millimetre a mark is in SI already; a mark of several links is told once.
+    At a scale of 1 SI unit per millimetre a mark is in SI already; a mark of several links stands once.
     """
     times, placed, vector = READINGS
     steps, begun = list(log.steps), list(log.given)
@@ -99,18 +99,17 @@ Known = Callable[[Reals], Mapping[Mark, Any]]
 """What is given at angles (1, angle), and nowhere else."""
 Arrays = Sequence[NDArray[Any]]
 Table = tuple[tuple[Key, ...], tuple[int, ...]]
-"""What a quantity is told of, and the number of the array of each."""
+"""The owners of a quantity (points, links, columns), each with the number of its array."""
 
 
 @dataclass(frozen=True, eq=False)
 class Ready:
-    """A slice of a log, what does not vary of it, and where what it tells is found.
+    """A slice of a log, its constants, and where its quantities are in the output.
 
-    ``values``: by slot what is the same at all angles. ``entering``: the marks that are not, and ``plain``:
-    whether each of them is the direction of the crank itself. ``moving``: what the program leaves behind: the
-    slot of each, that of a number without which nobody knows it, −1 without such. ``fixed``: the bytes of what
-    is one number at all angles, and its type. ``tables``: by quantity; an array is known by its number among
-    those that move, the fixed ones behind them.
+    ``values``: by slot, values that are the same at all angles. ``entering``: the given marks that vary, and
+    ``plain``: whether each is the direction of the crank itself. ``moving``: the outputs: the slot of each, and
+    of the number without which it is unknown (−1: none). ``fixed``: the bytes and the type of outputs that are
+    one number at all angles. ``tables``: by quantity; arrays are numbered, the moving ones first.
     """
 
     program: Program
@@ -125,7 +124,7 @@ class Ready:
     def results(
         self, angles: Reals, known: Known, *, fast: bool, threads: int | None
     ) -> list[dict[Any, NDArray[Any]]]:
-        """Return what is told at angles, (angle,), by quantity."""
+        """Return the quantities at angles, arrays (angle,)."""
         count = angles.size
         at = angles if count else np.full(1, np.nan)
         arrays = self._known(self._arrays(at, known, fast=fast, threads=threads))
@@ -154,7 +153,7 @@ class Ready:
         return [np.broadcast_to(one, at.shape) if one.size != count else one for one in found]
 
     def _known(self, found: Arrays) -> Arrays:
-        """Return what is told of all that was found, NaN where that is without which nobody knows it."""
+        """Return the quantities from the outputs, NaN where the number that they need is NaN."""
         if not self._unknown:
             return found
         told = list(found[: len(self.moving)])
@@ -163,7 +162,7 @@ class Ready:
         return told
 
     def _stands(self, count: int) -> Arrays:
-        """Return what is one number at all angles, (angle,): it takes no memory, and nobody writes to it."""
+        """Return a constant as an array (angle,) that takes no memory and cannot be written to."""
         found = tuple(np.ndarray((count,), kind, value, 0, (0,)) for value, kind in self.fixed)
         if len(self._standing) >= LAYOUTS:
             self._standing.clear()
@@ -180,12 +179,12 @@ class Ready:
 
     @cached_property
     def _slots(self) -> tuple[int, ...]:
-        """The slots that are found: of what moves, behind them those without which it is not known."""
+        """The slots to compute: of moving outputs, then of the numbers without which they are unknown."""
         return (*(slot for slot, _ in self.moving), *(by for _, by in self.moving if by >= 0))
 
     @cached_property
     def _unknown(self) -> tuple[tuple[int, int], ...]:
-        """Which of the arrays that are found are not known where another is NaN."""
+        """The outputs that are unknown where another array is NaN."""
         some = [k for k, (_, by) in enumerate(self.moving) if by >= 0]
         return tuple((k, len(self.moving) + n) for n, k in enumerate(some))
 
@@ -207,18 +206,18 @@ def _quietly(known: Known, row: Reals) -> Mapping[Mark, Any]:
 def made_ready(
     sheet: Drawn, still: Mapping[Mark, Any], known: Known, rows: Sequence[TurnQuantity]
 ) -> Ready:
-    """Return the slice of a log that tells some rows.
+    """Return the slice of a log that gives some rows.
 
     Parameters
     ----------
     sheet
         The drawing at the positions of its scene.
     still
-        What is given, or drawn across the positions, and is the same at all angles.
+        Values given, or drawn across the positions, that are the same at all angles.
     known
-        What is not.
+        Those that vary.
     rows
-        What is to be told.
+        The wanted quantities.
     """
     probe = np.zeros((1, 1))
     varying = known(probe)

@@ -1,4 +1,4 @@
-"""What motion found: arrays along the angles asked for, in SI, by point, link, reaction."""
+"""Results of `motion`: arrays along the angles, in SI, by point, link, reaction."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ Points = Mapping[tuple[str, int], Complexes]
 OF_LINKS = 4
 """Behind the angles and what is told of points."""
 COMPONENTS = {"places": "", "velocities": "v", "accelerations": "a"}
-"""How the components of what is told of a point are called in a data frame: D.x, D.vx, D.ax."""
+"""Names of a point's components in a data frame: D.x, D.vx, D.ax."""
 SHOWN = 6
-"""So many names are told where a motion is shown."""
+"""Greatest number of names in the printed form of a motion."""
 
 
 class NotAsked(Mapping[Any, Any]):
-    """A quantity that was not asked for: it is false, and says how to ask when something of it is wanted."""
+    """A quantity that was not computed: it is false, and raises an error that says how to get it when used."""
 
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
@@ -87,12 +87,12 @@ class Motion:
     NaN where nothing assembles. What is the same at all angles is an array of one number repeated, which takes
     no memory and cannot be written to; a point of two links that are pinned together is one array. ``k["D"]``
     is the point D: ``k["D"].place``, ``.velocity``, ``.acceleration``; ``k["D", 5]`` as a point of link 5.
-    What was not asked for raises, when something of it is wanted, an error that says how to ask.
+    A quantity that was not computed raises, when it is used, an error that says how to get it.
 
     Attributes
     ----------
     angles
-        Directions of the crank as asked for, degrees.
+        Directions of the crank as passed, degrees.
     places, velocities, accelerations
         By (letter, link): x + iy in the frame's axes, complex; m, m/s, m/s².
     omega, epsilon
@@ -183,7 +183,7 @@ class Motion:
         return needed("pandas", "pandas").DataFrame({**found, **self._of("balance")})
 
     def _of(self, quantity: str) -> Mapping[Any, Any]:
-        """Return what is told of a quantity; nothing of one that was not asked for."""
+        """Return the arrays of a quantity; none if it was not computed."""
         return getattr(self, quantity) or {}
 
     @property

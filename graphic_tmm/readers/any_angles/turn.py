@@ -46,9 +46,9 @@ class Turn:
 
 
 Plan = Literal["positions", "velocities", "accelerations", "forces"]
-"""What motion is asked for, by the place of a sheet that shows it."""
+"""The plans that `motion` takes, by the place of a sheet that shows them."""
 Quantity = Literal["places", "velocities", "accelerations", "omega", "epsilon", "forces", "balance"]
-"""What is told of a mechanism at any angle."""
+"""The quantities of a mechanism at any angle."""
 PLAN_OF: Mapping[Quantity, Plan] = {
     "places": "positions",
     "velocities": "velocities",
@@ -58,11 +58,11 @@ PLAN_OF: Mapping[Quantity, Plan] = {
     "forces": "forces",
     "balance": "forces",
 }
-"""By which plan a quantity is found."""
+"""The plan that gives a quantity."""
 VECTORS: frozenset[Quantity] = frozenset({"places", "velocities", "accelerations", "forces"})
 """Those that are x + iy."""
 Key = tuple[str, int] | int | str
-"""Of what it is told: a letter and the number of its link; a link; the name of a column."""
+"""The owner of a quantity: a letter and the number of its link; a link; the name of a column."""
 
 
 class TurnQuantity(NamedTuple):
@@ -98,9 +98,9 @@ class Passed(NamedTuple):
 class Turning(Answer):
     """What a chapter knows at any angle of the crank.
 
-    ``between``: of a drawn board, at any angles of a turn, what its own given marks are there, and those that
-    are read off what is drawn, not run again. ``passed``: how well the mechanism passes its motion on over a
-    turn. ``told``: what of it can be had at any angle; ``free``: the scene as it is recorded for that.
+    ``between``: the values of its given marks of a drawn board at any angles of a turn, and of those that are
+    read off the drawing instead of computed again. ``passed``: how well the mechanism transmits its motion over
+    a turn. ``told``: its quantities at any angle; ``free``: the scene as it is recorded for them.
     """
 
     stands: ClassVar[str] = "turning.TURNING"
