@@ -14,10 +14,9 @@ from graphic_tmm.readers.protocol import title_of
 from graphic_tmm.readers.sentences import sentence
 
 KNOWN, LEVEL = 0.5, 0.25
-"""A slope is told if it is known to within the first; it is none if it is less than the second. Both chosen by
-eye."""
+"""A slope is printed if its error is below the first; it is zero if below the second. Both chosen by eye."""
 MORE = 1.05
-"""So many times the work are told as more. Chosen by eye."""
+"""From this ratio on, work counts as more. Chosen by eye."""
 TOLD = "student"
 """The hand that advice is given to."""
 

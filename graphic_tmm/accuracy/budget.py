@@ -1,10 +1,10 @@
-"""The cheapest setting that keeps within an error: what `draw` and `table` take with ``--budget``.
+"""The cheapest setting within an error, for ``--budget`` of `draw` and `table`.
 
-The hand is given: the scene's, or the one asked for. What may change is into how many parts the drawing is
-divided (positions the scene names keep their places), chords or tangents, the distance of the poles, the size
-of the drawing as far as its sheets hold it. Every quantity on the scene's sheets has to keep within the error,
-in nine readings of ten. Settings are tried from the cheapest on, by minutes at the board; the one that is taken
-has been measured with the very scales with which it is drawn.
+The hand is given: the scene's or the option's. What may vary: the number of parts of the drawing (positions
+named by the scene keep their places), chords or tangents, the pole distance, the size of the drawing as far as
+its sheets hold it. Every quantity on the scene's sheets has to stay within the error in nine readings of ten.
+Settings are tried from the cheapest on, by minutes at the board; the chosen one is measured with the very
+scales with which it is drawn.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ from graphic_tmm.studio import make
 DRAWINGS, FEW = 100, 20
 """How often a hand that slips draws at a setting; and to see whether it is worth more."""
 HOPELESS = 2.0
-"""A setting that errs by so many times the budget in a few drawings is left at that. Chosen by eye."""
+"""A setting whose error exceeds the budget by this factor in a few drawings is dropped. Chosen by eye."""
 SIZES = (1.0, 2.0)
 """How many times as large a drawing is tried; chosen by eye."""
 POLES = (1.0, 2.0)
@@ -83,14 +83,14 @@ class Taken:
 
 
 def choose(scene: Scene, percent: float, tell: Tell | None = None) -> Taken:
-    """Return the cheapest setting of a scene that keeps every asked quantity within ``percent``.
+    """Return the cheapest setting of a scene that keeps every wanted quantity within ``percent``.
 
-    ``tell`` is told how many settings have been looked at, of how many.
+    ``tell`` is called with the number of settings tried, of how many.
 
     Raises
     ------
     SceneError
-        If none does; the best that was found is named.
+        If no setting does; the message names the best one.
     """
     made = make(scene, exact=True)
     scales = pinned(made)
@@ -168,7 +168,7 @@ def _wanted(scene: Scene, quantity: Quantity) -> bool:
 
 
 def _minutes(scene: Scene, scales: Pinned) -> float:
-    """Return the minutes at the board that all asked quantities of a scene take together."""
+    """Return the minutes at the board for all wanted quantities of a scene together."""
     total = 0.0
     for drawing in draw(at_all_positions(scene), scales):
         marks = [m for q in quantities(drawing) if _wanted(scene, q) for m in q.marks]

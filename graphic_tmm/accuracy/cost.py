@@ -31,7 +31,7 @@ ALONG = frozenset({"following", "succession", "next_satellite"})
 """Operations across positions that leave a mark at every position; the others leave one for the row."""
 
 Parts = tuple[bool, ...]
-"""Of each array that a value is made of: whether it has a number of its own at each position."""
+"""For each array of a value: whether it varies with the position."""
 Choice = tuple[tuple[str, int], ...]
 
 
@@ -94,21 +94,20 @@ def _ones(kind: Kind, parts: Parts) -> Any:
 
 
 def _size(kind: Kind) -> int:
-    """Return how many arrays a value of a kind is made of."""
+    """Return the number of arrays of a value of a kind."""
     return 2 if kind in (Line, Arc, Curve) else 1
 
 
 MINUTES: Mapping[str, float] = MappingProxyType({k: e.minutes for k, e in ELEMENTARY.items()})
-"""Minutes an elementary operation takes, unless one is told otherwise."""
+"""Default minutes of each elementary operation."""
 
 
 @dataclass(frozen=True)
 class BoardWork:
-    """What is done at the board.
+    """Work at the board.
 
-    ``operations``: how often each operation of the board, by name; ``elements``: how often each elementary
-    operation; ``minutes`` they take; ``untold``: refinements whose smaller construction was not told and is
-    therefore not counted.
+    ``operations``: counts by operation; ``elements``: counts by elementary operation; ``minutes`` they take;
+    ``untold``: refinements whose smaller construction is unknown and therefore not counted.
     """
 
     operations: Mapping[str, int]

@@ -1,7 +1,7 @@
-"""What a setting records, with μ as on the scene's sheets; what a quantity should be, by an exact hand.
+"""The log of a setting, with μ as on the scene's sheets; the true value of a quantity, by an exact hand.
 
-The exact hand, without a ruler, draws on the same log where that is independent. Where it is not, another
-drawing tells it: of a row so fine that it has converged, or by another road; which one is said by the quantity.
+The exact hand, without a ruler, draws on the same log where that is independent. Where it is not, the quantity
+names another drawing as reference: a row so fine that it has converged, or another method.
 """
 
 from __future__ import annotations
@@ -97,7 +97,7 @@ def _pin(project: Project, scales: Pinned) -> dict[Mark, object]:
 
 
 def _farther(project: Project, times: float) -> Project:
-    """Return the same with poles so many times farther."""
+    """Return the same with pole distances multiplied by a factor."""
     given = dict(project.given)
     for chapter in project.chapters:
         given |= Accuracy.of(chapter).farther(project, times)
@@ -120,7 +120,7 @@ TURN = 192
 
 
 class References:
-    """What the quantities of a scene should be; each is found once."""
+    """The true values of a scene's quantities, each computed once."""
 
     def __init__(self, scene: Scene, scales: Pinned) -> None:
         self.scene, self.scales = scene, scales
@@ -128,7 +128,7 @@ class References:
         self._largest: dict[tuple[str, str], float] = {}
 
     def of(self, quantity: Quantity, drawing: Project) -> Reals | None:
-        """Return the quantity as it should be, (1, value); None if nothing independent tells it."""
+        """Return the true quantity, (1, value); None without an independent reference."""
         if quantity.due:
             reading = execute(drawing.construction, drawing.given, quantity.due_marks)
             return quantity.read(reading, 1, due=True)
@@ -140,7 +140,7 @@ class References:
         return self._known[key]
 
     def largest(self, quantity: Quantity, drawing: Project) -> float:
-        """Return the largest value that the quantity has in the turn; NaN if nothing tells it."""
+        """Return the largest value of the quantity over the turn; NaN if unknown."""
         key = drawing.board, quantity.name
         if key not in self._largest:
             fine = self._row(quantity, drawing) if quantity.row else None

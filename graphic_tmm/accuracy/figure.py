@@ -25,14 +25,14 @@ COLOURS = {
     "student": "#d55e00",
     "scene": "#cc79a7",
 }
-"""Colours that people who see few colours tell apart too (Okabe and Ito)."""
+"""Colours that colour-blind people can distinguish (Okabe and Ito)."""
 MARKS = {"exact": "s", "cad": "D", "careful": "^", "student": "o", "scene": "v"}
 ROW, WIDE = 2.4, 5.2
 """Height of a row and width of a column, inches."""
 HEAD, FOOT, LEFT = 1.05, 0.5, 0.75
 """Room for the title with the legend, for the name of the costs, for that of the errors, inches."""
 APART = 1.4
-"""Two settings are told apart on the axis of minutes if one takes so many times the other."""
+"""Two settings are distinct on the axis of minutes from this ratio on."""
 SETTINGS: Any = {
     "svg.hashsalt": "graphic_tmm",
     "svg.fonttype": "path",
@@ -162,7 +162,7 @@ def _points(axes: Axes, runs: Sequence[Measurement], machine: bool, **style: Any
 
 
 def _number(axes: Axes, study: Study, name: str) -> None:
-    """Write the number of positions beside the least error of the student, and at both ends of that row."""
+    """Write the number of positions next to the student's least error, and at both ends of that row."""
     row = [run for run in along(study.runs, name, "student") if run.error > 0.0]
     if not row:
         return

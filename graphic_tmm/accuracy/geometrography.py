@@ -228,7 +228,7 @@ MINUTES = Kind(
 LONGEST = 1e6
 """Minutes of one operation: two years."""
 TOLD = 20
-"""So many faults of a file are told."""
+"""Greatest number of faults reported for a file."""
 
 
 def read_minutes(file: str) -> dict[str, float]:

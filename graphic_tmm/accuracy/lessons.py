@@ -142,9 +142,9 @@ def _alike(
 ASIDE = ("trials", "slip", "ruler")
 """The axes on which it is not the setting that changes, but who draws."""
 SMOOTH = 12
-"""From so many positions on errors follow their power of N."""
+"""From this number of positions on errors follow their power of N."""
 FLAT = 1.25
-"""Errors that differ by no more than this factor are told as the same. Chosen by eye."""
+"""Errors within this factor of each other count as equal. Chosen by eye."""
 MOST = 0.8
 """And so they are if that share of them may as well be the least. Chosen by eye."""
 

@@ -21,26 +21,25 @@ SHARE = 0.9
 """An error is so large that this share of all readings keeps within it. The largest of all would grow with
 their number."""
 NOISE = 1e-9
-"""An error below so many percent is the rounding of the machine. Plans agree with vector loops to some 1e-11
-%."""
+"""An error below this, %, is rounding of the machine; plans agree with vector loops to some 1e-11 %."""
 GROUPS = 10
-"""Into so many groups drawings are divided to see how far the error itself is known."""
+"""Number of groups of drawings from which the uncertainty of the error itself is estimated."""
 TRIED = 2
-"""How often a draughtsman narrows the bracket of a position that is found by trying."""
+"""How often a draughtsman narrows the bracket of a position that he finds by trial."""
 AGREE = 0.05
-"""Two runs agree that differ by no more than this share: what is told of them has two digits."""
+"""Two runs agree within this share: their times are printed with two digits."""
 WARM, MOST, LEAST = 0.005, 12, 3
-"""Runs that do not agree are repeated for so many seconds, and so often at most and at least."""
+"""Runs that disagree are repeated for this long, s, and this often at most and at least."""
 LONG = 0.01
-"""A run of so many seconds is repeated but once: its quartiles tell how far both are apart."""
+"""A run this long, s, is repeated only once: its quartiles show how far the two differ."""
 
 
 class Errors(NamedTuple):
-    """How far a quantity is off, in % of the largest of the turn: nine readings of ten keep within ``error``.
+    """The error of a quantity, % of its largest value over the turn: nine readings of ten are within ``error``.
 
-    ``median``: half of them; ``spread``: standard error of ``error``, NaN for a single drawing; ``failed``: of
-    all readings so many % could not be taken, for something of them could not be drawn. An error is NaN if too
-    few could.
+    ``median``: half of them are; ``spread``: standard error of ``error``, NaN for a single drawing;
+    ``failed``: % of the readings that could not be taken, as something could not be drawn. An error is NaN if
+    too few could.
     """
 
     error: float

@@ -1,4 +1,4 @@
-"""The quantities whose error is told, and what else a chapter says of its accuracy: what can be varied."""
+"""The quantities whose error is measured, and the settings of a chapter that can be varied."""
 
 from __future__ import annotations
 
@@ -32,12 +32,11 @@ class Value(NamedTuple):
 
 @dataclass(frozen=True)
 class Reference:
-    """Another drawing, by an exact hand, that tells a quantity as it should be.
+    """Another drawing, by an exact hand, that gives the true value of a quantity.
 
-    ``scene``: what is drawn instead of a scene, None if nothing can be; ``places``: what is recorded of it
-    (places of sheets), None for all that it calls for. ``count``: the positions of its row, 0 for as many as
-    the quantity has. ``name``: what the quantity is called there if otherwise, ``by``: what it is multiplied
-    by to be the same.
+    ``scene``: the scene to draw instead, None if there is none; ``places``: the places of sheets recorded of
+    it, None for all. ``count``: the positions of its row, 0 for as many as the quantity has. ``name``: of the
+    quantity there, if it differs; ``by``: the factor that makes both the same.
     """
 
     scene: Callable[[Scene], Scene | None]
@@ -48,12 +47,11 @@ class Reference:
 
 
 class Quantity(NamedTuple):
-    """What is drawn, and what is due.
+    """A quantity as drawn, and its true value.
 
-    ``values``: read position by position, ``row`` of them from the first; a single number if it is 0.
-    ``due``: what the values should be, drawn on the same log by an exact hand; empty where another drawing
-    has to tell: the ``reference``. ``places``: those of sheets of which one has to call for it, none if it is
-    always asked for.
+    ``values``: read position by position, ``row`` of them from the first; a single number if it is 0. ``due``:
+    the true values, drawn on the same log by an exact hand; empty where another drawing gives them: the
+    ``reference``. ``places``: places of sheets, one of which has to be ordered; none: it is always wanted.
     """
 
     name: str
@@ -71,7 +69,7 @@ class Quantity(NamedTuple):
 
     @property
     def due_marks(self) -> tuple[Mark, ...]:
-        """The marks that tell what is due."""
+        """The marks of the true values."""
         return tuple(mark for value in self.due for mark in value.marks)
 
     def read(self, reading: Reading, trials: int, *, due: bool = False) -> Reals:
@@ -95,12 +93,12 @@ class Trial(NamedTuple):
 
 @dataclass(frozen=True)
 class Axis:
-    """What of a scene can be varied, by a name.
+    """A setting of a scene that can be varied, by name.
 
     ``scenes``: the scenes along it, each with its value as text; none if the scene does not call for it.
-    ``bears``: the quantities that it bears upon. ``parts``: where the axis divides a drawing finer, into how
-    many parts a scene itself does, 0 if it does not: it bears upon all then. ``counted``: so many parts, with
-    their noun. ``free``: it may be chosen so that an error is kept within.
+    ``bears``: the quantities that it affects. ``parts``: where the axis divides a drawing, the number of parts
+    of the scene itself, 0 if it has none: it affects all quantities then. ``counted``: a number of parts with
+    its noun. ``free``: a budget may choose it.
     """
 
     name: str
@@ -113,20 +111,17 @@ class Axis:
 
 @dataclass(frozen=True)
 class Accuracy(Answer):
-    """What a chapter tells of its accuracy; what it leaves out it has nothing to say to.
+    """A chapter's part in the study of accuracy.
 
-    ``quantities``: of what was recorded (see `quantities` for where no chapter says any); ``places``: those of
-    sheets that call for one. ``axes``: what can be varied.
+    ``quantities``: of its record (see `quantities` for boards without any); ``places``: places of sheets that
+    call for one. ``axes``: what can be varied. ``words``: names of quantities, axes and values, in English.
 
-    ``words``: what quantities, axes and values are called, in English, by their names.
+    ``kept``: given marks, other than scale factors, that stay as drawn. ``tried``: the trials of a refinement,
+    by the mark that it leaves.
 
-    ``kept``: given marks, besides scale factors, that stay as they were drawn. ``tried``: what a refinement
-    tries, by the mark that it leaves.
-
-    ``enlarged``: the scene drawn so many times larger than it was, every μ so much finer. ``poles``: the
-    quantities on which the distance of its poles bears, none if a scene has no pole; ``farther``: what is
-    given when poles stand so many times farther; ``moved``: the scene with its poles so, None if no scene
-    says it.
+    ``enlarged``: the scene drawn larger by a factor, every μ finer by it. ``poles``: the quantities that depend
+    on its pole distances, none without a pole; ``farther``: the given marks with pole distances multiplied by a
+    factor; ``moved``: the scene with them, None if no scene can say it.
     """
 
     stands: ClassVar[str] = "accuracy.ACCURACY"
@@ -143,9 +138,9 @@ class Accuracy(Answer):
 
 
 def quantities(project: Project) -> tuple[Quantity, ...]:
-    """Return the quantities that a drawing has, in the order in which they are found at the board.
+    """Return the quantities of a drawing, in the order in which they are constructed.
 
-    Where no chapter of a board of its own says which, they are all lengths that are measured there.
+    By default those of a board of its own are all lengths measured there.
     """
     there = (chapter for chapter in in_order(project.board) if chapter.name in project.recorded)
     declared = tuple(one for chapter in there for one in Accuracy.of(chapter).quantities(project))

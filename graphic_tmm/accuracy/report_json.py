@@ -14,7 +14,7 @@ from graphic_tmm.accuracy.study import Study
 from graphic_tmm.scene.packaged import scene_name
 
 TOP = 10
-"""So many steps of a construction are told for each quantity."""
+"""Greatest number of steps listed for each quantity."""
 
 
 def json_report(study: Study) -> str:

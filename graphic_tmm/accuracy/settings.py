@@ -1,4 +1,4 @@
-"""The settings of a scene: how accurately it is drawn; what of it can be varied, one thing at a time."""
+"""The settings of a scene that bear on accuracy, varied one at a time."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def hand_named(name: str, scene: Scene, trials: int) -> Hand:
 
 
 def enlarge(scene: Scene, made: DrawnScene, times: float) -> Scene:
-    """Return a scene drawn so many times larger than it was ``made``: every μ so much finer."""
+    """Return a scene drawn larger than ``made`` by a factor: every μ finer by it."""
     for drawn in made.boards:
         for chapter in chapters(drawn.board):
             scene = Accuracy.of(chapter).enlarged(scene, drawn, times)
@@ -60,7 +60,7 @@ def enlarge(scene: Scene, made: DrawnScene, times: float) -> Scene:
 
 
 def farther(scene: Scene, made: DrawnScene, times: float) -> Scene:
-    """Return a scene whose graphs, as ``made``, have their poles so many times farther, where it can say so."""
+    """Return a scene whose graphs have the pole distances of ``made`` times a factor, where it can say so."""
     for drawn in made.boards:
         for chapter in chapters(drawn.board):
             moved = Accuracy.of(chapter).moved
@@ -86,7 +86,7 @@ SIZES = (0.5, 1.0, 2.0, 4.0)
 POLES = (0.5, 1.0, 2.0)
 """How many times as large the pole distances are: halved and doubled shows which way it goes."""
 TRIALS = (10, 30, 100, 300, 1000)
-"""Numbers of drawings, up to ten times as many as are asked for."""
+"""Numbers of drawings, up to ten times the wanted number."""
 
 
 class Varied(NamedTuple):
@@ -148,7 +148,7 @@ def rows(scene: Scene) -> Iterator[tuple[str, list[tuple[str, Scene]]]]:
 
 
 def is_long(axis: str, value: str) -> bool:
-    """Whether a row has so many positions that only the exact hand draws it."""
+    """Whether a row has too many positions for any but the exact hand."""
     return axis == POSITIONS.name and int(value) in LONG
 
 
@@ -183,7 +183,7 @@ def _sizes(own: Setting, trials: int) -> Iterator[Varied]:
 
 
 def _declared(own: Setting) -> Iterator[Varied]:
-    """Yield what chapters tell of, each with its poles behind it; poles stand farther together."""
+    """Yield the quantities of chapters, each with its poles; all poles move together."""
     moved = False
     for chapter in chapters():
         for axis in Accuracy.of(chapter).axes:

@@ -67,7 +67,7 @@ def shares(drawing: Project, who: Hand, each: int = EACH) -> Mapping[str, tuple[
 
 
 def _size(who: Hand, kind: str) -> float:
-    """Return how far a slip goes; a length read off a ruler is rounded besides."""
+    """Return the size of a slip; a length read off a ruler is rounded, too."""
     if kind == "digits":
         return 0.0
     if kind == "reading":

@@ -25,11 +25,11 @@ from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
 
 DRAWINGS = 100
-"""How often a hand that slips draws at each setting, unless one is told otherwise."""
+"""Default number of drawings by a hand that slips at each setting."""
 SLIPPING = ("student", "careful")
-"""The hands whose best number of positions is told, besides the scene's own."""
+"""The hands whose best number of positions is reported, in addition to the scene's own."""
 Tell = Callable[[int, int, str], None]
-"""Is told how many settings are done, of how many, and which is next."""
+"""Called with the number of settings done, their total, and the next one."""
 
 
 @dataclass(frozen=True)
@@ -47,8 +47,8 @@ class Study:
     """All runs of a scene and what they teach.
 
     ``quantities``: their units by name. ``hand``: about whose setting axes vary. ``fronts``: runs on the Pareto
-    front over minutes, ``fast``: over seconds. ``timed``: whether seconds are told. ``left_out``: settings that
-    could not be drawn, and why. ``choice``: the work of choosing all scale factors.
+    front over minutes, ``fast``: over seconds. ``timed``: whether seconds were measured. ``left_out``: settings
+    that could not be drawn, and why. ``choice``: the work of choosing all scale factors.
     """
 
     scene: Scene
@@ -80,7 +80,7 @@ def study(
     Raises
     ------
     SceneError
-        If the scene has no quantity whose error could be told.
+        If the scene has no quantity whose error can be measured.
     """
     told = tell or (lambda done, of, name: None)
     full = at_all_positions(scene)

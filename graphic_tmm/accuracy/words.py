@@ -114,7 +114,7 @@ class _Names(dict[str, str]):
 
 
 class _Words(Tongues):
-    """These texts and what chapters tell of, in every language."""
+    """These texts and those of chapters, in every language."""
 
     def __getitem__(self, language: str) -> Words:
         told = (Accuracy.of(one).words.items() for one in chapters())
