@@ -20,6 +20,7 @@ os.environ["GRAPHIC_TMM_CACHE"] = ""
 
 from support.examples import FEW
 from support.once import install
+from support.turns import TURN, Wanted, waiting
 
 install()
 sys.dont_write_bytecode = False
@@ -87,9 +88,16 @@ def pytest_terminal_summary(terminalreporter, config):
         terminalreporter.write_line(f"{seconds:7.2f} {name}")
 
 
+def pytest_report_header(config):
+    return "" if config.getoption("--measured") else f"cases by turns: GRAPHIC_TMM_TURN={TURN}"
+
+
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config, items):
-    """Tests of one scene or part run of some scenes; of all with ``--measured`` or where they are marked so."""
+    """Tests of one scene or part run of some scenes; of all with ``--measured`` or where they are marked so.
+
+    Of cases that take turns those run whose turn it is.
+    """
     from support import gallery, parts
 
     known, everyday = {*gallery.ALL, *parts.PARTS}, {*gallery.EVERYDAY, *parts.EVERYDAY}
@@ -102,6 +110,7 @@ def pytest_collection_modifyitems(config, items):
             item.add_marker(pytest.mark.slow)
             if item.get_closest_marker("every") is None:
                 left_out.add(item)
+    left_out |= waiting(item for item in items if item not in left_out)
     if left_out and not config.getoption("--measured"):
         config.hook.pytest_deselected(items=list(left_out))
         items[:] = [item for item in items if item not in left_out]
@@ -133,5 +142,6 @@ def pytest_collection_finish(session):
 
 
 def pytest_configure(config):
+    Wanted.all = config.getoption("--measured")
     everyday = config.option.markexpr == "not slow"
     settings.load_profile("everyday" if everyday else "ci" if os.environ.get("CI") else "person")

@@ -26,6 +26,7 @@ def task(name: str, hand: str | None = None) -> Scene:
     return found if hand is None else replace(found, hand=hand, ruler=DIVISIONS[hand])
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("hand", ["student", "careful"])
 def test_a_budget_keeps_its_promise_on_the_sheet_that_is_drawn_by_other_drawings_too(

@@ -162,6 +162,7 @@ def test_an_extreme_position_that_is_tried_costs_its_trials() -> None:
     assert not tried(drawing("windrower"))
 
 
+@pytest.mark.turns(1)
 @pytest.mark.every
 @pytest.mark.parametrize(
     ("name", "found"),

@@ -261,6 +261,7 @@ def _check(op: Operation, args: list[Any], choice: dict[str, int]) -> None:
             assert off <= bound, (op.name, args, item, true, float(off), float(bound))
 
 
+@pytest.mark.turns(6)
 @pytest.mark.slow
 @pytest.mark.parametrize("op", BASIC_OPERATIONS, ids=repr)
 @settings(max_examples=most(100), deadline=None)

@@ -95,6 +95,7 @@ def passes(found: Counter[str]) -> None:
     assert found["doubtful"] <= 0.05 * found["readings"]
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize("name", MACHINES)
 def test_verdicts_alone_are_those_of_the_report(name: str, tmp_path: Path) -> None:
     """What the tests below judge by is what a person is shown, of an honest drawing and of a wrong one."""
@@ -151,6 +152,7 @@ LEAST = {
 }
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", LEAST)
 @pytest.mark.parametrize("mode", MODES)

@@ -95,6 +95,7 @@ def test_calculated_figures_are_judged_for_slips_not_for_rounding() -> None:
     assert verdicts("calc_lever", WRONG) == {("1", "omega1")}  # 10.5 1/s for 31.4
 
 
+@pytest.mark.turns(5)
 @pytest.mark.slow
 @pytest.mark.parametrize("case", BLAMED)
 def test_a_mistake_is_blamed_and_called_by_no_wrong_name(case: str) -> None:
@@ -134,6 +135,7 @@ def test_what_follows_from_a_wrong_reading_names_it() -> None:
     assert followed["πb"] == "an2"
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize("seed", [None, 1, 2])
 @pytest.mark.parametrize("y", [828.4, 8284216.0])
 def test_a_point_from_which_nothing_more_can_be_drawn_was_written_amiss(

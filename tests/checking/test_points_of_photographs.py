@@ -89,6 +89,7 @@ def photo(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[object, ...]
     return ("--photo", "photo.png", *corners, "-l", "en")
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("place", ["1e300,-1e300", "-1,5", "100,340", "250,100"])
 def test_a_pole_beside_the_sheet_is_refused(photo: tuple[object, ...], place: str) -> None:
     done = invoke("check", "crank-rocker", *photo, "--sheet", 2, "--pole", f"velocities:1={place}")

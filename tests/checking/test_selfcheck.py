@@ -84,6 +84,7 @@ def passes(name: str, hand: str, ruler: float, folder: Path, trials: int) -> Non
         assert doubtful <= 0.03 * len(report.readings)
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ALL)
 def test_a_printed_table_passes_its_own_check(

@@ -34,6 +34,7 @@ def test_his_steps_are_the_other_hands(name: str) -> None:
     assert len(drawn.pages) == POSITIONS
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize("name", ALL)
 def test_what_he_draws_is_due(name: str) -> None:
     """To a millionth; curves through points, which he draws by eye, to a quarter of a millimetre."""

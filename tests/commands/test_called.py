@@ -40,6 +40,7 @@ SLOW = [pytest.param(k, marks=LATER) if k in ("cam", "engine") else k for k in P
 """Of the long ones one of the parts in the everyday run."""
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.usefixtures("found_once")
 @pytest.mark.parametrize("section", SLOW)
@@ -72,6 +73,7 @@ def bare() -> frozenset[str]:
     return frozenset(view.name for sheet in paper for view in sheet.drawings)
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("section", SLOW)
 def test_without_a_sheet_all_that_the_scene_calls_for_is_drawn(
@@ -89,6 +91,7 @@ def test_without_a_sheet_all_that_the_scene_calls_for_is_drawn(
     assert unnamed.sheets == scene.sheets
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("section", ["cam", "gears", "planetary"])
 def test_a_part_alone_needs_no_sheet_either(section: str, tmp_path: Path) -> None:
@@ -98,6 +101,7 @@ def test_a_part_alone_needs_no_sheet_either(section: str, tmp_path: Path) -> Non
     assert paper
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize(
     ("sections", "key", "remedy"),
     [
@@ -243,6 +247,7 @@ def test_a_sheet_without_the_plans_that_it_names_says_so(place: str, tmp_path: P
         assert [bool(re.search('accelerations = "all"', line)) for line in lines] == [True] * none
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize(
     ("there", "hidden"), [("", "0, 2, 4"), ("accelerations = [2, 3]\n", "0, 4"), (None, "")]
 )

@@ -85,6 +85,7 @@ def test_ctrl_c_ends_with_130_and_says_nothing(
     assert list(home.iterdir()) == []
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @POSIX
 @pytest.mark.parametrize("when", ["os.replace", "files.Path.write_bytes", "files.Path.mkdir"])
@@ -109,6 +110,7 @@ def test_a_process_broken_off_while_it_writes_leaves_nothing_half_written(
         assert (tmp_path / "out" / "cam.svg").read_text("utf-8").endswith("</svg>\n")
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @POSIX
 @pytest.mark.parametrize(

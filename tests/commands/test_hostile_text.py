@@ -67,6 +67,7 @@ def refused(folder: Path, path: Path, *words: str) -> str:
 # what is drawn
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("what", SEEN)
 def test_a_page_holds_text_and_ink_and_nothing_that_acts(what: str, tmp_path: Path) -> None:
@@ -89,6 +90,7 @@ def test_a_page_holds_text_and_ink_and_nothing_that_acts(what: str, tmp_path: Pa
     assert labels.count(meant) >= 1  # the name of a link
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("what", SEEN)
 def test_a_pdf_acts_on_nothing_and_points_nowhere(what: str, tmp_path: Path) -> None:
@@ -148,6 +150,7 @@ def test_what_acts_in_a_pdf_would_be_found() -> None:
         assert acting(file.doc) >= {"URI", "Annots"}
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("what", SEEN)
 def test_a_dxf_holds_text_and_ink_and_nothing_that_acts(what: str, tmp_path: Path) -> None:
@@ -174,6 +177,7 @@ def test_a_dxf_holds_text_and_ink_and_nothing_that_acts(what: str, tmp_path: Pat
     assert all(re.fullmatch(r"[\w.~-]+", layer.dxf.name) for layer in document.layers)
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("format", ["A1", "A4"])
 @each("language", ["ru", "en"])
@@ -287,6 +291,7 @@ NAMES = [
 PLACES = [(name, stands) for stands in ("folder", "file") for name in NAMES]
 
 
+@pytest.mark.turns(4)
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "stands"), [p for p in PLACES if p != ("..", "folder")])
 def test_files_bear_the_name_of_the_scene_and_stay_in_their_folder(

@@ -96,6 +96,7 @@ CASES = {
 }
 
 
+@pytest.mark.turns(4)
 @pytest.mark.slow
 @pytest.mark.parametrize("what", CASES)
 def test_an_input_is_kept(what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

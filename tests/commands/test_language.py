@@ -86,6 +86,7 @@ def test_a_sheet_is_drawn_in_the_language_asked_for(tmp_path: Path) -> None:
     assert "План положений" in drawn
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize(
     ("arguments", "russian"),
     [

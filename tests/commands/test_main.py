@@ -146,6 +146,7 @@ COMMANDS = {
 }
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["scotch-yoke", "crank-rocker"])
 @pytest.mark.parametrize("what", COMMANDS)
@@ -164,6 +165,7 @@ def test_a_scene_is_named_by_name_folder_or_file(what: str, name: str, tmp_path:
     assert bool(said[0][1]) == (what == "draw")
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("what", ["table", "steps", "draw"])
 def test_the_windrower_is_the_scene_left_out(what: str, tmp_path: Path) -> None:

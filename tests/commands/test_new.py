@@ -86,6 +86,7 @@ def test_a_section_in_comments_is_one_when_the_signs_are_taken_away(tmp_path: Pa
     assert defaults == asked
 
 
+@pytest.mark.turns(3)
 @pytest.mark.parametrize(
     "name",
     [n if n in EVERYDAY else pytest.param(n, marks=pytest.mark.slow) for n in NAMES],

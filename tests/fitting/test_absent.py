@@ -64,6 +64,7 @@ def ran(*words: object) -> tuple[int, str, str]:
     return done.exit_code, done.stdout, done.stderr
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize(
     ("chapter", "language"),
     [("cam", "ru"), ("diagrams", "en"), ("flywheel", "ru"), ("engine", "en")],
@@ -91,6 +92,7 @@ def test_the_rest_is_drawn_and_the_chapter_is_named(
     assert "—°" not in note
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize(
     ("chapter", "command"),
     [

@@ -97,6 +97,7 @@ def readings_of(name: str, folder: Path) -> Path:
 COMMANDS = (("draw",), ("table",), ("table", "--exact"), ("steps",), ("check",))
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize(
     ("name", "command"),
     [
@@ -120,6 +121,7 @@ def test_a_command_runs_the_log_once(
     once(runs)
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [*EVERYDAY, "windrower", "project"])
 def test_every_chapter_is_drawn_by_one_run_of_its_log(
@@ -146,6 +148,7 @@ def test_random_mechanisms_are_drawn_by_one_run_of_their_log(runs: Runs) -> None
         once(runs)
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("kind", "places"),

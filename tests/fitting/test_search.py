@@ -62,6 +62,7 @@ def test_what_nothing_is_drawn_in_does_not_grow(tmp_path: Path) -> None:
     assert sizes["graphs"] == begun["graphs"]
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("format", ["A1", "A4"])
 def test_random_mechanisms_take_the_sheets_that_were_counted(

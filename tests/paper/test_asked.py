@@ -170,6 +170,7 @@ def test_by_turns_every_place_meets_all_mechanisms_and_formats_and_they_all_rows
     assert {way[2:] for way in ways} == set(product((False, True), FORMATS))
 
 
+@pytest.mark.turns(4)
 @pytest.mark.slow
 @pytest.mark.parametrize("k", range(len(asked.PLACES)), ids=asked.PLACES)
 def test_everything_that_can_be_asked_for_is_drawn(
@@ -180,6 +181,7 @@ def test_everything_that_can_be_asked_for_is_drawn(
         ask(asked.PLACES[k], way, tmp_path)
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize(
     ("format", "language"), [pytest.param("A4", "en", marks=pytest.mark.slow), ("A1", "ru")]
 )
@@ -207,6 +209,7 @@ SEVERAL = {
 }
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SEVERAL)
 def test_several_places_and_several_formats_go_together(name: str, tmp_path: Path) -> None:
@@ -240,6 +243,7 @@ FEWER = {
 """Of how many positions forces are drawn, and of how many unless measured."""
 
 
+@pytest.mark.turns(3)
 @pytest.mark.parametrize(
     "name", [n if n in SHORT else pytest.param(n, marks=pytest.mark.slow) for n in ALL]
 )
@@ -294,6 +298,7 @@ FIXED = {
 }
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("scales", FIXED)
 def test_a_fixed_scale_that_no_sheet_holds_is_told_with_a_value_that_fits(

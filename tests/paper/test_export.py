@@ -54,6 +54,7 @@ def head(png: bytes) -> tuple[int, int]:
     return width, height
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("ppi", [50.8, 96.0, 100.0, 101.6, 137.0])
 def test_a_png_has_the_dots_of_its_size(drawn, ppi: float) -> None:
@@ -62,6 +63,7 @@ def test_a_png_has_the_dots_of_its_size(drawn, ppi: float) -> None:
         assert head(export.png(sheet, ppi=ppi)) == size
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("ppi", [96.0, 150.0, 300.0])
 def test_a_png_is_printed_as_large_as_its_sheet(drawn, ppi: float) -> None:

@@ -110,6 +110,7 @@ def test_strokes_of_a_step_lie_on_what_it_left(name: str) -> None:
     assert faults(drawn(name, exact=True)) == []
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", asked.MECHANISMS)
 def test_so_they_do_on_mechanisms_that_are_not_ours(kind: str, tmp_path: Path) -> None:

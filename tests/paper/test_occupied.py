@@ -40,6 +40,7 @@ def test_a_box_holds_as_much_of_the_lines_as_geometry_says(seed: int) -> None:
         assert abs(found - due) <= 2 * math.sqrt(2) * CELL * len(lines) * 2
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("size", SIZES)
 def test_a_raster_is_bounded_whatever_it_is_to_hold(size: float) -> None:
     corners = [cmath.rect(size, k) for k in range(20)]

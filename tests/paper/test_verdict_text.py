@@ -30,6 +30,7 @@ VERDICTS = {
 }
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("what", VERDICTS)
 def test_a_verdict_is_lettered_as_it_is_meant(what: str, tmp_path: Path) -> None:
@@ -57,6 +58,7 @@ NARROW = {"letter": "<", "scale": "<&>", "mass": "<&>"}
 """What has little room on the sheet gets signs that stand in it."""
 
 
+@pytest.mark.turns(3)
 @pytest.mark.parametrize("key", ["title", "name", *BLOCK])
 def test_every_text_of_a_scene_reaches_every_file_as_it_is(key: str, tmp_path: Path) -> None:
     signs = NARROW.get(key, SIGNS)

@@ -8,14 +8,18 @@ from functools import wraps
 from pathlib import Path
 from typing import Any
 
+from support.turns import in_turn
 
-def each(names: str, cases: Iterable[Any]) -> Callable[[Callable[..., None]], Callable[..., None]]:
+
+def each(
+    names: str, cases: Iterable[Any], *, turns: int | None = None
+) -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Decorate a test of one case: it becomes one test of all, that fails with every case that does.
 
     It reads as ``pytest.mark.parametrize``: ``names`` are arguments of the test, ``cases`` their values, a
     tuple for several names. Several of these stand above each other. A test that asks for ``tmp_path`` gets an
     empty folder for each case. Parametrize where a person has to run a case alone; use this where it is one
-    property.
+    property. With ``turns`` so many of the cases run, others each day.
 
     Raises
     ------
@@ -23,7 +27,7 @@ def each(names: str, cases: Iterable[Any]) -> Callable[[Callable[..., None]], Ca
         Holds what each failing case raised, with the case as a note.
     """
     told = [name.strip() for name in names.split(",")]
-    every = list(cases)
+    every = list(cases) if turns is None else in_turn(cases, turns)
     assert every, f"{names}: there is no case"
 
     def of_all(check: Callable[..., None]) -> Callable[..., None]:

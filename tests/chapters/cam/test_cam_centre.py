@@ -97,6 +97,7 @@ def test_the_document_s_radius_passes(turns: str) -> None:
     assert np.abs(alpha).max() < 30.0
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FOLLOWERS)
 @each("law", SHAPES)

@@ -140,6 +140,7 @@ def test_unlettered_views_take_about_the_room_of_lettered_ones(name: str) -> Non
         assert all(room.buffer(15.0).covers(box(label)) for label in view.labels), view.name
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ORDERS)
 def test_the_same_cam_gives_the_same_ink_and_all_of_it_is_finite(name: str) -> None:

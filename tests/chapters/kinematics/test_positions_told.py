@@ -78,6 +78,7 @@ def centre(ring: Stroke) -> complex:
     return complex(a + c, b + d) / 2
 
 
+@pytest.mark.turns(4)
 @pytest.mark.parametrize("name", NAMES)
 def test_every_link_bears_its_number_in_a_circle_that_nothing_crosses(name: str) -> None:
     view, mechanism = plan(name), KINEMATICS_PLAN.on(drawn(name)).mechanism

@@ -81,6 +81,7 @@ def test_random_trains_move_as_rolling_contacts_say(
         assert speeds["B"] == pytest.approx(carrier * unit * float(b) * 0.004, rel=1e-9)
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("scheme", oracle.SENSES)
 def test_one_log_serves_many_trains_at_once(scheme: str) -> None:

@@ -92,6 +92,7 @@ def reports(name: str, texts: list[str], manner: str, folder: Path) -> Iterator[
     yield from verdicts(scene(name), read_back(texts, folder), points=manner, trials=400)
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "link", "image"), OTHERS)
 def test_honest_drawings_by_other_constructions_have_no_wrong_reading(
@@ -115,6 +116,7 @@ def test_honest_drawings_by_other_constructions_have_no_wrong_reading(
     assert doubtful <= 0.03 * readings
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("image", IMAGES)
 def test_what_slips_in_them_is_noticed(

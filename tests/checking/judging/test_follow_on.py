@@ -68,6 +68,7 @@ def drawings(name: str, place: int) -> Iterator[tuple[str, dict[int, Sheet]]]:
             yield first, {place: both[1]}
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", MACHINES)
 @pytest.mark.parametrize("mode", ["mm", "quantities"])

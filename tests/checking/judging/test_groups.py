@@ -74,6 +74,7 @@ def test_honest_drawings_have_none(tmp_path: Path, many: Callable[[int, int], in
     assert sum(found) <= max(RARE * len(found), 1)
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["engine", "slider-diagrams"])
 def test_the_packages_own_honest_drawings_have_none(name: str) -> None:

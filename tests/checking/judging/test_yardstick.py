@@ -55,6 +55,7 @@ def same(one: Yardstick, other: Yardstick) -> None:
         assert (own.most, own.steady) == (due.most, due.steady)
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["crank-rocker", "offset-slider", "cam"])
 @pytest.mark.parametrize("kept", [module.KEPT, 0])

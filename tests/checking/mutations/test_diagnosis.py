@@ -85,6 +85,7 @@ def test_an_honest_drawing_has_no_mistake() -> None:
     assert not [one for one in said_of(drawn_with()) if one.kind == MISTAKE]
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize(
     ("letter", "family", "was", "now"),
     [
@@ -144,6 +145,7 @@ def test_a_name_that_leaves_a_reading_of_its_segment_is_not_sure() -> None:
     assert all(one.chance < 0.8 for one in said_of(rows) if one.kind == MISTAKE)
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("plus", [90.0, -90.0])
 def test_two_mistakes_are_told_whichever_explains_more(

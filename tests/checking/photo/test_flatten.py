@@ -47,6 +47,7 @@ def corners(name: str) -> np.ndarray:
     return photographs.pairs(CAMERAS[name].seen(CORNERS))
 
 
+@pytest.mark.turns(4, "cameras")
 @pytest.mark.slow
 @pytest.mark.parametrize("refined", [True, False])
 @pytest.mark.parametrize(
@@ -61,6 +62,7 @@ def test_exact_corners_bring_every_point_back(file: Path, name: str, refined: bo
     assert photo.residual < EXACT if refined else math.isnan(photo.residual)
 
 
+@pytest.mark.turns(4, "cameras")
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("file", "name"), [("tilted", "tilted"), ("steep", "steep")], indirect=["file"]
@@ -74,6 +76,7 @@ def test_clicked_corners_bring_every_point_back(file: Path, name: str) -> None:
     assert photo.warnings == ()
 
 
+@pytest.mark.turns(4, "cameras")
 @pytest.mark.slow
 @pytest.mark.parametrize("file", ["lens"], indirect=True)
 def test_the_lens_is_taken_out_of_the_picture(file: Path) -> None:
@@ -82,6 +85,7 @@ def test_the_lens_is_taken_out_of_the_picture(file: Path) -> None:
     assert photo.warnings == ()
 
 
+@pytest.mark.turns(4, "cameras")
 @pytest.mark.slow
 @pytest.mark.parametrize("file", ["wide"], indirect=True)
 def test_a_lens_that_bows_much_is_told(file: Path) -> None:
@@ -91,6 +95,7 @@ def test_a_lens_that_bows_much_is_told(file: Path) -> None:
     assert "the lens bows the frame by 3." in photo.warnings[0]
 
 
+@pytest.mark.turns(4, "cameras")
 @pytest.mark.slow
 @pytest.mark.parametrize("file", ["curled"], indirect=True)
 def test_a_bent_frame_is_warned_of(file: Path) -> None:
@@ -100,6 +105,7 @@ def test_a_bent_frame_is_warned_of(file: Path) -> None:
     assert f"bent by {photo.residual:.1f} mm" in photo.warnings[0]
 
 
+@pytest.mark.turns(4, "cameras")
 @pytest.mark.slow
 @pytest.mark.parametrize("file", ["curled"], indirect=True)
 def test_the_curl_is_taken_out_of_the_picture(file: Path) -> None:
@@ -126,6 +132,7 @@ def test_a_sheet_lying_on_its_side_is_warned_of(tmp_path: Path) -> None:
     assert "quarter" in photo.warnings[0]
 
 
+@pytest.mark.turns(4, "cameras")
 @pytest.mark.slow
 def test_the_png_lies_at_true_millimetres(file: Path) -> None:
     photo = flatten(file, corners("tilted"), FRAME, dots_per_mm=1.0, refined=False)
@@ -137,6 +144,7 @@ def test_the_png_lies_at_true_millimetres(file: Path) -> None:
     assert png(photo) == png(photo)
 
 
+@pytest.mark.turns(4, "cameras")
 @pytest.mark.slow
 def test_a_part_of_the_sheet_on_whole_dots(file: Path) -> None:
     photo = flatten(file, corners("tilted"), FRAME, dots_per_mm=3.0, area=(50, 80, 70.1, 100.1))
@@ -180,6 +188,7 @@ def test_a_fine_photograph_keeps_its_thin_lines(tmp_path: Path) -> None:
         assert ink[near].sum() / 255 / 4 == pytest.approx(5 / 24, rel=0.2)
 
 
+@pytest.mark.turns(4, "cameras")
 @pytest.mark.slow
 def test_a_camera_held_upright_tells_so(tmp_path: Path, file: Path) -> None:
     upright = Image.open(file)

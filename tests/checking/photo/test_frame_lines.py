@@ -52,6 +52,7 @@ def clicks(camera: Camera, seed: int, by: float = 2.0) -> np.ndarray:
     return corners + random.uniform(-by, by, 4) + 1j * random.uniform(-by, by, 4)
 
 
+@pytest.mark.turns(4, "conditions")
 @pytest.mark.slow
 @pytest.mark.parametrize("camera", [TILTED, STEEP, UPRIGHT], ids=["tilted", "steep", "upright"])
 def test_clicked_corners_come_back_to_the_lines(
@@ -68,6 +69,7 @@ def test_clicked_corners_come_back_to_the_lines(
     assert max(worst) > CLICKED  # without the lines the clicks would not do
 
 
+@pytest.mark.turns(4, "conditions")
 @pytest.mark.slow
 def test_an_edge_clicked_far_beside_its_line_is_found(many: Callable[[int, int], int]) -> None:
     """Both of its corners to one side: by more than the reach that is enough for the others.
@@ -86,6 +88,7 @@ def test_an_edge_clicked_far_beside_its_line_is_found(many: Callable[[int, int],
         assert off(TILTED, found.corners) < EXACT, EDGES[edge]
 
 
+@pytest.mark.turns(4, "conditions")
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("ink", "width", "noise", "by"),
@@ -99,6 +102,7 @@ def test_faint_and_thin_lines_are_found(ink: float, width: float, noise: float, 
     assert found.curl == Curl(BOX)  # the sheet is flat
 
 
+@pytest.mark.turns(4, "conditions")
 @pytest.mark.slow
 def test_fingers_on_the_frame_do_not_draw_it_away() -> None:
     image = seen(TILTED).copy()
@@ -110,6 +114,7 @@ def test_fingers_on_the_frame_do_not_draw_it_away() -> None:
     assert off(TILTED, found.corners) < EXACT
 
 
+@pytest.mark.turns(4, "conditions")
 @pytest.mark.slow
 def test_an_edge_without_a_line_is_named_and_stays_as_clicked() -> None:
     """The left one; the lower one is wiped in `test_own_frame.py`."""
@@ -125,6 +130,7 @@ def test_an_edge_without_a_line_is_named_and_stays_as_clicked() -> None:
     assert abs(clicked.corners - SMALL.seen(CORNERS)).max() < 2 * 2**0.5 * 1.2
 
 
+@pytest.mark.turns(4, "conditions")
 @pytest.mark.slow
 def test_an_empty_sheet_keeps_its_clicks() -> None:
     image = through_jpeg(photographs.photograph(SMALL, photographs.sheet(0.8, False)))
@@ -135,6 +141,7 @@ def test_an_empty_sheet_keeps_its_clicks() -> None:
     assert abs(found.corners - clicked).max() < 1e-9
 
 
+@pytest.mark.turns(4, "conditions")
 @pytest.mark.slow
 @pytest.mark.parametrize("lenses", [(0.002, -0.002), (-0.01, 0.02)])
 def test_what_the_lens_bows_is_taken_out(
@@ -171,6 +178,7 @@ def bend(camera: Camera) -> float:
     return max(worst)
 
 
+@pytest.mark.turns(4, "conditions")
 @pytest.mark.slow
 def test_a_sheet_that_curls_leaves_a_residual() -> None:
     camera = TILTED._replace(sag=-3.0)
@@ -181,6 +189,7 @@ def test_a_sheet_that_curls_leaves_a_residual() -> None:
     assert found.residual > 0.4
 
 
+@pytest.mark.turns(4, "conditions")
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("tilt", "lens", "sag", "ink"),
@@ -206,6 +215,7 @@ def test_what_a_curled_sheet_hides_is_found(
     assert abs(without.sheet(camera.seen(inner)) - inner).max() > 3 * EXACT
 
 
+@pytest.mark.turns(4, "conditions")
 @pytest.mark.slow
 def test_any_quadrilateral_on_any_picture_gives_numbers(many: Callable[[int, int], int]) -> None:
     random = np.random.default_rng(8)
@@ -218,6 +228,7 @@ def test_any_quadrilateral_on_any_picture_gives_numbers(many: Callable[[int, int
         assert np.isfinite(found.corners).all()
 
 
+@pytest.mark.turns(4, "conditions")
 @pytest.mark.slow
 def test_the_frame_of_a_sheet_drawn_by_the_package() -> None:
     """An A4 by ISO 5457."""

@@ -40,6 +40,7 @@ def mm_off(shown: Taken, corners: np.ndarray) -> float:
     return float(abs(corners - shown.corners).max() / dots)
 
 
+@pytest.mark.turns(2, "photographs")
 @pytest.mark.slow
 @pytest.mark.parametrize("quarters", [0, 3])
 def test_a_frame_is_found_whichever_way_up_it_stands(quarters: int) -> None:
@@ -51,6 +52,7 @@ def test_a_frame_is_found_whichever_way_up_it_stands(quarters: int) -> None:
     assert found.seen - found.second > 0.3
 
 
+@pytest.mark.turns(2, "photographs")
 @pytest.mark.slow
 def test_a_hard_photograph_comes_back_in_true_millimetres(
     tmp_path: Path, many: Callable[[int, int], int]
@@ -73,6 +75,7 @@ def test_a_photograph_without_a_frame_is_told() -> None:
             frame_found(image, ruling(*SHEETS[4]))
 
 
+@pytest.mark.turns(2, "photographs")
 @pytest.mark.slow
 def test_the_frame_of_another_format_is_not_taken_for_this_one() -> None:
     shown = taken(4, EASY)
@@ -80,6 +83,7 @@ def test_the_frame_of_another_format_is_not_taken_for_this_one() -> None:
         frame_found(pixels(shown), ruling("slider-diagrams", 1))  # the same paper by ГОСТ
 
 
+@pytest.mark.turns(2, "photographs")
 @pytest.mark.slow
 def test_a_frame_that_is_cut_off_is_told() -> None:
     shown = taken(4, EASY)
@@ -89,6 +93,7 @@ def test_a_frame_that_is_cut_off_is_told() -> None:
         frame_found(np.ascontiguousarray(whole[:, inside:]), ruling(*SHEETS[4]))
 
 
+@pytest.mark.turns(2, "photographs")
 @pytest.mark.slow
 def test_a_frame_without_anything_ruled_does_not_tell_which_way_up_it_is() -> None:
     """A bare rectangle: where its corners are is seen, but not which of them is which."""
@@ -103,6 +108,7 @@ def test_a_frame_without_anything_ruled_does_not_tell_which_way_up_it_is() -> No
     assert best.seen < 0.3
 
 
+@pytest.mark.turns(2, "photographs")
 @pytest.mark.slow
 def test_a_photograph_is_laid_under_its_sheet_without_corners(tmp_path: Path) -> None:
     shown = taken(4, EASY._replace(quarters=2))

@@ -30,6 +30,7 @@ def checker(tmp_path_factory: pytest.TempPathFactory) -> Checker:
     return Checker(read(scene), trials=60)
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("mode", ["mm", "quantities", "points"])
 @pytest.mark.parametrize("hand", HANDS)

@@ -20,6 +20,7 @@ pytestmark = pytest.mark.filterwarnings("default")  # its own
 NUMBER = 5
 
 
+@pytest.mark.turns(1, "cluster")
 @pytest.mark.slow
 def test_a_cluster_whose_workers_stand_elsewhere_writes_what_processes_write(
     scheduler: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -36,6 +37,7 @@ def test_a_cluster_whose_workers_stand_elsewhere_writes_what_processes_write(
     assert len([name for name in found if name.startswith("reports/")]) == 6
 
 
+@pytest.mark.turns(1, "cluster")
 @pytest.mark.slow
 def test_a_task_and_its_key_are_those_of_processes(scheduler: str, tmp_path: Path) -> None:
     found = works(base(SHEETS / "scotch-yoke"), ())
@@ -44,6 +46,7 @@ def test_a_task_and_its_key_are_those_of_processes(scheduler: str, tmp_path: Pat
     assert files_of(tmp_path / "cluster") == files_of(tmp_path / "one") != {}
 
 
+@pytest.mark.turns(1, "cluster")
 @pytest.mark.slow
 def test_a_photograph_is_judged_as_it_would_be_alone(
     scheduler: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -82,6 +82,7 @@ def test_no_sheet_of_several_is_left_white(name: str) -> None:
         assert low - floor < 0.25 * (area.top - floor), sheet
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ALL)
 def test_nothing_stands_on_anything_else(name: str, many: Callable[[int, int], int]) -> None:

@@ -39,6 +39,7 @@ def test_letters_are_text(sheet) -> None:
     assert 0.99 * due < written <= due
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ALL)
 def test_letters_of_every_scene_are_text(name: str, many: Callable[[int, int], int]) -> None:
