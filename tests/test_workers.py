@@ -18,9 +18,9 @@ def test_tests_that_share_what_is_dear_stand_together() -> None:
         assert group_of(f"tests/page/practice/test_a.py::test_b{case}") == "tests/page/practice/"
 
 
-def test_a_test_that_names_no_scene_stands_alone() -> None:
+def test_a_test_that_names_no_scene_stands_with_its_file() -> None:
     for test in ("tests/cam/test_cam.py::test_cam", "tests/test_b.py::test_c[camera-lever2]"):
-        assert group_of(test) == test
+        assert group_of(test) == test.partition("::")[0]
 
 
 def test_every_case_has_its_turn(monkeypatch: pytest.MonkeyPatch) -> None:

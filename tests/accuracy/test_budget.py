@@ -26,7 +26,7 @@ def task(name: str, hand: str | None = None) -> Scene:
     return found if hand is None else replace(found, hand=hand, ruler=DIVISIONS[hand])
 
 
-@pytest.mark.turns(1)
+@pytest.mark.turns(2, "budgets")
 @pytest.mark.slow
 @pytest.mark.parametrize("hand", ["student", "careful"])
 def test_a_budget_keeps_its_promise_on_the_sheet_that_is_drawn_by_other_drawings_too(
@@ -44,6 +44,7 @@ def test_a_budget_keeps_its_promise_on_the_sheet_that_is_drawn_by_other_drawings
             assert run.error <= 10.0 + 3.0 * (run.errors.spread**2 + few**2) ** 0.5
 
 
+@pytest.mark.turns(2, "budgets")
 @pytest.mark.slow
 def test_a_smaller_error_costs_no_less() -> None:
     spent = [choose(task("slider-diagrams"), percent).minutes for percent in (25.0, 3.0, 1.5)]
@@ -51,6 +52,7 @@ def test_a_smaller_error_costs_no_less() -> None:
     assert spent[0] < spent[-1]
 
 
+@pytest.mark.turns(2, "budgets")
 @pytest.mark.slow
 def test_positions_that_the_scene_names_keep_their_places() -> None:
     own = replace(task("offset-slider"), hand="student", ruler=0.5)
@@ -61,6 +63,7 @@ def test_positions_that_the_scene_names_keep_their_places() -> None:
     assert {int(n) / taken.scene.row.count for n in taken.scene.row.accelerations} == angles
 
 
+@pytest.mark.turns(2, "budgets")
 @pytest.mark.slow
 def test_no_setting_keeps_within_nothing_and_the_best_is_named() -> None:
     with pytest.raises(SceneError) as refused:
@@ -71,12 +74,14 @@ def test_no_setting_keeps_within_nothing_and_the_best_is_named() -> None:
     assert "a по диаграмме" in text
 
 
+@pytest.mark.turns(2, "budgets")
 @pytest.mark.slow
 def test_only_what_stands_on_the_sheets_has_to_keep_within_it() -> None:
     """The scene's sheets show no accelerations; they are drawn only to judge the diagrams."""
     assert set(choose(task("slider-diagrams"), 5.0).errors) == {"v", "V_diagram", "a_diagram"}
 
 
+@pytest.mark.turns(2, "budgets")
 @pytest.mark.slow
 def test_parts_are_divided_too() -> None:
     taken = choose(task("cam"), 0.5)

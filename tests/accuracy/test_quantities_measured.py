@@ -16,6 +16,7 @@ from graphic_tmm.readers.position_count import at_count
 from graphic_tmm.readers.table import scene_columns, scene_results
 
 
+@pytest.mark.turns(2)
 @pytest.mark.every
 @pytest.mark.parametrize(
     ("name", "found"),

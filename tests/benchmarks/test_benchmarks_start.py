@@ -73,6 +73,7 @@ for script in scripts:
 """Starts scripts as `python tests/benchmarks/NAME.py` does, up to their work; prints those that cannot."""
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="each is started in a fork of what it imports")
 def test_each_starts_as_a_script_of_its_own() -> None:
     """What it imports is found from its own folder alone, not because tests stand beside it on the path."""

@@ -111,7 +111,7 @@ def test_a_formula_computes_what_it_says(made: Formula) -> None:
 
 
 @pytest.mark.slow
-@each("made", FORMULAS.values())
+@each("made", FORMULAS.values(), turns=len(FORMULAS) // 4)
 def test_a_formula_that_computed_something_else_would_be_found(made: Formula) -> None:
     with mp.workdps(DIGITS):
         assert _apart(made, 1.0 + 1e-13)[1]

@@ -61,6 +61,7 @@ def test_the_windrowers_table_belongs_to_other_data() -> None:
     assert any(one.taken.segment == "pc" for one in wrong)
 
 
+@pytest.mark.slow
 def test_the_engines_deviations_by_hand() -> None:
     due = {"pb": 42.53, "ps2": 48.37, "ab": 53.45}
     taken = {"pb": 44, "ps2": 49, "ab": 52}

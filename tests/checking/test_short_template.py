@@ -66,6 +66,7 @@ def test_a_scale_factor_that_is_told_makes_the_quantity_of_the_mm(name):
             assert cell.value == pytest.approx(told[plan] * cell.mm, rel=1e-6)
 
 
+@pytest.mark.turns(5)
 @pytest.mark.parametrize("name", DRAWN)
 @pytest.mark.parametrize("form", ["csv", "xlsx"])
 def test_a_template_filled_in_by_a_ruler_comes_back(tmp_path, name, form):

@@ -11,6 +11,7 @@ from support.students.early import EARLY
 from support.students.measuring import Outcome, outcomes
 from support.students.outside import OUTSIDE
 from support.students.planting import Planted, plant
+from support.turns import in_turn
 
 from graphic_tmm.checking.records import FINE, UNKNOWN
 
@@ -41,6 +42,13 @@ NAMED = (
     ("ray from a wrong point", "sc", 65536, "quantities", 0.1),
 )
 """A drawing or more of each family of mistakes."""
+NOT_SURE = {
+    "Coriolis without its 2",
+    "rate with the other sign",
+    "one figure tenfold",
+    "direction of the position before",
+}
+"""Kinds of which these drawings bear no name at 80 %: they are placed, and their family is told."""
 BY_ANOTHER_WORD = {"one figure tenfold", "given misread", "direction of the position before"}
 LOOKED_AT = (
     ("slipped triangle", "dsc", 63405, "mm", 0.5),
@@ -69,21 +77,23 @@ LEAST = {"seen": 0.95, "place": 0.90, "family": 0.80, "member": 0.70, "names rig
 def test_mistakes_are_seen_and_named_rightly(
     tmp_path: Path, many: Callable[[int, int], int]
 ) -> None:
-    """With ``--measured`` two drawings of each kind, on three mechanisms in turn."""
+    """Read off two mechanisms by turns; with ``--measured`` two drawings of each kind more, on three."""
     families = {kind.name: {*kind.families} for kind in EARLY}
     named = set().union(*(families[name] for name, *_ in NAMED))
     assert named == set().union(*families.values()) - {"mirrored"}  # of a four-bar: test_cases.py
-    found = list(outcomes(drawings(NAMED), tmp_path, EARLY))
-    assert len(found) == len(NAMED)
+    ways = in_turn(sorted({(machine, mode) for _, machine, _, mode, _ in NAMED}), 2)
+    some = tuple(one for one in NAMED if (one[1], one[3]) in ways)
+    found = list(outcomes(drawings(some), tmp_path, EARLY))
+    assert len(found) == len(some)
     for one in found:
         kind = one.planted.truths[0].kind
         assert (one.place, one.family, one.wrong) == (True, True, 0), kind
         assert one.member or kind in BY_ANOTHER_WORD, kind
+        assert one.right > 0 or kind in NOT_SURE, kind
         assert seen(one), kind
-    assert sum(one.right > 0 for one in found) >= 0.7 * len(found)
     for seed in range(61_000, 61_000 + many(2_000, 0), 1_000):
-        some = planted(EARLY, len(EARLY), seed, ("sc", "rpr", "fsc"), MODES)
-        found += outcomes([one for one in some if one.truths[0].shown], tmp_path, EARLY)
+        more = planted(EARLY, len(EARLY), seed, ("sc", "rpr", "fsc"), MODES)
+        found += outcomes([one for one in more if one.truths[0].shown], tmp_path, EARLY)
     right, wrong = sum(one.right for one in found), sum(one.wrong for one in found)
     shares = {
         "seen": sum(map(seen, found)) / len(found),
@@ -106,14 +116,14 @@ def test_where_nothing_is_named_it_is_looked_at_what_is_not_fine(
 ) -> None:
     """Of loads and diagrams, which are read off tables, too: a step that is told left a reading that is off."""
     more = planted(OUTSIDE, many(24, 0), 63_000, ("fsc", "dsc"), MODES)
-    looked = 0
-    for one in outcomes([*drawings(LOOKED_AT), *more], tmp_path):
+    looked, some = 0, in_turn(LOOKED_AT, 3)
+    for one in outcomes([*drawings(tuple(some)), *more], tmp_path):
         off = {(r.taken.plan, r.taken.segment) for r in one.report.readings if r.verdict != FINE}
         for told in one.report.mistakes:
             if told.kind == UNKNOWN and told.step and told.chance == 0.0:
                 looked += 1
                 assert (told.plan, told.segment) in off
-    assert looked >= len(LOOKED_AT)
+    assert looked >= len(some)
 
 
 @pytest.mark.slow

@@ -17,6 +17,7 @@ from graphic_tmm.accuracy.geometrography import read_minutes
 from graphic_tmm.errors import SceneError
 
 
+@pytest.mark.turns(2, "budgets")
 @pytest.mark.slow
 def test_accuracy_prints_json_and_draws_the_figure(tmp_path: Path) -> None:
     file = tmp_path / "minutes.toml"
@@ -41,6 +42,7 @@ def test_accuracy_prints_json_and_draws_the_figure(tmp_path: Path) -> None:
         assert 0.0 < low <= one["seconds"] <= high
 
 
+@pytest.mark.turns(2, "budgets")
 @pytest.mark.slow
 def test_accuracy_without_time_speaks_of_no_seconds() -> None:
     found = invoke("accuracy", "cam", "--trials", "10", "--no-time")
@@ -85,6 +87,7 @@ def test_a_table_of_minutes_that_is_not_there_is_told(tmp_path: Path) -> None:
     assert "none.toml" in found.stderr
 
 
+@pytest.mark.turns(2, "budgets")
 @pytest.mark.slow
 def test_a_table_within_a_budget_says_which_setting_was_taken() -> None:
     found = invoke("table", "slider-diagrams", "--budget", "3%", "-f", "json")
@@ -96,6 +99,7 @@ def test_a_table_within_a_budget_says_which_setting_was_taken() -> None:
     assert len(columns["V"]) == int(taken[1])
 
 
+@pytest.mark.turns(2, "budgets")
 @pytest.mark.slow
 def test_a_sheet_within_a_budget_is_drawn(tmp_path: Path) -> None:
     found = invoke("draw", "cam", "--budget", "0,5 %", "-o", tmp_path / "out")
@@ -112,6 +116,7 @@ def test_a_budget_is_a_percentage(budget: str, tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.turns(2, "budgets")
 @pytest.mark.slow
 def test_a_budget_that_nothing_keeps_draws_nothing(tmp_path: Path) -> None:
     found = invoke("draw", "cam", "--budget", "0.0001%", "-o", tmp_path / "out")

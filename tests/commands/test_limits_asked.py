@@ -34,6 +34,7 @@ def test_where_it_does_not_hold(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 def test_what_takes_longer_is_told(tmp_path: Path) -> None:
     """No sheet is drawn in a tenth of a second by a process that has just begun."""
     table = tmp_path / "class.csv"

@@ -62,6 +62,7 @@ def test_a_pdf_is_one_file(tmp_path: Path) -> None:
     assert len(names) > 3
 
 
+@pytest.mark.turns(3)
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -113,7 +114,7 @@ def test_a_format_belongs_to_sheets() -> None:
 
 @pytest.mark.slow
 def test_random_mechanisms_are_handed_out(tmp_path: Path, many: Callable[[int, int], int]) -> None:
-    for k, text in enumerate(scenes(many(6, 2))):
+    for k, text in enumerate(scenes(many(6, 1))):
         file = tmp_path / f"random-{k}.toml"
         file.write_text(text, encoding="utf-8")
         found = handout(in_usual_size(read(file)), plans(), None)

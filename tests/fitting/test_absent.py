@@ -64,6 +64,7 @@ def ran(*words: object) -> tuple[int, str, str]:
     return done.exit_code, done.stdout, done.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.turns(1)
 @pytest.mark.parametrize(
     ("chapter", "language"),
@@ -92,6 +93,7 @@ def test_the_rest_is_drawn_and_the_chapter_is_named(
     assert "—°" not in note
 
 
+@pytest.mark.slow
 @pytest.mark.turns(2)
 @pytest.mark.parametrize(
     ("chapter", "command"),
@@ -116,6 +118,7 @@ def test_where_nothing_else_is_asked_it_is_refused(
     assert chapter == "cam" or REMEDY["en"] in told
 
 
+@pytest.mark.slow
 def test_machines_are_told_by_chapter(tmp_path: Path) -> None:
     _, table, _ = ran("table", scene(tmp_path, "flywheel", "en", more=True), "-f", "json")
     told = json.loads(table)
@@ -124,6 +127,7 @@ def test_machines_are_told_by_chapter(tmp_path: Path) -> None:
     assert {one["plan"] for one in told["columns"]} >= {"velocities", "forces"}
 
 
+@pytest.mark.slow
 def test_a_remedy_that_is_followed_helps(tmp_path: Path) -> None:
     file = scene(tmp_path, "cam", "en", more=False)
     written(

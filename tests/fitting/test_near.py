@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+import pytest
 from support.each import each
 from support.gallery import SHEETS
 
@@ -29,6 +30,7 @@ SMALL = {"OA": "100 mm", "OB": "310 mm", "BC": "560 mm", "CD": "170 mm"}
 LARGE = {"OA": "118 mm", "OB": "355 mm", "BC": "640 mm", "CD": "190 mm"}
 
 
+@pytest.mark.slow
 @each("lengths", [SMALL, LARGE])
 def test_a_variant_keeps_its_size_and_as_many_sheets(lengths: dict[str, str]) -> None:
     of = own("shaper")
@@ -39,12 +41,14 @@ def test_a_variant_keeps_its_size_and_as_many_sheets(lengths: dict[str, str]) ->
     assert "composition.toml" not in " ".join(map(str, made.scene.remarks))
 
 
+@pytest.mark.slow
 def test_the_scene_itself_is_drawn_as_it_was() -> None:
     of = own("shaper")
     _, found = composed_sheets(varied("shaper"), of.composition, near=True)
     assert list(map(svg, found.sheets)) == list(map(svg, of.sheets))
 
 
+@pytest.mark.slow
 def test_what_begins_with_a_scene_of_other_sheets_is_composed_as_if_it_had_not() -> None:
     due, other = own("shaper"), own("crank-rocker")
     assert len(due.sheets) != len(other.sheets)

@@ -118,7 +118,7 @@ def judged_once(found_once: None, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(checking, "check", check)
 
 
-@pytest.mark.turns(2)
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SCENES)
 @pytest.mark.usefixtures("judged_once")

@@ -9,6 +9,7 @@ import io
 
 import pytest
 from support.gallery import paper
+from support.turns import in_turn
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Drawing, Sheet, line
@@ -22,6 +23,7 @@ def drawn(request):
     return paper(request.param)[1]
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 def test_one_page_a_sheet_of_exactly_its_size(drawn) -> None:
     pdfplumber = pytest.importorskip("pdfplumber")
@@ -58,7 +60,7 @@ def head(png: bytes) -> tuple[int, int]:
 @pytest.mark.slow
 @pytest.mark.parametrize("ppi", [50.8, 96.0, 100.0, 101.6, 137.0])
 def test_a_png_has_the_dots_of_its_size(drawn, ppi: float) -> None:
-    for sheet in drawn:
+    for sheet in in_turn(drawn, 1):
         size = (round(sheet.width * ppi / 25.4), round(sheet.height * ppi / 25.4))
         assert head(export.png(sheet, ppi=ppi)) == size
 
@@ -69,7 +71,7 @@ def test_a_png_has_the_dots_of_its_size(drawn, ppi: float) -> None:
 def test_a_png_is_printed_as_large_as_its_sheet(drawn, ppi: float) -> None:
     """Half a dot of the width, half a dot to the metre of the chunk: no more can be lost."""
     image = pytest.importorskip("PIL.Image")
-    for sheet in drawn:
+    for sheet in in_turn(drawn, 1):
         with image.open(io.BytesIO(export.png(sheet, ppi=ppi))) as opened:
             opened.load()  # every chunk has its sum
             printed = [

@@ -82,6 +82,7 @@ def alone(drawn: Drawn, view: Drawing) -> Iterator[tuple[int, str]]:
 PLANS = ("positions", "forces", "group", "lever")
 
 
+@pytest.mark.slow
 @pytest.mark.turns(1)
 @pytest.mark.parametrize("case", ["upright.toml", "hydraulic.toml"])
 def test_no_letter_stands_alone(case: str) -> None:

@@ -7,10 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from support.each import each
-from support.gallery import SHEETS, made
+from support.gallery import SHEETS, paper
 
-from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SceneError
 from graphic_tmm.fitting.compose import composed
 from graphic_tmm.paper.drawing import Sheet
@@ -68,36 +66,36 @@ def test_the_title_block_tells_what_a_sheet_does_not() -> None:
     assert "Проект" not in told[-1]
 
 
-def scales(found: DrawnScene) -> list[str]:
-    """What the title blocks of its sheets tell of a scale."""
-    told = [texts(sheet).split() for sheet in composed(found.scene, found.boards).sheets]
+def scales(found: tuple[Sheet, ...]) -> list[str]:
+    """What the title blocks of sheets tell of a scale."""
+    told = [texts(sheet).split() for sheet in found]
     return ["".join(text for text in one if re.fullmatch(r"[0-9,]+:[0-9,]+", text)) for one in told]
 
 
-@each("name", ["crank-press", "gear-pair", "arc-cam", "planetary", "lever"])
+WANTED = {
+    "crank-press": ["1:2", ""],
+    "arc-cam": ["2,5:1"],
+    "gear-pair": [""],
+    "planetary": ["1:2,5"],
+    "lever": ["", ""],
+    "project": ["1:4", "", "", ""],
+}
+
+
+@pytest.mark.every
+@pytest.mark.parametrize("name", WANTED)
 def test_a_sheet_tells_the_standard_scale_of_its_own_main_view(name: str) -> None:
-    """The plan of positions leads its sheet; groups of one sheet differ; 2.37:1 is no scale of ГОСТ 2.302."""
-    wanted = {
-        "crank-press": ["1:2", ""],
-        "arc-cam": ["2,5:1"],
-        "gear-pair": [""],
-        "planetary": ["1:2,5"],
-        "lever": ["", ""],
-    }
-    assert scales(made(name)) == wanted[name]
+    """The plan of positions leads its sheet; groups of one sheet differ; 2.37:1 is no scale of ГОСТ 2.302.
 
-
-@pytest.mark.slow
-def test_sheets_of_one_scene_tell_each_its_own_scale() -> None:
-    """Mechanism 1:4; groups 1:2, 1:5 and 1:1; graphs; a cam by its own 0.00056 m/mm; gears 2:1, a train 1:5."""
-    found = scales(made("project"))
-    assert (found[0], found[1], found[2], found[3]) == ("1:4", "", "", "")
+    Project: mechanism 1:4; groups 1:2, 1:5 and 1:1; graphs; then a cam, gears, a train by their own.
+    """
+    assert scales(paper(name)[1])[: len(WANTED[name])] == WANTED[name]
 
 
 def test_the_scale_that_the_author_writes_stands_on_all_sheets() -> None:
-    found = made("planetary")
+    found = paper("planetary")[0]
     block = {**found.scene.title_block, "scale": "1:7"}
-    assert scales(DrawnScene(replace(found.scene, title_block=block), found.boards)) == ["1:7"]
+    assert scales(composed(replace(found.scene, title_block=block), found.boards).sheets) == ["1:7"]
 
 
 def test_a_scene_says_all_of_it(tmp_path: Path) -> None:

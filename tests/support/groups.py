@@ -1,4 +1,4 @@
-"""Tests of one scene or part go to one worker, which draws it once."""
+"""Tests of one scene or part go to one worker, which draws it once; others go with those of their file."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ TOGETHER = ("tests/page/practice/",)
 
 
 def group_of(test: str) -> str:
-    """Return the scene or part that a test names in its brackets; of one that names none, the test itself."""
+    """Return the scene or part that a test names in its brackets; of one that names none, its file."""
     if shared := next(filter(test.startswith, TOGETHER), ""):
         return shared
     found = _NAMED.search(test.partition("[")[2].removesuffix("]"))
-    return test if found is None else found[1]
+    return test.partition("::")[0] if found is None else found[1]
 
 
 class ByScene(LoadScopeScheduling):
-    """Workers are given a scene, all of its tests one after another, or a test."""
+    """Workers are given a scene, all of its tests one after another, or a file."""
 
     def _split_scope(self, nodeid: str) -> str:
         return group_of(nodeid)

@@ -262,6 +262,7 @@ def choices(op: Operation) -> list[dict[str, int]]:
     return [{}] if not op.choices else [{name: sign} for name in op.choices for sign in (1, -1)]
 
 
+@pytest.mark.slow
 def test_operations_in_machine_code_make_what_they_make_by_numpy() -> None:
     whole_book()
     chance = np.random.default_rng(3)

@@ -235,6 +235,7 @@ print(len(calls))
 """
 
 
+@pytest.mark.slow
 def test_processes_at_once_and_one_after_them(tmp_path: Path) -> None:
     """However many translate at once, all are right; whoever comes after them translates nothing."""
     environ = {

@@ -62,6 +62,7 @@ def assert_diagrams(of: Made) -> None:
     assert_read_off_the_log(of.log, views, TRACELESS)
 
 
+@pytest.mark.slow
 @each("law", LAWS)
 def test_every_law_is_read_off_the_log(law: str) -> None:
     assert_diagrams(made(CamTask(**C6, rise_law=LAWS[law], return_law=LAWS[law])))

@@ -32,6 +32,7 @@ def energy_mass(work: Drawn) -> Drawing:
     return finished(draw_energy_mass_ink(log, work.reading, second, names, "X", figures))
 
 
+@pytest.mark.slow
 @each("name", WHEELS)
 def test_the_energy_mass_curve_of_the_scenes(name: str) -> None:
     work = drawn(name, exact=True)

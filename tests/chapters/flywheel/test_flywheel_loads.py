@@ -30,6 +30,7 @@ def _segment(folder: Path, forces: str) -> float:
     return float(told["results"]["cd"]["value"])
 
 
+@pytest.mark.slow
 def test_a_moment_does_the_same_work_as_a_pair_of_forces(tmp_path: Path) -> None:
     moment, pair = (
         _segment(tmp_path, MOMENT.format(couples=couples)) for couples in ("moment", "pair")

@@ -177,6 +177,7 @@ def test_a_reading_with_which_others_were_drawn_was_not_only_read_amiss() -> Non
     assert any("πn3" in one.says for one in found)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("times", [0.97, 1.03])
 def test_a_common_factor_is_no_mistake(times: float) -> None:
     rows = [one if one.mm is None else one._replace(mm=times * one.mm) for one in drawn_with()]

@@ -67,6 +67,7 @@ def test_a_plan_that_is_nowhere_is_not_taken_for_another() -> None:
     assert stood(flat(grey), plan())[1] < THERE
 
 
+@pytest.mark.slow
 def test_a_plan_of_one_position_has_points_and_lines() -> None:
     made, sheets = exact("lever")
     by = {one.name: one for one in views(made, sheets[0], HANDS["student"])}

@@ -168,6 +168,7 @@ def straightened(camera: Camera, *, turned: bool = False) -> tuple[Shot, np.ndar
     return shot, abs(shot.sheet(seen(camera, GRID, turned=turned)) - GRID)
 
 
+@pytest.mark.turns(6)
 @pytest.mark.parametrize("turned", [False, True], ids=["upright", "level"])
 @pytest.mark.parametrize("tilt", TILTS)
 @pytest.mark.parametrize(("lens", "sag"), [(0.002, 2.0), (-0.002, -2.0), (0.0, 1.0), (0.01, 2.0)])

@@ -37,6 +37,7 @@ def test_pencil_is_seen_where_points_are_said_to_stand() -> None:
     assert np.mean(aside) < 0.7  # the test can fail: elsewhere there is mostly paper
 
 
+@pytest.mark.slow
 def test_what_is_left_out_is_told() -> None:
     whole = taken(4, SMALL)
     left = taken(4, SMALL._replace(left=whole.conditions.left._replace(plans=1.0)))

@@ -51,6 +51,7 @@ def test_errors_are_told_as_those_of_processes(scheduler: str, tmp_path: Path) -
     assert list(there.failed) == ["bad", "wrong"]
 
 
+@pytest.mark.turns(2, "ends")
 @pytest.mark.slow
 def test_what_kills_its_worker_fails_and_no_more(scheduler: str, tmp_path: Path) -> None:
     once = work(dies_once, "once", str(tmp_path / "once"))
@@ -61,6 +62,7 @@ def test_what_kills_its_worker_fails_and_no_more(scheduler: str, tmp_path: Path)
     assert len(ran.made) == 7
 
 
+@pytest.mark.turns(2, "ends")
 @pytest.mark.slow
 def test_what_never_ends_is_broken_off(scheduler: str, tmp_path: Path) -> None:
     """Asleep: a loop of machine code keeps the answers that its worker holds (`test_limits.py`)."""
@@ -83,6 +85,8 @@ def test_files_travel_as_they_are(scheduler: str, tmp_path: Path) -> None:
     assert files_of(tmp_path / "out") == {"2.bin": whole}
 
 
+@pytest.mark.turns(2, "ends")
+@pytest.mark.slow
 def test_a_cluster_without_workers_is_not_waited_for(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -91,6 +95,8 @@ def test_a_cluster_without_workers_is_not_waited_for(
         run(sums(3), tmp_path / "out", executor=address)
 
 
+@pytest.mark.turns(2, "ends")
+@pytest.mark.slow
 def test_no_scheduler_is_one_message(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("graphic_tmm.classroom.batch.executors.PATIENCE", 1)
     for address in ("tcp://127.0.0.1:9", "nonsense", "zzz://x", "tcp://"):

@@ -60,6 +60,7 @@ def test_what_no_sheet_holds_has_one_of_its_own() -> None:
     assert [len(page) for page in found] == [1, 1, 1]
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize(
     "name", ["shaper", "lever", "crank-press", "four-stroke", "locomobile", "toggle-press"]
 )

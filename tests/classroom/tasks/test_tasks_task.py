@@ -224,6 +224,7 @@ def test_the_scheme_has_the_lengths_that_are_given(name: str) -> None:
     assert checked
 
 
+@pytest.mark.slow
 def test_lengths_that_are_sought_are_neither_told_nor_drawn(
     many: Callable[[int, int], int],
 ) -> None:
@@ -275,6 +276,7 @@ def test_sentences_are_numbered_one_after_another(name: str) -> None:
     assert numbers
 
 
+@pytest.mark.slow
 def test_a_long_title_and_many_data_go_on_in_the_usual_letters(tmp_path: Path) -> None:
     text = (SHEETS / "four-stroke" / "scene.toml").read_text(encoding="utf-8")
     title = (

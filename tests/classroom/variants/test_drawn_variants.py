@@ -89,7 +89,7 @@ def all_good(name: str, found: DrawnVariants, count: int) -> None:
 
 
 @pytest.mark.slow
-@each("name", LOOPS)
+@each("name", LOOPS, turns=2)
 def test_what_the_loops_call_bad_is_refused_for_that(name: str) -> None:
     random_, seen = random.Random(2), set[str]()
     for _ in range(12):
@@ -105,7 +105,8 @@ def test_what_the_loops_call_bad_is_refused_for_that(name: str) -> None:
     assert any("turn" in says or "transmission" in says for says in seen)
 
 
-@each("name", LOOPS)
+@pytest.mark.slow
+@each("name", LOOPS, turns=2)
 def test_what_the_loops_call_good_is_never_refused_for_its_motion(name: str) -> None:
     random_, found = random.Random(4), 0
     by = measure(name)._replace(good=Good(ranges(name).good.transmission, 100.0))
@@ -140,7 +141,7 @@ def tables_hold(of: Base, name: str, found: Sequence[Variant], folder: Path) -> 
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("measured_once")
-@each("name", [name for name in LOOPS if name != "shaper"])
+@each("name", [name for name in LOOPS if name != "shaper"], turns=1)
 def test_variants_are_good_by_loops_and_tables(
     name: str, tmp_path: Path, many: Callable[[int, int], int]
 ) -> None:
@@ -150,11 +151,12 @@ def test_variants_are_good_by_loops_and_tables(
     tables_hold(scene(name), name, found.variants[::3], tmp_path)
 
 
+@pytest.mark.slow
 def test_shapers_are_good_and_stand_on_the_sheets_ordered(
     tmp_path: Path, many: Callable[[int, int], int]
 ) -> None:
     """With ``--measured`` three hundred of them."""
-    count = many(300, 3)
+    count = many(300, 2)
     found = draw_variants(scene("shaper"), ranges("shaper"), count, 7, missing=missing)
     all_good("shaper", found, count)
     tables_hold(scene("shaper"), "shaper", found.variants[::10], tmp_path)

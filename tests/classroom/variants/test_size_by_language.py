@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import pytest
 from support.gallery import SHEETS
 
 from graphic_tmm.classroom.marks.judging import Task, sizes_of
@@ -13,6 +14,7 @@ from graphic_tmm.fitting.composition import known_composition
 from graphic_tmm.studio import composed_sheets
 
 
+@pytest.mark.slow
 def test_a_variant_is_as_large_in_another_language() -> None:
     of = base(SHEETS / "shaper")
     row = {"OA": "120", "OB": "335", "BC": "690", "CD": "190", "drive.speed": "40 rpm"}

@@ -114,6 +114,7 @@ def test_whatever_a_file_of_ranges_holds_is_told_or_read(shaper: Base, tmp_path:
             assert read_ranges(file_of(tmp_path, text), shaper).ranges
 
 
+@pytest.mark.slow
 @each("name", SHIPPED)
 def test_the_ranges_that_come_with_scenes_are_good(name: str) -> None:
     scene = base(SHEETS / name)
