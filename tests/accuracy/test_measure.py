@@ -116,6 +116,7 @@ def test_a_study_runs_less_to_time_than_to_measure(monkeypatch: pytest.MonkeyPat
     assert 0 < done["timed"] < done["measured"]
 
 
+@pytest.mark.turns(3, "measured")
 @pytest.mark.slow
 @pytest.mark.parametrize("n", [4, 8, 24])
 def test_velocities_of_a_slider_are_what_one_counts_on_the_fingers(n: int) -> None:
@@ -129,6 +130,7 @@ def test_velocities_of_a_slider_are_what_one_counts_on_the_fingers(n: int) -> No
     assert work_of(drawn, quantity(drawn, "v")).simplicity == 12 + 31 * n
 
 
+@pytest.mark.turns(3, "measured")
 @pytest.mark.slow
 def test_a_row_twice_as_long_is_twice_the_work_for_readings() -> None:
     drawn = drawing("windrower")
@@ -144,6 +146,7 @@ def test_minutes_are_those_of_the_table_that_is_told() -> None:
     assert work_of(drawn, v, {**only, "M3": 2.0}).minutes == 2.0 * 8 * 2
 
 
+@pytest.mark.turns(3, "measured")
 @pytest.mark.slow
 def test_an_extreme_position_that_is_tried_costs_its_trials() -> None:
     """A trial takes all that leads to the velocity of E; the bracket of 16 parts is narrowed twice: 17 + 15."""
@@ -162,7 +165,7 @@ def test_an_extreme_position_that_is_tried_costs_its_trials() -> None:
     assert not tried(drawing("windrower"))
 
 
-@pytest.mark.turns(1)
+@pytest.mark.turns(3, "measured")
 @pytest.mark.every
 @pytest.mark.parametrize(
     ("name", "found"),
@@ -182,6 +185,7 @@ def test_a_larger_drawing_is_the_same_for_an_exact_hand(name: str, found: list[s
         assert np.abs(one - two).max() < 1e-9 * np.abs(one).max()
 
 
+@pytest.mark.turns(3, "measured")
 @pytest.mark.slow
 def test_a_ruler_on_a_drawing_twice_as_large_is_one_of_half_the_division() -> None:
     task = measure("windrower")
@@ -192,6 +196,7 @@ def test_a_ruler_on_a_drawing_twice_as_large_is_one_of_half_the_division() -> No
         assert one.error == pytest.approx(two.error, rel=1e-6)
 
 
+@pytest.mark.turns(3, "measured")
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["windrower", "slider-diagrams"])
 def test_farther_poles_are_the_same_for_an_exact_hand(name: str) -> None:
@@ -213,6 +218,7 @@ def test_a_farther_pole_helps_a_hand_that_slips() -> None:
     assert far.error + 3 * far.errors.spread < near.error
 
 
+@pytest.mark.turns(3, "measured")
 @pytest.mark.slow
 def test_the_largest_is_that_of_the_turn_whatever_positions_are_drawn() -> None:
     """The press works in the last third of its way; with 4 positions none of them meets the load."""

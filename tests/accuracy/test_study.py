@@ -37,6 +37,7 @@ def printed(found: Study) -> str:
     return out.getvalue()
 
 
+@pytest.mark.turns(2, "studies")
 @pytest.mark.slow
 def test_with_an_exact_hand_errors_of_chords_fall_as_the_square_and_work_grows_as_the_number() -> (
     None
@@ -48,6 +49,7 @@ def test_with_an_exact_hand_errors_of_chords_fall_as_the_square_and_work_grows_a
     assert 0.95 < found.minutes.slope <= 1.0
 
 
+@pytest.mark.turns(2, "studies")
 @pytest.mark.slow
 @pytest.mark.parametrize("hand", ["student", "careful"])
 def test_with_a_hand_that_slips_there_is_a_best_number_of_positions(hand: str) -> None:
@@ -72,6 +74,7 @@ def test_what_plans_give_does_not_depend_on_the_number_of_positions() -> None:
             assert one.flat
 
 
+@pytest.mark.turns(2, "studies")
 @pytest.mark.slow
 def test_the_same_scene_gives_the_same_bytes() -> None:
     again = study(read(SHEETS / NAME), trials=40, clock=False)
@@ -127,6 +130,7 @@ def test_positions_are_counted_as_russian_counts() -> None:
     )
 
 
+@pytest.mark.turns(2, "studies")
 @pytest.mark.slow
 def test_the_figure_has_a_panel_for_each_quantity() -> None:
     from io import BytesIO

@@ -30,6 +30,7 @@ def test_an_unknown_segment_is_named_with_its_line() -> None:
     assert "forces" in str(error.value)
 
 
+@pytest.mark.turns(1, "command")
 @pytest.mark.slow
 def test_the_command(tmp_path: Path) -> None:
     template = invoke("check", "crank-rocker", "--template")
@@ -56,6 +57,7 @@ def test_the_command(tmp_path: Path) -> None:
     assert "Traceback" not in missing.stderr
 
 
+@pytest.mark.turns(1, "command")
 @pytest.mark.slow
 def test_a_photograph_is_laid_under_its_sheet(tmp_path: Path) -> None:
     pytest.importorskip("typst")

@@ -23,7 +23,6 @@ def report(name: str) -> Report:
     return check(read(SHEETS / name), read_readings(SHEETS / name / "published.csv"))
 
 
-@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_the_committed_report_is_what_the_program_says(

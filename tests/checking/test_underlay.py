@@ -94,6 +94,7 @@ def check(*arguments: object) -> Result:
     return invoke("check", *map(str, arguments))
 
 
+@pytest.mark.turns(1, "photograph")
 @pytest.mark.slow
 def test_the_photograph_is_seen_and_the_ink_fits_it(
     given: tuple[Path, Path], tmp_path: Path
@@ -132,6 +133,7 @@ def near(mask: np.ndarray, reach: int) -> np.ndarray:
     return found
 
 
+@pytest.mark.turns(1, "photograph")
 @pytest.mark.slow
 def test_the_first_sheet_is_taken_if_none_is_named(tmp_path: Path) -> None:
     scene, photo = tmp_path / "scene.toml", tmp_path / "photo.png"
@@ -186,6 +188,7 @@ def test_what_goes_with_a_photograph_is_not_passed_over_without_one(
     assert "it is an option of photo" in done.stderr
 
 
+@pytest.mark.turns(1, "photograph")
 @pytest.mark.slow
 def test_a_report_has_the_output_to_itself(given: tuple[Path, Path], tmp_path: Path) -> None:
     scene, photo = given

@@ -57,6 +57,7 @@ def by_commands(work: Work, home: Path) -> dict[str, bytes]:
     return {f"{name}/{path}": data for path, data in files_of(out).items()}
 
 
+@pytest.mark.turns(1, "bytes")
 @pytest.mark.slow
 def test_the_bytes_are_those_of_the_commands(composition: str, tmp_path: Path) -> None:
     found = [*works(composition)[:1], *works(composition, ("draw", "table", "scene"))[1:]]
@@ -69,6 +70,7 @@ def test_the_bytes_are_those_of_the_commands(composition: str, tmp_path: Path) -
     assert files_of(tmp_path / "two") == dict(sorted(due.items()))
 
 
+@pytest.mark.turns(1, "bytes")
 @pytest.mark.slow
 def test_without_a_composition_too(tmp_path: Path) -> None:
     (one, _) = works("", ("draw", "table"))

@@ -121,7 +121,7 @@ def test_a_command_runs_the_log_once(
     once(runs)
 
 
-@pytest.mark.turns(3)
+@pytest.mark.turns(3, "one run")
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [*EVERYDAY, "windrower", "project"])
 def test_every_chapter_is_drawn_by_one_run_of_its_log(
@@ -137,6 +137,7 @@ def test_every_chapter_is_drawn_by_one_run_of_its_log(
     assert all(count == 1 for run, count in parts.items() if run.hand.ruler is not None), parts
 
 
+@pytest.mark.turns(3, "one run")
 @pytest.mark.slow
 def test_random_mechanisms_are_drawn_by_one_run_of_their_log(runs: Runs) -> None:
     places = ("positions", "velocities", "accelerations", "results")
@@ -148,7 +149,7 @@ def test_random_mechanisms_are_drawn_by_one_run_of_their_log(runs: Runs) -> None
         once(runs)
 
 
-@pytest.mark.turns(1)
+@pytest.mark.turns(3, "one run")
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("kind", "places"),

@@ -30,6 +30,7 @@ SMALL = {"OA": "100 mm", "OB": "310 mm", "BC": "560 mm", "CD": "170 mm"}
 LARGE = {"OA": "118 mm", "OB": "355 mm", "BC": "640 mm", "CD": "190 mm"}
 
 
+@pytest.mark.turns(1, "variants")
 @pytest.mark.slow
 @each("lengths", [SMALL, LARGE])
 def test_a_variant_keeps_its_size_and_as_many_sheets(lengths: dict[str, str]) -> None:
@@ -41,6 +42,7 @@ def test_a_variant_keeps_its_size_and_as_many_sheets(lengths: dict[str, str]) ->
     assert "composition.toml" not in " ".join(map(str, made.scene.remarks))
 
 
+@pytest.mark.turns(1, "variants")
 @pytest.mark.slow
 def test_the_scene_itself_is_drawn_as_it_was() -> None:
     of = own("shaper")
@@ -48,6 +50,7 @@ def test_the_scene_itself_is_drawn_as_it_was() -> None:
     assert list(map(svg, found.sheets)) == list(map(svg, of.sheets))
 
 
+@pytest.mark.turns(1, "variants")
 @pytest.mark.slow
 def test_what_begins_with_a_scene_of_other_sheets_is_composed_as_if_it_had_not() -> None:
     due, other = own("shaper"), own("crank-rocker")

@@ -62,7 +62,7 @@ def test_what_nothing_is_drawn_in_does_not_grow(tmp_path: Path) -> None:
     assert sizes["graphs"] == begun["graphs"]
 
 
-@pytest.mark.turns(1)
+@pytest.mark.turns(1, "sizes")
 @pytest.mark.slow
 @pytest.mark.parametrize("format", ["A1", "A4"])
 def test_random_mechanisms_take_the_sheets_that_were_counted(
@@ -90,6 +90,7 @@ def longest(drawn: Drawn, plan: str) -> float:
     return float(getattr(drawn.reach["kinematics"], plan)) / drawn.scales[plan].value
 
 
+@pytest.mark.turns(1, "sizes")
 @pytest.mark.slow
 def test_a_fixed_scale_that_leaves_the_sheet_white_is_told_with_one_that_does_not(
     tmp_path: Path,
@@ -109,6 +110,7 @@ def test_a_fixed_scale_that_leaves_the_sheet_white_is_told_with_one_that_does_no
     assert len(sheets(found.scene)[1]) == 1
 
 
+@pytest.mark.turns(1, "sizes")
 @pytest.mark.slow
 def test_gears_beside_a_train_are_as_large_as_their_sheet_composes(tmp_path: Path) -> None:
     """The sheet of a project: a pair at 2:1 stands on it beside a train whose scale its author gave."""

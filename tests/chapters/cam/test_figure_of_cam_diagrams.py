@@ -63,12 +63,12 @@ def assert_diagrams(of: Made) -> None:
 
 
 @pytest.mark.slow
-@each("law", LAWS)
+@each("law", LAWS, turns=3)
 def test_every_law_is_read_off_the_log(law: str) -> None:
     assert_diagrams(made(CamTask(**C6, rise_law=LAWS[law], return_law=LAWS[law])))
 
 
 @pytest.mark.slow
-@each("seed", range(12))
+@each("seed", range(12), turns=4)
 def test_cams_drawn_at_random_are_read_off_the_log(seed: int) -> None:
     assert_diagrams(made(order(seed)))

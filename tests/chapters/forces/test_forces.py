@@ -42,7 +42,7 @@ def rubbing(drawn: Sampled, f: float, passes: int) -> Friction:
 
 @pytest.mark.slow
 def test_friction_settles_at_the_judges_equilibrium(many: Callable[[int, int], int]) -> None:
-    for k, drawn in enumerate(sample(many(200, 40), seed=2000, dyads=(1, 2))):
+    for k, drawn in enumerate(sample(many(200, 16), seed=2000, dyads=(1, 2))):
         one = weighed(drawn, k)
         order = order_of(one, gravity=True, inertia=True, friction=rubbing(drawn, 0.1, 20))
         solved = solve(one, drawn.phi, drawn.poses, order, turned=bool(k % 2))
@@ -83,7 +83,7 @@ def test_no_friction_equals_none() -> None:
 
 @pytest.mark.slow
 def test_friction_opposes_and_costs_power(many: Callable[[int, int], int]) -> None:
-    for k, drawn in enumerate(sample(many(60, 20), seed=9, dyads=(1, 2))):
+    for k, drawn in enumerate(sample(many(60, 10), seed=9, dyads=(1, 2))):
         one = weighed(drawn, k)
         plain = solve(one, drawn.phi, drawn.poses, order_of(one, gravity=True))
         rough = order_of(one, gravity=True, friction=rubbing(drawn, 0.05, 12))

@@ -10,6 +10,7 @@ import pytest
 from support.drawn import board
 from support.each import each
 from support.mechanisms import Sampled, sample
+from support.turns import in_turn
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import arrays
@@ -32,7 +33,7 @@ def _same(first: dict[str, Any], second: dict[str, Any], places: Any = slice(Non
 
 
 @pytest.mark.slow
-@each("drawn", DRAWN)
+@each("drawn", DRAWN, turns=8)
 def test_twelve_at_once_are_twelve_times_one(drawn: Sampled) -> None:
     sheet, angles = board(drawn.mechanism), ANGLES + drawn.phi
     whole = sheet.read(angles)
@@ -44,7 +45,7 @@ def test_twelve_at_once_are_twelve_times_one(drawn: Sampled) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("block", [1, 2, 7, 4096])
 def test_a_block_boundary_changes_nothing(block: int) -> None:
-    for drawn in DRAWN:
+    for drawn in in_turn(DRAWN, 8):
         sheet, angles = board(drawn.mechanism), ANGLES + drawn.phi
         _same(sheet.read(angles), sheet.read(angles, block=block))
 

@@ -67,6 +67,7 @@ def test_a_plan_that_is_nowhere_is_not_taken_for_another() -> None:
     assert stood(flat(grey), plan())[1] < THERE
 
 
+@pytest.mark.turns(2, "sheets")
 @pytest.mark.slow
 def test_a_plan_of_one_position_has_points_and_lines() -> None:
     made, sheets = exact("lever")
@@ -164,6 +165,7 @@ def read(name: str, number: int, seed: int, left: Left = Left()) -> tuple[FlatSh
     return drawn, read_plans(flat, views(made, sheet, HANDS["student"]), {})
 
 
+@pytest.mark.turns(2, "sheets")
 @pytest.mark.slow
 def test_what_is_seen_is_where_the_student_drew_it(many: Callable[[int, int], int]) -> None:
     """With ``--measured`` of three students' drawings of a sheet."""
@@ -183,6 +185,7 @@ def test_what_is_seen_is_where_the_student_drew_it(many: Callable[[int, int], in
     assert np.mean(np.array(off) > 1.0) <= 0.01
 
 
+@pytest.mark.turns(2, "sheets")
 @pytest.mark.slow
 def test_a_plan_that_is_not_there_is_asked_for() -> None:
     sheet, found = read("crank-rocker", 2, 1, Left(plans=1.0))
@@ -193,6 +196,7 @@ def test_a_plan_that_is_not_there_is_asked_for() -> None:
     )
 
 
+@pytest.mark.turns(2, "sheets")
 @pytest.mark.slow
 def test_a_plan_that_stands_elsewhere_is_found_by_its_pole() -> None:
     drawn = flat_sheet("crank-rocker", 2, 3)

@@ -165,6 +165,7 @@ def test_the_gradebook_is_what_learning_platforms_take() -> None:
     assert all(mark in "2345" and text.strip() for _, mark, text in rows)
 
 
+@pytest.mark.turns(1, "forms")
 @pytest.mark.slow
 def test_all_forms_hold_the_same(tmp_path: Path) -> None:
     of = marked()
@@ -178,6 +179,7 @@ def test_all_forms_hold_the_same(tmp_path: Path) -> None:
     assert not re.search(r'(?:src|href)="(?!reports/)', page)
 
 
+@pytest.mark.turns(1, "forms")
 @pytest.mark.slow
 def test_the_same_again_has_the_same_bytes() -> None:
     """In another folder, in one process; and again in the same one, where nothing is made anew."""

@@ -107,6 +107,7 @@ def test_a_view_moved_by_hand_stays_there() -> None:
     assert [text for text in made.scene.remarks if "ghost" in text]
 
 
+@pytest.mark.turns(1, "other sheets")
 @pytest.mark.slow
 def test_a_composition_of_other_sheets_is_told_and_not_used() -> None:
     scene = read(SHEETS / "offset-slider")
@@ -119,6 +120,7 @@ def test_a_composition_of_other_sheets_is_told_and_not_used() -> None:
     assert any("composed anew" in text for text in made.scene.remarks)
 
 
+@pytest.mark.turns(1, "other sheets")
 @pytest.mark.slow
 def test_a_composition_is_the_start_of_a_variant(tmp_path: Path) -> None:
     shutil.copytree(SHEETS / "offset-slider", tmp_path / "s")
@@ -141,6 +143,7 @@ def test_a_composition_is_the_start_of_a_variant(tmp_path: Path) -> None:
             assert max(across, one[1] - other[3], other[1] - one[3]) > -0.05
 
 
+@pytest.mark.turns(1, "other sheets")
 @pytest.mark.slow
 def test_a_composition_of_other_views_is_of_no_use() -> None:
     scene = read(SHEETS / "offset-slider")
