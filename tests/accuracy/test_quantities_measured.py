@@ -62,6 +62,7 @@ def test_diagrams_and_their_plans_are_those_of_the_table() -> None:
     assert mine.read(reading, 1, due=True)[0] == pytest.approx(due, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_a_moment_is_judged_by_kinetostatics_and_two_masses_leave_only_their_own_error() -> None:
     """Two masses have the rod's mass and centre, not its J: their moment is off by (J_lumped − J)·ε alone.
 
@@ -90,6 +91,7 @@ def test_a_moment_is_judged_by_kinetostatics_and_two_masses_leave_only_their_own
     assert np.abs(found - due).max() < 1e-9 * np.abs(due).max()
 
 
+@pytest.mark.slow
 def test_a_reference_has_converged() -> None:
     """Of an error that falls as N⁻² a row four times as fine has a sixteenth; the reference is finer still."""
     own = scene("engine")

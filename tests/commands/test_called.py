@@ -232,6 +232,7 @@ def test_the_packaged_scenes_leave_nothing_unsaid() -> None:
         assert (folder.name, scene.remarks, unplaced(scene)) == (folder.name, (), ())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("place", ["accelerations", "acceleration table"])
 def test_a_sheet_without_the_plans_that_it_names_says_so(place: str, tmp_path: Path) -> None:
     text = asked.mechanism("slider", 6, [("A1", ("positions", "velocities"))])

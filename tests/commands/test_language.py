@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 from support.found_once import found_once as found_once
+from support.turns import in_turn
 
 from graphic_tmm.__main__ import main
 
@@ -108,10 +109,8 @@ def test_what_is_printed_is_in_the_language_asked_for(
 @pytest.mark.usefixtures("found_once")
 def test_steps_tell_the_scale_factors_of_the_sheets_in_that_language(tmp_path: Path) -> None:
     """Words are wider in one language than in another, so each has scale factors of its own."""
-    for language, mark in (
-        ("ru", r"μ_v = ([\d,]+) \(м/с\)/мм"),
-        ("en", r"μ_v = ([\d.]+) \(m/s\)/mm"),
-    ):
+    marks = (("ru", r"μ_v = ([\d,]+) \(м/с\)/мм"), ("en", r"μ_v = ([\d.]+) \(m/s\)/mm"))
+    for language, mark in in_turn(marks, 1):
         assert (
             invoke("draw", "crank-press", "-o", tmp_path / language, "-l", language).exit_code == 0
         )

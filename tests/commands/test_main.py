@@ -114,18 +114,6 @@ def test_lengths_that_assemble_in_part_are_drawn_in_part(tmp_path: Path) -> None
     assert [k + 1 for k, mm in enumerate(found["mm"]) if mm is None] == [3, 4, 5, 9, 10, 11]
 
 
-@pytest.mark.slow
-def test_text_of_a_scene_is_data(tmp_path: Path) -> None:
-    nasty = "<script>alert(1)</script> & [red]../../x[/red] 'quoted'"
-    path = edited(tmp_path, ('title    = "Двигатель одноцилиндровый"', f'title = "{nasty}"'))
-    result = invoke("draw", str(path), "-o", str(tmp_path / "out"))
-    assert result.exit_code == 0, result.output
-    text = next((tmp_path / "out").glob("*.svg")).read_text(encoding="utf-8")
-    assert "<script" not in text
-    assert "&lt;script&gt;" in text
-    assert "[red]" in invoke("table", str(path)).stdout
-
-
 def test_scenes_and_schema() -> None:
     listed = invoke("scenes").stdout
     assert "windrower " in listed

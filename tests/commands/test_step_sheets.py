@@ -43,6 +43,7 @@ def test_the_sheets_speak_the_language_asked_for(language: str, tmp_path: Path) 
     assert f'xml:lang="{language}"' in text
 
 
+@pytest.mark.slow
 def test_the_same_bytes_twice() -> None:
     folder = Path(__file__).parents[2] / "sheets" / TASK
     first, second = (

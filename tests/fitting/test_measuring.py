@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from graphic_tmm.fitting.measuring import Rooms
 from graphic_tmm.fitting.sizes import Sizes, usual
 from graphic_tmm.fitting.tried import Mechanism
@@ -17,6 +19,7 @@ def boxes(rooms: Rooms, sizes: Sizes) -> Boxes:
     return [(one.view.name, bounds(one.view)) for one in rooms.sheet_views(sizes)]
 
 
+@pytest.mark.slow
 def test_a_piece_that_is_not_drawn_again_takes_the_same_room() -> None:
     """Of a flywheel the graphs do not depend on the size of its sketch, nor the sketch on theirs."""
     assert len(pieces("flywheel")) > 1

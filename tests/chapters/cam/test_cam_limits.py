@@ -130,6 +130,7 @@ def test_a_ruler_of_half_a_millimetre_gives_nearly_the_same_cam() -> None:
     assert abs(float(read[found.cam.least][0, 0]) - due) < bound
 
 
+@pytest.mark.slow
 def test_the_limits_of_the_pressure_angle_bear_their_signs_clear_of_their_lines() -> None:
     """A stroke of a dashed line that ran up to "[α] = 30°" would read as a minus."""
     (work,) = gallery.made("cam").boards

@@ -122,6 +122,7 @@ def test_so_many_positions_are_enough_and_no_usual_number_below_is(tmp_path: Pat
     assert not any("positions:" in text for text in warnings(made.boards[0], "en"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", ["en", "ru"])
 def test_it_is_told_on_sheet_table_note_and_to_machines(tmp_path: Path, language: str) -> None:
     made = drawn(tmp_path, language=language)

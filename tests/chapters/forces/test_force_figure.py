@@ -95,6 +95,7 @@ def test_arrows_on_a_detached_group_are_of_conventional_length() -> None:
                 assert min(lengths) >= 12.0 - SHAFT * ARROW_LENGTH  # the shaft ends in the head
 
 
+@pytest.mark.slow
 def test_couples_stand_in_the_printed_table_by_their_sizes() -> None:
     """Their senses are drawn; machines are told them by signs."""
     work = drawn("lever")

@@ -61,6 +61,7 @@ def test_the_forces_of_one_point_are_drawn(tmp_path: Path, name: str) -> None:
         assert column(found, "forces", segment)["value"][0] == pytest.approx(size, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_the_choice_of_its_scale_is_told(tmp_path: Path) -> None:
     told = printed("steps", scene(tmp_path, "force"), "-p", "scales", "--why")
     assert "Take μ_l for μ_l23." in told

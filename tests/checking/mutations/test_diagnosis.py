@@ -133,6 +133,7 @@ def test_one_reading_ten_times_too_large_is_a_slip() -> None:
     assert "decimal point" in first.says
 
 
+@pytest.mark.slow
 def test_a_name_that_leaves_a_reading_of_its_segment_is_not_sure() -> None:
     twice = planted(lambda one: of("ω_3", "factor")(one) and one.times == 2.0)
     rows = drawn_with(twice)

@@ -70,6 +70,7 @@ def test_a_task_is_handed_out_on_one_sheet(name: str, language: str) -> None:
     assert len(done(work).files) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["engine", "project"])
 def test_no_sheet_of_several_is_left_white(name: str) -> None:
     """What was a third white is a quarter at most, between the uppermost ink and the title block."""

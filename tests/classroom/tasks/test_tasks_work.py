@@ -74,6 +74,7 @@ def test_a_key_holds_the_scene_of_its_variant() -> None:
     assert done(pickle.loads(pickle.dumps(key))) == once(key)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("begun", [True, False])
 def test_a_key_is_what_the_commands_make_of_its_scene(begun: bool, tmp_path: Path) -> None:
     key = works(BASE, VARIANTS[:1], start=start() if begun else "")[1]
@@ -148,6 +149,7 @@ def test_a_scene_on_standard_input_is_read_once(tmp_path: Path) -> None:
     assert [one.name for one in (out / "tasks").iterdir()] == ["scene.svg"]
 
 
+@pytest.mark.slow
 def test_a_table_of_readings_goes_out_with_the_scales_of_the_key() -> None:
     """What it tells of the scale factors stands on the task, and by them the key is drawn."""
     task, key = works(BASE, VARIANTS[:1], keys=("table",), start=start(), readings=True)
