@@ -15,9 +15,9 @@ from typing import NamedTuple
 
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Point
-from graphic_tmm.paper.drawing import Drawing, Ink, Label
+from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted
 from graphic_tmm.paper.rules import rule_of, stays
-from graphic_tmm.paper.seen import Rule, Seen
+from graphic_tmm.paper.seen import Rule, Seen, Subject
 
 
 @dataclass(frozen=True)
@@ -43,6 +43,29 @@ class Traces:
 
     def __init__(self, seen: Seen, staying: tuple[Ink, ...], rubbed: tuple[Ink, ...]) -> None:
         self.seen, self.staying, self.rubbed = seen, staying, rubbed
+
+    def drawing(
+        self,
+        subject: Subject,
+        strokes: Iterable[Ink],
+        wanted: Iterable[Wanted],
+        labels: Iterable[Label] = (),
+        positions: Iterable[tuple[int, str]] = (),
+    ) -> Drawing:
+        """Return the view: ``strokes``, of which what stays is a part, its letters and what is rubbed out.
+
+        ``positions``: what those that stand in it together are called, by index.
+        """
+        return Drawing(
+            subject.name or self.seen.views[0],
+            subject.title,
+            tuple(strokes),
+            tuple(labels),
+            rubbed=self.rubbed,
+            shows=self.seen.views,
+            wanted=tuple(wanted),
+            numbers=tuple(positions),
+        )
 
 
 def figure(seen: Seen, manner: Manner | None = None, *, helping: bool = True) -> Traces:

@@ -10,15 +10,14 @@ import numpy as np
 import shapely
 
 from graphic_tmm.board import roles
-from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations import graphs as g
 from graphic_tmm.board.operations.instruments import join, measure_along
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Curve, Point, Reals
 from graphic_tmm.paper.axes import position_numbers
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import added, body, figure
-from graphic_tmm.paper.formats import HEIGHTS, Heights
+from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.graph_rules import (
     EXTREMES,
     OUTLINE,
@@ -33,7 +32,7 @@ from graphic_tmm.paper.label_places import polylines
 from graphic_tmm.paper.labels import Named
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.rules import segment
-from graphic_tmm.paper.seen import Rule, finite
+from graphic_tmm.paper.seen import Rule, Subject, finite
 from graphic_tmm.paper.shapes import flat
 from graphic_tmm.paper.symbols.dimensions import SIZE, Dimension, dimension
 from graphic_tmm.paper.symbols.kinematic import pole
@@ -164,24 +163,15 @@ class Names(NamedTuple):
 
 
 def draw_graph(
-    construction: Construction,
-    reading: Reading,
-    view: str,
-    row: int,
-    names: Names,
-    title: str,
-    *,
-    heights: Heights = HEIGHTS["A1"],
-    rules: Mapping[str, Rule] = MappingProxyType({}),
+    on: Subject, view: str, row: int, names: Names, rules: Mapping[str, Rule] = MappingProxyType({})
 ) -> Drawing:
     """Return a graph: ``row`` intervals; the positions behind the row stand where they belong.
 
     ``rules``: what the operations of a chapter leave, by their names.
     """
-    graph = Graph(construction, reading, view, row)
+    graph, small = Graph(on.construction, on.reading, view, row), on.heights.number
     traces = figure(graph, manner_of(graph, rules))
     strokes = [*traces.staying, *_outlines(graph), *_poles(graph), *_levels(graph, names)]
-    small = heights.number
     made = [
         *_lengths(graph, names, small),
         *_distances(graph, names, small),
@@ -190,18 +180,10 @@ def draw_graph(
     for mark, one in made:
         drawn = one.strokes
         strokes += added(drawn, "dimension") if mark is None else body(drawn, "dimension", [mark])
-    numbers = position_numbers(*_positions(graph, names), strokes, heights.number)
+    numbers = position_numbers(*_positions(graph, names), strokes, small)
     figures = [one.label._replace(of=_slots(mark)) for mark, one in made]
-    return Drawing(
-        view,
-        title,
-        tuple(strokes),
-        (*figures, *numbers),
-        rubbed=traces.rubbed,
-        shows=(view,),
-        wanted=tuple(_letters(graph, names, heights)),
-        begins=(graph.axes.along.slot, graph.axes.up.slot),
-    )
+    drawing = traces.drawing(on, strokes, _letters(graph, names, on.heights), (*figures, *numbers))
+    return drawing._replace(begins=(graph.axes.along.slot, graph.axes.up.slot))
 
 
 def _slots(mark: Mark | None) -> tuple[int, ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property, lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import ByIdentity, Construction, Mark, Step
 from graphic_tmm.board.values import Curve
 from graphic_tmm.paper.drawing import Ink
+from graphic_tmm.paper.formats import HEIGHTS, Heights
 
 Rule = Callable[["Seen", Step, int], Iterable[Ink]]
 """The log and its numbers, a step, a position (index) -> the strokes that it leaves there."""
@@ -73,6 +75,24 @@ class Seen:
         value = self.reading[step.it]
         parts = value if isinstance(value, tuple) else (value,)
         return any(part.shape[1] > 1 for part in parts)
+
+
+class Subject(NamedTuple):
+    """What a view shows: a log with its numbers; how the view is titled, and lettered in which language.
+
+    ``name``: of the view, "" where it is called as the view of the log that it shows.
+    """
+
+    construction: Construction
+    reading: Reading
+    title: str = ""
+    heights: Heights = HEIGHTS["A1"]
+    language: str = "en"
+    name: str = ""
+
+    def seen(self, views: Sequence[str], positions: Sequence[int]) -> Seen:
+        """Return some views of the log at some positions (indices)."""
+        return Seen(self.construction, self.reading, views, positions)
 
 
 @lru_cache(maxsize=8)

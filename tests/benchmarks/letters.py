@@ -15,6 +15,7 @@ from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
 from graphic_tmm.chapters.kinematics.task import VELOCITIES
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.labels import finished
+from graphic_tmm.paper.seen import Subject
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
 
@@ -34,7 +35,8 @@ def plans(count: int) -> list[Drawing]:
     log, reading = drawn.construction, drawn.of(VELOCITIES)
     assert reading is not None
     return [
-        draw_plan(log, reading, VELOCITIES, [Place(k)], str(k), "", MU, "m/s") for k in range(count)
+        draw_plan(Subject(log, reading, name=str(k)), VELOCITIES, [Place(k)], MU, "m/s")
+        for k in range(count)
     ]
 
 

@@ -21,6 +21,7 @@ from graphic_tmm.paper.figure import Picture, of_step, pictures, until
 from graphic_tmm.paper.graph_rules import axes_of
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.rules import BY_KIND, RULES, TRACELESS
+from graphic_tmm.paper.seen import Subject
 from graphic_tmm.scene.chapter import whole_book
 
 
@@ -28,7 +29,8 @@ def plan(work: Drawn, which: str, index: int) -> Drawing:
     reading = work.of(which)
     assert reading is not None
     mu = work.scales[which].value
-    return finished(draw_plan(work.construction, reading, which, [Place(index)], "x", "X", mu, ""))
+    on = Subject(work.construction, reading, "X", name="x")
+    return finished(draw_plan(on, which, [Place(index)], mu, ""))
 
 
 def test_every_operation_leaves_ink_or_none_by_name() -> None:

@@ -22,6 +22,7 @@ from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.graph_rules import axes_of
 from graphic_tmm.paper.labels import finished
+from graphic_tmm.paper.seen import Subject
 from graphic_tmm.paper.shapes import box, flat, shape
 from graphic_tmm.paper.views import pole_figures
 from graphic_tmm.scene.read import read
@@ -46,7 +47,7 @@ def graph(work: Drawn, symbol: str, *, lettered: bool = True) -> Drawing:
     names = Names(work.project.names, symbol, "t")
     log, row = work.project.construction, work.project.count
     view = f"diagram {symbol}"
-    return finished(draw_graph(log, work.reading, view, row, names, "X"), lettered)
+    return finished(draw_graph(Subject(log, work.reading, "X"), view, row, names), lettered)
 
 
 def length(work: Drawn, symbol: str) -> float:
@@ -146,7 +147,7 @@ def test_the_distance_of_the_pole_is_dimensioned_above_the_graph(symbol: str) ->
     (pole,) = [s for s in log.steps if s.it.view == view and s.it.role == roles.POLE]
     (text,) = (told := pole_figures(log, work.reading, view, "en")).values()
     names = Names(work.project.names, symbol, "t", lengths=told)
-    made = draw_graph(log, work.reading, view, work.project.count, names, "X")
+    made = draw_graph(Subject(log, work.reading, "X"), view, work.project.count, names)
     (label,) = [label for label in made.labels if label.text == text]
     strokes = [s for s in made.strokes if s.part == "dimension" and isinstance(s, Stroke)]
     assert strokes

@@ -10,7 +10,7 @@ from graphic_tmm.board.record import Construction
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.labels import finished
-from graphic_tmm.paper.seen import Rule
+from graphic_tmm.paper.seen import Rule, Subject
 from graphic_tmm.paper.views import pole_figures
 from support.figures import assert_pictures_make_the_view, without_ink, without_source
 
@@ -31,7 +31,7 @@ def graphs(
     made = []
     for view in axes_views(log):
         told = Names(list(names), "y", "x", lengths=pole_figures(log, reading, view, "en"))
-        made.append(finished(draw_graph(log, reading, view, row, told, view, rules=rules)))
+        made.append(finished(draw_graph(Subject(log, reading, view), view, row, told, rules)))
     return made
 
 

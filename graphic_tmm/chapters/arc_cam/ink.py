@@ -12,8 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Complexes
 from graphic_tmm.chapters.arc_cam.contour import VIEW, Arc
 from graphic_tmm.chapters.arc_cam.formulas import line_on_arc, on_arc, turn_between
@@ -22,9 +21,8 @@ from graphic_tmm.chapters.arc_cam.task import FLAT
 from graphic_tmm.chapters.cam.operations import slant
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing
-from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.labels import Named, shared
-from graphic_tmm.paper.seen import Seen, finite
+from graphic_tmm.paper.seen import Subject, finite
 from graphic_tmm.paper.symbols.kinematic import channel, fixed_pivot, round_arrow
 
 TRACELESS = frozenset({on_arc.name, line_on_arc.name, slant.name, turn_between.name})
@@ -50,9 +48,9 @@ class ArcNames(NamedTuple):
 class _Ink:
     """The view of the contour and its numbers while it is inked."""
 
-    def __init__(self, log: Construction, reading: Reading, made: ArcCam, heights: Heights) -> None:
-        self.seen = Seen(log, reading, (VIEW,), range(len(made.angles)))
-        self.made, self.heights = made, heights
+    def __init__(self, on: Subject, made: ArcCam) -> None:
+        self.seen = on.seen((VIEW,), range(len(made.angles)))
+        self.made, self.heights = made, on.heights
         self.points = self.all(made.follower.points)
 
     def all(self, mark: Mark) -> Complexes:
@@ -78,30 +76,14 @@ class _Ink:
         return self.length(base.reach) - self.length(base.radius)
 
 
-def draw_contour_ink(
-    log: Construction,
-    reading: Reading,
-    made: ArcCam,
-    names: ArcNames,
-    title: str,
-    heights: Heights,
-) -> Drawing:
+def draw_contour_ink(on: Subject, made: ArcCam, names: ArcNames) -> Drawing:
     """Return the contour with its follower in reversed motion."""
-    ink = _Ink(log, reading, made, heights)
+    ink = _Ink(on, made)
     traces = figure(ink.seen, showing({}))
     strokes = [*traces.staying, *_contour(ink), *_ways(ink), *_inverted(ink), *_lowest(ink)]
     strokes += _shaft(ink)
     wanted = [*_letters(ink, names), *_numbers(ink, names.positions)]
-    return Drawing(
-        VIEW,
-        title,
-        tuple(strokes),
-        (),
-        rubbed=traces.rubbed,
-        shows=(VIEW,),
-        wanted=tuple(wanted),
-        numbers=tuple(enumerate(names.positions)),
-    )
+    return traces.drawing(on, strokes, wanted, (), enumerate(names.positions))
 
 
 def from_to(pen: str, centre: complex, start: complex, end: complex, sense: int) -> list[Ink]:

@@ -10,6 +10,7 @@ from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, LETTERS, VIEWS, ArcC
 from graphic_tmm.chapters.arc_cam.table import PLAN, arc_columns
 from graphic_tmm.chapters.arc_cam.table import results as figures
 from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.units import unit
@@ -18,7 +19,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.labels import finished
-from graphic_tmm.paper.views import captioned, mu_text, pole_figures, stacked, wrapped
+from graphic_tmm.paper.views import mu_text, pole_figures, stacked, wrapped
 from graphic_tmm.readers.result_table import result_table, results
 from graphic_tmm.readers.task_sheet import given_views
 from graphic_tmm.scene.captions import captions
@@ -39,7 +40,6 @@ def arc_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 def _contour(drawn: Drawn, made: ArcCam, lettered: bool) -> Drawing:
     language, order = drawn.scene.language, made.order
-    words, high = captions(language), heights(drawn.scene, PLAN)
     sizes = {"base": ("r_{1}", order.base), "nose": ("r_{2}", order.nose)}
     if order.rise.radius is not None:
         sizes["rise"] = ("r_{3}", order.rise.radius)
@@ -50,12 +50,11 @@ def _contour(drawn: Drawn, made: ArcCam, lettered: bool) -> Drawing:
         for name, (letter, value) in sizes.items()
         if value
     }
-    title = words["arc cam profile"]
-    on = (drawn.construction, drawn.reading, made)
-    view = draw_contour_ink(*on, ArcNames(drawn.names, told), title, high)
+    on = subject(drawn, captions(language)["arc cam profile"], PLAN)
+    view = draw_contour_ink(on, made, ArcNames(drawn.names, told))
     mu = float(drawn.reading[made.contour.mu][0, 0])
     scale = f"μ_l = {number(mu, language)} {unit('m/mm', language)}"
-    return captioned(finished(view, lettered), title, scale, heights=high)
+    return with_caption(view, on, lettered, scale)
 
 
 def _mm(metres: float, language: str) -> str:
@@ -67,15 +66,14 @@ def _diagrams(drawn: Drawn, made: ArcCam, lettered: bool) -> Drawing:
     words, high = captions(language), heights(drawn.scene, PLAN)
     views, scales = [], []
     for which, chart in made.charts.items():
-        title = words[VIEWS[which]]
         told = Names(
             drawn.names,
             on_axis(LETTERS[which], unit(chart.unit, language)),
             on_axis("φ", "°"),
             lengths=pole_figures(log, reading, chart.view, language),
         )
-        row = made.order.parts + 1
-        graph = draw_graph(log, reading, chart.view, row, told, title, heights=high)
+        on = subject(drawn, words[VIEWS[which]], PLAN)
+        graph = draw_graph(on, chart.view, made.order.parts + 1, told)
         views.append(finished(graph, lettered))
         scale = drawn.scales[chart.view]._replace(symbol=f"μ_{{{LETTERS[which]}}}")
         scales.append(mu_text(scale, language))

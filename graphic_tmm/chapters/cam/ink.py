@@ -9,8 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction, Figure, Mark
+from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.values import Arc, Complexes, Curve
 from graphic_tmm.chapters.cam.centre import Path
 from graphic_tmm.chapters.cam.ink_rules import (
@@ -21,7 +20,6 @@ from graphic_tmm.chapters.cam.ink_rules import (
     draw_phases,
     numbered,
     phase_letters,
-    picture,
     whole,
 )
 from graphic_tmm.chapters.cam.plan import Cam
@@ -29,8 +27,7 @@ from graphic_tmm.chapters.cam.profile import THEORETICAL, VIEW, WORKING
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing
-from graphic_tmm.paper.formats import Heights
-from graphic_tmm.paper.seen import Rule, finite
+from graphic_tmm.paper.seen import Rule, Subject, finite
 from graphic_tmm.paper.symbols.kinematic import arrowhead, channel, fixed_pivot, round_arrow
 
 ROD = 34.0
@@ -150,16 +147,9 @@ class ProfileNames(NamedTuple):
     offset: str = "e"
 
 
-def draw_profile_ink(
-    construction: Construction,
-    reading: Reading,
-    cam: Cam,
-    names: ProfileNames,
-    title: str,
-    heights: Heights,
-) -> Drawing:
+def draw_profile_ink(on: Subject, cam: Cam, names: ProfileNames) -> Drawing:
     """Return the profiles of a cam with the rollers (or faces) whose envelope the working one is."""
-    ink = CamInk(construction, reading, cam, VIEW, heights)
+    ink = CamInk(on, cam, VIEW)
     made = cam.profile
     points = ink.all((made.theoretical or made.working).points)
     traces = figure(ink.seen, showing(_rules(ink, points)))
@@ -170,7 +160,7 @@ def draw_profile_ink(
     wanted = [*_letters(ink, names, points), *_dwell_letters(ink, names, points)]
     wanted += phase_letters(ink)
     strokes += [*_radii(ink, points), *draw_phases(ink)]
-    return picture((VIEW, title), traces, strokes, wanted, names.positions)
+    return traces.drawing(on, strokes, wanted, (), enumerate(names.positions))
 
 
 def _rules(ink: CamInk, points: Complexes) -> dict[Mark, Rule]:

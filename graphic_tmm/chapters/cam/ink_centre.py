@@ -9,8 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.cam.centre import VIEW, Centre
 from graphic_tmm.chapters.cam.ink_rules import (
     OVER,
@@ -20,7 +19,6 @@ from graphic_tmm.chapters.cam.ink_rules import (
     curve,
     drawn,
     numbered,
-    picture,
     reached,
     straight,
 )
@@ -28,9 +26,8 @@ from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing
-from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.rules import segment
-from graphic_tmm.paper.seen import Rule, Seen, finite
+from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import dimension
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot, hatching
 
@@ -61,25 +58,18 @@ class CentreNames(NamedTuple):
     offset: str = "e"
 
 
-def draw_centre_ink(
-    construction: Construction,
-    reading: Reading,
-    cam: Cam,
-    names: CentreNames,
-    title: str,
-    heights: Heights,
-) -> Drawing:
+def draw_centre_ink(on: Subject, cam: Cam, names: CentreNames) -> Drawing:
     """Return the S–dS/dφ diagram of a translating roller with the region of allowed centres."""
     made = cam.centre
     assert isinstance(made, Centre)
-    ink = _Region(CamInk(construction, reading, cam, VIEW, heights), made)
+    ink = _Region(CamInk(on, cam, VIEW), made)
     traces = figure(ink.on.seen, showing(_rules(ink)))
     radii = list(_dimensions(ink, names))
     strokes = [*traces.staying, *added(_axes(ink), "axis"), *_bodies(ink)]
     strokes += [stroke for found, _ in radii for stroke in found]
     labels = [label for _, label in radii if label is not None]
-    wanted = _letters(ink, names)
-    return picture((VIEW, title), traces, strokes, wanted, names.positions, labels)
+    positions = enumerate(names.positions)
+    return traces.drawing(on, strokes, _letters(ink, names), labels, positions)
 
 
 class _Region:
@@ -228,24 +218,17 @@ class Bound(NamedTuple):
     marks: tuple[Mark, Mark]
 
 
-def draw_rocker_ink(
-    construction: Construction,
-    reading: Reading,
-    cam: Cam,
-    names: CentreNames,
-    title: str,
-    heights: Heights,
-) -> Drawing:
+def draw_rocker_ink(on: Subject, cam: Cam, names: CentreNames) -> Drawing:
     """Return the levers with dS/dφ laid off along them, the limits, and the centres on their circle."""
     made, path = cam.centre, cam.path
     assert isinstance(made, Centre)
     assert isinstance(path, Lever)
-    ink = CamInk(construction, reading, cam, VIEW, heights)
+    ink = CamInk(on, cam, VIEW)
     bounds = list(_bounds(ink, made, path, names.limits))
     traces = figure(ink.seen, showing(_rocker_rules(ink, made, path, bounds)))
     strokes = (*traces.staying, *_rocker_bodies(ink, made, path, bounds))
     wanted = _rocker_letters(ink, made, path, names, bounds)
-    return picture((VIEW, title), traces, strokes, wanted, names.positions)
+    return traces.drawing(on, strokes, wanted, (), enumerate(names.positions))
 
 
 def _bounds(ink: CamInk, made: Centre, path: Lever, texts: tuple[str, str]) -> Iterator[Bound]:

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.cam.centre import VIEW, Convexity
 from graphic_tmm.chapters.cam.ink_centre import CentreNames
 from graphic_tmm.chapters.cam.ink_rules import (
@@ -16,16 +15,14 @@ from graphic_tmm.chapters.cam.ink_rules import (
     arrow_axis,
     curve,
     numbered,
-    picture,
     reached,
     straight,
 )
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing
-from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.rules import segment
-from graphic_tmm.paper.seen import Rule, Seen, finite
+from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import dimension
 
 LEAST = 0.3
@@ -38,25 +35,18 @@ ASIDE, APART = 12.0, 9.0
 """From the axis to the dimension of a radius, between two of them, mm."""
 
 
-def draw_convexity_ink(
-    construction: Construction,
-    reading: Reading,
-    cam: Cam,
-    names: CentreNames,
-    title: str,
-    heights: Heights,
-) -> Drawing:
+def draw_convexity_ink(on: Subject, cam: Cam, names: CentreNames) -> Drawing:
     """Return S over d²S/dφ² with the line at 45° that touches it from below, and the radii cut off."""
     made = cam.centre
     assert isinstance(made, Convexity)
-    ink = _Convexity(CamInk(construction, reading, cam, VIEW, heights), made)
+    ink = _Convexity(CamInk(on, cam, VIEW), made)
     traces = figure(ink.on.seen, showing(_rules(ink)))
     radii = list(_dimensions(ink, names))
     strokes = [*traces.staying, *added(_axes(ink), "axis"), *_bodies(ink)]
     strokes += [stroke for found, _ in radii for stroke in found]
     labels = [label for _, label in radii]
-    wanted = _letters(ink, names)
-    return picture((VIEW, title), traces, strokes, wanted, names.positions, labels)
+    positions = enumerate(names.positions)
+    return traces.drawing(on, strokes, _letters(ink, names), labels, positions)
 
 
 class _Convexity:

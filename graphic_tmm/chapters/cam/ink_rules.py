@@ -4,26 +4,24 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.operations.instruments import strike
-from graphic_tmm.board.record import Construction, Figure, Mark, Step
+from graphic_tmm.board.record import Figure, Mark, Step
 from graphic_tmm.board.values import Complexes
 from graphic_tmm.chapters.cam import formulas as law
 from graphic_tmm.chapters.cam.operations import divide_semicircle, extreme_of_two, phase_end, slant
 from graphic_tmm.chapters.cam.plan import Cam
-from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Label, Wanted, arc, circle, line
-from graphic_tmm.paper.figure import Traces, body
-from graphic_tmm.paper.formats import Heights
+from graphic_tmm.paper.drawing import Bezier, Ink, Wanted, arc, circle, line
+from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.graph_rules import DOT
 from graphic_tmm.paper.labels import Named, shared
 from graphic_tmm.paper.rules import segment, struck_arc
-from graphic_tmm.paper.seen import Rule, Seen, finite
+from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 TRACELESS = frozenset({phase_end.name, extreme_of_two.name, slant.name, "in_turn"})
@@ -33,42 +31,12 @@ POINT = 0.4
 """Radius of a point, mm."""
 
 
-def picture(
-    on: tuple[str, str],
-    traces: Traces,
-    strokes: Iterable[Ink],
-    wanted: Iterable[Wanted],
-    positions: Sequence[str],
-    labels: Iterable[Label] = (),
-) -> Drawing:
-    """Return a view of a cam with its title (``on``), what its steps left and what stands on it besides."""
-    view, title = on
-    return Drawing(
-        view,
-        title,
-        tuple(strokes),
-        tuple(labels),
-        rubbed=traces.rubbed,
-        shows=(view,),
-        wanted=tuple(wanted),
-        numbers=tuple(enumerate(positions)),
-    )
-
-
 class CamInk:
     """A view of a cam's log and its numbers while it is inked."""
 
-    def __init__(
-        self,
-        construction: Construction,
-        reading: Reading,
-        cam: Cam,
-        view: str,
-        heights: Heights,
-    ) -> None:
-        count = cam.diagrams.turn.positions
-        self.seen = Seen(construction, reading, (view,), range(count))
-        self.cam, self.view, self.heights = cam, view, heights
+    def __init__(self, on: Subject, cam: Cam, view: str) -> None:
+        self.seen = on.seen((view,), range(cam.diagrams.turn.positions))
+        self.cam, self.view, self.heights = cam, view, on.heights
 
     def all(self, mark: Mark) -> Complexes:
         """The places of a point in all positions."""

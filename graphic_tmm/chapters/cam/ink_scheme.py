@@ -15,7 +15,7 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.curve import bezier
-from graphic_tmm.board.record import Construction, Figure
+from graphic_tmm.board.record import Figure
 from graphic_tmm.board.values import Arc
 from graphic_tmm.chapters.cam.ink import GUIDE, PIN, ROD, TURN, WIDTH, dwells
 from graphic_tmm.chapters.cam.ink_rules import CamInk
@@ -23,8 +23,7 @@ from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import THEORETICAL, VIEW
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.figure import added, body
-from graphic_tmm.paper.formats import Heights
-from graphic_tmm.paper.seen import finite
+from graphic_tmm.paper.seen import Subject, finite
 from graphic_tmm.paper.symbols.dimensions import angular
 from graphic_tmm.paper.symbols.kinematic import channel, fixed_pivot, round_arrow
 
@@ -55,29 +54,16 @@ def position_of(reading: Reading, cam: Cam) -> int:
     return rise.first + (int(np.nanargmax(row)) if np.isfinite(row).any() else rise.parts // 2)
 
 
-def draw_scheme_ink(
-    construction: Construction,
-    reading: Reading,
-    cam: Cam,
-    names: SchemeNames,
-    title: str,
-    heights: Heights,
-) -> Drawing:
+def draw_scheme_ink(on: Subject, cam: Cam, names: SchemeNames) -> Drawing:
     """Return the mechanism in one position."""
-    ink = CamInk(construction, reading, cam, VIEW, heights)
-    k = position_of(reading, cam)
+    ink = CamInk(on, cam, VIEW)
+    k = position_of(on.reading, cam)
     angle = ink.seen.number(cam.diagrams.angle, k)
     turn = cmath.exp(1j * cam.sense * math.radians(angle))
-    strokes, wanted = [*_cam(ink, turn)], [*_letters(ink, names)]
-    more, letters = _follower(ink, k, turn, names)
-    return Drawing(
-        NAME,
-        title,
-        (*strokes, *more, *_shaft(ink)),
-        (),
-        shows=(VIEW,),
-        wanted=(*wanted, *letters),
-    )
+    cam_, letters = [*_cam(ink, turn)], [*_letters(ink, names)]
+    follower, more = _follower(ink, k, turn, names)
+    strokes, wanted = (*cam_, *follower, *_shaft(ink)), (*letters, *more)
+    return Drawing(NAME, on.title, strokes, shows=(VIEW,), wanted=wanted)
 
 
 def _turned(stroke: Ink, turn: complex) -> Ink:

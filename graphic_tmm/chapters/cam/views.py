@@ -20,6 +20,7 @@ from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.table import PLAN, cam_columns, cam_marks
 from graphic_tmm.chapters.cam.turn import CURVATURE
 from graphic_tmm.drawn import Drawn, results_of, single
+from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
@@ -28,8 +29,7 @@ from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.graph import Level, Names, Span, draw_graph
-from graphic_tmm.paper.labels import finished
-from graphic_tmm.paper.views import captioned, mu_text, pole_figures, stacked
+from graphic_tmm.paper.views import mu_text, pole_figures, stacked
 from graphic_tmm.readers.result_table import result_table, results
 from graphic_tmm.readers.task_sheet import given_views
 from graphic_tmm.scene.captions import captions
@@ -57,15 +57,14 @@ def cam_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 def scheme_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the mechanism's scheme in one position."""
     made, language = CAM_PLAN.on(drawn), drawn.scene.language
-    pressure, high = "", heights(drawn.scene, PLAN)
+    pressure = ""
     if made.pressure is not None and not isinstance(made.centre, Convexity):
         angle = drawn.reading.figure(made.centre.pressure)[0, position_of(drawn.reading, made)]
         pressure = f"α = {fixed(abs(float(angle)), 1, language)}°"
     told = SchemeNames(pressure, f"r_{{0}} = {_mm(drawn, made.r0)}")
-    title = captions(language)["cam scheme"]
-    on = (drawn.construction, drawn.reading, made)
-    view = finished(draw_scheme_ink(*on, told, title, high), lettered)
-    return [captioned(view, title, _lengths(drawn, made), heights=high)]
+    on = subject(drawn, captions(language)["cam scheme"], PLAN)
+    view = draw_scheme_ink(on, made, told)
+    return [with_caption(view, on, lettered, _lengths(drawn, made))]
 
 
 def _number(drawn: Drawn, mark: Mark) -> float:
@@ -75,14 +74,14 @@ def _number(drawn: Drawn, mark: Mark) -> float:
 def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> list[Drawing]:
     """Return the diagrams of motion one below the other, those of pressure angle and curvature beside them."""
     language, log, reading = drawn.scene.language, drawn.construction, drawn.reading
-    words, high = captions(language), heights(drawn.scene, PLAN)
+    words = captions(language)
     charts = {chart.view: chart for chart in made.charts}
     first: list[Drawing] = []
     second: list[Drawing] = []
     for view in dict.fromkeys(f.view for f in log.figures if f.kind == "axes"):
         called = RADII if view == CURVATURE and made.pressure is None else view
         symbol = words.get(f"symbol {called}", words["symbol cam"])
-        title = _title(called, language)
+        on = subject(drawn, _title(called, language), PLAN)
         of = charts[view].unit if view in charts else ""
         told = Names(
             names,
@@ -93,10 +92,8 @@ def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> 
             spans=_phases(drawn, made) if view == "cam S" else (),
             at=() if view == "cam S" else _bounds(drawn, made),
         )
-        graph = draw_graph(
-            log, reading, view, reading.positions, told, title, heights=high, rules=DIAGRAM_RULES
-        )
-        shown = captioned(finished(graph, lettered), title, _scale(drawn, made, view), heights=high)
+        graph = draw_graph(on, view, reading.positions, told, DIAGRAM_RULES)
+        shown = with_caption(graph, on, lettered, _scale(drawn, made, view))
         (first if view in ("cam S", "cam dS", "cam ddS") else second).append(shown)
     return [stacked("cam-diagrams", first)] + ([stacked("cam-limits", second)] if second else [])
 
@@ -158,10 +155,8 @@ def _mm(drawn: Drawn, mark: Mark) -> str:
 
 def _centre(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Drawing:
     language = drawn.scene.language
-    words = captions(language)
     limits = [made.order.pressure, made.order.pressure_return or made.order.pressure]
-    high, metre = heights(drawn.scene, PLAN), unit("m", language)
-    flat = isinstance(made.centre, Convexity)
+    metre, flat = unit("m", language), isinstance(made.centre, Convexity)
     told = CentreNames(
         names,
         f"S, {metre}",
@@ -171,16 +166,12 @@ def _centre(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Dr
         (f"{number(limits[0], language)}°", f"{number(limits[1], language)}°"),
         _offset(drawn, made),
     )
-    title, on = words["cam centre"], (drawn.construction, drawn.reading, made)
-    if flat:
-        view = draw_convexity_ink(*on, told, title, high)
-    else:
-        draw = draw_rocker_ink if isinstance(made.path, Lever) else draw_centre_ink
-        view = draw(*on, told, title, high)
-    lines = [f"r_{{0min}} = {_mm(drawn, made.least)}, r_{{0}} = {_mm(drawn, made.r0)}"]
-    view = finished(view, lettered)
+    draw = draw_rocker_ink if isinstance(made.path, Lever) else draw_centre_ink
+    draw = draw_convexity_ink if flat else draw
+    on = subject(drawn, captions(language)["cam centre"], PLAN)
+    lines = (_lengths(drawn, made), f"{told.least}, {told.r0}")
     known = (made.least, made.r0)
-    return captioned(view, title, _lengths(drawn, made), *lines, heights=high, known=known)
+    return with_caption(draw(on, made, told), on, lettered, *lines, known=known)
 
 
 def _offset(drawn: Drawn, made: Cam) -> str:
@@ -198,17 +189,15 @@ def _lengths(drawn: Drawn, made: Cam) -> str:
 def _profile(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Drawing:
     language = drawn.scene.language
     _, words = speaking(language), captions(language)
-    roller = "r"
+    r0, roller = f"r_{{0}} = {_mm(drawn, made.r0)}", "r"
     if made.roller is not None:
         roller = f"r = {_mm(drawn, made.roller.radius)}"
-    r0, high = f"r_{{0}} = {_mm(drawn, made.r0)}", heights(drawn.scene, PLAN)
     told = ProfileNames(
         names, r0, roller, _("theoretical"), _("working"), offset=_offset(drawn, made)
     )
-    title = words["cam profile"]
-    on = (drawn.construction, drawn.reading, made)
-    view = finished(draw_profile_ink(*on, told, title, high), lettered)
-    return captioned(view, title, _lengths(drawn, made), heights=high)
+    on = subject(drawn, words["cam profile"], PLAN)
+    view = draw_profile_ink(on, made, told)
+    return with_caption(view, on, lettered, _lengths(drawn, made))
 
 
 def _results(drawn: Drawn) -> Drawing:

@@ -8,6 +8,7 @@ from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
 from graphic_tmm.chapters.diagrams.table import PLAN, diagram_columns
 from graphic_tmm.chapters.diagrams.task import BASE_VIEW, DIAGRAMS
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.subjects import subject
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.axes import on_axis
@@ -39,7 +40,7 @@ def diagram_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         up = on_axis(chart.symbol, unit(chart.unit, language))
         poles = pole_figures(log, drawn.reading, chart.view, language)
         letters = Names(names, up, along, lengths=poles)
-        view = draw_graph(log, drawn.reading, chart.view, row, letters, title, heights=high)
+        view = draw_graph(subject(drawn, title, PLAN), chart.view, row, letters)
         scales.append(mu_text(drawn.scales[chart.view], language))
         views.append(finished(view, lettered))
     width, title = _width(views), words["diagrams of"].format(point=escape(kinematic.order.point))

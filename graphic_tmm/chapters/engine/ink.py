@@ -6,20 +6,18 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 
-from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import lay_off, measure_along
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Line
 from graphic_tmm.chapters.engine.plan import Engine
 from graphic_tmm.chapters.engine.task import HARMONICS, VIEW
 from graphic_tmm.chapters.forces.ink_polygons import LEAST
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.figure import Manner, body, figure
-from graphic_tmm.paper.formats import HEIGHTS, Heights
 from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.rules import drawn_line, segment
-from graphic_tmm.paper.seen import Rule, Seen, finite
+from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import told_arrow
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot, pole, slider, turning_pair
 
@@ -36,23 +34,16 @@ class _Force:
         self.step, self.start, self.end, self.letter = step, start, end, letter
 
 
-def draw_triangles(
-    construction: Construction,
-    reading: Reading,
-    made: Engine,
-    pivot: Mark,
-    index: int,
-    name: str,
-    title: str,
-    mu: float,
-    heights: Heights = HEIGHTS["A1"],
-) -> Drawing:
-    """Return the mechanism of one position with the triangles P′ = Q + N at B and Q = K + T at A."""
-    seen = Seen(construction, reading, (VIEW,), (index,))
+def draw_triangles(on: Subject, made: Engine, pivot: Mark, index: int, mu: float) -> Drawing:
+    """Return the mechanism of one position with the triangles P′ = Q + N at B and Q = K + T at A.
+
+    ``mu``: of the forces, N/mm.
+    """
+    seen = on.seen((VIEW,), (index,))
     forces, t = _forces(seen, made), made.triangles
     o, a, b = (seen.point(mark, index) for mark in (pivot, t.at_a, t.at_b))
     traces = figure(seen, _manner(seen, forces, mu, made.order.unit))
-    way = complex(reading[made.guide].along[0, 0])
+    way = seen.line(made.guide, 0)[1]
     angle = math.degrees(cmath.phase(way))
     strokes = [
         *body(segment("thin", o, a), "link", [pivot, t.at_a], index),
@@ -65,14 +56,12 @@ def draw_triangles(
     ]
     pins = ((pivot, o, 0j), (t.at_a, a, a - o), (t.at_b, b, 1j * way))
     wanted = [
-        Wanted(markup(mark.letter), spot, heights.point, 2.2, toward, (mark.slot,), index)
+        Wanted(markup(mark.letter), spot, on.heights.point, 2.2, toward, (mark.slot,), index)
         for mark, spot, toward in pins
         if finite(spot)
     ]
-    wanted += _vector_names(seen, forces, index, heights.number)
-    return Drawing(
-        name, title, tuple(strokes), rubbed=traces.rubbed, shows=(VIEW,), wanted=tuple(wanted)
-    )
+    wanted += _vector_names(seen, forces, index, on.heights.number)
+    return traces.drawing(on, strokes, wanted)
 
 
 def _vector_names(
@@ -143,18 +132,12 @@ def _manner(seen: Seen, forces: dict[Mark, _Force], mu: float, unit: str) -> Man
     return Manner(rules, lambda _, step: step.it in forces)
 
 
-def draw_rotating(
-    construction: Construction,
-    reading: Reading,
-    made: Engine,
-    index: int,
-    name: str,
-    title: str,
-    mu: float,
-    heights: Heights = HEIGHTS["A1"],
-) -> Drawing:
-    """Return the rotating vectors of first and second order in one position with their projections."""
-    seen, found = Seen(construction, reading, (HARMONICS,), (index,)), made.harmonics
+def draw_rotating(on: Subject, made: Engine, index: int, mu: float) -> Drawing:
+    """Return the rotating vectors of first and second order in one position with their projections.
+
+    ``mu``: of the forces, N/mm.
+    """
+    seen, found, heights = on.seen((HARMONICS,), (index,)), made.harmonics, on.heights
     centre = seen.point(found.origin, index)
     ends = [seen.point(mark, index) for mark in found.ends]
     traces = figure(seen, _turning(seen, made, index, mu))
@@ -175,9 +158,7 @@ def draw_rotating(
     ]
     feet = [one for one in shared(feet) if abs(one.at - centre) >= LEAST]
     wanted += [one._replace(toward=-1j) for one in lettered(feet, heights.number)]
-    return Drawing(
-        name, title, tuple(strokes), rubbed=traces.rubbed, shows=(HARMONICS,), wanted=tuple(wanted)
-    )
+    return traces.drawing(on, strokes, wanted)
 
 
 def _foot(seen: Seen, step: Step, k: int) -> complex:

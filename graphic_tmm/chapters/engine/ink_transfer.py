@@ -7,19 +7,18 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import lay_off, meet
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.engine.ink import outwards
 from graphic_tmm.chapters.engine.task import TRANSFER as VIEW
 from graphic_tmm.chapters.engine.transfer import Transfer
 from graphic_tmm.chapters.forces.ink_polygons import LEAST
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, line
 from graphic_tmm.paper.figure import Manner, body, figure
-from graphic_tmm.paper.formats import HEIGHTS, Heights
+from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.rules import segment
-from graphic_tmm.paper.seen import Rule, Seen, finite
+from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import dimension, told_arrow
 from graphic_tmm.paper.symbols.kinematic import (
     channel,
@@ -41,10 +40,8 @@ BELOW = 22.0
 
 
 class TransferFigure(NamedTuple):
-    """What is told of a figure: its name, title and position (index), μ_F, the unit of forces, how it turns."""
+    """What a figure shows: its position (index), μ_F, the unit of forces, how the crank turns."""
 
-    name: str
-    title: str
     place: int
     mu: float
     unit: str
@@ -63,16 +60,10 @@ class _Points(NamedTuple):
     out: complex
 
 
-def draw_all_forces(
-    construction: Construction,
-    reading: Reading,
-    made: Transfer,
-    shown: TransferFigure,
-    heights: Heights = HEIGHTS["A1"],
-) -> Drawing:
+def draw_all_forces(on: Subject, made: Transfer, shown: TransferFigure) -> Drawing:
     """Return the mechanism of one position with all its forces."""
-    k = shown.place
-    seen = Seen(construction, reading, (VIEW,), (k,))
+    k, small = shown.place, on.heights.number
+    seen = on.seen((VIEW,), (k,))
     o, a, b, c, d = (seen.point(mark, k) for mark in made.points)
     out = (d - b) / abs(d - b) if finite(b, d) and d != b else 1 + 0j
     at = _Points(o, a, b, c, d, seen.point(made.foot, k), out)
@@ -81,24 +72,14 @@ def draw_all_forces(
     labels = []
     if finite(at.o, at.b) and abs(at.b - at.o) > LEAST:
         down = -1 if (at.b - at.o).real >= 0 else 1
-        told = dimension(at.o, at.b, down * BELOW, "OB", heights.number)
+        told = dimension(at.o, at.b, down * BELOW, "OB", small)
         strokes += body(told.strokes, "dimension", [made.points[0], made.points[2]], k)
         slots = (made.points[0].slot, made.points[2].slot)
         named = made.points[0].letter + made.points[2].letter
         labels.append(told.label._replace(text=markup(named), of=slots, position=k))
-    wanted = [
-        *_letters(made, at, shown, seen, heights),
-        *_vector_letters(seen, made, k, heights.number),
-    ]
-    return Drawing(
-        shown.name,
-        shown.title,
-        tuple(strokes),
-        tuple(labels),
-        rubbed=traces.rubbed,
-        shows=(VIEW,),
-        wanted=tuple(wanted),
-    )
+    letters = _letters(made, at, shown, seen, on.heights)
+    wanted = [*letters, *_vector_letters(seen, made, k, small)]
+    return traces.drawing(on, strokes, wanted, labels)
 
 
 def _manner(seen: Seen, made: Transfer, shown: TransferFigure) -> Manner:

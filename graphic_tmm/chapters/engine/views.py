@@ -14,6 +14,7 @@ from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
@@ -59,15 +60,15 @@ def transfer_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     if made is None:
         return []
     plans, place = KINEMATICS_PLAN.on(drawn), _worked(drawn)
-    scale, high = drawn.scales[TRANSFER], heights(drawn.scene, TRANSFER_PLACE)
-    title = f"{captions(language)[TRANSFER]}, {captions(language)['position']} {drawn.names[place]}"
-    shown = TransferFigure(TRANSFER, title, place, scale.value, made.order.unit, plans.sense)
-    log, found = drawn.construction, BESIDE.on(drawn).transfer
-    view = finished(draw_all_forces(log, drawn.reading, found, shown, high), lettered)
+    scale, words = drawn.scales[TRANSFER], captions(language)
+    title = f"{words[TRANSFER]}, {words['position']} {drawn.names[place]}"
+    on = subject(drawn, title, TRANSFER_PLACE)
+    shown = TransferFigure(place, scale.value, made.order.unit, plans.sense)
+    view = finished(draw_all_forces(on, BESIDE.on(drawn).transfer, shown), lettered)
     scales = f"{mu_text(drawn.scales[POSITIONS], language)}, {mu_text(scale, language)}"
     inertia = bar(symbol("P_{in}", language))
     told = (f"{scales}; {bar('P′')} = {bar('P')} + {inertia}", f"{SUMS}; {COUPLES}")
-    return [captioned(view, escape(title), *told, heights=high)]
+    return [captioned(view, escape(title), *told, heights=on.heights)]
 
 
 def _worked(drawn: Drawn) -> int:
@@ -106,23 +107,11 @@ def _triangles(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
     _, words, scale = speaking(language), captions(language), drawn.scales[VIEW]
     plans = KINEMATICS_PLAN.on(drawn)
     pivot, high = plans.positions.point(plans.structure.pivot), heights(drawn.scene, ENGINE)
-    views = [
-        finished(
-            draw_triangles(
-                drawn.construction,
-                drawn.reading,
-                made,
-                pivot,
-                place,
-                f"engine-{project.names[place]}",
-                f"{_('Force triangles')}, {words['position']} {project.names[place]}",
-                scale.value,
-                high,
-            ),
-            lettered,
-        )
-        for place in _positions_on_sheet(drawn)
-    ]
+    views = []
+    for place in _positions_on_sheet(drawn):
+        title = f"{_('Force triangles')}, {words['position']} {project.names[place]}"
+        on = subject(drawn, title, ENGINE, name=f"engine-{project.names[place]}")
+        views.append(finished(draw_triangles(on, made, pivot, place, scale.value), lettered))
     titles = [view.title for view in views]
     told, narrowest = f"{mu_text(scale, language)}; {SUMS}", width_of(*views)
     shown = [
@@ -138,32 +127,29 @@ def _rotating(drawn: Drawn, made: Engine, lettered: bool) -> Drawing:
     place = _worked(drawn)
     at = f"{words['position']} {escape(project.names[place])}"
     title = f"{_('Inertia forces of first and second order')}, {at}"
-    high = heights(drawn.scene, ENGINE)
-    log, reading = drawn.construction, drawn.reading
-    view = draw_rotating(log, reading, made, place, "rotating", title, scale.value, high)
-    return captioned(finished(view, lettered), title, mu_text(scale, language), heights=high)
+    on = subject(drawn, title, ENGINE, name="rotating")
+    view = draw_rotating(on, made, place, scale.value)
+    return with_caption(view, on, lettered, mu_text(scale, language))
 
 
 def _diagrams(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
     """Return the diagrams over the turn in two columns."""
     project, language = drawn.project, drawn.scene.language
-    words, high = captions(language), heights(drawn.scene, "engine diagrams")
+    words = captions(language)
     names = [escape(name) for name in project.names]
     views = []
     for chart in made.charts:
         view, symbol = chart.view, chart.symbol
         letters = [words[f"engine {k}"] for k in made.curves[view]]
         curves = dict(zip(chart.ordinates, letters, strict=True))
-        title = words[f"view engine {symbol}"]
         up = on_axis(words[f"engine {symbol}"], unit(chart.unit, language))
         told = Names(
             names, up, on_axis("φ", unit("rad", language)), curves if len(curves) > 1 else {}
         )
-        graph = draw_graph(
-            project.construction, drawn.reading, view, project.count, told, title, heights=high
-        )
+        on = subject(drawn, words[f"view engine {symbol}"], "engine diagrams")
+        graph = draw_graph(on, view, project.count, told)
         scales = [mu_text(drawn.scales[view], language), _base_text(drawn, view)]
-        views.append(captioned(finished(graph, lettered), title, ", ".join(scales), heights=high))
+        views.append(with_caption(graph, on, lettered, ", ".join(scales)))
     half = (len(views) + 1) // 2
     return [stacked("engine-diagrams-1", views[:half]), stacked("engine-diagrams-2", views[half:])]
 

@@ -8,20 +8,18 @@ from collections.abc import Iterator, Sequence
 
 import shapely
 
-from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.operations.instruments import lay_off
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Line
 from graphic_tmm.chapters.flywheel.energy import EnergyMass
 from graphic_tmm.chapters.flywheel.task import ENERGY_MASS
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import Manner, body, figure
-from graphic_tmm.paper.formats import HEIGHTS, Heights
 from graphic_tmm.paper.graph import ASIDE
 from graphic_tmm.paper.graph_rules import OVER, axis, dot, ruled
 from graphic_tmm.paper.rules import stays as usual
-from graphic_tmm.paper.seen import Seen, finite
+from graphic_tmm.paper.seen import Seen, Subject, finite
 from graphic_tmm.paper.shapes import flat
 from graphic_tmm.paper.symbols.dimensions import angular, dimension
 
@@ -34,31 +32,28 @@ OUT = 4.0
 
 
 def draw_energy_mass_ink(
-    construction: Construction,
-    reading: Reading,
+    on: Subject,
     made: EnergyMass,
     names: Sequence[str],
-    title: str,
     figures: tuple[str, str, str],
     axes: tuple[str, str] = ("ΔT", "J_{red}"),
-    heights: Heights = HEIGHTS["A1"],
 ) -> Drawing:
     """Return the energy–mass curve, its two tangents and the segment ab.
 
     ``figures``: of the segment and of the tangents' angles; ``axes``: what ordinates and base are called.
     """
-    seen = Seen(construction, reading, (ENERGY_MASS,), range(len(names)))
+    seen = on.seen((ENERGY_MASS,), range(len(names)))
     high, low, right = _extent(seen, made)
     traces = figure(seen, _manner(seen, made, (high, low, right)))
     strokes, labels = [*traces.staying], []
-    small, large = heights.number, heights.point
+    small, large = on.heights.number, on.heights.point
     wanted = [
         Wanted(axes[0], complex(0, high + OVER), large, 1.5, -1 + 0j),
         Wanted(axes[1], complex(right + OVER, 0), large, 1.5, -1j),
     ]
     ends = [seen.point(mark, 0) for mark in made.ends]
     if finite(*ends):
-        ab = dimension(ends[1], ends[0], ASIDE, figures[0], heights.number)
+        ab = dimension(ends[1], ends[0], ASIDE, figures[0], small)
         strokes += body(ab.strokes, "dimension", [made.segment])
         labels.append(ab.label._replace(of=(made.segment.slot,)))
     for mark, angle, end, text in zip(made.ends, made.angles, ends, figures[1:], strict=True):
@@ -70,15 +65,7 @@ def draw_energy_mass_ink(
             spot = end + ARC * middle
             wanted.append(Wanted(text, spot, small, 0.8, middle, (angle.slot, mark.slot)))
     wanted += _numbers(seen, made, names, small)
-    return Drawing(
-        ENERGY_MASS,
-        title,
-        tuple(strokes),
-        tuple(labels),
-        rubbed=traces.rubbed,
-        shows=(ENERGY_MASS,),
-        wanted=tuple(wanted),
-    )
+    return traces.drawing(on, strokes, wanted, labels)
 
 
 def _extent(seen: Seen, made: EnergyMass) -> tuple[float, float, float]:

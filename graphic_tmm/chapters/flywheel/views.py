@@ -26,6 +26,7 @@ from graphic_tmm.chapters.flywheel.task import FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.words import graph_title
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Pieces, Views
 from graphic_tmm.language import symbols
 from graphic_tmm.language.catalogue import speaking
@@ -35,7 +36,6 @@ from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.graph import Names, draw_graph
-from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
@@ -97,7 +97,7 @@ def graphs(drawn: Drawn, made: Flywheel, lettered: bool, place: str = PLAN) -> l
         for mark in chart.ordinates
     }
     log, reading, phi = project.construction, drawn.reading, made.base.mu
-    names, high = [escape(name) for name in project.names], heights(drawn.scene, place)
+    names = [escape(name) for name in project.names]
     along = on_axis("φ", unit(phi.unit.removesuffix("/mm"), language))
     views = []
     for key, symbol, of in (("moment", "M", "N·m"), ("work", "A", "J"), ("energy", "T", "J")):
@@ -112,20 +112,20 @@ def graphs(drawn: Drawn, made: Flywheel, lettered: bool, place: str = PLAN) -> l
             pole_figures(log, reading, view, language)
             | {made.segment: _segment_figure(drawn, made.segment)},
         )
-        graph = draw_graph(log, reading, view, project.count, letters, title, heights=high)
+        on = subject(drawn, title, place)
+        graph = draw_graph(on, view, project.count, letters)
         scales = [
             mu_text(drawn.scales[view], language),
             f"{phi.name} = {number(_value(drawn, phi), language)} {unit(phi.unit, language)}",
         ]
         told = [", ".join(scales), *([equal] if key == "work" else [])]
-        views.append(captioned(finished(graph, lettered), title, *told, heights=high))
+        views.append(with_caption(graph, on, lettered, *told))
     return views
 
 
 def _energy_mass(drawn: Drawn, second: EnergyMass, lettered: bool) -> Drawing:
     """Return the energy–mass curve with its caption."""
-    language, reading, high = drawn.scene.language, drawn.reading, heights(drawn.scene, PLAN)
-    title = captions(language)["energy-mass"]
+    language = drawn.scene.language
     names = [escape(name) for name in drawn.names[: drawn.project.count]]
     least, most = (_angle(drawn, mark) for mark in second.angles)
     figures = (_segment_figure(drawn, second.segment), least, most)
@@ -133,10 +133,10 @@ def _energy_mass(drawn: Drawn, second: EnergyMass, lettered: bool) -> Drawing:
         on_axis("ΔT", unit("J", language)),
         on_axis(symbols.symbol("J_r", language), unit("kg·m²", language)),
     )
-    log = drawn.construction
-    found = draw_energy_mass_ink(log, reading, second, names, title, figures, axes, high)
+    on = subject(drawn, captions(language)["energy-mass"], PLAN)
+    view = draw_energy_mass_ink(on, second, names, figures, axes)
     scales = [mu_text(drawn.scales[key], language) for key in ("energy", "energy-mass")]
-    return captioned(finished(found, lettered), title, ", ".join(scales), heights=high)
+    return with_caption(view, on, lettered, ", ".join(scales))
 
 
 def _segment_figure(drawn: Drawn, segment: Mark) -> str:

@@ -12,10 +12,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import lay_off, parallel
 from graphic_tmm.board.operations.statics import action, arm
-from graphic_tmm.board.record import Construction, Figure, Mark, Step
+from graphic_tmm.board.record import Figure, Mark, Step
 from graphic_tmm.board.values import Line, Point
 from graphic_tmm.chapters.forces.detached import Detached
 from graphic_tmm.chapters.forces.ink_arrows import (
@@ -39,9 +38,8 @@ from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, Wanted, circle, line
 from graphic_tmm.paper.figure import Manner, figure
-from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.lettering.markup import markup
-from graphic_tmm.paper.seen import Seen, finite
+from graphic_tmm.paper.seen import Seen, Subject, finite
 
 SEEN = 2.0
 """A smaller circle of friction, mm, lies under the sign of its pin: no line touches it."""
@@ -99,26 +97,21 @@ class GroupFigure(NamedTuple):
 
 
 def draw_group(
-    construction: Construction,
-    reading: Reading,
+    on: Subject,
     reaches: Mapping[Figure, Reach],
     shown: GroupFigure,
     index: int,
-    name: str,
-    title: str,
     factors: tuple[Mark, int],
-    language: str,
-    high: Heights,
     helping: bool = True,
 ) -> Drawing:
     """Return a detached group, or the driving link, in one position.
 
-    ``factors``: μ_l of the plan of positions, and to how many decimals the ruler tells a length. ``language``:
-    of the sheet; ``high``: how high its letters are. Not ``helping``: without what is rubbed out.
+    ``factors``: μ_l of the plan of positions, and to how many decimals the ruler tells a length. Not
+    ``helping``: without what is rubbed out.
     """
     mu_l, decimals = factors
     view = shown.figure.view
-    seen = Seen(construction, reading, (view,), [index])
+    seen = on.seen((view,), [index])
     rules = {
         op: _nothing for op in dict.fromkeys(s.op.name for s in seen.steps) if _drawn(op, seen)
     }
@@ -136,7 +129,7 @@ def draw_group(
     times = seen.number(mu_l, index) / seen.number(shown.figure.mu, index)
     bodies = Bodies(seen, reaches, shown.links, shown.figure.points, times)
     links = [*bodies.strokes()]
-    loads = _Loads(seen, shown, index, high, language)
+    loads = _Loads(seen, shown, index, on)
     loads.arrows.stands_on(links)
     for force in shown.forces:
         loads.force(force)
@@ -145,17 +138,15 @@ def draw_group(
     for link in shown.links:
         loads.couples(link, *bodies.ends(str(link)))
     circles = [*loads.friction(bodies.middle)]
-    above = _Above(construction, reading, shown, index)
+    above = _Above(on, shown, index)
     displaced = loads.displaced(above, times, decimals)
     strokes = (*links, *circles, *loads.arrows.strokes, *displaced, *traces.staying)
-    rubbed = traces.rubbed
     if helping:
-        drawn = (*strokes, *rubbed)
-        rubbed += (*pricks(seen, drawn, index), *pricks(above, drawn, index, times))
-    wanted = (*bodies.letters(high), *loads.arrows.wanted, *loads.arms(traces.staying, decimals))
-    return Drawing(
-        name, title, strokes, rubbed=rubbed, shows=(view, LOADS), wanted=(*wanted, *loads.offs)
-    )
+        drawn = (*strokes, *traces.rubbed)
+        traces.rubbed += (*pricks(seen, drawn, index), *pricks(above, drawn, index, times))
+    arms = loads.arms(traces.staying, decimals)
+    wanted = (*bodies.letters(on.heights), *loads.arrows.wanted, *arms, *loads.offs)
+    return traces.drawing(on, strokes, wanted)._replace(shows=(view, LOADS))
 
 
 def _drawn(op: str, seen: Seen) -> bool:
@@ -170,10 +161,8 @@ def _nothing(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
 class _Above(Seen):
     """Of the loads those steps on which what acts on a figure depends."""
 
-    def __init__(
-        self, construction: Construction, reading: Reading, shown: GroupFigure, index: int
-    ) -> None:
-        super().__init__(construction, reading, (LOADS,), [index])
+    def __init__(self, on: Subject, shown: GroupFigure, index: int) -> None:
+        super().__init__(on.construction, on.reading, (LOADS,), [index])
         self.shown = shown
 
     @cached_property
@@ -194,12 +183,10 @@ class _Above(Seen):
 class _Loads:
     """What acts on a figure while it is drawn."""
 
-    def __init__(
-        self, seen: Seen, shown: GroupFigure, index: int, high: Heights, language: str
-    ) -> None:
+    def __init__(self, seen: Seen, shown: GroupFigure, index: int, on: Subject) -> None:
         self.seen, self.shown, self.index = seen, shown, index
-        self.high, self.language = high, language
-        self.arrows = Arrows(index, high.point)
+        self.high, self.language = on.heights, on.language
+        self.arrows = Arrows(index, on.heights.point)
         self.offs: list[Wanted] = []
         sizes = [abs(seen.number(force.value, index)) for force in shown.forces]
         self.largest = max((size for size in sizes if finite(size)), default=0.0)

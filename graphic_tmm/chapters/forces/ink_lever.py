@@ -9,10 +9,9 @@ import math
 from collections.abc import Iterator
 from itertools import combinations
 
-from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import parallel, square
 from graphic_tmm.board.operations.statics import arm, carry
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.forces.ink_arrows import (
     LEAST,
@@ -35,7 +34,7 @@ from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.lettering.markup import markup
-from graphic_tmm.paper.seen import Seen, finite
+from graphic_tmm.paper.seen import Seen, Subject, finite
 from graphic_tmm.paper.symbols.kinematic import pole
 
 BALANCE = "P_{bl}"
@@ -45,23 +44,13 @@ TOGETHER = 1.0
 
 
 def draw_lever_ink(
-    construction: Construction,
-    reading: Reading,
-    lever: Lever,
-    index: int,
-    name: str,
-    title: str,
-    decimals: int,
-    language: str,
-    high: Heights,
-    helping: bool = True,
+    on: Subject, lever: Lever, index: int, decimals: int, helping: bool = True
 ) -> Drawing:
     """Return the lever in one position.
 
-    ``decimals``: to how many the ruler tells a length. ``language``: of the sheet; ``high``: how high its
-    letters are. Not ``helping``: without what is rubbed out.
+    ``decimals``: to how many the ruler tells a length. Not ``helping``: without what is rubbed out.
     """
-    seen = Seen(construction, reading, (VIEW,), [index])
+    seen = on.seen((VIEW,), [index])
     lines = {force.line for force in lever.forces}
     rules = {carry.name: _ray, parallel.name: drawn_on, square.name: drawn_on, arm.name: drawn_arm}
 
@@ -69,7 +58,7 @@ def draw_lever_ink(
         return step.it.kind is Point or arm_shows(seen, step, index)
 
     traces = figure(seen, Manner(rules, stays), helping=helping)
-    ink = _Loads(seen, lever, index, language, high)
+    ink = _Loads(seen, lever, index, on)
     for force, arm_ in zip(lever.forces, ink.measured(), strict=True):
         _, along = seen.line(force.line, index)
         own = (force.point.slot, force.line.slot, force.value.slot)
@@ -82,11 +71,11 @@ def draw_lever_ink(
     sides = _sides(seen, lever, index)
     strokes = (*traces.staying, *sides, *ink.arrows.strokes)
     strokes += tuple(body(pole(seen.point(lever.pole, index)), "pole", [lever.pole]))
-    rubbed = traces.rubbed
     if helping:
-        rubbed += pricks(seen, (*strokes, *rubbed), index)
-    wanted = (*_letters(seen, lever, index, high), *ink.arrows.wanted, *ink.arms(lines, decimals))
-    return Drawing(name, title, strokes, rubbed=rubbed, shows=(VIEW,), wanted=wanted)
+        traces.rubbed += pricks(seen, (*strokes, *traces.rubbed), index)
+    letters = _letters(seen, lever, index, on.heights)
+    wanted = (*letters, *ink.arrows.wanted, *ink.arms(lines, decimals))
+    return traces.drawing(on, strokes, wanted)
 
 
 def _ray(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
@@ -117,10 +106,10 @@ def _letters(seen: Seen, lever: Lever, k: int, high: Heights) -> list[Wanted]:
 class _Loads:
     """What acts on the lever in one position while it is drawn."""
 
-    def __init__(self, seen: Seen, lever: Lever, index: int, language: str, high: Heights) -> None:
+    def __init__(self, seen: Seen, lever: Lever, index: int, on: Subject) -> None:
         self.seen, self.lever, self.index = seen, lever, index
-        self.language, self.high = language, high
-        self.arrows = Arrows(index, high.point)
+        self.language, self.high = on.language, on.heights
+        self.arrows = Arrows(index, on.heights.point)
         sizes = [
             seen.number(mark, index) for mark in (*(f.value for f in lever.forces), lever.force)
         ]

@@ -9,7 +9,7 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import lay_off, measure, meet
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Line
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
 from graphic_tmm.chapters.forces.ink_arrows import LEAST, pricks
@@ -19,7 +19,7 @@ from graphic_tmm.paper.figure import Manner, figure
 from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.rules import BEYOND, drawn_line
-from graphic_tmm.paper.seen import Seen, finite
+from graphic_tmm.paper.seen import Seen, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import told_arrow
 
 __all__ = ["LEAST", "bar", "draw_polygon", "spot", "whole"]
@@ -116,24 +116,19 @@ def _stays(seen: Seen, step: Step) -> bool:
 
 
 def draw_polygon(
-    construction: Construction,
-    reading: Reading,
+    on: Subject,
     polygon: Polygon,
     reactions: Sequence[Reaction],
     index: int,
-    name: str,
-    title: str,
     mu: float,
-    language: str,
-    high: Heights,
     helping: bool = True,
 ) -> Drawing:
     """Return a polygon of forces in one position; the last sides were unknown.
 
-    ``reactions``: of the group; those that are no side of the polygon are drawn across it. ``language``:
-    of the sheet; ``high``: how high its letters are. Not ``helping``: without what is rubbed out.
+    ``reactions``: of the group; those that are no side of the polygon are drawn across it. ``mu``: of the
+    forces, N/mm. Not ``helping``: without what is rubbed out.
     """
-    seen = Seen(construction, reading, (polygon.view,), [index])
+    seen, high = on.seen((polygon.view,), [index]), on.heights
     sides = _Sides(seen, polygon, reactions, mu)
     rules = {
         lay_off.name: sides.side,
@@ -142,14 +137,13 @@ def draw_polygon(
     }
     lines = {step.op.name: drawn_line for step in seen.steps if step.it.kind is Line}
     traces = figure(seen, Manner({**lines, **rules}, _stays), helping=helping)
-    rubbed = traces.rubbed
     if helping:
-        rubbed += pricks(seen, (*traces.staying, *rubbed), index)
+        traces.rubbed += pricks(seen, (*traces.staying, *traces.rubbed), index)
     corners = [seen.point(tail, index) for _, tail, _ in polygon.sides]
     middle = complex(np.mean(corners))
     drawn = [*polygon.sides, *((r.letter, r.tail, r.head) for r in sides.across.values())]
     wanted = [
-        _label(symbol(letter, language), tail, head, seen, middle, high)._replace(
+        _label(symbol(letter, on.language), tail, head, seen, middle, high)._replace(
             of=sides.names(tail, head)
         )
         for letter, tail, head in drawn
@@ -160,8 +154,7 @@ def draw_polygon(
         for mark in dict.fromkeys(mark for _, tail, head in polygon.sides for mark in (tail, head))
     ]
     wanted += lettered(shared(numbers, LEAST), high.number, away_from=middle)
-    shows = (polygon.view,)
-    return Drawing(name, title, traces.staying, rubbed=rubbed, shows=shows, wanted=tuple(wanted))
+    return traces.drawing(on, traces.staying, wanted)
 
 
 def _label(

@@ -18,18 +18,18 @@ from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.table import balance_segments, force_columns
 from graphic_tmm.chapters.forces.task import ASKED, Load
 from graphic_tmm.chapters.forces.travel import TURN, parts_of_strokes, size_at_turn
-from graphic_tmm.chapters.forces.views import decimals_told, driver_shown, group_shown
+from graphic_tmm.chapters.forces.views import decimals_told, driver_shown, group_shown, told_lengths
 from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
+from graphic_tmm.fitting.subjects import subject
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.page.strands import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.views import mu_text
 from graphic_tmm.project import Project
 from graphic_tmm.readers.any_angles.turn import Between, Turn, Turning, TurnQuantity
@@ -122,21 +122,10 @@ def moving(drawn: Drawn) -> Iterator[Moving]:
     reactions = (made.driven.reaction,)
     yield from _pair(drawn, made, driver_shown(drawn, made), made.driven.polygon, reactions)
     words, language = captions(drawn.scene.language), drawn.scene.language
-    high = heights(drawn.scene, "lever")
+    on, decimals = subject(drawn, "", "lever"), decimals_told(drawn)
 
     def lever(place: int) -> Drawing:
-        return draw_lever_ink(
-            drawn.construction,
-            drawn.reading,
-            made.lever,
-            place,
-            "lever",
-            "",
-            decimals_told(drawn),
-            language,
-            high,
-            helping=False,
-        )
+        return draw_lever_ink(on, made.lever, place, decimals, helping=False)
 
     yield Moving(
         "lever",
@@ -155,7 +144,7 @@ def _pair(
     polygon: Polygon,
     reactions: tuple[Reaction, ...],
 ) -> Iterator[Moving]:
-    language, high = drawn.scene.language, heights(drawn.scene, "forces")
+    language, on = drawn.scene.language, subject(drawn, "", "forces")
     _, name = speaking(language), "-".join(map(str, shown.links))
     scale = drawn.scales.get(polygon.view)
     yield Moving(
@@ -171,19 +160,7 @@ def _pair(
     def sides(place: int) -> Drawing:
         if not whole(drawn.reading, polygon, reactions, place):
             return Drawing(polygon.view, "")
-        return draw_polygon(
-            drawn.construction,
-            drawn.reading,
-            polygon,
-            reactions,
-            place,
-            polygon.view,
-            "",
-            scale.value,
-            language,
-            high,
-            helping=False,
-        )
+        return draw_polygon(on, polygon, reactions, place, scale.value, helping=False)
 
     yield Moving(
         f"forces {name}",
@@ -197,25 +174,12 @@ def _pair(
 def _group(
     drawn: Drawn, shown: GroupFigure, polygon: Polygon, reactions: tuple[Reaction, ...]
 ) -> Callable[[int], Drawing]:
-    language, high = drawn.scene.language, heights(drawn.scene, "forces")
-    factors = (KINEMATICS_PLAN.on(drawn).mu_l, decimals_told(drawn))
+    on, factors = subject(drawn, "", "forces"), told_lengths(drawn)
 
     def at(place: int) -> Drawing:
         if not whole(drawn.reading, polygon, reactions, place):
             return Drawing(shown.figure.view, "")
-        return draw_group(
-            drawn.construction,
-            drawn.reading,
-            reaches(drawn),
-            shown,
-            place,
-            shown.figure.view,
-            "",
-            factors,
-            language,
-            high,
-            helping=False,
-        )
+        return draw_group(on, reaches(drawn), shown, place, factors, helping=False)
 
     return at
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 
@@ -35,6 +34,7 @@ from graphic_tmm.chapters.kinematics.bodies import PinLeg
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import decimals_of, fixed, number
@@ -42,11 +42,10 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import heights
-from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import (
     escape,
 )
-from graphic_tmm.paper.seen import Seen
+from graphic_tmm.paper.seen import Seen, Subject
 from graphic_tmm.paper.views import captioned, mu_text, paired
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.result_table import (
@@ -96,6 +95,11 @@ def decimals_told(drawn: Drawn) -> int:
     return EXACTLY if drawn.hand.ruler is None else decimals_of(drawn.hand.ruler)
 
 
+def told_lengths(drawn: Drawn) -> tuple[Mark, int]:
+    """Return μ_l of the plan of positions, and to how many decimals a length is told."""
+    return KINEMATICS_PLAN.on(drawn).mu_l, decimals_told(drawn)
+
+
 def _writer(drawn: Drawn, place: int) -> Writer:
     seen = Seen(drawn.construction, drawn.reading, (), [place])
     return Writer(seen, place, drawn.scene.language, decimals_told(drawn))
@@ -113,55 +117,31 @@ def _three(
     """Return the figure of a group, its polygon and its equations; none, where a force is not there."""
     if not whole(drawn.reading, polygon, reactions, place):
         return []
-    language, high = drawn.scene.language, heights(drawn.scene, "forces")
-    _, words = speaking(language), captions(language)
-    name, position = "-".join(map(str, shown.links)), drawn.names[place]
-    at = f"{words['position']} {escape(position)}"
-    title = f"{called(f'group {name}', _)}, {at}"
-    figure = draw_group(
-        drawn.construction,
-        drawn.reading,
-        reaches(drawn),
-        shown,
-        place,
-        f"group-{name}-{position}",
-        title,
-        (KINEMATICS_PLAN.on(drawn).mu_l, decimals_told(drawn)),
-        language,
-        high,
-    )
+    language = drawn.scene.language
+    _, name, position = speaking(language), "-".join(map(str, shown.links)), drawn.names[place]
+    at = f"{captions(language)['position']} {escape(position)}"
+
+    def on(what: str) -> Subject:
+        title = f"{called(f'{what} {name}', _)}, {at}"
+        return subject(drawn, title, "forces", name=f"{what}-{name}-{position}")
+
+    group, sides, sums = on("group"), on("forces"), on("equations")
+    figure = draw_group(group, reaches(drawn), shown, place, told_lengths(drawn))
     scale = drawn.scales.get(polygon.view)
-    own = mu_text(drawn.scales[shown.figure.view], language)
-    told, pins = partial(captioned, heights=high), below(drawn, shown.links, language)
-    if scale is None:
-        return [
-            told(
-                finished(figure, lettered),
-                title,
-                own,
-                _("all forces are zero: there is no polygon"),
-            )
-        ]
-    caption = f"{called(f'forces {name}', _)}, {at}"
-    plan = draw_polygon(
-        drawn.construction,
-        drawn.reading,
-        polygon,
-        reactions,
-        place,
-        f"forces-{name}-{position}",
-        caption,
-        scale.value,
-        language,
-        high,
+    own, pins = (
+        mu_text(drawn.scales[shown.figure.view], language),
+        below(drawn, shown.links, language),
     )
-    heading = f"{called(f'equations {name}', _)}, {at}"
-    equation = vectors_of(polygon, language)
+    if scale is None:
+        nothing = _("all forces are zero: there is no polygon")
+        return [with_caption(figure, group, lettered, own, nothing)]
+    lines = (mu_text(scale, language), vectors_of(polygon, language))
+    plan = draw_polygon(sides, polygon, reactions, place, scale.value)
     return paired(
         [
-            told(finished(figure, lettered), title, f"{own}, {_('forces not to scale')}", *pins),
-            told(finished(plan, lettered), caption, mu_text(scale, language), equation),
-            draw_balances(f"equations-{name}-{position}", heading, rows, place, high),
+            with_caption(figure, group, lettered, f"{own}, {_('forces not to scale')}", *pins),
+            with_caption(plan, sides, lettered, *lines),
+            draw_balances(sums.name, sums.title, rows, place, sums.heights),
         ]
     )
 
@@ -243,29 +223,19 @@ def lever_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     if made is None:
         return []
     _, words, views = speaking(language), captions(language), list[Drawing]()
-    high, scale = heights(drawn.scene, "lever"), mu_text(drawn.scales["lever"], language)
+    scale = mu_text(drawn.scales["lever"], language)
     for place in _places(drawn):
         name, at = drawn.names[place], f"{words['position']} {escape(drawn.names[place])}"
-        title = f"{words['lever']}, {at}"
-        view = draw_lever_ink(
-            drawn.construction,
-            drawn.reading,
-            made.lever,
-            place,
-            f"lever-{name}",
-            title,
-            decimals_told(drawn),
-            language,
-            high,
-        )
+        on = subject(drawn, f"{words['lever']}, {at}", "lever", name=f"lever-{name}")
+        view = draw_lever_ink(on, made.lever, place, decimals_told(drawn))
         larger = number(_value(drawn, made.lever.times), language)
         times = _("enlargement {k} = {larger}", k=made.lever.times.name, larger=larger)
         lines = [f"{scale}, {times}, {_('forces not to scale')}", *_verdict(drawn, made, place)]
         heading = f"{_('Equations of the lever')}, {at}"
         rows = lever_rows(_writer(drawn, place), made)
-        told = draw_balances(f"equations-lever-{name}", heading, rows, place, high)
-        view, known = finished(view, lettered), (made.lever.balance,)
-        views += paired([captioned(view, title, *lines, heights=high, known=known), told])
+        told = draw_balances(f"equations-lever-{name}", heading, rows, place, on.heights)
+        known = (made.lever.balance,)
+        views += paired([with_caption(view, on, lettered, *lines, known=known), told])
     return views
 
 

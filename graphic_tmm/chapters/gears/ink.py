@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.gears.line import VIEW
 from graphic_tmm.chapters.gears.outline import RULES, dotted, flank, outline, part, sector, spot
 from graphic_tmm.chapters.gears.plan import Gear
@@ -19,7 +19,7 @@ from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Label, Wanted, arc, 
 from graphic_tmm.paper.figure import body, figure, showing
 from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.packing import bounds
-from graphic_tmm.paper.seen import Rule, Seen
+from graphic_tmm.paper.seen import Rule, Seen, Subject
 from graphic_tmm.paper.symbols.dimensions import dimension
 from graphic_tmm.paper.symbols.kinematic import arrowhead, round_arrow, turning_pair
 
@@ -89,41 +89,24 @@ ASIDE = 8.0
 """From the ink to the dimension of the distance of the centres, mm."""
 
 
-def draw_gear_ink(
-    construction: Construction,
-    reading: Reading,
-    made: Gear,
-    language: str,
-    title: str,
-    heights: Heights,
-) -> Drawing:
-    """Return the picture of the meshing; ``language`` writes the figure of the distance of the centres.
+def draw_gear_ink(on: Subject, made: Gear) -> Drawing:
+    """Return the picture of the meshing.
 
     A centre too far for the drawing is left out; the centre line ends in an arrow towards it.
     """
-    ink = MeshInk(reading, made)
-    seen = Seen(construction, reading, (VIEW,), range(made.rows.axis))
-    traces = figure(seen, showing(_rules(ink), RULES))
+    ink = MeshInk(on.reading, made)
+    traces = figure(on.seen((VIEW,), range(made.rows.axis)), showing(_rules(ink), RULES))
     strokes: list[Ink] = [*traces.staying, *_bodies(ink)]
     taken: list[Label] = []
     if ink.shows_centre(0) and ink.shows_centre(1):
-        left = bounds(Drawing(VIEW, title, tuple(strokes)))[0]
-        told = f"a_{{w}} = {fixed(1000 * ink.real(made.sizes.a_w), 2, language)}"
+        left = bounds(Drawing(VIEW, on.title, tuple(strokes)))[0]
+        told = f"a_{{w}} = {fixed(1000 * ink.real(made.sizes.a_w), 2, on.language)}"
         aside = ink.centres[0].real - left + ASIDE
-        size = dimension(ink.centres[0], ink.centres[1], aside, told, heights.number)
+        size = dimension(ink.centres[0], ink.centres[1], aside, told, on.heights.number)
         centres = [circles.centre for circles in made.line.circles]
         strokes += body(size.strokes, "dimension", centres)
         taken.append(size.label._replace(of=tuple(mark.slot for mark in centres)))
-    wanted = tuple(_letters(ink, heights))
-    return Drawing(
-        VIEW,
-        title,
-        tuple(strokes),
-        tuple(taken),
-        rubbed=traces.rubbed,
-        shows=(VIEW,),
-        wanted=wanted,
-    )
+    return traces.drawing(on, strokes, _letters(ink, on.heights), taken)
 
 
 def _rules(ink: MeshInk) -> dict[Mark, Rule]:

@@ -10,8 +10,7 @@ import math
 from collections.abc import Iterator
 from itertools import pairwise
 
-from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.gears.line import VIEW
 from graphic_tmm.chapters.gears.outline import (
     RULES,
@@ -25,7 +24,7 @@ from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, line
 from graphic_tmm.paper.figure import body, figure, showing
 from graphic_tmm.paper.formats import Heights
-from graphic_tmm.paper.seen import Rule, Seen, finite
+from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 NAME = "gear-rolling"
@@ -39,41 +38,26 @@ HEAD = 3.0
 """Length of an arrowhead on an arc, mm."""
 
 
-def draw_rolling_ink(
-    construction: Construction,
-    reading: Reading,
-    made: Gear,
-    k: int,
-    title: str,
-    heights: Heights,
-) -> Drawing:
+def draw_rolling_ink(on: Subject, made: Gear, k: int) -> Drawing:
     """Return the construction of the tooth of wheel ``k`` (0 or 1) whose flank passes the pitch point."""
-    ink = _Rolling(construction, reading, made, k)
+    ink = _Rolling(on, made, k)
     traces = figure(ink.seen, showing(ink.rules(), RULES))
-    teeth = tooth_outline(reading, ink.tooth, ink.centre)
+    teeth = tooth_outline(on.reading, ink.tooth, ink.centre)
     strokes = (*traces.staying, *teeth, *ink.thickness())
-    wanted = tuple(ink.letters(heights))
     roll = made.wheels[k].roll
-    return Drawing(
-        f"{NAME}-{k + 1}",
-        title,
-        strokes,
-        rubbed=traces.rubbed,
-        shows=(VIEW,),
-        wanted=wanted,
-        numbers=tuple((n, str(n + roll.first)) for n in range(roll.count)),
-    )
+    positions = ((n, str(n + roll.first)) for n in range(roll.count))
+    return traces.drawing(on, strokes, ink.letters(on.heights), (), positions)
 
 
 class _Rolling:
     """The numbers of one wheel while its tooth is inked."""
 
-    def __init__(self, construction: Construction, reading: Reading, made: Gear, k: int) -> None:
-        self.reading, self.made, self.wheel, self.k = reading, made, made.wheels[k], k
+    def __init__(self, on: Subject, made: Gear, k: int) -> None:
+        self.reading, self.made, self.wheel, self.k = on.reading, made, made.wheels[k], k
         own, self.tooth = self.wheel, self.wheel.teeth[1]
         self.centre, self.pole = self.at(own.circles.centre), self.at(made.line.pole)
         self.limit, self.origin = self.at(made.line.limits[k]), self.at(own.origin)
-        by_mark = {step.it: step for step in construction.steps}
+        by_mark = {step.it: step for step in on.construction.steps}
         self.bends = by_mark[self.tooth.right.fillet].uses[0]
         self.string = by_mark[own.origin].uses[2]
         self.feet = self.row(own.feet, own.roll.count)
@@ -81,10 +65,9 @@ class _Rolling:
         self.last_bend = self.row(self.bends, made.rows.fillet)[-1]
         led = _leading(by_mark, (own.flank, self.tooth.right.fillet, own.axis))
         led |= {self.string, own.circles.tip, own.circles.root}
-        steps = tuple(step for step in construction.steps if step.it in led)
-        self.seen = Seen(
-            construction._replace(steps=steps), reading, (VIEW,), range(made.rows.axis)
-        )
+        steps = tuple(step for step in on.construction.steps if step.it in led)
+        log = on.construction._replace(steps=steps)
+        self.seen = on._replace(construction=log).seen((VIEW,), range(made.rows.axis))
 
     @property
     def far(self) -> complex:

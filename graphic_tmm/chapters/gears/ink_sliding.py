@@ -5,8 +5,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Iterator
 
-from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.gears.outline import RULES, controls, spot
 from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.chapters.gears.sliding import VIEW, Stations
@@ -17,7 +16,7 @@ from graphic_tmm.paper.axes import tick_figures
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.figure import added, figure, showing
 from graphic_tmm.paper.formats import Heights
-from graphic_tmm.paper.seen import Rule, Seen
+from graphic_tmm.paper.seen import Rule, Seen, Subject
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 OVER = 12.0
@@ -51,28 +50,17 @@ class _Ink:
             yield self.sliding.further
 
 
-def draw_sliding_ink(
-    construction: Construction,
-    reading: Reading,
-    made: Gear,
-    language: str,
-    title: str,
-    heights: Heights,
-) -> Drawing:
-    """Return the diagram; ``language`` writes the figures beside its ordinate axis and the unit of its base.
+def draw_sliding_ink(on: Subject, made: Gear) -> Drawing:
+    """Return the diagram.
 
     Further stations whose sliding lies below the lowest ordinate of the diagram have no point on it.
     """
-    seen = Seen(construction, reading, (VIEW,), range(made.rows.axis))
-    ink = _Ink(seen, made)
-    traces = figure(seen, showing(_rules(ink), RULES))
+    ink = _Ink(on.seen((VIEW,), range(made.rows.axis)), made)
+    traces = figure(ink.seen, showing(_rules(ink), RULES))
     strokes = (*traces.staying, *added(_axes(ink), "axis"))
-    wanted = tuple(_letters(ink, language, heights))
-    ticks = [(value / ink.mu, number(float(value), language)) for value in _figures(ink)]
-    figures = tick_figures(ticks, heights.number)
-    return Drawing(
-        VIEW, title, strokes, figures, rubbed=traces.rubbed, shows=(VIEW,), wanted=wanted
-    )
+    ticks = [(value / ink.mu, number(float(value), on.language)) for value in _figures(ink)]
+    figures = tick_figures(ticks, on.heights.number)
+    return traces.drawing(on, strokes, _letters(ink, on.language, on.heights), figures)
 
 
 def _rules(ink: _Ink) -> dict[Mark, Rule]:

@@ -10,6 +10,7 @@ from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN, Gear
 from graphic_tmm.chapters.gears.table import dimension_table, gear_results, sliding_table, working
 from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import Tongues, speaking
 from graphic_tmm.language.numbers import fixed
@@ -18,8 +19,7 @@ from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import Heights, heights
-from graphic_tmm.paper.labels import finished
-from graphic_tmm.paper.views import captioned, mu_text
+from graphic_tmm.paper.views import mu_text
 from graphic_tmm.readers.task_sheet import given_views
 from graphic_tmm.scene.captions import captions
 
@@ -38,21 +38,18 @@ CHECKS = Tongues(
 
 def gear_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the meshing above its diagram of sliding, the rolled flanks, the tables."""
-    made, language, reading = GEARS_PLAN.on(drawn), drawn.scene.language, drawn.reading
-    words, scales = captions(language), drawn.scales
-    mu_l = mu_text(scales["gear"], language)
-    log, high = drawn.construction, heights(drawn.scene, "gears")
-    mesh = draw_gear_ink(log, reading, made, language, words["gear"], high)
-    sliding = draw_sliding_ink(log, reading, made, language, words["sliding"], high)
-    mu_theta, told = mu_text(scales["sliding"], language), ", ".join([mu_l, *_ratios(drawn)])
+    made, language, scales = GEARS_PLAN.on(drawn), drawn.scene.language, drawn.scales
+    words, high = captions(language), heights(drawn.scene, "gears")
+    mu_l, mu_theta = mu_text(scales["gear"], language), mu_text(scales["sliding"], language)
+    mesh, sliding = (subject(drawn, words[key], "gears") for key in ("gear", "sliding"))
+    told = ", ".join([mu_l, *_ratios(drawn)])
     found = [
-        captioned(finished(mesh, lettered), words["gear"], told, heights=high),
-        captioned(finished(sliding, lettered), words["sliding"], mu_theta, heights=high),
+        with_caption(draw_gear_ink(mesh, made), mesh, lettered, told),
+        with_caption(draw_sliding_ink(sliding, made), sliding, lettered, mu_theta),
     ]
-    for k in (0, 1):
-        title = words[f"{ROLLING}-{k + 1}"]
-        view = draw_rolling_ink(log, reading, made, k, title, high)
-        found.append(captioned(finished(view, lettered), title, mu_l, heights=high))
+    for k, name in enumerate((f"{ROLLING}-1", f"{ROLLING}-2")):
+        on = subject(drawn, words[name], "gears", name=name)
+        found.append(with_caption(draw_rolling_ink(on, made, k), on, lettered, mu_l))
     found.append(dimension_table(drawn, language, words["gear-dimensions"], high))
     found.append(sliding_table(drawn, language, words["sliding"], high))
     return [*found, _checks(drawn, made, high)]

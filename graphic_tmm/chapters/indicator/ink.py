@@ -5,23 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
 
-from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.operations.instruments import lay_off
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Line
 from graphic_tmm.chapters.indicator.plan import Indicator
-from graphic_tmm.chapters.indicator.task import INDICATOR, VIEW
+from graphic_tmm.chapters.indicator.task import VIEW
 from graphic_tmm.paper.axes import largest, position_numbers
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import Manner, body, figure
-from graphic_tmm.paper.formats import HEIGHTS, Heights
 from graphic_tmm.paper.graph import names_beside
 from graphic_tmm.paper.graph_rules import OVER, axis, dot, ends_of, ruled
 from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.rules import BEYOND, segment
 from graphic_tmm.paper.rules import stays as usual
-from graphic_tmm.paper.seen import Seen, finite
+from graphic_tmm.paper.seen import Seen, Subject, finite
 from graphic_tmm.paper.shapes import flat
 
 TOGETHER = 1.0
@@ -31,14 +29,11 @@ CLOSE = 2.0
 
 
 def draw_indicator_ink(
-    construction: Construction,
-    reading: Reading,
+    on: Subject,
     made: Indicator,
     names: Sequence[str],
-    title: str,
     axes: tuple[str, str] = ("p", "S"),
     means: Mapping[Mark, str] = MappingProxyType({}),
-    heights: Heights = HEIGHTS["A1"],
     curves: Mapping[Mark, str] = MappingProxyType({}),
 ) -> Drawing:
     """Return the indicator diagram with the division of its base.
@@ -47,8 +42,8 @@ def draw_indicator_ink(
     mean pressures are called, by their marks: each is a level under which as much work is done. ``curves``:
     what the curves of the two sides are called, by their marks.
     """
-    seen = Seen(construction, reading, (VIEW,), range(len(names)))
-    high = max(largest(reading[side.points].imag) for side in made.sides)
+    seen, heights = on.seen((VIEW,), range(len(names))), on.heights
+    high = max(largest(on.reading[side.points].imag) for side in made.sides)
     traces = figure(seen, _manner(seen, made, high))
     end = seen.point(made.end, 0)
     strokes = [*traces.staying]
@@ -66,7 +61,7 @@ def draw_indicator_ink(
         one._replace(toward=1 + 0j) for one in lettered(shared(levels, CLOSE), heights.number, 0.5)
     ]
     lines = {
-        mark: tuple(tuple(flat([complex(z) for z in run])) for run in bezier(reading[mark]))
+        mark: tuple(tuple(flat([complex(z) for z in run])) for run in bezier(on.reading[mark]))
         for mark in curves
     }
     wanted += names_beside(lines, curves, heights.number)
@@ -74,15 +69,7 @@ def draw_indicator_ink(
         Named(seen.point(made.feet, k), name, (made.feet.slot,), k) for k, name in enumerate(names)
     ]
     numbers = position_numbers((), shared(feet, TOGETHER), strokes, heights.number)
-    return Drawing(
-        INDICATOR,
-        title,
-        tuple(strokes),
-        numbers,
-        rubbed=traces.rubbed,
-        shows=(VIEW,),
-        wanted=tuple(wanted),
-    )
+    return traces.drawing(on, strokes, wanted, numbers)
 
 
 def _manner(seen: Seen, made: Indicator, high: float) -> Manner:

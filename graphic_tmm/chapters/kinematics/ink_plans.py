@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import (
     homologous,
     lay_off,
@@ -28,7 +27,7 @@ from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.rules import segment
 from graphic_tmm.paper.rules import stays as usual
-from graphic_tmm.paper.seen import Seen, finite
+from graphic_tmm.paper.seen import Seen, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import told_arrow
 from graphic_tmm.paper.symbols.kinematic import pole
 from graphic_tmm.readers.equations import Equation, Term, heading
@@ -47,17 +46,13 @@ class Place(NamedTuple):
 
 
 def draw_plan(
-    construction: Construction,
-    reading: Reading,
+    on: Subject,
     plan: str,
     places: Sequence[Place],
-    name: str,
-    title: str,
     mu: float,
     unit: str,
     *,
     upon: Sequence[Stroke] = (),
-    heights: Heights = HEIGHTS["A1"],
     helping: bool = True,
 ) -> Drawing:
     """Return a plan in one position, or in several from a common pole: vectors with arrows, lines, letters.
@@ -66,26 +61,19 @@ def draw_plan(
     (SI per mm) and ``unit`` are told to a page that reads the sheet. ``upon``: what is drawn over the plan;
     letters stay clear of it. Not ``helping``: without what is rubbed out.
     """
-    view = construction.view(plan)
+    view = on.construction.view(plan)
     assert view is not None
     assert view.pole is not None
     common = len(places) > 1
-    seen = Seen(construction, reading, (plan,), [place.at for place in places])
-    told = vectors(construction, plan)
+    seen = on.seen((plan,), [place.at for place in places])
+    told = vectors(on.construction, plan)
     manner = _manner(seen, told, mu, unit, common=common)
     traces = figure(seen, manner, helping=helping)
     spot = seen.point(view.pole, places[0].at)
     strokes = (*traces.staying, *body(pole(spot), "pole", [view.pole]), *upon)
-    wanted = _letters(seen, places, view.pole, heights)
-    return Drawing(
-        name,
-        title,
-        strokes,
-        rubbed=traces.rubbed,
-        shows=(plan,),
-        wanted=tuple(wanted),
-        numbers=tuple((place.at, place.number) for place in places if place.number),
-    )
+    wanted = _letters(seen, places, view.pole, on.heights)
+    positions = ((place.at, place.number) for place in places if place.number)
+    return traces.drawing(on, strokes, wanted, (), positions)
 
 
 def _manner(seen: Seen, told: Sequence[Vector], mu: float, unit: str, *, common: bool) -> Manner:

@@ -30,10 +30,9 @@ from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.chapters.kinematics.task import EXTREMES
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Stroke, Wanted, circle
 from graphic_tmm.paper.figure import Manner, body, figure
-from graphic_tmm.paper.formats import HEIGHTS, Heights
 from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.lettering.markup import markup
-from graphic_tmm.paper.seen import Seen
+from graphic_tmm.paper.seen import Seen, Subject
 from graphic_tmm.paper.symbols.kinematic import GROUND_LENGTH, fixed_pivot, round_arrow
 
 TRACELESS = frozenset({REFINE})
@@ -48,89 +47,76 @@ FULL, THIN = ("medium", "medium"), ("thin", "thin")
 """Pens of rods and of guides in extreme positions, and in all others that are not the main one."""
 
 
-def draw_positions_ink(
-    construction: Construction,
-    reading: Reading,
-    reaches: Mapping[Figure, Reach],
-    *,
-    main: int,
-    names: Sequence[str],
-    skipped: Sequence[int],
-    crank: tuple[Mark, Mark],
-    sense: int,
-    title: str,
-    driver: int = 1,
-    extremes: Sequence[int] = (),
-    gaining: int = 0,
-    heights: Heights = HEIGHTS["A1"],
-) -> Drawing:
-    """Return the plan of positions.
+class PositionsFigure(NamedTuple):
+    """What the plan of positions shows: the positions' names; by index the one drawn heavy, ``main``.
 
-    ``reaches``: how far each guide is used, mm; ``main``: the index of the position drawn heavy, ``extremes``:
-    of those in full line, ``skipped``: of those that cannot be drawn; ``crank``: the marks of its pivot and
-    pin; ``sense``: of its rotation, ``gaining``: of its angular acceleration, 0 if it has none; ``driver``: the
-    number of its link.
+    ``skipped``: those that cannot be drawn, ``extremes``: those in full line. ``crank``: the marks of its pivot
+    and pin, ``sense``: of its rotation, ``gaining``: of its angular acceleration, 0 if it has none; ``driver``:
+    the number of its link.
     """
-    places = [i for i in range(len(names)) if i not in skipped]
-    ink = PositionsInk(construction, reading, reaches, places)
+
+    names: Sequence[str]
+    main: int
+    skipped: Sequence[int]
+    crank: tuple[Mark, Mark]
+    sense: int
+    driver: int = 1
+    extremes: Sequence[int] = ()
+    gaining: int = 0
+
+
+def draw_positions_ink(
+    on: Subject, reaches: Mapping[Figure, Reach], shown: PositionsFigure
+) -> Drawing:
+    """Return the plan of positions; ``reaches``: how far each guide is used, mm."""
+    names, main, crank, sense = shown.names, shown.main, shown.crank, shown.sense
+    point, small = on.heights.point, on.heights.number
+    places = [i for i in range(len(names)) if i not in shown.skipped]
+    ink = PositionsInk(on.construction, on.reading, reaches, places)
     traces = figure(ink.seen, Manner({french_curve.name: drawn_path}, path_stays))
     strokes: list[Ink] = [*ink.guides(), *ink.crank_circle(crank), *traces.staying]
-    full = [index for index in extremes if index in places and index != main]
+    full = [index for index in shown.extremes if index in places and index != main]
     for index in places:
         if index != main:
             strokes += ink.thin(index, FULL if index in full else THIN)
     strokes += ink.heavy(main)
-    turns = [(f"ω_{driver}", ink.bow(crank, sense, main), sense)]
-    if gaining:
-        turns.append((f"ε_{driver}", ink.gain(crank, sense, main, gaining), gaining))
+    turns = [(f"ω_{shown.driver}", ink.bow(crank, sense, main), sense)]
+    if shown.gaining:
+        gain = ink.gain(crank, sense, main, shown.gaining)
+        turns.append((f"ε_{shown.driver}", gain, shown.gaining))
     for _, bow, way in turns:
         strokes += body(
             round_arrow(bow.centre, bow.radius, bow.start, way * SWEEP), "turning", crank, main
         )
-    letters = ink.letters((ink.frame.name, *ink.names), main, heights.point)
-    pins = ink.numbers(crank, names, heights.number)
+    letters = ink.letters((ink.frame.name, *ink.names), main, point)
+    pins = ink.numbers(crank, names, small)
     of = tuple(mark.slot for mark in crank)
-    speeds = [Wanted(n, b.middle, heights.point, 1.0, b.out, of, main) for n, b, _ in turns]
+    speeds = [Wanted(n, b.middle, point, 1.0, b.out, of, main) for n, b, _ in turns]
     wanted = [
         *letters,
         *speeds,
         *pins,
-        *guide_names(ink, main, heights.number),
-        *path_numbers(ink, crank, names, places, [main, *full], heights.number),
+        *guide_names(ink, main, small),
+        *path_numbers(ink, crank, names, places, [main, *full], small),
     ]
-    circled = link_numbers(ink, main, strokes, [*letters, *speeds, *pins], heights.number)
+    circled = link_numbers(ink, main, strokes, [*letters, *speeds, *pins], small)
     strokes += [stroke for one in circled for stroke in one.strokes]
-    return Drawing(
-        PLAN,
-        title,
-        tuple(strokes),
-        tuple(one.label for one in circled),
-        rubbed=traces.rubbed,
-        shows=ink.seen.views,
-        wanted=tuple(wanted),
-        numbers=tuple((index, names[index]) for index in ink.places),
-    )
+    labels, positions = [one.label for one in circled], ((k, names[k]) for k in ink.places)
+    return traces.drawing(on, strokes, wanted, labels, positions)._replace(name=PLAN)
 
 
 def draw_position_ink(
-    construction: Construction,
-    reading: Reading,
-    reaches: Mapping[Figure, Reach],
-    index: int,
-    name: str,
-    title: str,
-    upon: Sequence[Stroke] = (),
-    heights: Heights = HEIGHTS["A1"],
+    on: Subject, reaches: Mapping[Figure, Reach], index: int, upon: Sequence[Stroke] = ()
 ) -> Drawing:
     """Return the plan of one position by itself.
 
     ``upon``: what is drawn over the plan; letters stay clear of it.
     """
-    ink = PositionsInk(construction, reading, reaches, [index])
+    ink = PositionsInk(on.construction, on.reading, reaches, [index])
     traces = figure(ink.seen, Manner(stays=lambda _, step: False))
     strokes = (*ink.guides(), *ink.heavy(index), *upon)
-    wanted = tuple(ink.letters((ink.frame.name, *ink.names), index, heights.point))
-    return Drawing(name, title, strokes, rubbed=traces.rubbed, shows=ink.seen.views, wanted=wanted)
+    letters = ink.letters((ink.frame.name, *ink.names), index, on.heights.point)
+    return traces.drawing(on, strokes, letters)
 
 
 def drawn_path(seen: Seen, step: Step, k: int) -> Iterator[Ink]:

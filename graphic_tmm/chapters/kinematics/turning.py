@@ -21,6 +21,7 @@ from graphic_tmm.chapters.kinematics.survey import least_angle
 from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.subjects import subject
 from graphic_tmm.page.strands import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing, Ink
 from graphic_tmm.paper.figure import Manner, figure
@@ -147,25 +148,13 @@ def _about(drawn: Drawn, made: KinematicPlans) -> Drawing:
 
 
 def _plan(drawn: Drawn, plan: str, title: str) -> Moving:
-    log, reading = drawn.construction, drawn.of(plan)
-    scale, size = drawn.scales[plan], heights(drawn.scene, plan)
+    reading, scale, row = drawn.of(plan), drawn.scales[plan], drawn.row(plan)
     assert reading is not None
-    row = drawn.row(plan)
+    on = subject(drawn, "", plan)._replace(reading=reading)
 
     def at(place: int) -> Drawing:
         stood = [Place(row.index(place) if len(row) < len(drawn.names) else place)]
-        return draw_plan(
-            log,
-            reading,
-            plan,
-            stood,
-            plan,
-            "",
-            scale.value,
-            UNITS[plan],
-            heights=size,
-            helping=False,
-        )
+        return draw_plan(on, plan, stood, scale.value, UNITS[plan], helping=False)
 
     return Moving(
         plan,

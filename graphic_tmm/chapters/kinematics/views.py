@@ -8,7 +8,11 @@ import numpy as np
 
 from graphic_tmm.chapters.kinematics.ink_links import LinksInk
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_equations, draw_plan
-from graphic_tmm.chapters.kinematics.ink_positions import draw_position_ink, draw_positions_ink
+from graphic_tmm.chapters.kinematics.ink_positions import (
+    PositionsFigure,
+    draw_position_ink,
+    draw_positions_ink,
+)
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.scales import outlying, reaches
 from graphic_tmm.chapters.kinematics.table import UNITS, measured_vectors, plan_columns, rate_marks
@@ -21,6 +25,7 @@ from graphic_tmm.chapters.kinematics.task import (
     VELOCITIES,
 )
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -28,6 +33,7 @@ from graphic_tmm.paper.drawing import Drawing, Stand, Stroke
 from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.labels import TOGETHER, finished
 from graphic_tmm.paper.lettering.letters import escape
+from graphic_tmm.paper.seen import Subject
 from graphic_tmm.paper.views import captioned, in_rows, mu_text, noted, width_of
 from graphic_tmm.readers.columns import Readings
 from graphic_tmm.readers.equations import equations
@@ -49,25 +55,19 @@ BEHIND = said(
 def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the plan of positions."""
     made, words = KINEMATICS_PLAN.on(drawn), captions(drawn.scene.language)
-    view = draw_positions_ink(
-        drawn.construction,
-        drawn.reading,
-        reaches(drawn),
-        main=drawn.main,
-        driver=made.structure.driver,
-        extremes=made.extremes,
-        names=_together(drawn, made),
-        skipped=(*drawn.undrawn, *made.repeated),
-        crank=made.crank,
-        sense=made.sense,
-        gaining=_gaining(drawn),
-        title=words["positions"],
-        heights=heights(drawn.scene, POSITIONS),
+    shown = PositionsFigure(
+        _together(drawn, made),
+        drawn.main,
+        (*drawn.undrawn, *made.repeated),
+        made.crank,
+        made.sense,
+        made.structure.driver,
+        made.extremes,
+        _gaining(drawn),
     )
-    mu, done = mu_text(drawn.scales[POSITIONS], drawn.scene.language), finished(view, lettered)
-    size = heights(drawn.scene, POSITIONS)
-    leading = done._replace(stand=Stand(kind="lead"))
-    return [captioned(leading, words["positions"], mu, heights=size)]
+    on = subject(drawn, words["positions"], POSITIONS)
+    view = draw_positions_ink(on, reaches(drawn), shown)._replace(stand=Stand(kind="lead"))
+    return [with_caption(view, on, lettered, mu_text(drawn.scales[POSITIONS], on.language))]
 
 
 def _gaining(drawn: Drawn) -> int:
@@ -138,23 +138,10 @@ def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawin
             (f"{plan}-{name}", f"{caption}, {words['position']} {name}", [Place(k)])
             for k, name in shown
         ]
-    views = [
-        finished(
-            draw_plan(
-                drawn.construction,
-                reading,
-                plan,
-                stood,
-                name,
-                title,
-                scale.value,
-                UNITS[plan],
-                heights=size,
-            ),
-            lettered,
-        )
-        for name, title, stood in orders
-    ]
+    views = []
+    for name, title, stood in orders:
+        on = subject(drawn, title, plan, name=name)._replace(reading=reading)
+        views.append(finished(draw_plan(on, plan, stood, scale.value, UNITS[plan]), lettered))
     mu = mu_text(scale, drawn.scene.language)
     titles, narrowest = [view.title for view in views], width_of(*views)
     told = [
@@ -224,15 +211,13 @@ def plan_at(
     drawn: Drawn, plan: str, place: int, name: str, title: str, upon: Sequence[Stroke]
 ) -> Drawing:
     """Return a plan in one position, whose letters keep off what is drawn ``upon`` it."""
-    log, reading = drawn.construction, drawn.of(plan)
+    reading = drawn.of(plan)
     assert reading is not None
+    on = Subject(drawn.construction, reading, title, name=name)
     if plan == POSITIONS:
-        return finished(
-            draw_position_ink(log, reading, reaches(drawn), place, name, title, upon=upon)
-        )
+        return finished(draw_position_ink(on, reaches(drawn), place, upon))
     at = [Place(drawn.row(plan).index(place))]
-    mu = drawn.scales[plan].value
-    return finished(draw_plan(log, reading, plan, at, name, title, mu, UNITS[plan], upon=upon))
+    return finished(draw_plan(on, plan, at, drawn.scales[plan].value, UNITS[plan], upon=upon))
 
 
 SHOWN = Views(

@@ -10,8 +10,7 @@ from typing import NamedTuple
 
 import shapely
 
-from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.planetary.formulas import next_satellite
 from graphic_tmm.chapters.planetary.ink_rates import (
     draw_pole,
@@ -33,10 +32,9 @@ from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.chapters.planetary.rates import RATES, VELOCITIES
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, circle, line
 from graphic_tmm.paper.figure import body, figure, showing
-from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.rules import rule_of
-from graphic_tmm.paper.seen import Rule, Seen
+from graphic_tmm.paper.seen import Rule, Seen, Subject
 from graphic_tmm.paper.shapes import box
 from graphic_tmm.paper.symbols.kinematic import (
     CENTRE_BEYOND,
@@ -159,7 +157,6 @@ def _free(ink: TrainInk) -> complex:
     return ink.centre + (low + high) / 2 * way
 
 
-NAME = "planetary"
 VIEWS = (VIEW, VELOCITIES, RATES)
 """The plans that are drawn as one."""
 TRACELESS = frozenset({next_satellite.name})
@@ -180,33 +177,18 @@ class Captions(NamedTuple):
     rates: Sequence[str] = ()
 
 
-def draw_planetary_ink(
-    construction: Construction,
-    reading: Reading,
-    made: Planetary,
-    captions: Captions,
-    title: str,
-    heights: Heights,
-) -> Drawing:
+def draw_planetary_ink(on: Subject, made: Planetary, captions: Captions) -> Drawing:
     """Return the train in two views with the picture of linear and the plan of angular velocities.
 
-    ``reading``: everything of the train's log. The first line of each caption is its title.
+    The first line of each caption is its title.
     """
-    seen = Seen(construction, reading, VIEWS, range(made.train.satellites))
-    ink = TrainInk(seen, made, heights)
-    traces = figure(seen, showing(circle_rules(ink) | picture_rules(ink) | rate_rules(ink)))
+    ink = TrainInk(on.seen(VIEWS, range(made.train.satellites)), made, on.heights)
+    traces = figure(ink.seen, showing(circle_rules(ink) | picture_rules(ink) | rate_rules(ink)))
     strokes = (*traces.staying, *draw_circle_bodies(ink), *_scheme(ink), *draw_pole(ink))
     wanted = [*_numbers(ink), *circle_letters(ink), *picture_letters(ink), *rate_letters(ink)]
-    return Drawing(
-        NAME,
-        title,
-        strokes,
-        tuple(_with_steps(ink, _captions(ink, captions))),
-        rubbed=traces.rubbed,
-        shows=VIEWS,
-        numbers=tuple((k, str(k + 1)) for k in seen.positions),
-        wanted=tuple(wanted),
-    )
+    labels = _with_steps(ink, _captions(ink, captions))
+    positions = ((k, str(k + 1)) for k in ink.seen.positions)
+    return traces.drawing(on, strokes, wanted, labels, positions)
 
 
 def _bodies(ink: TrainInk) -> Mapping[str, tuple[Mark, ...]]:

@@ -13,6 +13,7 @@ from graphic_tmm.chapters.planetary.table import (
     trains_wanted,
 )
 from graphic_tmm.drawn import Drawn, results_of, single
+from graphic_tmm.fitting.subjects import subject
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
@@ -37,7 +38,8 @@ def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     )
     shown = Captions(*(tuple(text for text in group if text) for group in found))
     high = heights(drawn.scene, "planetary")
-    view = draw_planetary_ink(log, reading, made, shown, words["planetary"], high)
+    on = subject(drawn, words["planetary"], "planetary")
+    view = draw_planetary_ink(on, made, shown)
     views = [finished(view, lettered), condition_table(log, reading, made, language, high)]
     views.append(rate_table(log, reading, made, language, high))
     if (trains := trains_wanted(made)) is not None:

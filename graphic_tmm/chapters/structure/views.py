@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Construction, Figure
+from graphic_tmm.board.record import Figure
 from graphic_tmm.chapters.kinematics.bodies import SLIDING
 from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
 from graphic_tmm.chapters.kinematics.ink_numbers import link_numbers
@@ -16,14 +15,16 @@ from graphic_tmm.chapters.structure import PARTS, STRUCTURE
 from graphic_tmm.chapters.structure.record import MOBILITY, parts
 from graphic_tmm.chapters.structure.table import WORDS, link_table, pair_table, structure_lines
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.numbers import number
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.drawing import Drawing, Ink, line
 from graphic_tmm.paper.figure import body
-from graphic_tmm.paper.formats import Heights, heights
-from graphic_tmm.paper.labels import Named, finished, lettered, shared
+from graphic_tmm.paper.formats import heights
+from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.lettering.markup import markup
+from graphic_tmm.paper.seen import Subject
 from graphic_tmm.paper.symbols.kinematic import SLIDER_LENGTH, fixed_pivot
 from graphic_tmm.paper.views import captioned
 
@@ -32,17 +33,10 @@ PIECE = 0.9 * SLIDER_LENGTH
 
 
 def draw_part(
-    construction: Construction,
-    reading: Reading,
-    reaches: Mapping[Figure, Reach],
-    links: Sequence[int],
-    index: int,
-    name: str,
-    title: str,
-    high: Heights,
+    on: Subject, reaches: Mapping[Figure, Reach], links: Sequence[int], index: int
 ) -> Drawing:
     """Return one part of a mechanism: the links of these numbers, in one position (an index)."""
-    ink = LinksInk(construction, reading, reaches)
+    ink = LinksInk(on.construction, on.reading, reaches)
     names = [str(number) for number in links]
     strokes: list[Ink] = [stroke for one in names for stroke in ink.lines(one, index, MAIN)]
     strokes += _outer_guides(ink, names, index)
@@ -52,11 +46,11 @@ def draw_part(
         for mark in (m for m in marks if m in ink.frame.marks):
             strokes += body(fixed_pivot(ink.at(mark, index)), "pivot", [mark])
     named = [Named(ink.at(m, index), markup(m.name), (m.slot,), index) for m in marks]
-    letters = lettered(shared(named), high.point, PAIR)
-    circled = link_numbers(ink, index, strokes, letters, high.number, names)
+    letters = lettered(shared(named), on.heights.point, PAIR)
+    circled = link_numbers(ink, index, strokes, letters, on.heights.number, names)
     strokes += [stroke for one in circled for stroke in one.strokes]
     labels = tuple(one.label for one in circled)
-    return Drawing(name, title, tuple(strokes), labels, wanted=tuple(letters))
+    return Drawing(on.name, on.title, tuple(strokes), labels, wanted=tuple(letters))
 
 
 def _outer_guides(ink: LinksInk, names: Sequence[str], index: int) -> Iterator[Ink]:
@@ -89,25 +83,17 @@ def part_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     made = MOBILITY.of(drawn)
     if made is None or drawn.scene.mechanism is None:
         return []
-    structure, high = dissect(drawn.scene.mechanism), heights(drawn.scene, PARTS)
+    structure = dissect(drawn.scene.mechanism)
     words, found = WORDS[drawn.scene.language], []
     groups = {group.name for group in structure.groups}
     for name, (n, p5) in parts(structure).items():
         links = [int(one) for one in name.split("-")]
         told = words["class of group" if name in groups else "class of link"].format(name=name)
-        view = draw_part(
-            drawn.construction,
-            drawn.reading,
-            reaches(drawn),
-            links,
-            drawn.main,
-            f"part-{name}",
-            told,
-            high,
-        )
+        on = subject(drawn, told, PARTS, name=f"part-{name}")
+        view = draw_part(on, reaches(drawn), links, drawn.main)
         w = drawn.reading[made.parts[name]].item()
         line = f"W = 3·{n} − 2·{p5} = {number(w, drawn.scene.language)}"
-        found.append(captioned(finished(view, lettered), told, line, heights=high))
+        found.append(with_caption(view, on, lettered, line))
     return found
 
 

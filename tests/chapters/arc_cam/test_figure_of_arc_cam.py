@@ -12,8 +12,8 @@ from support.gallery import exact
 from graphic_tmm.chapters.arc_cam.contour import VIEW
 from graphic_tmm.chapters.arc_cam.ink import TRACELESS, ArcNames, draw_contour_ink
 from graphic_tmm.chapters.arc_cam.views import arc_views
-from graphic_tmm.paper.formats import HEIGHTS
 from graphic_tmm.paper.labels import finished
+from graphic_tmm.paper.seen import Subject
 
 
 def test_steps_of_the_scene_are_its_ink() -> None:
@@ -31,7 +31,7 @@ def test_steps_of_random_cams_are_their_ink(kind: str) -> None:
     flank = draw.choice([one for one in FLANKS if kind != "flat" or one in ("convex", "sharp")])
     made, log, reading = drawn(random_order(draw, kind, flank))
     names = ArcNames([str(k) for k in range(len(made.angles))], {"base": "r_{1}"})
-    view = finished(draw_contour_ink(log, reading, made, names, "X", HEIGHTS["A1"]))
+    view = finished(draw_contour_ink(Subject(log, reading, "X"), made, names))
     assert not without_ink(log, [view], TRACELESS)
     assert not without_source(view)
     assert_pictures_make_the_view(log, view)

@@ -31,6 +31,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.figure import pictures
 from graphic_tmm.paper.formats import HEIGHTS
 from graphic_tmm.paper.labels import finished
+from graphic_tmm.paper.seen import Subject
 
 WALL = HEIGHTS["A1"]
 LAWS = ("sine", "cosine", "constant acceleration", "3-4-5")
@@ -38,16 +39,16 @@ LAWS = ("sine", "cosine", "constant acceleration", "3-4-5")
 
 def views(order: CamTask) -> tuple[Construction, list[Drawing]]:
     of = made(order)
-    on = (of.log, of.reading, of.cam)
+    on = Subject(of.log, of.reading, "X", WALL)
     names = [str(k) for k in range(of.cam.diagrams.turn.positions)]
     told = CentreNames(names, "S", "dS/dφ", "r_{min}", "r_{0}")
     if isinstance(of.cam.centre, Convexity):
-        centre = draw_convexity_ink(*on, told, "X", WALL)
+        centre = draw_convexity_ink(on, of.cam, told)
     else:
         draw = draw_rocker_ink if isinstance(of.cam.path, Lever) else draw_centre_ink
-        centre = draw(*on, told, "X", WALL)
+        centre = draw(on, of.cam, told)
     letters = ProfileNames(names, "r_{0}", "r", "theoretical", "working")
-    profile = draw_profile_ink(*on, letters, "X", WALL)
+    profile = draw_profile_ink(on, of.cam, letters)
     return of.log, [finished(centre), finished(profile)]
 
 
@@ -98,7 +99,8 @@ def test_the_scheme_shows_the_follower_as_it_stands(kind: str) -> None:
     """The roller's centre of a rod stands above its guide's foot; angles are those that the log measured."""
     order = random_order(random.Random(f"scheme {kind}"), kind)
     of = made(order)
-    view = finished(draw_scheme_ink(of.log, of.reading, of.cam, SchemeNames("α", "r"), "X", WALL))
+    on = Subject(of.log, of.reading, "X", WALL)
+    view = finished(draw_scheme_ink(on, of.cam, SchemeNames("α", "r")))
     assert not without_source(view)
     assert_pictures_make_the_view(of.log, view)
     k = position_of(of.reading, of.cam)

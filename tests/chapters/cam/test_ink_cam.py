@@ -29,6 +29,7 @@ from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke
 from graphic_tmm.paper.formats import HEIGHTS
 from graphic_tmm.paper.graph import Names, Span, draw_graph
 from graphic_tmm.paper.labels import finished
+from graphic_tmm.paper.seen import Subject
 from graphic_tmm.paper.shapes import box, flat, shape
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.records import Scene
@@ -67,24 +68,23 @@ def graph(of: Made, view: str, lettered: bool = True) -> Drawing:
         Span(a * 240 / 360, b * 240 / 360, text) for a, (text, b) in zip(ends, phases, strict=False)
     ]
     names = Names(positions(of), "S", "φ", spans=spans if view == "cam S" else ())
-    drawn = draw_graph(
-        of.log, of.reading, view, of.reading.positions, names, "X", rules=DIAGRAM_RULES
-    )
+    on = Subject(of.log, of.reading, "X")
+    drawn = draw_graph(on, view, of.reading.positions, names, DIAGRAM_RULES)
     return finished(drawn, lettered)
 
 
 def centre(of: Made, lettered: bool = True) -> Drawing:
     names = CentreNames(positions(of), "S", "dS/dφ", "r_{min}", "r_{0}")
-    on = (of.log, of.reading, of.cam)
+    on = Subject(of.log, of.reading, "X", WALL)
     if isinstance(of.cam.centre, Convexity):
-        return finished(draw_convexity_ink(*on, names, "X", WALL), lettered)
+        return finished(draw_convexity_ink(on, of.cam, names), lettered)
     draw = draw_rocker_ink if isinstance(of.cam.path, Lever) else draw_centre_ink
-    return finished(draw(*on, names, "X", WALL), lettered)
+    return finished(draw(on, of.cam, names), lettered)
 
 
 def bare_profile(of: Made) -> Drawing:
     names = ProfileNames(positions(of), "r_{0}", "r", "theoretical", "working")
-    return draw_profile_ink(of.log, of.reading, of.cam, names, "X", WALL)
+    return draw_profile_ink(Subject(of.log, of.reading, "X", WALL), of.cam, names)
 
 
 def profile(of: Made, lettered: bool = True) -> Drawing:

@@ -17,6 +17,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.labels import finished
+from graphic_tmm.paper.seen import Subject
 from graphic_tmm.scene.read import read
 
 ENGINES = asking("engine")
@@ -26,13 +27,15 @@ def triangles(work: Drawn) -> list[Drawing]:
     made, plans = ENGINE_PLAN.on(work), KINEMATICS_PLAN.on(work)
     pivot = plans.positions.point(plans.structure.pivot)
     log, reading, rows = work.construction, work.reading, range(work.project.count)
-    return [finished(draw_triangles(log, reading, made, pivot, k, str(k), "X", 40.0)) for k in rows]
+    on = Subject(log, reading, "X")
+    return [finished(draw_triangles(on, made, pivot, k, 40.0)) for k in rows]
 
 
 def rotating(work: Drawn) -> list[Drawing]:
     made, log, reading = ENGINE_PLAN.on(work), work.construction, work.reading
     rows = range(work.project.count)
-    return [finished(draw_rotating(log, reading, made, k, str(k), "X", 40.0)) for k in rows]
+    on = Subject(log, reading, "X")
+    return [finished(draw_rotating(on, made, k, 40.0)) for k in rows]
 
 
 def assert_engine(work: Drawn) -> None:

@@ -27,6 +27,7 @@ from graphic_tmm.chapters.engine.views import transfer_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.labels import finished
+from graphic_tmm.paper.seen import Subject
 from graphic_tmm.readers.protocol import protocol
 from graphic_tmm.scene.read import read
 
@@ -141,8 +142,8 @@ def pictures(work: Drawn) -> list[Drawing]:
     made: Transfer = BESIDE.on(work).transfer
     log, reading = work.construction, work.reading
     sense = 1 if work.scene.mechanism.drive.speed > 0 else -1  # type: ignore[union-attr]
-    shown = [TransferFigure(str(k), "X", k, 40.0, "N", sense) for k in range(work.project.count)]
-    return [draw_all_forces(log, reading, made, one) for one in shown]
+    shown = [TransferFigure(k, 40.0, "N", sense) for k in range(work.project.count)]
+    return [draw_all_forces(Subject(log, reading, "X"), made, one) for one in shown]
 
 
 @each("name", ENGINES)

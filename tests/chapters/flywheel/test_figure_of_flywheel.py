@@ -20,6 +20,7 @@ from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.graph_rules import axes_of
 from graphic_tmm.paper.labels import finished
+from graphic_tmm.paper.seen import Subject
 from graphic_tmm.scene.read import read
 
 WHEELS = asking("flywheel")
@@ -29,7 +30,7 @@ def energy_mass(work: Drawn) -> Drawing:
     second, names = FLYWHEEL_PLAN.on(work).energy_mass, work.project.names[: work.project.count]
     assert second is not None
     log, figures = work.construction, ("ab", "ψ1", "ψ2")
-    return finished(draw_energy_mass_ink(log, work.reading, second, names, "X", figures))
+    return finished(draw_energy_mass_ink(Subject(log, work.reading, "X"), second, names, figures))
 
 
 @pytest.mark.slow
@@ -48,7 +49,9 @@ def test_the_constant_moment_is_one_line_over_the_cycle_named_at_its_end(name: s
     height = complex(work.reading[marks[letter].it][0, 0]).imag
     length = float(work.reading[axes_of(log, view).length][0, 0])
     names = Names([str(k) for k in range(work.project.count)], "M", "φ", points={})
-    graph = finished(draw_graph(log, work.reading, view, work.project.count, names, "X"), True)
+    graph = finished(
+        draw_graph(Subject(log, work.reading, "X"), view, work.project.count, names), True
+    )
     level = marks[f"({letter})"].it
     (line,) = (s for s in graph.strokes if level.slot in s.of and isinstance(s, Stroke))
     (start, low, _), (end, high, _) = line.path

@@ -18,6 +18,7 @@ from graphic_tmm.chapters.indicator.ink import (
 )
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
 from graphic_tmm.paper.labels import finished
+from graphic_tmm.paper.seen import Subject
 from graphic_tmm.paper.shapes import box, flat, shape
 
 
@@ -32,11 +33,13 @@ def view(which: str, lettered: bool = True) -> Drawing:
     log = work.project.construction
     if which == "indicator":
         made = flywheel().indicator
-        return finished(draw_indicator_ink(log, work.reading, made, names, "X"), lettered)
+        return finished(draw_indicator_ink(Subject(log, work.reading, "X"), made, names), lettered)
     second = flywheel().energy_mass
     assert second is not None
     figures = ("ab = 1", "ψ_{1} = 2°", "ψ_{2} = 3°")
-    return finished(draw_energy_mass_ink(log, work.reading, second, names, "X", figures), lettered)
+    return finished(
+        draw_energy_mass_ink(Subject(log, work.reading, "X"), second, names, figures), lettered
+    )
 
 
 def curves(of: Drawing) -> list[shapely.LineString]:

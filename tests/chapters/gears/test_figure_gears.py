@@ -21,15 +21,16 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.figure import pictures
 from graphic_tmm.paper.formats import HEIGHTS
 from graphic_tmm.paper.labels import finished
+from graphic_tmm.paper.seen import Subject
 
 WALL = HEIGHTS["A1"]
 
 
 def views(order: GearTask) -> tuple[Construction, list[Drawing]]:
     of = pair(order)
-    on, told = (of.log, of.reading, of.gear), ("ru", "X", WALL)
-    made = [draw_gear_ink(*on, *told), draw_sliding_ink(*on, *told)]
-    made += [draw_rolling_ink(*on, k, "X", WALL) for k in (0, 1)]
+    on = Subject(of.log, of.reading, "X", WALL, "ru")
+    made = [draw_gear_ink(on, of.gear), draw_sliding_ink(on, of.gear)]
+    made += [draw_rolling_ink(on, of.gear, k) for k in (0, 1)]
     return of.log, [finished(view) for view in made]
 
 

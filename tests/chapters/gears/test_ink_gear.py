@@ -21,6 +21,7 @@ from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke
 from graphic_tmm.paper.formats import HEIGHTS
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.packing import bounds
+from graphic_tmm.paper.seen import Subject
 from graphic_tmm.paper.shapes import box, flat, shape
 from graphic_tmm.paper.write.svg import svg
 
@@ -41,15 +42,19 @@ def drawn(order: GearTask = WINDROWER) -> Pair:
     return pair(order)
 
 
+def subject(of: Pair) -> Subject:
+    return Subject(of.log, of.reading, "X", WALL, "ru")
+
+
 def view(name: str, order: GearTask = WINDROWER, *, lettered: bool = True) -> Drawing:
     of = drawn(order)
     if name == "gear":
-        made = draw_gear_ink(of.log, of.reading, of.gear, "ru", "X", WALL)
+        made = draw_gear_ink(subject(of), of.gear)
     elif name == "sliding":
-        made = draw_sliding_ink(of.log, of.reading, of.gear, "ru", "X", WALL)
+        made = draw_sliding_ink(subject(of), of.gear)
     else:
         k = int(name[-1]) - 1
-        made = draw_rolling_ink(of.log, of.reading, of.gear, k, "X", WALL)
+        made = draw_rolling_ink(subject(of), of.gear, k)
     return finished(made, lettered)
 
 
@@ -224,13 +229,13 @@ def test_the_table_of_sliding_is_that_of_the_windrower() -> None:
 def test_feet_that_stand_close_are_numbered_by_fives() -> None:
     """At 1:2 the tangents of a tooth stand a millimetre apart: letters of 3.5 mm have no room at each."""
     of = drawn(GearTask(15, 25, 0.008, 0.83, 0.445, mu=0.002))
-    made = draw_rolling_ink(of.log, of.reading, of.gear, 0, "X", WALL)
+    made = draw_rolling_ink(subject(of), of.gear, 0)
     feet = [one for one in made.wanted if one.of == (of.gear.wheels[0].feet.slot,)]
     assert {int(one.text) for one in feet} == {5, 10, 15}
     apart = [abs(b.at - a.at) for a, b in pairwise(feet)]
     assert min(apart) > 3.5
     usual = drawn()
-    whole = draw_rolling_ink(usual.log, usual.reading, usual.gear, 0, "X", WALL)
+    whole = draw_rolling_ink(subject(usual), usual.gear, 0)
     numbers = [one for one in whole.wanted if one.text.isdigit()]
     assert len(numbers) == usual.gear.wheels[0].roll.count
 

@@ -24,6 +24,7 @@ from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.rules import BEYOND
+from graphic_tmm.paper.seen import Subject
 from graphic_tmm.paper.shapes import box
 from graphic_tmm.paper.symbols.kinematic import POLE_RADIUS
 
@@ -34,7 +35,7 @@ def plan(name: str, which: str, index: int, lettered: bool = True) -> Drawing:
     reading = work.of("accelerations") if which == "accelerations" else work.reading
     assert reading is not None
     log, mu = work.project.construction, work.scales[which].value
-    view = draw_plan(log, reading, which, [Place(index)], "x", "X", mu, "m/s")
+    view = draw_plan(Subject(log, reading, "X"), which, [Place(index)], mu, "m/s")
     return finished(view, lettered)
 
 
@@ -202,7 +203,7 @@ def test_plans_from_a_common_pole_are_those_of_the_single_positions() -> None:
     work = drawn("crank-rocker")
     log, mu = work.project.construction, work.scales["velocities"].value
     places = [Place(k, name) for k, name in enumerate(work.project.names)]
-    view = finished(draw_plan(log, work.reading, "velocities", places, "x", "X", mu, "m/s"))
+    view = finished(draw_plan(Subject(log, work.reading, "X"), "velocities", places, mu, "m/s"))
     lengths = sorted(dict(s.data)["mm"] for s in view.strokes if isinstance(s, Stroke) and s.data)
     single = [
         dict(s.data)["mm"]

@@ -15,6 +15,7 @@ from support.gallery import NAMES, drawn
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics.ink_positions import (
     SWEEP,
+    PositionsFigure,
     clear_start,
     draw_positions_ink,
 )
@@ -23,6 +24,7 @@ from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.packing import bounds
+from graphic_tmm.paper.seen import Subject
 from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot, round_arrow
 
@@ -39,17 +41,9 @@ def plan(
     name: str, main: int = 1, skipped: tuple[int, ...] = (), sense: int = 1, lettered: bool = True
 ) -> Drawing:
     work = drawn(name, exact=True)
-    view = draw_positions_ink(
-        work.project.construction,
-        work.reading,
-        reaches(work),
-        main=main,
-        names=work.project.names,
-        skipped=skipped,
-        crank=crank(name),
-        sense=sense,
-        title="Plan",
-    )
+    shown = PositionsFigure(work.project.names, main, skipped, crank(name), sense)
+    on = Subject(work.project.construction, work.reading, "Plan")
+    view = draw_positions_ink(on, reaches(work), shown)
     return finished(view, lettered)
 
 

@@ -19,8 +19,8 @@ from graphic_tmm.chapters.planetary.task import PlanetaryTask
 from graphic_tmm.chapters.planetary.views import planetary_views
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.figure import pictures
-from graphic_tmm.paper.formats import HEIGHTS
 from graphic_tmm.paper.labels import finished
+from graphic_tmm.paper.seen import Subject
 
 
 def drawn(order: PlanetaryTask) -> tuple[Construction, Drawing]:
@@ -28,7 +28,7 @@ def drawn(order: PlanetaryTask) -> tuple[Construction, Drawing]:
     made = draw_planetary(draft, order)
     log = draft.board.construction()
     reading = execute(log, draft.given)
-    view = draw_planetary_ink(log, reading, made, Captions(), "X", HEIGHTS["A1"])
+    view = draw_planetary_ink(Subject(log, reading, "X"), made, Captions())
     return log, finished(view)
 
 

@@ -32,6 +32,7 @@ from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import (
     letter,
 )
+from graphic_tmm.paper.seen import Subject
 from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.paper.symbols.kinematic import HATCH_DEPTH, RIM
 from graphic_tmm.paper.write.svg import svg
@@ -73,7 +74,7 @@ def inked(name: str, lettered: bool = True) -> Inked:
     made = draw_planetary(draft, ORDERS[name])
     log = draft.board.construction()
     reading = execute(log, draft.given)
-    view = draw_planetary_ink(log, reading, made, CAPTIONS, "Редуктор", WALL)
+    view = draw_planetary_ink(Subject(log, reading, "Редуктор", WALL), made, CAPTIONS)
     return Inked(made, log, reading, finished(view, lettered))
 
 
