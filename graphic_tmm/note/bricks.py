@@ -1,6 +1,6 @@
 """What sections are built of: the protocol of a plan, its figures, tables of columns and results.
 
-A chapter's own section (`Noted`) is built of these; of one that has none `sections.chapter` builds it.
+The sections of chapters (`Page`) are built of these.
 """
 
 from __future__ import annotations
@@ -60,7 +60,6 @@ WIDEST = 0.12
 
 
 SEE = said("The construction is shown in {}.")
-ALSO = said("Shown besides: {}.")
 TABLED = said("It is worked step by step in {}.")
 
 
@@ -125,20 +124,14 @@ def side_by_side(shown: Sequence[Picture]) -> tuple[Figure, ...]:
     return (SideBySide(f"{shown[0].id}-beside", tuple(whole), tuple(shown)),)
 
 
-def figures_of(
-    drawn: Drawn, place: Place, at: int, language: str, shows: str = ""
-) -> tuple[Picture, ...]:
-    """Return the figures of a place of sheets; of those drawn for each position that at ``at`` (index).
-
-    ``shows``: only those that are pictures of this view of the log.
-    """
+def figures_of(drawn: Drawn, place: Place, at: int, language: str) -> tuple[Picture, ...]:
+    """Return the figures of a place of sheets; of those drawn for each position that at ``at`` (index)."""
     name = drawn.names[at] if drawn.names else ""
     found = [view for view in drawings(drawn, place) if is_figure(view)]
     others = {f"-{other}" for other in drawn.names if other != name}
     kept = [
         view
         for view in found
-        if not shows or not view.shows or shows in view.shows
         if not (any(view.name.endswith(one) for one in others) and _sisters(view, found, name))
     ]
     return tuple(picture(view, language) for view in kept)
@@ -256,10 +249,14 @@ def _cells(
         if value is None:
             yield text("—")
             continue
-        source = Source(
-            "column", drawn.board, f"{column.plan}/{column.segment}", k, "", 0 if mm else 1
-        )
+        source = column_source(drawn, column, k, mm=mm)
         yield (Number(fixed(written[k], places, language), "", source, value),)
+
+
+def column_source(drawn: Drawn, column: Column, k: int, *, mm: bool = False) -> Source:
+    """Return where a column holds a figure in a position (index): its mm, or its quantity."""
+    name = f"{column.plan}/{column.segment}"
+    return Source("column", drawn.board, name, k, "", 0 if mm else 1)
 
 
 def results(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
@@ -327,8 +324,14 @@ def greatest(drawn: Drawn, column: Column, language: str) -> tuple[Number, str] 
     if not there:
         return None
     _, k = max(there, key=lambda one: (one[0], -one[1]))
-    value = values[k]
-    assert value is not None
     names = [name for name, _ in column.at] or list(drawn.names)
-    source = Source("column", drawn.board, f"{column.plan}/{column.segment}", k, "", 1)
-    return Number(number(value, language, 3), column.unit, source, value), names[k]
+    return quantity_at(drawn, column, k, language), names[k]
+
+
+def quantity_at(drawn: Drawn, column: Column, k: int, language: str, digits: int = 3) -> Number:
+    """Return the quantity that a column holds in a position (index), to so many significant digits."""
+    value = column.first_figures[1][k]
+    assert value is not None
+    return Number(
+        number(value, language, digits), column.unit, column_source(drawn, column, k), value
+    )

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Mapping, Sequence
+import math
+import re
+from collections.abc import Container, Iterable, Iterator, Sequence
+from functools import cached_property
 
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.grammar import Operation
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.note.bricks import Figure, filled, heading, referred
+from graphic_tmm.note.bricks import Figure, heading, referred, worked
 from graphic_tmm.note.calculations import Section, as_table
 from graphic_tmm.note.document import (
     Block,
@@ -16,13 +20,14 @@ from graphic_tmm.note.document import (
     Formula,
     Once,
     Paragraph,
-    Run,
+    Runs,
     Table,
     Text,
     text,
 )
 from graphic_tmm.note.protocol import Known, Manner, protocol_blocks, protocol_parts
-from graphic_tmm.note.steps import NumberSource, calculated
+from graphic_tmm.note.steps import NumberSource, calculated, reason_runs
+from graphic_tmm.note.widths import broken
 from graphic_tmm.readers.protocol import covering, title_of
 from graphic_tmm.scene.chapter import MECHANISM
 
@@ -39,47 +44,6 @@ def at_position(drawn: Drawn, view: str, place: int, language: str) -> NumberSou
             place = row[0]
         place = row.index(place)
     return NumberSource(drawn.board, drawn.construction, reading, view, place, language)
-
-
-def plan(
-    drawn: Drawn,
-    view: str,
-    place: int,
-    language: str,
-    shown: Sequence[Figure] = (),
-    known: Known | None = None,
-) -> Iterator[Block]:
-    """Yield the section of a view: heading, protocol in a position, the figures that show it.
-
-    ``known``: what was told already and is not told again.
-    """
-    told = at_position(drawn, view, place, language)
-    if told is None or not _there(drawn, view):
-        return
-    yield heading(title_of(drawn.project, view, language))
-    if shown:
-        yield referred(shown, language)
-    yield from protocol_blocks(told, Manner(drawn.scene.turned, _elsewhere(drawn, told), known))
-    yield from shown
-
-
-def section_table(
-    drawn: Drawn,
-    view: str,
-    place: int,
-    language: str,
-    shown: Sequence[Figure] = (),
-    known: Known | None = None,
-) -> Iterator[Block]:
-    """Yield the section of a view, its protocol as a table; see `plan`."""
-    found = section(drawn, view, place, language, known)
-    if found is None:
-        return
-    yield heading(found.title)
-    blocks = list(shown_and_listed((found,), view, found.title, language, shown))
-    yield from blocks[:1]
-    yield from found.equations
-    yield from blocks[1:]
 
 
 def shown_and_listed(
@@ -167,35 +131,120 @@ def _elsewhere(drawn: Drawn, told: NumberSource) -> list[tuple[int, str]]:
     return [(k, drawn.names[k]) for k in covering(told.reading, steps, [told.place])]
 
 
-NONE: Mapping[str, Run] = {}
+_READ = re.compile(r"Source\([^)]*\)|value=[^),]*")
+"""Where a number was read: calculations that are the same in two places are told once."""
 
 
-class Page:
-    """A drawn board, told in one position (index).
+class LogPage:
+    """What the log of a drawn board tells in one position; nothing twice."""
 
-    ``lettered``: letters of the drawing that sentences name, besides what each is given.
-    """
+    def __init__(self, drawn: Drawn, language: str, known: Known) -> None:
+        """``known``: what was told before: sentences, reasons, formulas; what is told here is entered."""
+        self.drawn, self.language, self.known = drawn, language, known
 
-    lettered: Mapping[str, Run] = NONE
-
-    def __init__(self, drawn: Drawn, language: str, at: int) -> None:
-        self.drawn, self.language, self.at = drawn, language, at
-        self.speech = speaking(language)
-
-    def says(self, told: str, put: Mapping[str, Run] = NONE, /, **named: Run) -> Paragraph:
-        """Return a sentence with runs in the places of its names."""
-        return Paragraph(filled(self.speech(told), {**self.lettered, **put, **named}))
+    @cached_property
+    def at(self) -> int:
+        """The position (index) that is worked in full."""
+        return worked(self.drawn)
 
     def of(self, view: str, at: int | None = None) -> NumberSource | None:
-        """Return where the numbers of a view are read in a position: in that which is worked."""
+        """Return where the numbers of a view are read in a position; None where it is not drawn there."""
         return at_position(self.drawn, view, self.at if at is None else at, self.language)
 
-    def worked_out(self, told: NumberSource, *marks: Mark) -> Iterator[Block]:
+    def view(
+        self, view: str, shown: Sequence[Figure] = (), at: int | None = None, *, bare: bool = False
+    ) -> Iterator[Block]:
+        """Yield what the log tells of a view: a heading, the equations of its groups, its figures, a table.
+
+        ``bare``: only what is calculated or read, without equations.
+        """
+        place = self.at if at is None else at
+        found = section(self.drawn, view, place, self.language, self.known, bare=bare)
+        if found is not None:
+            yield heading(found.title)
+            led = list(shown_and_listed((found,), view, found.title, self.language, shown))
+            yield from led[:1]
+            yield from () if bare else found.equations
+            yield from led[1:]
+
+    def alone(self, view: str, *, bare: bool = False) -> Iterator[Block]:
+        """Yield what the log tells of a view, without a heading."""
+        source = self.of(view)
+        if source is not None:
+            manner = Manner(self.drawn.scene.turned, known=self.known, bare=bare)
+            yield from protocol_blocks(source, manner)
+
+    def worked_out(self, *marks: Mark, at: int | None = None) -> Iterator[Block]:
         """Yield the calculations of marks as formulas on lines of their own, each once."""
         found: dict[object, Formula] = {}
-        for step in map(told.log.step, marks):
-            formula = calculated(told, step) if step is not None else None
-            if step is not None and formula is not None:
+        for mark in marks:
+            source = self.of(mark.view, at)
+            step = source.log.step(mark) if source is not None else None
+            if source is None or step is None:
+                continue
+            formula = calculated(source, step)
+            if formula is not None:
                 found.setdefault((step.op, step.uses), formula)
         if found:
             yield Display(tuple(found.values()))
+
+    def formulas(self, view: str, *ops: Operation, first: bool = False) -> Iterator[Block]:
+        """Yield the calculations of a view by some operations, each once; ``first``: only that of the first.
+
+        One that is not there in the position that is worked (a cam's return) is told where it first is.
+        """
+        found: dict[str, Formula] = {}
+        for source, step in self._steps_by(view, ops):
+            formula = calculated(source, step)
+            if formula is not None:
+                found.setdefault(_READ.sub("", repr(formula)), formula)
+        if found:
+            yield Display(tuple(found.values())[: 1 if first else None])
+
+    def _steps_by(self, view: str, ops: Sequence[Operation]) -> Iterator[tuple[NumberSource, Step]]:
+        for step in self.drawn.construction.steps:
+            if step.it.view != view or step.op not in ops:
+                continue
+            for at in (self.at, *range(len(self.drawn.names))):
+                source = self.of(view, at)
+                if source is not None and math.isfinite(source.value(step.it)):
+                    yield source, step
+                    break
+
+    def calculation(self, *marks: Mark | None) -> Iterator[Block]:
+        """Yield the formulas of steps with their numbers, each behind its reason; what is known is left out."""
+        for reason, formula in self._reasoned(marks):
+            if reason:
+                yield Paragraph(reason)
+            yield Display(broken(formula))
+
+    def sentences(self, *marks: Mark | None) -> Iterator[Block]:
+        """Yield the same among words, each formula at the end of what tells its reason."""
+        for reason, formula in self._reasoned(marks):
+            yield Paragraph((*reason, Text(" "), formula._replace(flat=True), Text(".")))
+
+    def _reasoned(self, marks: Iterable[Mark | None]) -> Iterator[tuple[Runs, Formula]]:
+        """Yield the reason and the formula of each step, as far as they are not known."""
+        for mark in marks:
+            source = self.of(mark.view) if mark else None
+            step = source.log.step(mark) if source is not None and mark is not None else None
+            if source is None or step is None or not math.isfinite(source.value(step.it)):
+                continue
+            formula = calculated(source, step)
+            if formula is None or repr(formula) in self.known:
+                continue
+            self.known.add(repr(formula))
+            new = bool(step.reason) and step.reason not in self.known
+            self.known |= {step.reason} if new else set()
+            yield reason_runs(source, step) if new else (), formula
+
+    def hide(self, *marks: Mark | None) -> None:
+        """Note formulas as known: they are told elsewhere."""
+        for _ in self._reasoned(marks):
+            pass
+
+    def again(self, mark: Mark) -> Iterator[Block]:
+        """Yield the formula of a step that was hidden, among words."""
+        known, self.known = self.known, set()
+        yield from self.sentences(mark)
+        self.known |= known

@@ -29,7 +29,7 @@ from graphic_tmm.note.document import (
     symbols,
     text,
 )
-from graphic_tmm.note.section_chapter import Noted
+from graphic_tmm.note.section_chapter import page_of
 from graphic_tmm.readers.exactness import deviations
 from graphic_tmm.readers.findings import warnings
 from graphic_tmm.readers.text import result_name
@@ -47,7 +47,7 @@ def conclusions(made: DrawnScene, language: str) -> Iterator[Block]:
     found: list[Runs] = []
     for drawn in made.boards:
         for chapter in drawn.project.chapters:
-            found += Noted.of(chapter).concludes(drawn, language)
+            found += page_of(drawn, chapter, language).concludes()
     for drawn in made.boards:
         found += [text(_sentence(told)) for told in warnings(drawn, language, remedies=False)]
     own = made.scene.author.conclusions

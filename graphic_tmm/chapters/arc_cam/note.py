@@ -4,29 +4,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import cached_property
 
-from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.operations.formulas import pole_distance, to_board
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.arc_cam import formulas as f
 from graphic_tmm.chapters.arc_cam.contour import VIEW
-from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, VIEWS, ArcCam
+from graphic_tmm.chapters.arc_cam.plan import VIEWS, ArcCam
 from graphic_tmm.chapters.arc_cam.record import BESIDE
-from graphic_tmm.chapters.arc_cam.record import VIEW as CALCULATED
-from graphic_tmm.chapters.arc_cam.table import arc_columns, results
 from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER
 from graphic_tmm.chapters.arc_cam.views import arc_views
-from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
-from graphic_tmm.note.bricks import columns, filled, greatest, heading, referred, result_number
-from graphic_tmm.note.document import Block, Item, Listed, Number, Run, Runs, Source, Text
-from graphic_tmm.note.figures import is_figure, picture, readable
-from graphic_tmm.note.plans import Page
+from graphic_tmm.note.bricks import quantity_at
+from graphic_tmm.note.document import Block, Number, Runs
+from graphic_tmm.note.figures import readable
+from graphic_tmm.note.page import COLUMNS, Page
 from graphic_tmm.note.section_chapter import Noted
-from graphic_tmm.note.steps import NumberSource
-from graphic_tmm.readers.columns import Column
+from graphic_tmm.paper.drawing import Drawing
 
 CONTOUR, MOTION = said("Contour of the cam"), said("Displacements by reversed motion")
 DIAGRAMS = said("Diagrams by chords, dS/dφ by the instant centre")
@@ -96,119 +90,84 @@ APART = said(
     "By chords dS/dφ is {chords} in position {position}, by the instant centre {instant}: there they differ "
     "most."
 )
-STROKE = said("The cam lifts its follower by {stroke}.")
+STROKE = said("The cam lifts its follower by {arc_stroke}.")
 SHARPEST = said("The second derivative is largest in size in position {position}: {value}.")
 
 
-def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
-    """Yield what a cam given by arcs comes to."""
-    if ARC_CAM_PLAN.of(drawn) is None:
-        return
-    _ = speaking(language)
-    yield filled(
-        _(STROKE), {"stroke": result_number(drawn, results(drawn), "arc_stroke", language)}
-    )
-    found = {one.segment: one for one in arc_columns(drawn)}
-    chords, instant = (found[name].first_figures[1] for name in ("dS", "dS_P"))
-    pairs = zip(chords, instant, strict=True)
-    apart = [abs(a - b) if a is not None and b is not None else -1.0 for a, b in pairs]
-    k = max(range(len(apart)), key=lambda at: (apart[at], -at))
-    if apart[k] >= 0.0:
-        put: dict[str, Run] = {
-            "chords": _cell(drawn, found["dS"], k, language),
-            "instant": _cell(drawn, found["dS_P"], k, language),
-            "position": Text(drawn.names[k]),
-        }
-        yield filled(_(APART), put)
-    sides = [greatest(drawn, found[name], language) for name in ("ddS_K", "ddS_K_after")]
-    most = max(filter(None, sides), key=lambda one: abs(one[0].value), default=None)
-    if most is not None:
-        yield filled(_(SHARPEST), {"value": most[0], "position": Text(most[1])})
+class ArcCamPage(Page[ArcCam]):
+    """A cam given by arcs, worked on the flank of the rise."""
 
+    tables = (COLUMNS,)
+    by_results = (STROKE,)
 
-def _cell(drawn: Drawn, column: Column, k: int, language: str) -> Number:
-    """Return the quantity that a column holds in a position."""
-    value = column.first_figures[1][k]
-    assert value is not None
-    source = Source("column", drawn.board, f"{column.plan}/{column.segment}", k, "", 1)
-    return Number(number(value, language, 3), column.unit, source, value)
+    @cached_property
+    def at(self) -> int:
+        """The position (index) in the middle of the rise's flank."""
+        first, second, *_ = self.recorded.lie.changes
+        return max(
+            1, round((second - first) / self.recorded.lie.work * self.recorded.order.parts / 2.0)
+        )
 
+    def views(self) -> Sequence[Drawing]:
+        """Return the contour and the diagrams."""
+        return readable(self.drawn, arc_views)
 
-def note(drawn: Drawn, language: str) -> Iterator[Block]:
-    """Yield the section of a cam given by arcs."""
-    made = ARC_CAM_PLAN.of(drawn)
-    if made is not None:
-        yield from _Page(drawn, made, language).blocks()
+    def concludes(self) -> Iterator[Runs]:
+        """Yield the stroke, how far dS/dφ is off, the greatest second derivative."""
+        yield from super().concludes()
+        pairs = [self.columns[name].first_figures[1] for name in ("dS", "dS_P")]
+        apart = [
+            abs(a - b) if a is not None and b is not None else -1.0
+            for a, b in zip(*pairs, strict=True)
+        ]
+        k = max(range(len(apart)), key=lambda at: (apart[at], -at))
+        if apart[k] >= 0.0:
+            chords, instant = (self._quantity(name, k) for name in ("dS", "dS_P"))
+            names = self.drawn.names
+            yield self.sentence(APART, chords=chords, instant=instant, position=names[k])
+        sides = filter(None, map(self.greatest, ("ddS_K", "ddS_K_after")))
+        most = max(sides, key=lambda one: abs(one[0].value), default=None)
+        if most is not None:
+            yield self.sentence(SHARPEST, value=most[0], position=most[1])
 
-
-class _Page(Page):
-    """A cam given by arcs, and the position that is worked: on the flank of the rise."""
-
-    def __init__(self, drawn: Drawn, made: ArcCam, language: str) -> None:
-        first, second, *_ = made.lie.changes
-        at = max(1, round((second - first) / made.lie.work * made.order.parts / 2.0))
-        super().__init__(drawn, language, at)
-        self.made = made
-        shown = [one for one in readable(drawn, arc_views) if is_figure(one)]
-        self.contour, self.graphs = (picture(one, language) for one in shown)
+    def _quantity(self, segment: str, k: int) -> Number:
+        return quantity_at(self.drawn, self.columns[segment], k, self.language)
 
     def blocks(self) -> Iterator[Block]:
         """Yield what is told: contour, follower, diagrams, the table."""
-        order = self.made.order
-        yield heading(self.speech(CONTOUR))
+        order, (contour, *graphs) = self.recorded.order, list(self.pictures)
+        yield self.head(CONTOUR)
         straight = order.rise.radius is None and order.fall.radius is None
         yield self.says(TANGENTS if straight else CIRCLES)
-        yield from self._formulas(VIEW, to_board)
-        yield from self._formulas(VIEW, f.inside, f.outside)
-        yield referred((self.contour,), self.language)
-        yield self.contour
-        yield heading(self.speech(MOTION))
-        steps = {FLAT: FLAT_STEPS, ROCKER: ROCKER_STEPS}.get(order.follower, ROLLER_STEPS)
-        yield Listed(tuple(Item("", (self.says(one),)) for one in steps))
-        told = self._read(VIEW)
-        put: dict[str, Run] = {
-            "position": Text(self.drawn.names[self.at]),
-            "angle": self._angle(),
-            "travel": told.number(self.made.follower.travel, unit=True),
-        }
-        yield self.says(WORKED, put)
-        yield from self._diagrams(told)
-        yield from columns(self.drawn, arc_columns(self.drawn), self.language)
+        yield from self.formulas(VIEW, to_board)
+        yield from self.formulas(VIEW, f.inside, f.outside)
+        yield from self.leads(self.figures(contour))
+        yield self.head(MOTION)
+        yield self.steps({FLAT: FLAT_STEPS, ROCKER: ROCKER_STEPS}.get(order.follower, ROLLER_STEPS))
+        travel = self.number(self.recorded.follower.travel)
+        yield self.says(WORKED, angle=self._angle(), travel=travel)
+        yield from self._diagrams(graphs)
+        yield from self.tabled()
 
-    def _diagrams(self, told: NumberSource) -> Iterator[Block]:
-        yield heading(self.speech(DIAGRAMS))
+    def _diagrams(self, graphs: Sequence[str]) -> Iterator[Block]:
+        yield self.head(DIAGRAMS)
         yield self.says(CHORDS)
         for view in (VIEWS["V"], VIEWS["A"]):
-            yield from self._formulas(view, pole_distance)
-        yield referred((self.graphs,), self.language)
-        yield self.graphs
-        rocks = self.made.order.follower == ROCKER
-        where = {"position": Text(self.drawn.names[self.at])}
-        yield self.says(PIVOTS if rocks else INSTANT, {**where})
-        yield from self.worked_out(told, self.made.follower.rate)
+            yield from self.formulas(view, pole_distance)
+        yield from self.leads(self.figures(*graphs))
+        yield self.says(PIVOTS if self.recorded.order.follower == ROCKER else INSTANT)
+        yield from self.worked_out(self.recorded.follower.rate)
         yield self.says(SECOND)
         beside, speeds = BESIDE.on(self.drawn), list[Mark]()
         if beside.velocity is not None and beside.acceleration is not None:
             speeds = [beside.velocity, beside.acceleration[0]]
-        yield from self.worked_out(self._read(CALCULATED), beside.second[0], *speeds)
+        yield from self.worked_out(beside.second[0], *speeds)
 
     def _angle(self) -> Number:
         """Return the angle of the cam in the position that is worked, as the table tells it."""
-        steps = [step.it for step in self.drawn.construction.steps if step.op is f.part_of_work]
-        return self._read(VIEW).number(next(mark for mark in steps if self._there(mark)))
-
-    def _there(self, mark: Mark) -> bool:
-        return math.isfinite(self._read(VIEW).value(mark))
-
-    def _read(self, view: str) -> NumberSource:
-        found = self.of(view)
-        assert found is not None
-        return found
-
-    def _formulas(self, view: str, *ops: Operation) -> Iterator[Block]:
         steps = self.drawn.construction.steps
-        marks: Sequence[Mark] = [s.it for s in steps if s.it.view == view and s.op in ops]
-        yield from self.worked_out(self._read(view), *marks)
+        angles = [self.number(step.it) for step in steps if step.op is f.part_of_work]
+        return next(angle for angle in angles if math.isfinite(angle.value))
 
 
-NOTE = Noted(section=note, concludes=concludes)
+NOTE = Noted(ArcCamPage)

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN
+from graphic_tmm.chapters.cycle.plan import Cycle
 from graphic_tmm.chapters.cycle.record import BESIDE
-from graphic_tmm.chapters.cycle.table import cycle_columns, cycle_results
-from graphic_tmm.chapters.cycle.task import CYCLE
 from graphic_tmm.chapters.cycle.views import cycle_views
-from graphic_tmm.chapters.flywheel.note import FlywheelPage, concluded
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.chapters.flywheel.note import SteadyPage
+from graphic_tmm.chapters.flywheel.plan import Flywheel
+from graphic_tmm.chapters.flywheel.record import Aside
 from graphic_tmm.language.said import said
-from graphic_tmm.note.document import Block, Runs, Text
+from graphic_tmm.note.document import Block
 from graphic_tmm.note.figures import in_hand
 from graphic_tmm.note.section_chapter import Noted
+from graphic_tmm.paper.drawing import Drawing
 
 GIVEN = said(
     "Of the machine the moments on its shaft are known over a cycle of turns, {turns} in number; they are "
@@ -22,22 +22,28 @@ GIVEN = said(
 )
 
 
-def note(drawn: Drawn, language: str) -> Iterator[Block]:
-    """Yield the section of a cycle."""
-    made = CYCLE_PLAN.of(drawn)
-    if made is None:
-        return
-    views = cycle_views(in_hand(drawn), True)
-    page = FlywheelPage(drawn, language, made.flywheel, BESIDE.on(drawn), views)
-    turns, count = Text(str(made.order.turns)), Text(str(made.order.positions))
-    yield page.says(GIVEN, turns=turns, count=count)
-    yield from page.blocks(list(cycle_columns(drawn)), CYCLE)
+class CyclePage(SteadyPage[Cycle]):
+    """A cycle of moments, and the flywheel that keeps it steady."""
+
+    @property
+    def flywheel(self) -> Flywheel:
+        """The flywheel as recorded."""
+        return self.recorded.flywheel
+
+    @property
+    def aside(self) -> Aside:
+        """What was calculated beside it."""
+        return BESIDE.on(self.drawn)
+
+    def views(self) -> list[Drawing]:
+        """Return graphs and the rim."""
+        return cycle_views(in_hand(self.drawn), True)
+
+    def blocks(self) -> Iterator[Block]:
+        """Yield what is given, then what is told of any flywheel."""
+        order = self.recorded.order
+        yield self.says(GIVEN, turns=order.turns, count=order.positions)
+        yield from super().blocks()
 
 
-def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
-    """Yield what the flywheel has to be, and what the machine takes."""
-    made = CYCLE_PLAN.on(drawn)
-    yield from concluded(drawn, cycle_results(drawn), made.flywheel.order, language, "cycle")
-
-
-NOTE = Noted(section=note, concludes=concludes)
+NOTE = Noted(CyclePage)

@@ -2,276 +2,188 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.chapters.diagrams import note_words as words
 from graphic_tmm.chapters.diagrams.note_words import intervals, middles_table
-from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN, Kinematic
-from graphic_tmm.chapters.diagrams.record import BESIDE
-from graphic_tmm.chapters.diagrams.table import diagram_columns
+from graphic_tmm.chapters.diagrams.plan import Kinematic
+from graphic_tmm.chapters.diagrams.record import BESIDE, Aside
 from graphic_tmm.chapters.diagrams.task import CALCULATED, VIEWS
 from graphic_tmm.chapters.diagrams.views import diagram_views
-from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol as lettered
-from graphic_tmm.note.bricks import columns, filled, greatest, heading, referred, worked
-from graphic_tmm.note.document import (
-    Block,
-    Item,
-    Listed,
-    Number,
-    Picture,
-    Ref,
-    Run,
-    Runs,
-    Source,
-    Symbol,
-    Text,
-)
-from graphic_tmm.note.figures import is_figure, picture, readable
-from graphic_tmm.note.plans import Page
+from graphic_tmm.note.bricks import heading
+from graphic_tmm.note.document import Block, Paragraph, Ref, Runs, Symbol
+from graphic_tmm.note.figures import readable
+from graphic_tmm.note.page import COLUMNS, Page, Put
 from graphic_tmm.note.section_chapter import Noted
-from graphic_tmm.note.steps import NumberSource
-from graphic_tmm.readers.rounding import rounded_figures as as_told
+from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.scene.captions import captions
 
 
-def concludes(drawn: Drawn, language: str) -> Iterator[Runs]:
-    """Yield how far what was found is off the plans, and how far an integral is from closing."""
-    made, _ = DIAGRAMS_PLAN.of(drawn), speaking(language)
-    if made is None:
-        return
-    for column in diagram_columns(drawn):
-        symbol, _sign, kind = column.segment.partition("_")
-        if kind not in ("", "difference") or symbol == made.first:
-            continue
-        found = greatest(drawn, column, language)
-        if found is not None and not kind:
-            yield filled(_(words.EXTREME[symbol]), {"value": found[0], "position": Text(found[1])})
-        elif found is not None:
-            apart, position = found
-            put: dict[str, Run] = {
-                "symbol": Symbol(symbol),
-                "apart": apart,
-                "position": Text(position),
-            }
-            yield filled(_(words.APART), put)
-    end = made.charts["S"].end if "S" in made.charts else None
-    if end is not None:
-        view = made.charts["S"].view
-        told = NumberSource(drawn.board, drawn.construction, drawn.reading, view, 0, language)
-        yield filled(_(words.CLOSED), {"end": told.number(end, unit=True)})
+class DiagramPage(Page[Kinematic]):
+    """The diagrams of a point; the position and the interval behind it are worked in full."""
 
+    tables = (COLUMNS,)
 
-def note(drawn: Drawn, language: str) -> Iterator[Block]:
-    """Yield the section of kinematic diagrams."""
-    made = DIAGRAMS_PLAN.of(drawn)
-    if made is not None:
-        yield from _Page(drawn, made, language).blocks()
+    @cached_property
+    def aside(self) -> Aside:
+        """What was calculated beside the diagrams."""
+        return BESIDE.on(self.drawn)
 
+    @cached_property
+    def explained(self) -> set[Sequence[str]]:
+        """The ways of drawing diagrams that were told step by step."""
+        return set()
 
-class _Page(Page):
-    """The diagrams of a point, the position and the interval behind it that are worked in full."""
+    def views(self) -> Sequence[Drawing]:
+        """Return the diagrams."""
+        return readable(self.drawn, diagram_views)
 
-    def __init__(self, drawn: Drawn, made: Kinematic, language: str) -> None:
-        super().__init__(drawn, language, worked(drawn))
-        self.made, self.beside = made, BESIDE.on(drawn)
-        found = tuple(diagram_columns(drawn))
-        written = zip(found, as_told(found), strict=True)
-        self.columns = {one.segment: (one, figures) for one, figures in written}
-        self.first, self.told = made.first, set[Sequence[str]]()
+    def concludes(self) -> Iterator[Runs]:
+        """Yield how far what was found is off the plans, and how far an integral is from closing."""
+        for segment in self.columns:
+            symbol, _sign, kind = segment.partition("_")
+            if kind not in ("", "difference") or symbol == self.recorded.first:
+                continue
+            if kind:
+                yield from self.extreme(words.APART, segment, "apart", symbol=Symbol(symbol))
+            else:
+                yield from self.extreme(words.EXTREME[symbol], segment)
+        end = self.recorded.charts["S"].end if "S" in self.recorded.charts else None
+        if end is not None:
+            yield self.sentence(words.CLOSED, end=end)
 
     def blocks(self) -> Iterator[Block]:
         """Yield what is told: the base, diagram by diagram, the results."""
-        shown = self._figures()
-        first, point = self.made.charts[self.first], Text(self.made.order.point)
-        wanted = [k for k in ("S", "V", "a") if k in self.made.charts and k != self.first]
-        put: dict[str, Run] = {"point": point, "given": self._quantity(first)}
-        yield self.says(words.OF, put)
-        if shown:
-            yield referred(shown, self.language)
-        yield from self._base()
-        yield from self._laid_off(first)
-        for symbol in sorted(wanted, key=lambda k: (k == "S", "SVa".index(k))):
-            tell = self._integrated if self._is_integral(symbol) else self._derived
-            yield from tell(self.made.charts[symbol])
-        yield from shown
+        charts, first = self.recorded.charts, self.recorded.first
+        yield self.says(
+            words.OF, point=self.recorded.order.point, given=self._quantity(charts[first])
+        )
+        yield from self.leads(self.figures(*self.pictures), *self._diagrams())
         yield from self._places()
         yield from self._results()
 
     # ------------------------------------------------------------ parts
 
+    def _diagrams(self) -> Iterator[Block]:
+        """Yield the base, the diagram that is laid off, those that are found from it."""
+        charts, first = self.recorded.charts, self.recorded.first
+        yield from self._base()
+        yield from self._laid_off(charts[first])
+        wanted = [k for k in "SVa" if k in charts and k != first]
+        for symbol in sorted(wanted, key=lambda k: k == "S"):
+            integral = symbol == "S" and first == "V"
+            yield from (self._integrated if integral else self._derived)(charts[symbol])
+
     def _base(self) -> Iterator[Block]:
-        yield heading(self.speech(words.BASE))
-        told = self.of(CALCULATED)
-        base, over_time = self.made.base, self.made.order.over == "time"
-        own = self.of(base.length.view)
-        if told is None or own is None:
-            return
+        yield self.head(words.BASE)
+        base, over_time = self.recorded.base, self.recorded.order.over == "time"
         yield self.says(words.TIME if over_time else words.ANGLE)
         if over_time:
-            yield from self.worked_out(told, self.beside.time)
-        by_scale = any(step.it == base.length for step in own.log.steps)
-        chosen: dict[str, Run] = {"table": Ref("table-scales")}
-        yield self.says(words.BY_SCALE if by_scale else words.BY_LENGTH, chosen)
-        yield from self.worked_out(own, base.length if by_scale else base.mu)
-        put: dict[str, Run] = {"count": Text(str(base.intervals))}
-        yield self.says(words.DIVIDED, put)
-        yield from self.worked_out(told, self.beside.interval)
+            yield from self.worked_out(self.aside.time)
+        by_scale = self.drawn.construction.step(base.length) is not None
+        yield self.says(words.BY_SCALE if by_scale else words.BY_LENGTH, table=Ref("table-scales"))
+        yield from self.worked_out(base.length if by_scale else base.mu)
+        yield self.says(words.DIVIDED, count=base.intervals)
+        yield from self.worked_out(self.aside.interval)
 
     def _laid_off(self, chart: Chart) -> Iterator[Block]:
         yield self._heading(chart)
-        told = self.of(chart.view)
-        if told is None:
-            return
-        put: dict[str, Run] = {
-            "quantity": self._quantity(chart),
-            "mu": told.symbol(chart.mu),
-            "value": told.number(chart.mu, unit=True),
-            "position": Text(self.drawn.names[self.at]),
-        }
-        way = words.FROM_VELOCITIES if self.first == "V" else words.FROM_POSITIONS
-        yield self.says(way, put)
-        yield from self.worked_out(told, self.made.laid)
+        way = words.FROM_VELOCITIES if self.recorded.first == "V" else words.FROM_POSITIONS
+        mu = self.letter(chart.mu)
+        yield self.says(way, quantity=self._quantity(chart), mu=mu, value=chart.mu)
+        yield from self.worked_out(self.recorded.laid)
         yield self.says(words.SMOOTH)
 
     def _derived(self, chart: Chart) -> Iterator[Block]:
         yield self._heading(chart)
-        told, source = self.of(chart.view), self._source(chart)
-        if told is None:
-            return
-        over = Text("t" if self.made.order.over == "time" else "φ")
-        put: dict[str, Run] = {
-            "of": self._quantity(chart),
-            "given": self._quantity(source),
-            "derivative": Symbol(
-                f"{lettered(chart.symbol, self.language)} = d{source.symbol}/d{over.text}"
-            ),
-        }
-        yield self.says(words.DERIVATIVE, put)
+        source = self.recorded.charts["V" if chart.symbol == "a" else "S"]
+        over = "t" if self.recorded.order.over == "time" else "φ"
+        letter = f"{lettered(chart.symbol, self.language)} = d{source.symbol}/d{over}"
+        yield self.says(words.DERIVATIVE, self._both(source, chart), derivative=Symbol(letter))
         yield self.says(words.POLE)
-        yield from self._pole(told, chart)
-        if chart.symbol in self.made.middles:
+        yield from self._pole(chart)
+        if chart.symbol in self.recorded.middles:
             yield from self._chords(chart, source)
         else:
             yield self._list(words.TANGENTS, source, chart)
-        yield from self._worked(told, chart)
+        yield from self._worked(chart)
 
     def _chords(self, chart: Chart, source: Chart) -> Iterator[Block]:
         yield self._list(words.CHORDS, source, chart)
-        told, middle = self.of(CALCULATED), self.beside.middles[chart.symbol]
-        called = intervals(self.drawn, self.made)
+        told, middle = self.of(CALCULATED), self.aside.middles[chart.symbol]
+        called = intervals(self.drawn, self.recorded)
         if told is None or not called:
             return
         k = self.at if self.at in called else next(iter(called))
-        here = told._replace(place=k)
-        put: dict[str, Run] = {
-            "interval": Text(called[k]),
-            "length": here.number(middle.ordinate, unit=True),
-        }
-        yield self.says(words.INTERVAL, put)
-        yield from self.worked_out(here, middle.value)
-        places = self.columns[chart.symbol][1].places
+        length = self.number(middle.ordinate, k)
+        yield self.says(words.INTERVAL, interval=called[k], length=length)
+        yield from self.worked_out(middle.value, at=k)
+        places = self.rounded[chart.symbol].places
         yield from middles_table(told, chart, middle, called, places)
 
     def _integrated(self, chart: Chart) -> Iterator[Block]:
         yield self._heading(chart)
-        told = self.of(chart.view)
-        if told is None:
-            return
-        put: dict[str, Run] = {
-            "of": self._quantity(chart),
-            "given": self._quantity(self.made.charts["V"]),
-        }
-        yield self.says(words.INTEGRAL, put)
-        yield from self._pole(told, chart)
-        yield self._list(words.SUCCESSION, self.made.charts["V"], chart)
-        yield from self._worked(told, chart)
+        source = self.recorded.charts["V"]
+        yield self.says(words.INTEGRAL, self._both(source, chart))
+        yield from self._pole(chart)
+        yield self._list(words.SUCCESSION, source, chart)
+        yield from self._worked(chart)
         if chart.end is not None:
-            yield self.says(words.CLOSURE, {"end": told.number(chart.end, unit=True)})
+            yield self.says(words.CLOSURE, end=chart.end)
 
-    def _worked(self, told: NumberSource, chart: Chart) -> Iterator[Block]:
+    def _worked(self, chart: Chart) -> Iterator[Block]:
         """Yield the ordinate of a diagram in the position that is worked, and what it stands for."""
-        column, figures = self.columns[chart.symbol]
-        mm, value = (row[self.at] for row in column.first_figures)
-        if mm is None or value is None:
+        if None in (row[self.at] for row in self.columns[chart.symbol].first_figures):
             return
-        source = Source("column", self.drawn.board, f"{column.plan}/{column.segment}", self.at)
-        length = fixed(figures.mm[self.at], figures.mm_places, self.language)
-        quantity = fixed(figures.value[self.at], figures.places, self.language)
-        put: dict[str, Run] = {
-            "position": Text(self.drawn.names[self.at]),
-            "length": Number(length, "mm", source._replace(factor=0), mm),
-            "mu": told.number(chart.mu, unit=True),
-            "value": Number(quantity, column.unit, source._replace(factor=1), value),
-        }
-        yield self.says(words.READ, put)
+        length, value = self.cell(chart.symbol, mm=True), self.cell(chart.symbol)
+        yield self.says(words.READ, length=length, mu=chart.mu, value=value)
 
     def _places(self) -> Iterator[Block]:
         """Yield where positions outside the row stand on the base."""
-        told = self.of(CALCULATED)
-        if told is None or not self.beside.places:
-            return
-        yield self.says(words.EXTRA)
-        for place in self.beside.places:
-            yield from self.worked_out(told, place.distance)
+        if self.aside.places:
+            yield self.says(words.EXTRA)
+        for place in self.aside.places:
+            yield from self.worked_out(place.distance)
 
     def _results(self) -> Iterator[Block]:
-        found = tuple(column for column, _ in self.columns.values())
-        compared = any(c.segment.endswith("_plan") and c.segment[0] != self.first for c in found)
-        yield heading(self.speech(words.COMPARED if compared else words.RESULTS))
-        yield from columns(self.drawn, found, self.language)
-        for column in found:
-            if column.segment in self.made.charts and (
-                most := greatest(self.drawn, column, self.language)
-            ):
-                put: dict[str, Run] = {
-                    "of": self._quantity(self.made.charts[column.segment]),
-                    "value": most[0],
-                    "position": Text(most[1]),
-                }
-                yield self.says(words.GREATEST, put)
+        first = self.recorded.first
+        compared = any(k.endswith("_plan") and k[0] != first for k in self.columns)
+        yield self.head(words.COMPARED if compared else words.RESULTS)
+        yield from self.tabled()
+        for segment in self.columns:
+            if segment in self.recorded.charts:
+                of = self._quantity(self.recorded.charts[segment])
+                yield from map(Paragraph, self.extreme(words.GREATEST, segment, of=of))
 
     # ------------------------------------------------------------ bricks
 
     def _list(self, steps: Sequence[str], source: Chart, chart: Chart) -> Block:
         """Return how a diagram is drawn, step by step; of a second one that it is drawn alike."""
-        told, pole = self.of(chart.view), self.made.poles[chart.symbol]
-        put: dict[str, Run] = {
-            "given": self._quantity(source),
-            "of": self._quantity(chart),
-            "distance": told.number(pole, unit=True) if told is not None else Text(""),
-        }
-        if steps in self.told:
+        put = {**self._both(source, chart), "distance": self.recorded.poles[chart.symbol]}
+        if steps in self.explained:
             return self.says(words.ALIKE, put)
-        self.told.add(steps)
-        return Listed(tuple(Item("", (self.says(one, put),)) for one in steps))
+        self.explained.add(steps)
+        return self.steps(steps, put)
 
-    def _pole(self, told: NumberSource, chart: Chart) -> Iterator[Block]:
+    def _pole(self, chart: Chart) -> Iterator[Block]:
         """Yield how the pole distance follows from the scale factors, or one of these from it."""
-        for step in told.log.steps:
-            if step.it in (chart.mu, self.made.poles[chart.symbol]):
-                yield from self.worked_out(told._replace(view=step.it.view), step.it)
+        for step in self.drawn.construction.steps:
+            if step.it in (chart.mu, self.recorded.poles[chart.symbol]):
+                yield from self.worked_out(step.it)
 
-    def _is_integral(self, symbol: str) -> bool:
-        return symbol == "S" and self.first == "V"
-
-    def _source(self, chart: Chart) -> Chart:
-        return self.made.charts["V" if chart.symbol == "a" else "S"]
+    def _both(self, source: Chart, chart: Chart) -> Mapping[str, Put]:
+        return {"given": self._quantity(source), "of": self._quantity(chart)}
 
     def _quantity(self, chart: Chart) -> Symbol:
         return Symbol(lettered(chart.symbol, self.language))
 
     def _heading(self, chart: Chart) -> Block:
         return heading(
-            captions(self.language)[VIEWS[chart.symbol]].format(point=self.made.order.point)
+            captions(self.language)[VIEWS[chart.symbol]].format(point=self.recorded.order.point)
         )
 
-    def _figures(self) -> tuple[Picture, ...]:
-        shown = readable(self.drawn, diagram_views)
-        return tuple(picture(one, self.language) for one in shown if is_figure(one))
 
-
-NOTE = Noted(section=note, concludes=concludes)
+NOTE = Noted(DiagramPage)

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.engine.note_conclusions import concludes
-from graphic_tmm.chapters.engine.plan import ENGINE_PLAN, Engine
+from graphic_tmm.chapters.engine.note_conclusions import EngineConclusions
 from graphic_tmm.chapters.engine.record import BESIDE
-from graphic_tmm.chapters.engine.table import engine_columns
 from graphic_tmm.chapters.engine.task import (
     CALCULATED,
-    ENGINE,
     HARMONICS,
     MASSES,
     TRANSFER,
@@ -20,17 +17,15 @@ from graphic_tmm.chapters.engine.task import (
     WORKS_VIEW,
 )
 from graphic_tmm.chapters.engine.views import engine_diagram_views, engine_views, transfer_views
-from graphic_tmm.chapters.indicator.note import Worked, gas
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
-from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.note.bricks import asked_number, columns, heading, referred
-from graphic_tmm.note.document import Block, Item, Listed, Paragraph, Picture, Run, Symbol, Text
+from graphic_tmm.note.bricks import columns
+from graphic_tmm.note.document import Block, Item, Listed, Symbol
 from graphic_tmm.note.figures import in_hand, picture, readable
 from graphic_tmm.note.section_chapter import Noted
-from graphic_tmm.readers.columns import Column
+from graphic_tmm.paper.drawing import Drawing
 
 GAS = said(
     "The motion to and fro of the piston becomes an even turning of the shaft through the forces that the "
@@ -116,32 +111,25 @@ QUARTERS = 4
 """The positions between which the book works its example are a quarter of a turn apart."""
 
 
-def note(drawn: Drawn, language: str) -> Iterator[Block]:
-    """Yield the section of an engine."""
-    made = ENGINE_PLAN.of(drawn)
-    if made is not None:
-        yield from _Engine(drawn, made, language).blocks()
+class EnginePage(EngineConclusions):
+    """An engine as drawn, in the order of the book."""
 
+    def views(self) -> list[Drawing]:
+        """Return triangles of forces, rotating vectors, the transfer of forces."""
+        views = engine_views(in_hand(self.drawn), True)
+        return [*views, *readable(self.drawn, transfer_views)]
 
-class _Engine(Worked):
-    """An engine as drawn, the position that is worked in full, the figures of it."""
-
-    def __init__(self, drawn: Drawn, made: Engine, language: str) -> None:
-        super().__init__(drawn, language)
-        self.made, self.beside = made, BESIDE.on(drawn)
-        held = in_hand(drawn)
-        views = [*engine_views(held, True), *readable(drawn, transfer_views)]
-        self.shown = {view.name: picture(view, language) for view in views}
-        self.position = Text(drawn.names[self.at])
-        self.inertia = Symbol(symbol("P_{in}", language))
-        self.found = {one.segment: one for one in engine_columns(drawn)}
+    @property
+    def inertia(self) -> Symbol:
+        """The letter of the inertia force."""
+        return Symbol(symbol("P_{in}", self.language))
 
     def blocks(self) -> Iterator[Block]:
         """Yield what is told, in the order of the book."""
         yield self.says(GAS)
         if len(INDICATOR_PLAN.on(self.drawn).indicator.sides) > 1:
             yield self.says(BOTH_SIDES)
-        yield from gas(self, ENGINE)
+        yield from self.gas()
         yield from self._transfer()
         yield from self._acting()
         yield from self._inertia()
@@ -150,77 +138,61 @@ class _Engine(Worked):
 
     def _transfer(self) -> Iterator[Block]:
         """What goes on to rod and guide, pin and bearing: formulas (339) to (344)."""
-        yield heading(self.speech(TRANSFER_HEADING))
-        shown = self.figures(TRANSFER)
-        put: dict[str, Run] = {
-            "position": self.position,
-            "force": self.number(self.made.values["P′"], size=True),
-        }
-        yield self.says(PASSED, **put)
+        yield self.head(TRANSFER_HEADING)
+        yield self.says(PASSED, force=self.number(self.recorded.values["P′"], size=True))
         yield self.says(WITH_INERTIA)
-        if shown:
-            yield referred(shown, self.language)
-        for told in (AT_B, AT_A, AT_O):
-            yield self.says(told)
-        yield from shown
+        yield from self.leads(self.figures(TRANSFER), *map(self.says, (AT_B, AT_A, AT_O)))
         yield from self.alone(TRANSFER, bare=True)
         yield from self.view(CALCULATED)
 
     def _acting(self) -> Iterator[Block]:
         """The five forces on cylinder, bearings, crank and guide; what closes in the frame."""
-        yield heading(self.speech(FIVE))
-        values, moment = self.made.values, self.made.values["M"]
-        items: tuple[tuple[str, dict[str, Mark]], ...] = (
-            (ON_COVER, {"force": values["P"]}),
-            (ON_BEARING, {"force": values["P′"]}),
-            (TURNED, {"force": values["Q"], "moment": moment}),
-            (ON_GUIDE, {"force": values["N"]}),
-            (BACK, {}),
+        yield self.head(FIVE)
+        sizes = {
+            name: self.number(self.recorded.values[name], size=True)
+            for name in ("P", "P′", "Q", "M", "N")
+        }
+        sentences = (
+            self.says(ON_COVER, force=sizes["P"]),
+            self.says(ON_BEARING, force=sizes["P′"]),
+            self.says(TURNED, force=sizes["Q"], moment=sizes["M"]),
+            self.says(ON_GUIDE, force=sizes["N"]),
+            self.says(BACK),
         )
-        yield Listed(
-            tuple(
-                Item(str(k), (self._paragraph(told, marks),))
-                for k, (told, marks) in enumerate(items, 1)
-            )
-        )
-        arm = self.drawn.construction.step(values["NOB"])
+        yield Listed(tuple(Item(str(k), (one,)) for k, one in enumerate(sentences, 1)))
+        arm = self.drawn.construction.step(self.recorded.values["NOB"])
         assert arm is not None
-        yield self._paragraph(FRAME, {"arm": arm.uses[1]})
-
-    def _paragraph(self, told: str, marks: Mapping[str, Mark]) -> Paragraph:
-        return self.says(told, {k: self.number(mark, size=True) for k, mark in marks.items()})
+        yield self.says(FRAME, arm=self.number(arm.uses[1], size=True))
 
     def _inertia(self) -> Iterator[Block]:
         """Masses, accelerations, inertia forces of both orders: formulas (345) to (351)."""
-        yield heading(self.speech(INERTIA))
+        yield self.head(INERTIA)
         yield self.says(METHOD, P_in=self.inertia)
-        lumped, values = self.made.lumped, self.made.values
+        lumped, values = self.recorded.lumped, self.recorded.values
         if lumped.at_crank is not None:
             yield self.says(TWO_MASSES)
             yield from self._share()
             yield from self.calculation(lumped.at_slider, lumped.at_crank, lumped.mass)
             yield from self.calculation(lumped.inertia, lumped.lost)
-        if self.beside.parts is not None:
+        if BESIDE.on(self.drawn).parts is not None:
             yield from self.alone(MASSES)
-        yield self.says(BY_PLAN, position=self.position)
-        yield from self.calculation(self.made.acceleration, *self._newtons(values["P_in"]))
+        yield self.says(BY_PLAN)
+        yield from self.calculation(self.recorded.acceleration, *self._newtons(values["P_in"]))
         yield self.says(BY_SERIES, P_in=self.inertia)
         yield from self.view(HARMONICS, self.figures("rotating"))
         yield from self._quarters()
 
     def _share(self) -> Iterator[Block]:
         """Whether the share of the rod's mass that goes to and fro is a usual one, where it is given."""
-        share = self.made.order.share
+        share = self.recorded.order.share
         if share is not None:
-            told = USUAL if LEAST <= share <= MOST else UNUSUAL
-            yield self.says(
-                told, share=asked_number(self.drawn, ENGINE, "share", "", self.language)
-            )
+            usual = LEAST <= share <= MOST
+            yield self.says(USUAL if usual else UNUSUAL, share=self.ordered("share"))
 
     def _newtons(self, force: Mark) -> tuple[Mark, ...]:
         """Return a force with what it was converted from, if it was."""
         step = self.drawn.construction.step(force)
-        if step is None or self.made.order.unit == "N":
+        if step is None or self.recorded.order.unit == "N":
             return (force,)
         return step.uses[0], force
 
@@ -231,52 +203,38 @@ class _Engine(Worked):
             return
         there = [k * count // QUARTERS for k in range(QUARTERS - 1)]
         wanted = ("a_B", "a_B_series", "P_in", "P_in_series", "P_in1", "P_in2")
-        some = [(self.found[name], False) for name in wanted]
+        some = [(self.columns[name], False) for name in wanted]
         yield self.upright("table-engine-quarters", WORKED, some, there)
 
     def _resulting(self) -> Iterator[Block]:
         """The force with inertia, and the triangles of the worked position: formula (352)."""
-        yield heading(self.speech(RESULTING))
+        yield self.head(RESULTING)
         yield self.says(INSTEAD, P_in=self.inertia)
-        yield from self.calculation(self.made.values["P"], self.made.values["P′"])
-        shown = self.figures(f"{VIEW}-{self.drawn.names[self.at]}")
-        if shown:
-            yield referred(shown, self.language)
-        base = self.made.turning[0].base
+        yield from self.calculation(self.recorded.values["P"], self.recorded.values["P′"])
+        base = self.recorded.turning[0].base
         self.hide(base.mu, base.x)
-        yield from self.alone(VIEW)
-        yield from shown
-        force = self.number(self.made.values["P_in"])
-        yield self.says(BASE_TAKES, force=force, position=self.position)
+        yield from self.leads(self.figures(f"{VIEW}-{self.position}"), *self.alone(VIEW))
+        yield self.says(BASE_TAKES, force=self.recorded.values["P_in"])
 
     def _turn(self) -> Iterator[Block]:
-        """The graphs over a turn, the table of all positions, the works of T and P."""
-        yield heading(self.speech(OVER_A_TURN))
-        yield from self.again(self.made.turning[0].base.mu)
+        """The graphs over a turn, the table of all positions in the unit of the task, the works of T and P."""
+        yield self.head(OVER_A_TURN)
+        yield from self.again(self.recorded.turning[0].base.mu)
         views = [
             view
             for view in engine_diagram_views(in_hand(self.drawn), True)
             if view.name.startswith("engine-diagrams")
         ]
-        charts = [chart.symbol for chart in self.made.charts]
+        charts = [chart.symbol for chart in self.recorded.charts]
         half = (len(charts) + 1) // 2
         shown = []
         for view, some in zip(views, (charts[:half], charts[half:]), strict=True):
-            caption = self.says(GRAPHS, letters=Symbol(", ".join(some))).runs
+            caption = self.sentence(GRAPHS, letters=Symbol(", ".join(some)))
             shown.append(picture(view, self.language)._replace(caption=caption))
-        if shown:
-            yield referred(shown, self.language)
-            yield from shown
-        yield from columns(self.drawn, self._columns(), self.language)
+        yield from self.leads(shown)
+        found = [one for name, one in self.columns.items() if not name.endswith("_SI")]
+        yield from columns(self.drawn, found, self.language)
         yield from self.view(WORKS_VIEW)
 
-    def _columns(self) -> list[Column]:
-        """Return what is tabulated: in the unit of the task; SI stands in the tables of sheets."""
-        return [one for name, one in self.found.items() if not name.endswith("_SI")]
 
-    def figures(self, *names: str) -> tuple[Picture, ...]:
-        """Return those of some figures that are drawn."""
-        return tuple(self.shown[name] for name in names if name in self.shown)
-
-
-NOTE = Noted(section=note, places=(TRANSFER_PLACE,), concludes=concludes)
+NOTE = Noted(EnginePage, places=(TRANSFER_PLACE,))

@@ -10,22 +10,18 @@ from graphic_tmm.board.operations.statics import on_lever
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.forces.ink_balances import Sought, Sum, Term, Writer
-from graphic_tmm.chapters.forces.lever import Carried, Lever
-from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.chapters.forces.lever import VIEW, Carried
+from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.note.bricks import filled
 from graphic_tmm.note.document import (
     Block,
-    Display,
     Formula,
     Leaf,
     Number,
-    Paragraph,
     Ref,
-    Run,
     Runs,
     Source,
     Symbol,
@@ -33,7 +29,8 @@ from graphic_tmm.note.document import (
     Tree,
     text,
 )
-from graphic_tmm.note.steps import NumberSource, calculated
+from graphic_tmm.note.page import Page
+from graphic_tmm.note.steps import NumberSource
 from graphic_tmm.note.widths import broken
 from graphic_tmm.paper.seen import Seen
 
@@ -206,36 +203,22 @@ COUPLES = said(
 ARMS = said("The arms are measured; forces, arms and moments stand in {table}.")
 MOMENTS = said("Forces on the lever, their arms and moments about the pole")
 FORCE, POINT = said("Force"), said("Image")
-APART = said("Against the balancing force found by the force plans:")
 
 
-def applied(told: NumberSource, lever: Lever) -> Iterator[Block]:
+def applied(page: Page[Forces]) -> Iterator[Block]:
     """Yield how the loads come to stand on the lever: in words, couples converted, a table of moments."""
-    speech = speaking(told.language)
-    put: dict[str, Run] = {"pole": told.symbol(lever.pole), "pin": told.symbol(lever.pin)}
-    yield Paragraph(filled(speech(LEVER), put))
+    lever, told = page.recorded.lever, page.of(VIEW)
+    if told is None:
+        return
+    yield page.says(LEVER, pole=told.symbol(lever.pole), pin=told.symbol(lever.pin))
     if lever.couples:
-        yield Paragraph(text(speech(COUPLES)))
-        yield from _formulas(told, *(one.value for one in lever.couples))
+        yield page.says(COUPLES)
+        yield from page.worked_out(*(one.value for one in lever.couples))
     rows = tuple(_row(told, one) for one in lever.forces)
     if rows:
-        found = _table(told, rows)
-        yield Paragraph(filled(speech(ARMS), {"table": Ref(found.id)}))
-        yield found
-
-
-def compared(told: NumberSource, difference: Mark) -> Iterator[Block]:
-    """Yield how far what balances the lever is from what the force plans gave."""
-    yield Paragraph(text(speaking(told.language)(APART)))
-    yield from _formulas(told, difference)
-
-
-def _formulas(told: NumberSource, *marks: Mark) -> Iterator[Block]:
-    steps = (told.log.step(mark) for mark in marks)
-    found = [calculated(told, step) for step in steps if step is not None]
-    formulas = tuple(one for one in found if one is not None)
-    if formulas:
-        yield Display(formulas)
+        table = _table(page, rows)
+        yield page.says(ARMS, table=Ref(table.id))
+        yield table
 
 
 def _row(told: NumberSource, one: Carried) -> tuple[Runs, ...]:
@@ -251,13 +234,13 @@ def _row(told: NumberSource, one: Carried) -> tuple[Runs, ...]:
     )
 
 
-def _table(told: NumberSource, rows: tuple[tuple[Runs, ...], ...]) -> Table:
-    speech, language = speaking(told.language), told.language
+def _table(page: Page[Forces], rows: tuple[tuple[Runs, ...], ...]) -> Table:
+    language = page.language
     heads = (
-        text(speech(FORCE)),
+        text(page.speech(FORCE)),
         text(unit("N", language)),
-        text(speech(POINT)),
+        text(page.speech(POINT)),
         (Symbol("h"), *text(f", {unit('mm', language)}")),
         (Symbol("M"), *text(f", {unit('N·mm', language)}")),
     )
-    return Table("table-lever", text(speech(MOMENTS)), heads, rows, "lcccc")
+    return Table("table-lever", text(page.speech(MOMENTS)), heads, rows, "lcccc")

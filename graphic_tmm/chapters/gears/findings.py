@@ -7,18 +7,11 @@ from collections.abc import Iterator
 
 from graphic_tmm.chapters.gears.contact import verdicts
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN
-from graphic_tmm.chapters.gears.table import gear_results
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.note.bricks import filled, result_number
-from graphic_tmm.note.document import Runs
 from graphic_tmm.readers.findings import Warned
 
-ALL = said(
-    "All conditions of the meshing hold: no tooth is pointed ({first} and {second} at the tips) or undercut, "
-    "the flanks do not interfere, the clearance is kept, and the contact ratio {ratio} is above 1."
-)
 FAILS = {
     "pointed tooth": said(
         "the teeth of wheel {wheel} are pointed: their flanks meet at the radius {top:.4g} mm, and there they "
@@ -46,16 +39,6 @@ FAILS = {
     ),
 }
 """By check; ``value`` and ``least`` in mm, or coefficients; ``enough``: the least, rounded up."""
-NAMES = {"first": "s_a1", "second": "s_a2", "ratio": "contact_ratio"}
-
-
-def verdict(drawn: Drawn, language: str) -> Iterator[Runs]:
-    """Yield one sentence where every check holds; those that fail stand in the table of checks."""
-    if not all(one.holds for one in verdicts(GEARS_PLAN.on(drawn).checks, drawn.reading)):
-        return
-    found = gear_results(drawn)
-    put = {key: result_number(drawn, found, name, language) for key, name in NAMES.items()}
-    yield filled(speaking(language)(ALL), put)
 
 
 def failures(drawn: Drawn, language: str) -> Iterator[str]:

@@ -18,13 +18,11 @@ from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary
 from graphic_tmm.chapters.planetary.record import BESIDE
 from graphic_tmm.chapters.planetary.tooth_search import Solutions, search
 from graphic_tmm.drawn import Drawn, Results, results_of
-from graphic_tmm.language.catalogue import Tongues, speaking
+from graphic_tmm.language.catalogue import Tongues
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain
 from graphic_tmm.language.units import unit
-from graphic_tmm.note.bricks import filled, result_number
-from graphic_tmm.note.document import Runs
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import Heights
@@ -35,12 +33,6 @@ from graphic_tmm.readers.columns import Column, Tabled, listed, measured_columns
 from graphic_tmm.readers.rounding import rounded_figures
 from graphic_tmm.scene.captions import captions
 
-SEVERAL = said(
-    "All conditions of the train hold: its wheels have a common axis, {taken} satellites are fewer than touch "
-    "(at most {most} have room) and can be put in, no tooth is undercut."
-)
-ONE = said("All conditions of the train hold: its wheels have a common axis, no tooth is undercut.")
-
 
 def train_results(drawn: Drawn) -> Results:
     """Return the results of a train, with the ratios of its meshes and how many satellites have room."""
@@ -50,17 +42,6 @@ def train_results(drawn: Drawn) -> Results:
     if beside.most is not None:
         found["planetary_most"] = beside.most
     return results_of(drawn, found)
-
-
-def verdict(drawn: Drawn, language: str) -> Iterator[Runs]:
-    """Yield one sentence: a train that breaks a condition is refused."""
-    found, _ = train_results(drawn), speaking(language)
-    if "planetary_most" not in found:
-        yield filled(_(ONE), {})
-        return
-    names = {"taken": "planetary_satellites", "most": "planetary_most"}
-    put = {key: result_number(drawn, found, name, language) for key, name in names.items()}
-    yield filled(_(SEVERAL), put)
 
 
 SLANT = 1.0

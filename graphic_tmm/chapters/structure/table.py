@@ -103,24 +103,34 @@ WORDS = Tongues(
 )
 
 
-def link_table(mechanism: Mechanism, structure: Structure, language: str, high: Heights) -> Drawing:
-    """Return the table of links."""
-    words = WORDS[language]
-    frame = mechanism.frame
-    rows = [
+def link_rows(mechanism: Mechanism, structure: Structure, language: str) -> list[list[str]]:
+    """Return a row a link, the frame last: its number, what it is, whether it moves."""
+    words, frame = WORDS[language], mechanism.frame
+    return [
         [
             str(link.number),
-            escape(link_name(mechanism, structure, link, language)),
+            link_name(mechanism, structure, link, language),
             words["fixed" if link is frame else "movable"],
         ]
         for link in sorted((*mechanism.links, frame), key=lambda link: (link is frame, link.number))
     ]
-    heads = [words["number"], words["link"], words["mobility"]]
+
+
+def link_table(mechanism: Mechanism, structure: Structure, language: str, high: Heights) -> Drawing:
+    """Return the table of links."""
+    words, found = WORDS[language], link_rows(mechanism, structure, language)
+    rows = [[number, escape(name), moves] for number, name, moves in found]
+    heads = [words[head] for head in LINK_HEADS]
     return _table("links", heads, rows, language, high, align=["centre", "left", "left"])
 
 
-def pair_table(mechanism: Mechanism, structure: Structure, language: str, high: Heights) -> Drawing:
-    """Return the table of kinematic pairs."""
+LINK_HEADS = ("number", "link", "mobility")
+PAIR_HEADS = ("letter", "joined", "kind", "contact", "freedoms", "index")
+"""What the columns of both tables are called, in `WORDS`."""
+
+
+def pair_rows(mechanism: Mechanism, structure: Structure, language: str) -> list[list[str]]:
+    """Return a row a pair; its letter, which is first, and its index, which is last, as mark-up."""
     words = WORDS[language]
     rows = []
     for pair in structure.pairs:
@@ -129,7 +139,13 @@ def pair_table(mechanism: Mechanism, structure: Structure, language: str, high: 
         index = f"{words[pair.kind + ' index']}_{{{escape(name)}}}({joined})"
         kind = words[f"kind {pair.kind}"]
         rows.append([escape(name), joined, kind, words["lower"], words["one freedom"], index])
-    heads = [words[head] for head in ("letter", "joined", "kind", "contact", "freedoms", "index")]
+    return rows
+
+
+def pair_table(mechanism: Mechanism, structure: Structure, language: str, high: Heights) -> Drawing:
+    """Return the table of kinematic pairs."""
+    rows = pair_rows(mechanism, structure, language)
+    heads = [WORDS[language][head] for head in PAIR_HEADS]
     return _table("pairs", heads, rows, language, high)
 
 

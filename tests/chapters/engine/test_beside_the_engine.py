@@ -14,13 +14,13 @@ from support.boards import drawn_of
 from support.gallery import SHEETS, drawn
 from support.scenes import edited
 
-from graphic_tmm.chapters.engine.note_conclusions import concludes
 from graphic_tmm.chapters.engine.record import BESIDE
 from graphic_tmm.chapters.engine.table import engine_columns, engine_results
 from graphic_tmm.chapters.engine.task import CALCULATED, MASSES, TRANSFER, WORKS_VIEW
 from graphic_tmm.chapters.indicator.record import BESIDE as STROKE
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.note.document import Number
+from graphic_tmm.note.section_chapter import page_of
 from graphic_tmm.readers.protocol import protocol
 from graphic_tmm.readers.task_sheet import given_rows
 from graphic_tmm.scene.read import read
@@ -133,8 +133,9 @@ def test_a_compressor_takes_the_work_that_its_crank_gives(tmp_path: Path) -> Non
 
 def test_the_conclusion_tells_the_results_and_nothing_else() -> None:
     made = drawn("locomobile", exact=True)
+    engine = next(one for one in made.project.chapters if one.name == "engine")
     for language, word in (("en", "equal"), ("ru", "равны")):
-        *_, one = concludes(made, language)
+        *_, one = page_of(made, engine, language).concludes()
         numbers = [run for run in one if isinstance(run, Number)]
         results = single(engine_results(made))
         assert [n.value for n in numbers] == [results[n.source.name][0] for n in numbers]
