@@ -19,7 +19,7 @@ def each(
     It reads as ``pytest.mark.parametrize``: ``names`` are arguments of the test, ``cases`` their values, a
     tuple for several names. Several of these stand above each other. A test that asks for ``tmp_path`` gets an
     empty folder for each case. Parametrize where a person has to run a case alone; use this where it is one
-    property. With ``turns`` so many of the cases run, others each day.
+    property. With ``turns`` so many of the cases run, others with each version.
 
     Raises
     ------

@@ -1,16 +1,31 @@
-"""Cases by turns: some of them each day, all within a few days, and all at once with ``--measured``."""
+"""Cases by turns: some of them with each version, all within a few, and all at once with ``--measured``.
+
+What was green for a version stays green: neither a clock nor a commit has a say in which cases run.
+"""
 
 from __future__ import annotations
 
 import os
+import tomllib
 from collections import defaultdict
 from collections.abc import Iterable
-from datetime import UTC, datetime
+from pathlib import Path
 from typing import Any, TypeVar
+from zlib import crc32
 
 Case = TypeVar("Case")
-TURN = int(os.environ.setdefault("GRAPHIC_TMM_TURN", str(datetime.now(UTC).date().toordinal())))
-"""Whose turn it is: the day's. The environment hands it on to workers, and repeats another day's."""
+
+
+def _version() -> str:
+    """Return the version in pyproject.toml."""
+    text = (Path(__file__).parents[2] / "pyproject.toml").read_text(encoding="utf-8")
+    version: str = tomllib.loads(text)["project"]["version"]
+    return version
+
+
+TURN = int(os.environ.get("GRAPHIC_TMM_TURN") or crc32(_version().encode()))
+"""Whose turn it is: the version's. The environment hands it to workers, or names another one."""
+os.environ["GRAPHIC_TMM_TURN"] = str(TURN)
 
 
 class Wanted:
