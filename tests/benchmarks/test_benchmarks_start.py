@@ -16,6 +16,7 @@ from subprocess import run
 from types import ModuleType
 
 import pytest
+from support.each import each
 
 SCRIPTS = sorted(
     path.stem for path in Path(__file__).parent.glob("*.py") if not path.stem.startswith("test_")
@@ -50,7 +51,7 @@ def called(node: ast.expr, within: ModuleType) -> object:
     raise AttributeError
 
 
-@pytest.mark.parametrize("name", SCRIPTS)
+@each("name", SCRIPTS)
 def test_a_benchmark_can_start(name: str) -> None:
     module = import_module(f"benchmarks.{name}")
     text = (Path(__file__).parent / f"{name}.py").read_text("utf-8")

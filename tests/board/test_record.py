@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from support.each import each
 
 from graphic_tmm.board.grammar import OPERATIONS, operation
 from graphic_tmm.board.operations.instruments import join, lay_off, meet, parallel, ray
@@ -161,7 +162,7 @@ def test_an_operation_needs_kinds_and_a_name_of_its_own() -> None:
     assert before == OPERATIONS
 
 
-@pytest.mark.parametrize("op", list(OPERATIONS.values()), ids=repr)
+@each("op", list(OPERATIONS.values()))
 def test_sentences_name_all_arguments_and_nothing_else(op: object) -> None:
     import string
 

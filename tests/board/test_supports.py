@@ -7,6 +7,7 @@ import pytest
 import shapely
 from hypothesis import given
 from hypothesis import strategies as st
+from support.each import each
 
 from graphic_tmm.board.operations.curve import bezier, french_curve, taut_curve
 from graphic_tmm.board.operations.supports import farthest, planimeter, supporting, supporting_curve
@@ -53,8 +54,8 @@ def test_a_supporting_line_leaves_all_points_on_one_side(
     assert np.isclose(heights, 0.0, atol=1e-12 * 100).any()
 
 
-@pytest.mark.parametrize("above", [1, -1])
-@pytest.mark.parametrize("angle", [-70.0, -10.0, 0.0, 25.0, 60.0])
+@each("above", [1, -1])
+@each("angle", [-70.0, -10.0, 0.0, 25.0, 60.0])
 def test_a_line_rests_on_the_whole_curve(angle: float, above: int) -> None:
     rng = np.random.default_rng(3)
     row = RING + rng.normal(size=12) * 8

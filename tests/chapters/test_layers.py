@@ -8,7 +8,7 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 
-import pytest
+from support.each import each
 from support.gallery import ROOT
 
 BOOK = ROOT / "graphic_tmm" / "chapters"
@@ -47,7 +47,7 @@ def imports(path: Path, chapter: str) -> set[str]:
     return found
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS)
+@each("chapter", CHAPTERS)
 def test_imports_of_a_chapter_go_down(chapter: str) -> None:
     wrong = [
         f"{path.stem} imports {other}"

@@ -254,10 +254,8 @@ def test_a_quantity_is_never_more_than_a_number_and_a_unit(text: str, tmp_path: 
     assert len(said) < len(str(tmp_path)) + 400
 
 
-@pytest.mark.parametrize(
-    "letter", ["A_", "A{1}", "A\\\\bar", "A^", "<b>", "../B", "A B", "_", "&A;"]
-)
-@pytest.mark.parametrize("old", ["A = [", "x = {"])
+@each("letter", ["A_", "A{1}", "A\\\\bar", "A^", "<b>", "../B", "A B", "_", "&A;"])
+@each("old", ["A = [", "x = {"])
 def test_letters_and_guides_hold_no_markup(old: str, letter: str, tmp_path: Path) -> None:
     path = worded(tmp_path)
     text = path.read_text(encoding="utf-8").replace(old, f'"{letter}"{old[1:]}', 1)

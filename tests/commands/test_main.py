@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 
 import pytest
 from support.command import column, invoke, printed, rows, tabled
+from support.each import each
 from support.gallery import ROOT
 from support.scenes import edited, source, written
 
@@ -90,7 +91,7 @@ BAD = {
 }
 
 
-@pytest.mark.parametrize("what", BAD)
+@each("what", BAD)
 def test_bad_input_is_refused_and_nothing_written(what: str, tmp_path: Path) -> None:
     edits, words = BAD[what]
     path, out = edited(tmp_path, *edits), tmp_path / "out"

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import pytest
 from support.command import invoke
+from support.each import each
 from support.refusals import SCENE, refused, run
 from support.scenes import written
 from support.wrong_scenes import CASES
 
 
-@pytest.mark.parametrize(("old", "new", "words"), CASES, ids=range(len(CASES)))
+@each("old, new, words", CASES)
 def test_a_wrong_scene(old: str, new: str, words: list[str], tmp_path: Path) -> None:
     assert old in SCENE
     file = written(tmp_path, SCENE.replace(old, new, 1))
@@ -43,8 +43,8 @@ FILES = {
 }
 
 
-@pytest.mark.parametrize("what", FILES)
-@pytest.mark.parametrize("command", [("draw", "-o", "out"), ("template",)])
+@each("what", FILES)
+@each("command", [("draw", "-o", "out"), ("template",)])
 def test_a_file_that_is_no_scene(command: tuple[str, ...], what: str, tmp_path: Path) -> None:
     data, words = FILES[what]
     (tmp_path / "s.toml").write_bytes(data)

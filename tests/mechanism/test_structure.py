@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.chains import chain
+from support.each import each
 from support.examples import most
 from support.gallery import SHEETS
 from support.mechanisms import KINDS, Sampled, mechanisms, sample
@@ -246,7 +247,7 @@ WRONG: dict[str, tuple[Mechanism, tuple[str, ...]]] = {
 }
 
 
-@pytest.mark.parametrize("name", WRONG)
+@each("name", WRONG)
 def test_a_wrong_structure_is_named_by_its_links(name: str) -> None:
     wrong, words = WRONG[name]
     with pytest.raises(StructureError) as caught:
@@ -255,7 +256,7 @@ def test_a_wrong_structure_is_named_by_its_links(name: str) -> None:
         assert word in str(caught.value)
 
 
-@pytest.mark.parametrize("name", WRONG)
+@each("name", WRONG)
 def test_the_links_may_stand_in_any_order_and_the_message_tells_the_same(name: str) -> None:
     wrong, _ = WRONG[name]
     told = []

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import pytest
 import shapely
+from support.each import each
 from support.gallery import SHEETS
 
 from graphic_tmm.paper.drawing import Drawing, line
@@ -87,8 +88,8 @@ def test_the_title_of_a_caption_is_larger_and_broken_over_a_narrow_view() -> Non
     assert shapely.box(left, low, right, top).buffer(1e-9).covers(shapely.union_all(boxes))
 
 
-@pytest.mark.parametrize("title", ["План скоростей, положение", "План сил, поз.", "Группа 4-5"])
-@pytest.mark.parametrize("width", range(20, 160, 4))
+@each("title", ["План скоростей, положение", "План сил, поз.", "Группа 4-5"])
+@each("width", range(20, 160, 4))
 def test_the_titles_of_a_series_are_all_broken_or_none(width: int, title: str) -> None:
     view = Drawing("plan", "", (line("main", 0j, width + 30j),))
     counts = set()

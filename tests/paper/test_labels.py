@@ -11,6 +11,7 @@ import pytest
 import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.each import each
 from support.examples import most
 
 from graphic_tmm.paper.drawing import Bezier, Label, Stroke, Wanted, arc, circle, line
@@ -86,7 +87,7 @@ def field(seed: int, count: int) -> tuple[list[Wanted], list[Stroke]]:
     return wanted, lines
 
 
-@pytest.mark.parametrize("seed", range(12))
+@each("seed", range(12))
 def test_no_leader_is_read_as_a_minus(seed: int) -> None:
     """None is short, and none stands level with the letters of its label."""
     wanted, lines = field(seed, 30)
@@ -107,7 +108,7 @@ def test_no_leader_is_read_as_a_minus(seed: int) -> None:
         assert not (level and abs(y1 - band) < 2.0 and length < 8.0)
 
 
-@pytest.mark.parametrize("seed", range(12))
+@each("seed", range(12))
 def test_labels_of_a_crowded_field_stand_apart_and_off_heavy_lines(seed: int) -> None:
     wanted, lines = field(100 + seed, 30)
     labels = place(wanted, lines)
@@ -120,7 +121,7 @@ def test_labels_of_a_crowded_field_stand_apart_and_off_heavy_lines(seed: int) ->
     assert not any(a.intersects(b) for a in boxes for b in heavy)
 
 
-@pytest.mark.parametrize("seed", range(12))
+@each("seed", range(12))
 def test_no_leader_passes_another_label_so_that_one_breaks_the_other(seed: int) -> None:
     wanted, lines = field(200 + seed, 14)
     labels = place(wanted, lines)
@@ -204,7 +205,7 @@ def fine(stroke: Stroke | Bezier) -> shapely.LineString:
     return shapely.LineString([(z.real, z.imag) for z in spots])
 
 
-@pytest.mark.parametrize("seed", range(20))
+@each("seed", range(20))
 def test_circles_arcs_and_curves_are_broken_too_and_keep_their_kind(seed: int) -> None:
     """What is left runs along the old line, and together with what stands under the letter is all of it."""
     chance = random.Random(seed)

@@ -38,7 +38,7 @@ def wedge(seed: int) -> dict[str, tuple[complex, complex]]:
     }
 
 
-@pytest.mark.parametrize("seed", range(60))
+@each("seed", range(60))
 def test_the_letter_of_a_vector_is_nearest_to_its_own_or_led_there(seed: int) -> None:
     vectors = wedge(seed)
     wanted = []

@@ -10,6 +10,7 @@ import tracemalloc
 import numpy as np
 import pytest
 import shapely
+from support.each import each
 
 from graphic_tmm.paper.drawing import Drawing, Wanted, circle, line
 from graphic_tmm.paper.labels import finished, place
@@ -20,7 +21,7 @@ NOWHERE = (complex(math.nan, 0), complex(0, math.inf), complex(-math.inf, math.n
 SIZES = (1e-3, 1e-1, 1.0, 1e2, 1e4, 1e6, 1e9)
 
 
-@pytest.mark.parametrize("seed", range(10))
+@each("seed", range(10))
 def test_a_box_holds_as_much_of_the_lines_as_geometry_says(seed: int) -> None:
     chance = random.Random(seed)
 

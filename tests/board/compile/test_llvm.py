@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
+from support.each import each
 from support.machine_code import worked
 
 from graphic_tmm.board import geometry
@@ -162,7 +163,7 @@ def _made(function: Callable[..., Any], *rows: Any) -> Any:
     return numbers[0]
 
 
-@pytest.mark.parametrize("function", EXACT)
+@each("function", EXACT)
 def test_numbers_to_the_last_bit(function: Callable[..., Any]) -> None:
     with np.errstate(all="ignore"):
         due = function(*PAIRS)

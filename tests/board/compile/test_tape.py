@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.each import each
 from support.unknown_values import numbers_on
 
 from graphic_tmm.board.compile.tape import INPUT, Ref, Sign, Tape, of_known, of_pass
@@ -146,7 +147,7 @@ def holds(sign: Sign, found: np.ndarray) -> bool:
     return sign < Sign.POSITIVE or not (found < 0.0).any()
 
 
-@pytest.mark.parametrize("does", [*TWO, *ONE])
+@each("does", [*TWO, *ONE])
 def test_what_a_pass_leaves_is_as_it_is_said(does: str) -> None:
     """For all that may be known of what it takes."""
     with np.errstate(all="ignore"):

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from support.each import each
 from support.unknown_values import numbers_on, unknown
 
 from graphic_tmm.board.compile.tape import INPUT, Ref, Tape
@@ -129,7 +130,7 @@ ASKING: list[Callable[[Any], Any]] = [
 ]
 
 
-@pytest.mark.parametrize("ask", ASKING)
+@each("ask", ASKING)
 def test_nobody_may_ask_what_is_not_known(ask: Callable[[Any], Any]) -> None:
     with pytest.raises(REFUSED):
         ask(unknown(Tape(), Length))

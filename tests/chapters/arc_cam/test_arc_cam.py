@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from support.arc_cams import FLANKS, KINDS, contour, drawn, lowest, place, random_order
+from support.each import each
 
 from graphic_tmm.board.bounds import TaskError
 from graphic_tmm.chapters.arc_cam.geometry import lie
@@ -144,7 +145,7 @@ REFUSED = (
 
 
 @pytest.mark.every
-@pytest.mark.parametrize(("key", "wrong", "remedy"), REFUSED)
+@each("key, wrong, remedy", REFUSED)
 def test_what_cannot_be_is_refused_with_its_key(key: str, wrong: dict, remedy: str) -> None:  # type: ignore[type-arg]
     lie(BASE)
     with pytest.raises(TaskError, match=remedy) as found:

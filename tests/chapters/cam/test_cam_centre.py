@@ -130,8 +130,8 @@ def test_the_least_of_all_stands_where_both_limits_meet() -> None:
         assert least > free.one(centre.apex_radius) - bound(own.cam.order)
 
 
-@pytest.mark.parametrize("name", FOLLOWERS)
-@pytest.mark.parametrize("turns", ["clockwise", "counterclockwise"])
+@each("name", FOLLOWERS)
+@each("turns", ["clockwise", "counterclockwise"])
 def test_the_pressure_angle_is_that_of_velocities(name: str, turns: str) -> None:
     found = drawn(name, "sine", 12, turns)
     angles = np.array(found.cam.diagrams.turn.angles)
@@ -155,8 +155,8 @@ def test_the_pressure_angle_never_passes_the_limit(name: str, law: str) -> None:
     np.testing.assert_allclose(told, [dense.max(), dense.min()], atol=corner)
 
 
-@pytest.mark.parametrize("name", FOLLOWERS)
-@pytest.mark.parametrize("law", ["sine", "3-4-5"])
+@each("name", FOLLOWERS)
+@each("law", ["sine", "3-4-5"])
 def test_the_least_radius_of_curvature_and_its_place(name: str, law: str) -> None:
     found = drawn(name, law)
     angles = np.arange(0.0, 360.0, 0.05)

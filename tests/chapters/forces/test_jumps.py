@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from support.boards import drawn_of
+from support.each import each
 from support.scenes import slider_crank, written
 
 import graphic_tmm
@@ -72,7 +73,7 @@ def test_a_table_that_does_not_close_jumps_where_the_turn_ends() -> None:
     )
 
 
-@pytest.mark.parametrize("of", range(1, 48))
+@each("of", range(1, 48))
 def test_a_position_on_a_jump_stands_behind_it_whatever_rounding_makes_of_its_angle(
     of: int,
 ) -> None:

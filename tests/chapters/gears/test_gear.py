@@ -7,6 +7,7 @@ from dataclasses import replace
 import mpmath
 import numpy as np
 import pytest
+from support.each import each
 from support.teeth import Pair, dense, pair
 
 from graphic_tmm.board.execute import execute
@@ -84,7 +85,7 @@ def exact(order: GearTask) -> dict[str, float]:
         return {name: float(value) for name, value in found.items()}
 
 
-@pytest.mark.parametrize("seed", range(12))
+@each("seed", range(12))
 def test_any_pair_by_formulas_of_its_own_and_the_drawn_contact_ratio(seed: int) -> None:
     rng = np.random.default_rng(seed)
     z1, z2 = (int(z) for z in rng.integers(20, 200, 2))

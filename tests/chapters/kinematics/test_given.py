@@ -7,6 +7,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from support.each import each
 from support.gallery import NAMES, SHEETS, paper, scene
 from support.mechanisms import sample
 from support.rewritten import relettered, text_of
@@ -70,7 +71,7 @@ def test_a_sheet_that_names_it_has_it_and_a_small_one_only_then(tmp_path: Path) 
     assert places('place = ["velocities"]') == [("velocities",)]
 
 
-@pytest.mark.parametrize("k", range(12))
+@each("k", range(12))
 def test_the_lengths_of_random_mechanisms_fix_their_links(k: int, tmp_path: Path) -> None:
     """Each point of a link is told by its distances from the first two, or from one of them in line."""
     (one,) = sample(1, seed=400 + k)

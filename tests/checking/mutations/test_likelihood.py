@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from support.each import each
 
 from graphic_tmm.checking.mutations.likelihood import (
     BEYOND,
@@ -72,8 +73,8 @@ def integral(found: np.ndarray) -> float:
     return float(np.logaddexp.reduce(mean) - np.log(logs.size) - known)
 
 
-@pytest.mark.parametrize("times", [0.31, 0.62, 1.37, 4.4])
-@pytest.mark.parametrize("seed", [1, 2, 3])
+@each("times", [0.31, 0.62, 1.37, 4.4])
+@each("seed", [1, 2, 3])
 def test_it_is_what_an_integral_over_all_numbers_gives(times: float, seed: int) -> None:
     found = times * DUE + np.random.default_rng(seed).normal(0.0, 0.5, DUE.size)
     assert gained(found) == pytest.approx(integral(found), abs=1.5)

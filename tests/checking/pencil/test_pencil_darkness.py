@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from support.each import each
 from support.photographed.rubbed import DOTS, flat, paper, rubbed
 
 from graphic_tmm.checking.pencil.expected import ExpectedLine
@@ -20,9 +21,9 @@ def test_paper_is_no_pencil(squared: bool) -> None:
     assert tracks(flat(paper(squared=squared)), DUE, 0j) == ()
 
 
-@pytest.mark.parametrize("squared", [False, True])
-@pytest.mark.parametrize("dashed", [False, True])
-@pytest.mark.parametrize(("start", "end"), [(0.0, 0.0), (2.0, -3.0), (-4.0, -4.5)])
+@each("squared", [False, True])
+@each("dashed", [False, True])
+@each("start, end", [(0.0, 0.0), (2.0, -3.0), (-4.0, -4.5)])
 def test_a_line_is_found_within_a_tenth_of_a_millimetre(
     start: float, end: float, dashed: bool, squared: bool
 ) -> None:

@@ -6,6 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 from support import photographs
+from support.each import each
 from support.photographs import CORNERS, FRAME, HEIGHT, WIDTH, Camera
 
 from graphic_tmm.checking.photo.camera import (
@@ -118,8 +119,8 @@ def foot(camera: Camera) -> complex:
     return complex(x, y)
 
 
-@pytest.mark.parametrize("tilt", TILTS)
-@pytest.mark.parametrize("focal", [1500.0, 2150.0])
+@each("tilt", TILTS)
+@each("focal", [1500.0, 2150.0])
 def test_the_camera_s_foot_is_told_by_its_projection(
     tilt: tuple[float, float, float], focal: float
 ) -> None:

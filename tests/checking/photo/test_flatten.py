@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from PIL import Image
 from support import photographs
+from support.each import each
 from support.photographs import CORNERS, FRAME, TARGETS, Camera
 
 from graphic_tmm.checking.photo.flatten import BENT, flatten, png
@@ -200,8 +201,8 @@ def test_a_camera_held_upright_tells_so(tmp_path: Path, file: Path) -> None:
     assert (one.image == other.image).all()
 
 
-@pytest.mark.parametrize(
-    ("given", "frame", "words", "said"),
+@each(
+    "given, frame, words, said",
     [
         (
             [(0, 0), (399, 0), (399, 299), (0, 300)],

@@ -8,6 +8,7 @@ from functools import cache
 
 import pytest
 from support import gallery
+from support.each import each
 from support.misspelt import misspelt
 
 from graphic_tmm.checking.readings.names import (
@@ -61,8 +62,8 @@ def test_misspelt_segments_of_scenes_with_every_chapter(many):
     assert counts["right"] >= 0.98 * counts.total() > 200 * many(15, 4)
 
 
-@pytest.mark.parametrize(
-    ("plan", "typed", "due"),
+@each(
+    "plan, typed, due",
     [
         *[("velocities", typed, "pa") for typed in ("PA", "рa", "ра", "v_A", "vA", "Pa")],
         *[("velocities", typed, "omega3") for typed in ("ω3", "ω_3", "w3", "ОМЕГА3", "ω₃", "?3")],
@@ -91,7 +92,7 @@ def test_a_segment_by_what_it_is_called_elsewhere(plan, typed, due):
     assert segment_meant(typed, plan, segments("windrower")[plan]).names == (due,)
 
 
-@pytest.mark.parametrize("typed", ["bd", "da", "x", "?", "??", "pab", "?b", "n", "_", "пб"])
+@each("typed", ["bd", "da", "x", "?", "??", "pab", "?b", "n", "_", "пб"])
 def test_a_segment_that_the_plan_does_not_have_is_none(typed):
     assert meant(typed, segments("windrower")["velocities"]).names == ()
 
@@ -106,8 +107,8 @@ def test_what_may_be_several_things_is_not_guessed():
     assert meant("Р", {"P": frozenset(), "p": frozenset()}).names == ("P",)
 
 
-@pytest.mark.parametrize(
-    ("typed", "due"),
+@each(
+    "typed, due",
     [
         *[(one, "velocities") for one in ("скорости", "План скоростей", "Velocity plan", "vel")],
         *[(one, "velocities") for one in ("СКОРОСТЕЙ", "план скорости", "cкорости", "velocity")],
@@ -138,8 +139,8 @@ def test_a_name_of_several_plans_is_not_guessed():
     )
 
 
-@pytest.mark.parametrize(
-    ("typed", "due"),
+@each(
+    "typed, due",
     [
         *[("01", "1"), ("1.0", "1"), ("1,0", "1"), ("1.", "1"), ("011", "11"), ("№3", "3")],
         *[("7 *", "7*"), ("7∗", "7*"), ("07*", "7*"), ("7х", "7*"), ("pos. 3", "3"), ("00", "0")],

@@ -9,6 +9,7 @@ import io
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from support.each import each
 
 from graphic_tmm.checking.readings.read import TOLD, read_readings, write_readings
 from graphic_tmm.checking.records import Last, Taken
@@ -171,8 +172,8 @@ def test_two_byte_order_marks_are_as_good_as_one(tmp_path, encoding):
     assert list(read_bytes(tmp_path, text.encode(encoding))) == PAIR
 
 
-@pytest.mark.parametrize(
-    ("cell", "due"),
+@each(
+    "cell, due",
     [
         *[("17.5", 17.5), ("17,5", 17.5), ("12 mm", 12.0), ("12mm", 12.0), ("12,5 мм", 12.5)],
         *[("−3", -3.0), ("+3", 3.0), (".5", 0.5), ("5.", 5.0), ("1e2", 100.0), ("1,234 ", 1.234)],
@@ -184,8 +185,8 @@ def test_millimetres(tmp_path, cell, due):
     assert read_text(tmp_path, f"plan;position;segment;mm\nv;1;pb;{cell}\n")[0].mm == due
 
 
-@pytest.mark.parametrize(
-    ("value", "unit", "due"),
+@each(
+    "value, unit, due",
     [
         *[("16,3", "m/s", (16.3, "m/s")), ("87000 Pa", "", (87000.0, "Pa"))],
         *[("12", "1", (12.0, "")), ("12", "—", (12.0, "")), ("−5 °", "", (-5.0, "°"))],
@@ -283,7 +284,7 @@ WRONG = {
 }
 
 
-@pytest.mark.parametrize("name", WRONG)
+@each("name", WRONG)
 def test_a_fault_names_file_line_column_and_remedy(tmp_path, name):
     row, column, remedy = WRONG[name]
     error = refused(tmp_path, f"{HEAD}v,0,pb,1,,,,\n{row}\n")
@@ -310,8 +311,8 @@ def test_a_value_or_a_point_twice(tmp_path):
     assert [(fault.key, fault.line) for fault in faults] == [("value", 3), ("x", 5)]
 
 
-@pytest.mark.parametrize(
-    ("head", "keys", "remedy"),
+@each(
+    "head, keys, remedy",
     [
         ("position,segment,mm", ["plan"], "velocities"),
         ("plan,segment,mm", ["position"], "empty for results"),

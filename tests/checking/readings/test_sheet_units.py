@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from support.each import each
 
 from graphic_tmm.checking.readings.read import read_readings
 
@@ -13,8 +14,8 @@ def rows(folder, text):
     return read_readings(file)
 
 
-@pytest.mark.parametrize(
-    ("title", "cell", "due"),
+@each(
+    "title, cell, due",
     [
         *[("mm", "6.85 cm", 68.5), ("mm", "6,85см", 68.5), ("mm", "2 in", 50.8), ("мм", "7", 7.0)],
         *[("mm", "2 inches.", 50.8), ("mm", "2,5 дюйма", 63.5), ("mm", "2″", 50.8)],

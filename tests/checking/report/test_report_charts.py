@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from markdown_it import MarkdownIt
+from support.each import each
 from support.lessons_told import lessons, plan_of_velocities, points_of_positions, row
 from support.reports import HOSTILE, engine, judged, report
 
@@ -198,7 +199,7 @@ def test_a_plan_is_small_and_its_ink_is_inside(position: int, off: complex) -> N
     assert inside is (abs(off) < 100)  # what is very far off runs out of the picture
 
 
-@pytest.mark.parametrize("label", ["plain", *HOSTILE])
+@each("label", ["plain", *HOSTILE])
 def test_a_plan_stands_by_itself(label: str) -> None:
     one = lesson()
     assert one.picture is not None

@@ -8,6 +8,7 @@ from html.parser import HTMLParser
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from support.each import each
 from support.lessons_told import lessons, plan_of_velocities, row
 from support.reports import HOSTILE, LANGUAGES, engine, hostile, report
 
@@ -98,7 +99,7 @@ def test_a_page_reads_back_as_the_words_that_went_in(language: str, text: str) -
     out.encode("utf-8")
 
 
-@pytest.mark.parametrize("text", ["plain", *HOSTILE])
+@each("text", ["plain", *HOSTILE])
 def test_a_page_names_nothing_outside_itself_and_runs_nothing(text: str) -> None:
     made = hostile(text)
     out = html_report(made)

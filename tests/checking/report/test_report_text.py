@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from markdown_it import MarkdownIt
+from support.each import each
 from support.reports import (
     HOSTILE,
     LANGUAGES,
@@ -89,9 +90,7 @@ def test_markdown_reads_back_as_the_words_that_went_in(language: str, text: str)
     assert [s for k, s in blocks if k == "paragraph"] == [s.strip() for s in spoken_of if s]
 
 
-@pytest.mark.parametrize(
-    "text", ["- a", "+ a", "1. a", "2) a", "# a", "> a", "---", "***", "_", "="]
-)
+@each("text", ["- a", "+ a", "1. a", "2) a", "# a", "> a", "---", "***", "_", "="])
 def test_what_would_open_a_block_is_a_note(text: str) -> None:
     blocks = spoken(markdown_report(report(notes=[text])))
     assert blocks[-1] == ("paragraph", text)
@@ -126,7 +125,7 @@ def test_figures_are_whole_on_a_terminal_of_80() -> None:
             assert any(all(cell in line for cell in row) for line in lines), row
 
 
-@pytest.mark.parametrize("text", HOSTILE)
+@each("text", HOSTILE)
 def test_text_does_nothing_to_a_terminal(text: str) -> None:
     made = hostile(text)
     assert all(line.isprintable() for line in printed(made, 100).split("\n"))

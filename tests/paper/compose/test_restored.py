@@ -6,6 +6,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from support.each import each
 from support.gallery import SHEETS, paper
 
 from graphic_tmm.errors import SceneError
@@ -183,7 +184,7 @@ WRONG = {
 }
 
 
-@pytest.mark.parametrize(("says", "key"), WRONG.items())
+@each("says, key", WRONG.items())
 def test_a_file_that_is_no_composition_is_refused(tmp_path: Path, says: str, key: str) -> None:
     file = tmp_path / "composition.toml"
     file.write_text(f"[[sheet]]\n{says}", encoding="utf-8")
