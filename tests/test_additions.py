@@ -27,9 +27,12 @@ print(OPERATIONS["whole_depth"].run(np.array([[2.0]]), np.array([[0.25]])), OPER
 """
 OPERATION = """
 from graphic_tmm.board.grammar import OPERATIONS
+from graphic_tmm.accuracy.geometrography import symbol
 from graphic_tmm.board.operations import instruments
 from graphic_tmm.language.catalogue import speaking
-print(OPERATIONS["mark_off"].sentence, speaking("ru")(OPERATIONS["mark_off"].sentence), sep=" | ")
+from graphic_tmm.paper.rules import traceless
+new = OPERATIONS["mark_off"]
+print(new.sentence, speaking("ru")(new.sentence), symbol(new), traceless(new), sep=" | ")
 """
 LAW_FILE = '''"""The law 4-5-6-7: the acceleration begins and ends without a bend."""
 
@@ -152,10 +155,11 @@ def test_a_formula_is_one_file(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_an_instrument_operation_is_two_files(tmp_path: Path) -> None:
-    line = '@operation(\n    fails=_NO_LINE,\n    why=said("A line is fixed'
+def test_an_instrument_operation_is_one_file_and_its_words(tmp_path: Path) -> None:
+    """Its work and its slips stand with it; other languages have a line each."""
+    line = '@operation(symbol=JOIN, fails=_NO_LINE, why=said("A line is fixed'
     new = (
-        "@operation()\ndef mark_off(on: Line) -> Point:\n"
+        '@operation(symbol="C1")\ndef mark_off(on: Line) -> Point:\n'
         f'    """Mark off the beginning {{it}} of {{on}}."""\n    return Point(on.at)\n\n\n{line}'
     )
     entry = 'msgid "Draw the line {it} through {start} and {end}."'
@@ -165,7 +169,10 @@ def test_an_instrument_operation_is_two_files(tmp_path: Path) -> None:
         "language/ru.po": (entry, word + entry),
     }
     told = added(tmp_path, edits, OPERATION)
-    assert "Mark off the beginning {it} of {on}. | Отметить начало {it} прямой {on}." in told
+    assert (
+        "Mark off the beginning {it} of {on}. | Отметить начало {it} прямой {on}. | C1 | False"
+        in told
+    )
 
 
 @pytest.mark.slow

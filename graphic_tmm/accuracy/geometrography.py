@@ -9,7 +9,7 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-from graphic_tmm.board.grammar import Operation
+from graphic_tmm.board.grammar import FREE, JOIN, READ, Operation
 from graphic_tmm.errors import Fault, SceneError, first_of
 from graphic_tmm.files import Kind
 from graphic_tmm.language.said import said
@@ -49,130 +49,16 @@ ELEMENTARY: dict[str, Elementary] = {
 }
 """Every elementary operation; the minutes are estimates, not measurements: give your own to `cost.count`."""
 
-FREE = ""
-_JOIN = "2R1 + R2"
-_RAY = "P1 + P2 + 2R1 + R2"
-_SLIDE = "E1 + E2 + R2"
-_READ = "M1 + R1 + M3"
-_ANGLE = "P1 + P3"
-_CURVE = "nK1 + nK2"
-_LOOK = "N1"  # in the row of standard values
-_SUPPORT = "P1 + P2 + E1 + E2 + R2"
-
-SYMBOLS: dict[str, str] = {
-    # lines
-    "join": _JOIN,
-    "rocker_line": _JOIN,
-    "cylinder_axis": _JOIN,
-    "ray": _RAY,
-    "incline": _RAY,
-    "slew": _RAY,
-    "inward_normal": _RAY,
-    "at_friction_angle": f"N1 + {_RAY}",
-    "doubled": f"{_ANGLE} + {_RAY}",
-    "parallel": _SLIDE,
-    "square": _SLIDE,
-    "directed": _SLIDE,
-    "action": _SLIDE,
-    "shift": f"M1 + R1 + M2 + {_SLIDE} + {_SLIDE}",
-    "tangent": "3C1 + C3 + 2R1 + R2",  # the edge is laid to the circle by eye
-    "touch": f"{_JOIN} + {_SLIDE}",  # so too; the square from the centre marks the contact
-    "touching": f"{_SLIDE} + 2R1 + R2",
-    "supporting": _SUPPORT,
-    "supporting_curve": _SUPPORT,
-    "touch_curve": _SUPPORT,
-    # arcs and points
-    "strike": "3C1 + C3",
-    "lay_off": "M1 + R1 + M2",
-    "place": f"2M1 + 2R1 + 2M2 + {_SLIDE}",
-    "halve": "2R1 + R2 + 2C1 + 2C3",
-    "reflect": "2C1 + 2C2 + 2C3",
-    "erect": _SLIDE,
-    "level_off": f"{_SLIDE} + R2",  # by eye, so that as much is cut off as is added
-    "turn_about": f"2C1 + C3 + {_RAY}",
-    "divide_semicircle": _RAY,
-    "along_arc": "N1 + P1 + P2",
-    "similar": f"2P1 + 2P3 + {_RAY} + {_RAY}",
-    "homologous": f"{_READ} + {_READ} + {_READ} + N1 + {_ANGLE} + {_RAY} + M1 + R1 + M2",
-    "carry": f"{_READ} + N1 + {_SLIDE} + M1 + R1 + M2",
-    "detach": f"{_READ} + N1 + {_SLIDE} + M1 + R1 + M2",
-    # points that are there already: where lines meet, or one of several
-    "meet": FREE,
-    "cut": FREE,
-    "cut_or_foot": FREE,
-    "cross": FREE,
-    "curve_meets_arc": FREE,
-    "curves_cross": FREE,
-    "beginning": FREE,
-    "coincide": FREE,
-    "at_zero": FREE,
-    "following": FREE,
-    "standing": FREE,
-    "next_satellite": FREE,
-    "phase_end": FREE,
-    "arrival": FREE,
-    "accepted": FREE,
-    "whole_mm": FREE,
-    "outer_parallel": FREE,
-    "extreme_of_two": FREE,
-    "stand": FREE,
-    "in_turn": FREE,
-    "while_on": FREE,
-    "on_arc": FREE,
-    "line_on_arc": FREE,
-    "nearest_standard": _LOOK,
-    "next_ratio": _LOOK,
-    "next_standard": _LOOK,
-    "next_standard_length": _LOOK,
-    # readings
-    "measure": _READ,
-    "measure_along": _READ,
-    "measure_arc": f"{_ANGLE} + N1",
-    "arm": f"{_SLIDE} + {_READ}",
-    "bearing": _ANGLE,
-    "slant": _ANGLE,
-    "turn_between": _ANGLE,
-    "angle_at": _ANGLE,
-    # a whole row at once
-    "french_curve": _CURVE,
-    "closed_graph": _CURVE,
-    "taut_graph": _CURVE,
-    "graph_of_stretch": _CURVE,
-    "graph_of_rays": f"{_CURVE} + nP1 + nP2",
-    "graph_of_differences": f"{_CURVE} + K1 + K2",
-    "curve_of_two": _CURVE,
-    "open_graph": f"{_CURVE} + K1 + K2",
-    "open_graph_of_middles": f"{_CURVE} + K1 + K2",
-    "smooth_stretch": _CURVE,
-    "smooth_through": _CURVE,
-    "swept_profile": _CURVE,
-    "taut_curve": "nH1",
-    "succession": "nE1 + nE2 + nR2",
-    "highest": "E1 + E2",
-    "lowest": "E1 + E2",
-    "crest_of_curve": "E1 + E2",
-    "farthest": "2C1",
-    "planimeter": "A1 + A2",
-    "mean_of_row": "N1",
-    # a trial of a refinement: its angle laid off, its last segment read; the trial itself comes on top
-    "refine": "nP1 + nP2 + nM1 + nR1 + nM3",
-}
-"""The symbol of each operation of the board by its name; formulas are not listed, they are `FORMULA`."""
-
-FORMULA = "N1"
-READING = _READ
-DEFAULT = _JOIN
-"""The symbol of an operation that is not listed: a formula, a reading, or else as much as a line."""
-
-
 _TERM = re.compile(r"(\d*)(n?)([A-Z]\d)")
 
 
 def symbol(op: Operation) -> str:
-    """Return the symbol of an operation of the board; one that is not listed has that of its sort."""
-    if op.name in SYMBOLS:
-        return SYMBOLS[op.name]
-    return FORMULA if op.formula else READING if op.reads else DEFAULT
+    """Return the symbol of an operation of the board; one that says none has that of its sort."""
+    if op.symbol is not None or op.kept:
+        return op.symbol or FREE
+    if op.formula or op.looked_up:
+        return "N1"
+    return READ if op.reads else JOIN
 
 
 def elements(text: str, n: int = 1) -> Counter[str]:

@@ -29,6 +29,11 @@ WHOLE_ROW = "a position of the row is missing"
 """Why a step across positions has no answer that needs all of them."""
 
 
+FREE, JOIN, RAY, SLIDE = "", "2R1 + R2", "P1 + P2 + 2R1 + R2", "E1 + E2 + R2"
+READ, ANGLE, CURVE, SUPPORT = "M1 + R1 + M3", "P1 + P3", "nK1 + nK2", f"P1 + P2 + {SLIDE}"
+"""Symbols of geometrography that several operations have: what is done with which instrument."""
+
+
 class Gap(NamedTuple):
     """How far two figures are from not meeting: ``measure(*values)`` in mm, ≥ 0 where they meet.
 
@@ -58,6 +63,10 @@ class Operation(NamedTuple):
     sides: tuple[str, str] = ("+", "−")
     why: str = ""
     proportion: str = ""
+    symbol: str | None = None
+    looked_up: bool = False
+    kept: bool = False
+    swings: bool = False
 
     def __repr__(self) -> str:
         return self.name
@@ -90,6 +99,10 @@ def operation(
     sides: tuple[str, str] = ("+", "−"),
     why: str = "",
     proportion: str = "",
+    symbol: str | None = None,
+    looked_up: bool = False,
+    kept: bool = False,
+    swings: bool = False,
 ) -> Callable[[F], Operation]:
     """Turn an annotated function into an `Operation` and enter it into the table.
 
@@ -99,6 +112,11 @@ def operation(
     choice that the sentence names, are called. ``why``: its reason, with the names of the arguments and {it}.
     ``proportion``: two ratios of segments that are equal, "{A}{it}/{A}{B} = {C}{E}/{C}{D}", of which the first
     segment is sought; a segment is two points.
+
+    ``symbol``: of geometrography, such as "E1 + E2 + R2", "" for what costs no work; None: that of its sort.
+    ``looked_up``: in a row of standard values. ``kept``: it names what stands there already, so no hand slips.
+    ``swings``: a ray drawn with the square, the protractor or by eye, which a hand swings; a line through two
+    points is as good as they are.
     """
 
     def enter(function: F) -> Operation:
@@ -131,6 +149,10 @@ def operation(
             sides,
             why,
             proportion,
+            symbol,
+            looked_up,
+            kept,
+            swings,
         )
         if OPERATIONS.setdefault(made.name, made) is not made:
             raise TypeError(f"the board has two operations called {made.name}")

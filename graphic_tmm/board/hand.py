@@ -17,10 +17,6 @@ import numpy as np
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.values import Arc, Length, Line, Number, Point, Reals
 
-SWUNG = frozenset({"parallel", "square", "incline", "ray", "action", "tangent", "directed"})
-"""Rays drawn with the square, the protractor or by eye; a line through two points is as good as they are."""
-KEPT = frozenset({"coincide", "at_zero", "following", "farthest", "next_satellite", "stand"})
-"""Operations that name what stands there already: nothing is drawn anew."""
 SIZE = 16_384
 """Trials times positions in one block: few enough for the cache, enough to pay for the calls."""
 MOST = 1024
@@ -129,11 +125,11 @@ def slip_of(op: Operation, view: str, letter: str) -> Slip | None:
         kind = "reading"
     elif op.formula and op.leaves in (Length, Number):
         kind = "digits"
-    elif op.leaves is Point and op.name not in KEPT:
+    elif op.leaves is Point and not op.kept:
         kind = "prick"
     elif op.leaves is Arc:
         kind = "compass"
-    elif op.leaves is Line and op.name in SWUNG:
+    elif op.leaves is Line and op.swings:
         kind = "swing"
     return None if kind is None else Slip(kind, f"{view}|{letter}|{kind}")
 

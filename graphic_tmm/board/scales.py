@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.grammar import FREE, operation
 from graphic_tmm.board.values import Length, Number, Reals
 from graphic_tmm.language.said import said
 
@@ -125,23 +125,24 @@ def scale_by_turning(mu_l: Number, omega: Number) -> Number:
     """{mu_l}·{omega}"""
 
 
-@operation(why=_STANDARD)
+@operation(looked_up=True, why=_STANDARD)
 def next_standard(exact: Number) -> Number:
     """Take for {it} the next standard value that is no smaller than {exact}."""
     return Number(_each(standard, exact))
 
 
-@operation(why=_STANDARD)
+@operation(looked_up=True, why=_STANDARD)
 def next_standard_length(exact: Number) -> Number:
     """Take for {it} the next standard scale that is no smaller than {exact}."""
     return Number(_each(standard_length, exact))
 
 
 @operation(
+    looked_up=True,
     why=said(
         "A standard value makes lengths on the drawing easy to recalculate; the length wanted was only a wish, "
         "so the nearest one is taken and the length follows from it."
-    )
+    ),
 )
 def nearest_standard(exact: Number) -> Number:
     """Take for {it} the standard value nearest to {exact}."""
@@ -149,7 +150,8 @@ def nearest_standard(exact: Number) -> Number:
 
 
 @operation(
-    why=said("The task says how large it is drawn, and everything drawn to it follows from that.")
+    symbol=FREE,
+    why=said("The task says how large it is drawn, and everything drawn to it follows from that."),
 )
 def accepted(told: Number) -> Number:
     """Take {told} for {it}."""
@@ -171,9 +173,10 @@ def times_larger(room: Length, mu: Number, quantity: Number) -> Number:
 
 
 @operation(
+    looked_up=True,
     why=said(
         "A round ratio is easy to carry over; the next smaller one keeps the figure in its room."
-    )
+    ),
 )
 def next_ratio(exact: Number) -> Number:
     """Take for {it} the next round ratio that is no larger than {exact}."""

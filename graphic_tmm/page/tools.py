@@ -12,7 +12,7 @@ import re
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from graphic_tmm.accuracy.geometrography import DEFAULT, FORMULA, READING, SYMBOLS
+from graphic_tmm.accuracy.geometrography import symbol
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Angle, Arc, Line, Point
 from graphic_tmm.language.catalogue import speaking
@@ -38,8 +38,6 @@ NAMES: Mapping[str, Said] = {
 """Instruments by the letters of geometrography, the one that matters most first."""
 FAR = 50.0
 """A direction is told by a place so far away, mm: it is rounded as places are."""
-LOOKED_UP = ("nearest_standard", "next_standard", "next_standard_length", "next_ratio")
-"""Operations that look a value up in a row."""
 _LOOK = said("Instrument: the row of standard values.")
 _MARK = said("Instrument: pencil; the point is where drawn lines meet.")
 _NAMED = said("Instrument: {names}.")
@@ -158,18 +156,12 @@ class Desk(NamedTuple):
         return f"{fixed(mm, 1, self.language)} {unit('mm', self.language)}"
 
 
-def symbol_of(step: Step) -> str:
-    """Return the symbol of the operation of a step: what is done with which instrument."""
-    usual = FORMULA if step.op.formula else READING if step.op.reads else DEFAULT
-    return SYMBOLS.get(step.op.name, usual)
-
-
 def tools_sentence(step: Step, language: str) -> str:
     """Return the sentence that names the instruments of a step."""
     speech = speaking(language)
-    if step.op.name in LOOKED_UP:
+    if step.op.looked_up:
         return speech(_LOOK)
-    letters = set(re.findall("[A-Z]", symbol_of(step)))
+    letters = set(re.findall("[A-Z]", symbol(step.op)))
     if not letters:
         return speech(_MARK)
     names = ", ".join(speech(name) for letter, name in NAMES.items() if letter in letters)

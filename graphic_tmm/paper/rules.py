@@ -10,33 +10,22 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.operations import graphs as g
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.operations.instruments import (
-    bearing,
     coincide,
     cut,
     homologous,
     join,
     lay_off,
-    measure,
-    measure_along,
     meet,
     place,
     similar,
-    stand,
     touch,
 )
 from graphic_tmm.board.operations.statics import arm, carry
-from graphic_tmm.board.operations.supports import planimeter
 from graphic_tmm.board.record import Step
-from graphic_tmm.board.scales import (
-    accepted,
-    nearest_standard,
-    next_ratio,
-    next_standard,
-    next_standard_length,
-)
 from graphic_tmm.board.values import Arc, Curve, Kind, Line, Point
 from graphic_tmm.paper.drawing import Bezier, Ink, arc, circle, line
 from graphic_tmm.paper.seen import Rule, Seen, finite
@@ -56,25 +45,8 @@ TANGENT = 6.0
 MEETING = (meet.name, cut.name, touch.name)
 """Operations that find a point where a line was met: such a line stays."""
 
-TRACELESS: frozenset[str] = frozenset(
-    op.name
-    for op in (
-        accepted,
-        bearing,
-        coincide,
-        measure,
-        measure_along,
-        planimeter,
-        stand,
-        g.following,
-        nearest_standard,
-        next_ratio,
-        next_standard,
-        next_standard_length,
-    )
-)
-"""Operations that leave no trace: what is read with ruler, protractor or planimeter or taken from a table, and
-points that are there already under another letter. Calculations, which have a formula, leave none either."""
+NAMED_AGAIN = (coincide, g.following)
+"""Operations whose points are there already under another letter."""
 
 
 def stays(seen: Seen, step: Step) -> bool:
@@ -215,9 +187,12 @@ _SEGMENTS = (lay_off.name, g.erect.name, g.level_off.name, carry.name)
 """Points whose steps leave a segment that stays."""
 
 
+def traceless(op: Operation) -> bool:
+    """Whether an operation leaves no trace: a calculation, what is read or looked up, a point named again."""
+    inked = op.name in RULES or op.leaves in BY_KIND
+    return bool(op.formula) or op in NAMED_AGAIN or not inked
+
+
 def rule_of(step: Step) -> Rule | None:
     """Return the usual rule of a step; None if it leaves no trace."""
-    name = step.op.name
-    if name in TRACELESS or step.op.formula:
-        return None
-    return RULES.get(name) or BY_KIND.get(step.it.kind)
+    return None if traceless(step.op) else RULES.get(step.op.name) or BY_KIND[step.it.kind]

@@ -10,17 +10,14 @@ from support.each import each
 
 import graphic_tmm
 from graphic_tmm.accuracy.geometrography import (
-    DEFAULT,
     ELEMENTARY,
-    FORMULA,
-    SYMBOLS,
     elements,
     exactitude,
     simplicity,
     symbol,
     written,
 )
-from graphic_tmm.board.grammar import OPERATIONS, Operation
+from graphic_tmm.board.grammar import JOIN, OPERATIONS, READ, Operation
 from graphic_tmm.board.operations.locus import refinement
 
 for module in pkgutil.walk_packages(graphic_tmm.__path__, "graphic_tmm."):
@@ -32,13 +29,16 @@ DRAWN = [op for op in BOARD if not op.formula]
 REFINE = refinement(lambda row: row, "")
 
 
-def test_every_operation_that_is_no_formula_is_listed() -> None:
-    assert not [op.name for op in DRAWN if op.name not in SYMBOLS]
+def test_every_operation_that_is_no_formula_says_its_symbol() -> None:
+    silent = [op.name for op in DRAWN if op.symbol is None]
+    assert not [
+        name for name in silent if not (OPERATIONS[name].reads or OPERATIONS[name].looked_up)
+    ]
     assert len(DRAWN) > 60
 
 
-def test_nothing_is_listed_that_is_no_operation_and_no_formula_is() -> None:
-    assert set(SYMBOLS) == {op.name for op in DRAWN} | {REFINE.name}
+def test_no_formula_says_a_symbol() -> None:
+    assert not [op.name for op in BOARD if op.formula and op.symbol is not None]
 
 
 @each("op", [*BOARD, REFINE])
@@ -100,11 +100,11 @@ def test_lines_drawn_and_circles_drawn_are_simplicity_less_exactitude() -> None:
             assert simplicity(found) - exactitude(found) == found["R2"] + found["C3"]
 
 
-def test_an_operation_that_is_not_listed_has_the_symbol_of_its_sort() -> None:
-    new = OPERATIONS["join"]._replace(name="new")
-    assert symbol(new) == DEFAULT
-    assert symbol(new._replace(formula="{a}")) == FORMULA
-    assert symbol(new._replace(reads=True)) == SYMBOLS["measure"]
+def test_an_operation_that_says_no_symbol_has_that_of_its_sort() -> None:
+    new = OPERATIONS["join"]._replace(name="new", symbol=None)
+    assert symbol(new) == JOIN
+    assert symbol(new._replace(formula="{a}")) == symbol(new._replace(looked_up=True)) == "N1"
+    assert symbol(new._replace(reads=True)) == READ
 
 
 @pytest.mark.parametrize("text", ["2Q1", "R1+R2", "R", "n", "R1 + ", " ", "-R1"])

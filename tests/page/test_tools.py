@@ -11,7 +11,8 @@ import pytest
 from support.each import each
 from support.gallery import ALL, EVERYDAY, LARGEST, paper
 
-from graphic_tmm.accuracy.geometrography import ELEMENTARY, SYMBOLS
+from graphic_tmm.accuracy.geometrography import ELEMENTARY, symbol
+from graphic_tmm.board.grammar import OPERATIONS
 from graphic_tmm.page.tools import NAMES
 from graphic_tmm.page.views import played
 from graphic_tmm.paper.drawing import Stroke
@@ -28,8 +29,9 @@ def views(name: str) -> list[dict[str, Any]]:
 
 
 def test_every_instrument_of_geometrography_has_a_name() -> None:
-    assert {symbol[0] for symbol in ELEMENTARY} == set(NAMES)
-    assert set(re.findall("[A-Z]", "".join(SYMBOLS.values()))) <= set(NAMES)
+    assert {one[0] for one in ELEMENTARY} == set(NAMES)
+    used = "".join(symbol(op) for op in OPERATIONS.values())
+    assert set(re.findall("[A-Z]", used)) <= set(NAMES)
 
 
 @pytest.mark.parametrize("name", SOME)

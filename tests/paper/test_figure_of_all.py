@@ -20,7 +20,7 @@ from graphic_tmm.board.values import Length
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.rules import TRACELESS
+from graphic_tmm.paper.rules import traceless as leaves_none
 from graphic_tmm.scene.chapter import chapters
 
 ASIDE = (r"forces \S+ \d+", r"\S+-calculation", r"planetary-behind", r"engine-works")
@@ -67,17 +67,14 @@ def without_trace(work: Drawn, views: Collection[tuple[str, Drawing]]) -> set[tu
     inked = set[int]().union(*(slots_shown(view) for _, view in views))
     by_name = traceless()
     named = {
-        (shown, op)
-        for chapter, view in views
-        for shown in view.shows
-        for op in TRACELESS | by_name[chapter]
+        (shown, op) for chapter, view in views for shown in view.shows for op in by_name[chapter]
     }
     aside = re.compile("|".join(ASIDE))
     return {
         (step.it.view, step.op.name, step.it.name)
         for step in work.construction.steps
         if step.it.slot not in inked
-        and not step.op.formula
+        and not leaves_none(step.op)
         and (step.it.view, step.op.name) not in named
         and not aside.fullmatch(step.it.view)
         and not unseen(work, step)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from graphic_tmm.board.record import Construction, Step
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.figure import Picture, pictures
-from graphic_tmm.paper.rules import TRACELESS
+from graphic_tmm.paper.rules import traceless
 
 
 def slots_shown(view: Drawing) -> set[int]:
@@ -19,7 +19,7 @@ def slots_shown(view: Drawing) -> set[int]:
 def steps_of(log: Construction, view: Drawing) -> list[Step]:
     """The steps of the plans that a view is the picture of, but for those that leave no trace by name."""
     there = [step for step in log.steps if step.it.view in view.shows]
-    return [step for step in there if not step.op.formula and step.op.name not in TRACELESS]
+    return [step for step in there if not traceless(step.op)]
 
 
 def without_ink(

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.grammar import CURVE, operation
 from graphic_tmm.board.values import Complexes, Curve, Point, Reals
 from graphic_tmm.language.said import said
 
@@ -22,6 +22,7 @@ TAUT = 0.0
 
 
 @operation(
+    symbol=CURVE,
     across=True,
     why=said(
         "The point goes smoothly through the places found in all positions: this is its path over a turn."
@@ -47,6 +48,7 @@ def french_curve(through: Point, *, row: int) -> Curve:
 
 
 @operation(
+    symbol="nH1",
     across=True,
     why=said(
         "Valves open and close between the points that were read: the line has no bulge there that nobody "

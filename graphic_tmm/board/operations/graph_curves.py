@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.grammar import CURVE, operation
 from graphic_tmm.board.operations.curve import TAUT, bounded, natural, neighbours, periodic
 from graphic_tmm.board.operations.graphs import alike, rise_of
 from graphic_tmm.board.values import Complexes, Curve, Length, Line, Point, Reals
@@ -29,6 +29,7 @@ acceleration of a quick return, is no nearer; this one stays below 12 %.
 
 
 @operation(
+    symbol=CURVE,
     across=True,
     why=said(
         "What repeats itself turn by turn changes smoothly between the positions that were found."
@@ -43,6 +44,7 @@ def closed_graph(through: Point, over: Length, *, row: int) -> Curve:
 
 
 @operation(
+    symbol=CURVE,
     across=True,
     why=said(
         "Nothing is known between the positions but that nothing leaps beyond its neighbours there."
@@ -72,6 +74,7 @@ def _closed(through: Complexes, over: Any, row: int, bend: float) -> Curve:
 
 
 @operation(
+    symbol=f"{CURVE} + K1 + K2",
     across=True,
     why=said("Between the points that were found the graph changes smoothly."),
 )
@@ -85,6 +88,7 @@ def open_graph(through: Point, end: Point, *, row: int) -> Curve:
 
 
 @operation(
+    symbol=f"{CURVE} + K1 + K2",
     across=True,
     why=said("Chords tell the middles of the intervals; between them the graph changes smoothly."),
 )
@@ -103,6 +107,7 @@ def open_graph_of_middles(through: Point, *, row: int) -> Curve:
 
 
 @operation(
+    symbol=CURVE,
     across=True,
     why=said("Within a stretch of one law the graph changes smoothly; at its ends it may leap."),
 )
@@ -170,6 +175,7 @@ def _complex(z: Reals) -> Complexes:
 
 
 @operation(
+    symbol=f"{CURVE} + nP1 + nP2",
     across=True,
     why=said(
         "The slope of an integral is its integrand: at each point the curve is parallel to the ray of its "
@@ -191,6 +197,7 @@ def graph_of_rays(
 
 
 @operation(
+    symbol=f"{CURVE} + K1 + K2",
     across=True,
     why=said("At every position the ordinate is the difference of the ordinates of both curves."),
 )
@@ -206,6 +213,7 @@ def graph_of_differences(
 
 
 @operation(
+    symbol=CURVE,
     across=True,
     why=said(
         "Both quantities belong to one angle of the crank; drawn over one another the angle drops out."

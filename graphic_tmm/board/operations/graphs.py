@@ -12,13 +12,14 @@ from typing import Any
 import numpy as np
 
 from graphic_tmm.board.geometry import unit
-from graphic_tmm.board.grammar import WHOLE_ROW, operation
+from graphic_tmm.board.grammar import FREE, SLIDE, WHOLE_ROW, operation
 from graphic_tmm.board.operations.curve import stationary
 from graphic_tmm.board.values import Complexes, Curve, Line, Point, Reals
 from graphic_tmm.language.said import said
 
 
 @operation(
+    kept=True,
     across=True,
     why=said("What follows is counted from the zero position."),
 )
@@ -28,6 +29,7 @@ def at_zero(of: Point) -> Point:
 
 
 @operation(
+    kept=True,
     across=True,
     why=said("An interval of the row lies between a position and the one that follows."),
 )
@@ -47,9 +49,10 @@ def alike(*values: Any) -> Any:
 
 
 @operation(
+    symbol="2R1 + R2 + 2C1 + 2C3",
     why=said(
         "What a chord or a rectangle tells is the mean of its interval, so it belongs to the middle."
-    )
+    ),
 )
 def halve(start: Point, end: Point) -> Point:
     """Halve {start}{end}; mark {it}."""
@@ -69,6 +72,7 @@ as a hand pricks, and higher up by as much as the square leans: by five times th
 
 
 @operation(
+    symbol=SLIDE,
     fails=_OUTSIDE,
     why=said("The ordinate over a point of the base is what the graph shows there."),
 )
@@ -81,6 +85,7 @@ def erect(curve: Curve, foot: Point) -> Point:
 
 
 @operation(
+    symbol=f"{SLIDE} + 2R1 + R2",
     fails=_OUTSIDE,
     why=said("The slope of the tangent is the derivative there."),
 )
@@ -101,6 +106,7 @@ def rise_of(curve: Curve, foot: Complexes) -> Reals:
 
 
 @operation(
+    symbol=f"{SLIDE} + R2",  # by eye, so that as much is cut off as is added
     fails=_OUTSIDE,
     why=said(
         "The rectangle has the area of the figure: its height is the mean ordinate of the interval."
@@ -153,6 +159,7 @@ def _abscissas(knots: Complexes) -> Reals:
 
 
 @operation(
+    symbol="nE1 + nE2 + nR2",
     across=True,
     fails=WHOLE_ROW,
     why=said(
@@ -175,6 +182,7 @@ def succession(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -
 
 
 @operation(
+    symbol=FREE,
     across=True,
     fails=WHOLE_ROW,
     why=said("The last segment ends at the integral over the whole turn."),
@@ -194,6 +202,7 @@ def _rises(rays: Line, feet: Point, end: Point, row: int) -> Reals:
 
 
 @operation(
+    symbol="E1 + E2",
     across=True,
     fails=WHOLE_ROW,
     why=said("Where this energy is greatest the flywheel runs fastest."),
@@ -204,6 +213,7 @@ def highest(curve: Curve, start: Point, end: Point) -> Point:
 
 
 @operation(
+    symbol="E1 + E2",
     across=True,
     fails=WHOLE_ROW,
     why=said("Where this energy is least the flywheel runs slowest."),

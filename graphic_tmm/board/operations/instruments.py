@@ -21,36 +21,41 @@ from graphic_tmm.board.geometry import (
     vector,
     wedge,
 )
-from graphic_tmm.board.grammar import Gap, operation
+from graphic_tmm.board.grammar import ANGLE, FREE, JOIN, RAY, READ, SLIDE, Gap, operation
 from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Reals, Side
 from graphic_tmm.language.said import said
 
 _NO_LINE = "the two points coincide"
 
 
-@operation(
-    fails=_NO_LINE,
-    why=said("A line is fixed by two of its points."),
-)
+@operation(symbol=JOIN, fails=_NO_LINE, why=said("A line is fixed by two of its points."))
 def join(start: Point, end: Point) -> Line:
     """Draw the line {it} through {start} and {end}."""
     return Line(start, unit(end - start))
 
 
-@operation(why=said("A line is fixed by a point of it and its direction."))
+@operation(symbol=RAY, swings=True, why=said("A line is fixed by a point of it and its direction."))
 def ray(start: Point, angle: Angle) -> Line:
     """From {start} draw the ray {it} at the angle {angle} to the x axis."""
     return Line(start, cis(angle))
 
 
-@operation(why=said("A line is fixed by a point of it and its direction, here that of {to}."))
+@operation(
+    symbol=SLIDE,
+    swings=True,
+    why=said("A line is fixed by a point of it and its direction, here that of {to}."),
+)
 def parallel(through: Point, to: Line, *, sense: int = 1) -> Line:
     """Through {through} draw {it} parallel to {to}."""
     return Line(through, to.along if sense > 0 else reverse(to.along))
 
 
 @operation(
-    why=said("A line is fixed by a point of it and its direction, here that of the normal to {to}.")
+    symbol=SLIDE,
+    swings=True,
+    why=said(
+        "A line is fixed by a point of it and its direction, here that of the normal to {to}."
+    ),
 )
 def square(through: Point, to: Line, *, sense: int = 1) -> Line:
     """Through {through} draw {it} square to {to}."""
@@ -58,32 +63,46 @@ def square(through: Point, to: Line, *, sense: int = 1) -> Line:
 
 
 @operation(
-    why=said("A line is fixed by a point of it and its direction, here at a known angle to {to}.")
+    symbol=RAY,
+    swings=True,
+    why=said("A line is fixed by a point of it and its direction, here at a known angle to {to}."),
 )
 def incline(through: Point, to: Line, by: Angle) -> Line:
     """Through {through} draw {it} at the angle {by} to {to}."""
     return Line(through, to.along * cis(by))
 
 
-@operation(why=said("What keeps its distance {by} from {to} moves along a parallel to it."))
+@operation(
+    symbol=f"M1 + R1 + M2 + {SLIDE} + {SLIDE}",
+    why=said("What keeps its distance {by} from {to} moves along a parallel to it."),
+)
 def shift(to: Line, by: Length) -> Line:
     """Parallel to {to}, at the distance {by} to its left, draw {it}."""
     return Line(to.at + by * (1j * to.along), to.along)
 
 
-@operation(why=said("{it} stands on {on}, and its distance from the beginning is known."))
+@operation(
+    symbol="M1 + R1 + M2",
+    why=said("{it} stands on {on}, and its distance from the beginning is known."),
+)
 def lay_off(on: Line, length: Length) -> Point:
     """On {on} lay off {length} from its beginning; mark {it}."""
     return Point(on.at + length * on.along)
 
 
-@operation(why=said("{it} is known by its distances along {on} and square to it."))
+@operation(
+    symbol=f"2M1 + 2R1 + 2M2 + {SLIDE}",
+    why=said("{it} is known by its distances along {on} and square to it."),
+)
 def place(on: Line, x: Length, y: Length) -> Point:
     """On {on} lay off {x} from its beginning and, square to it to the left, {y}; mark {it}."""
     return Point(on.at + vector(x, y) * on.along)
 
 
-@operation(why=said("All points at the distance {radius} from {centre} lie on this arc."))
+@operation(
+    symbol="3C1 + C3",
+    why=said("All points at the distance {radius} from {centre} lie on this arc."),
+)
 def strike(centre: Point, radius: Length) -> Arc:
     """With the compass at {centre} and the opening {radius} strike the arc {it}."""
     return Arc(centre, radius)
@@ -94,6 +113,7 @@ def _meet_condition(base: Line, other: Line) -> Reals:
 
 
 @operation(
+    symbol=FREE,
     condition=_meet_condition,
     fails="the lines are parallel",
     why=said("{it} has to lie on both lines."),
@@ -127,15 +147,11 @@ def _cut_condition(line: Line, arc: Arc, side: Side) -> Reals:
 
 
 @operation(
+    symbol=FREE,
     condition=_cut_condition,
     fails="the arc does not reach the line",
     sides=("along it", "back along it"),
-    gaps=(
-        Gap(
-            _cut_gap,
-            "the opening of the arc {arc} is too short to reach {line}",
-        ),
-    ),
+    gaps=(Gap(_cut_gap, "the opening of the arc {arc} is too short to reach {line}"),),
     why=said(
         "{it} has to lie on the line and on the arc; of the two points that do it is the one on this side."
     ),
@@ -168,18 +184,13 @@ def _cross_condition(first: Arc, second: Arc, side: Side) -> Reals:
 
 
 @operation(
+    symbol=FREE,
     condition=_cross_condition,
     fails="the arcs do not meet",
     sides=("to the left", "to the right"),
     gaps=(
-        Gap(
-            _outer_gap,
-            "the openings of {first} and {second} together are too short",
-        ),
-        Gap(
-            _inner_gap,
-            "the openings of {first} and {second} differ too much",
-        ),
+        Gap(_outer_gap, "the openings of {first} and {second} together are too short"),
+        Gap(_inner_gap, "the openings of {first} and {second} differ too much"),
     ),
     why=said("{it} has to lie on both arcs; of the two points that do it is the one on this side."),
 )
@@ -192,8 +203,7 @@ def cross(first: Arc, second: Arc, side: Side) -> Point:
     base = second.centre - first.centre
     d, r, s = np.abs(base), first.radius, second.radius
     high, low = np.maximum(r, s), np.minimum(r, s)
-    c = np.minimum(low, d)
-    a = np.maximum(high, d)
+    a, c = np.maximum(high, d), np.minimum(low, d)
     b = np.maximum(low, np.minimum(high, d))
     between = a - b
     gap = c - between
@@ -213,16 +223,17 @@ def _tangent_condition(through: Point, centre: Point, radius: Length, side: Side
     return np.asarray(d / np.sqrt(np.maximum((d - radius) * (d + radius), 0.0)))
 
 
-_TANGENT_GAP = Gap(
-    _tangent_gap,
-    "{through} comes nearer to {centre} than the distance {radius} of the guide",
-)
-
-
 @operation(
+    symbol="3C1 + C3 + 2R1 + R2",  # the edge is laid to the circle by eye
+    swings=True,
     condition=_tangent_condition,
     fails="the point lies inside the circle",
-    gaps=(_TANGENT_GAP,),
+    gaps=(
+        Gap(
+            _tangent_gap,
+            "{through} comes nearer to {centre} than the distance {radius} of the guide",
+        ),
+    ),
     sides=("directed from the centre to the point", "directed from the point to the centre"),
     why=said("The line passes {centre} at the distance {radius}, so it touches that circle."),
 )
@@ -248,14 +259,10 @@ def _rocker_condition(pivot: Point, stone: Point) -> Reals:
 
 
 @operation(
+    symbol=JOIN,
     condition=_rocker_condition,
     fails="the stone stands on the rocker's pivot",
-    gaps=(
-        Gap(
-            _rocker_gap,
-            "{stone} passes over {pivot}",
-        ),
-    ),
+    gaps=(Gap(_rocker_gap, "{stone} passes over {pivot}"),),
     why=said(
         "The guide of the rocker goes through its pivot {pivot} and through {stone}, the pin of the stone "
         "that slides in it."
@@ -267,14 +274,10 @@ def rocker_line(pivot: Point, stone: Point) -> Line:
 
 
 @operation(
+    symbol=JOIN,
     condition=_rocker_condition,
     fails="the pin of the piston rod stands on the cylinder's pivot",
-    gaps=(
-        Gap(
-            _rocker_gap,
-            "{pin} passes over {pivot}",
-        ),
-    ),
+    gaps=(Gap(_rocker_gap, "{pin} passes over {pivot}"),),
     why=said(
         "The axis of the cylinder goes through its pivot {pivot} and through {pin}, the pin of the piston "
         "rod, which slides along it."
@@ -286,6 +289,8 @@ def cylinder_axis(pivot: Point, pin: Point) -> Line:
 
 
 @operation(
+    symbol=SLIDE,
+    swings=True,
     sides=("in its sense", "against its sense"),
     why=said("The link lies along its guide {to}, and its own axis points this way."),
 )
@@ -299,14 +304,10 @@ def _touch_gap(start: Point, arc: Arc, side: Side) -> Reals:
 
 
 @operation(
+    symbol=f"{JOIN} + {SLIDE}",  # so too; the square from the centre marks the contact
     sides=("to the left", "to the right"),
     fails="the point lies inside the circle",
-    gaps=(
-        Gap(
-            _touch_gap,
-            "{start} lies inside the circle {arc}",
-        ),
-    ),
+    gaps=(Gap(_touch_gap, "{start} lies inside the circle {arc}"),),
     why=said("A tangent is square to the radius of its contact."),
 )
 def touch(start: Point, arc: Arc, side: Side) -> Point:
@@ -323,6 +324,7 @@ def touch(start: Point, arc: Arc, side: Side) -> Point:
 
 
 @operation(
+    symbol=f"2P1 + 2P3 + {RAY} + {RAY}",
     why=said(
         "The vectors between the points of one rigid link are all turned by one angle and scaled by one "
         "factor, so the images of its points form a figure similar to the link; hence the image of any further "
@@ -336,6 +338,7 @@ def similar(base_a: Point, base_b: Point, A: Point, B: Point, S: Point) -> Point
 
 
 @operation(
+    symbol=f"{READ} + {READ} + {READ} + N1 + {ANGLE} + {RAY} + M1 + R1 + M2",
     why=said(
         "The vectors between the points of one rigid link are all turned by one angle and scaled by one "
         "factor, and links that turn together share both: a segment of the plan is to its segment of the link "
@@ -349,10 +352,11 @@ def homologous(start: Point, a: Point, b: Point, A: Point, B: Point, Q: Point, E
 
 
 @operation(
+    kept=True,
     why=said(
         "A link that does not turn carries all its points with one velocity and one acceleration: their images "
         "are one point."
-    )
+    ),
 )
 def coincide(image: Point) -> Point:
     """The image {it} falls on {image}: the link does not turn."""
@@ -379,16 +383,17 @@ def measure_along(start: Point, end: Point, on: Line) -> Length:
     return Length(along(end - start, on.along))
 
 
-@operation(why=said("The angle sought is that of a line which is drawn now."))
+@operation(symbol=ANGLE, why=said("The angle sought is that of a line which is drawn now."))
 def bearing(start: Point, end: Point) -> Angle:
     """Find the angle of {start}{end} from the x axis."""
     return Angle(degrees(end - start))
 
 
 @operation(
+    kept=True,
     why=said(
         "A position outside the row is drawn as those of the row are, only at an angle of its own."
-    )
+    ),
 )
 def stand(regular: Angle, extreme: Angle, at: Number) -> Angle:
     """At the position outside the row the crank's angle {it} is {extreme}, at those of the row {regular}."""

@@ -70,4 +70,6 @@ def refinement(tried: Callable[[Reals], Reals], sentence: str) -> Operation:
         (),
         sentence,
         fails=said("no change of sign between the two angles"),
+        # of a trial: its angle laid off, its last segment read; the trial itself comes on top
+        symbol="nP1 + nP2 + nM1 + nR1 + nM3",
     )

@@ -10,7 +10,7 @@ import numpy as np
 
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.geometry import wedge
-from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.grammar import RAY, READ, SLIDE, operation
 from graphic_tmm.board.values import Length, Line, Number, Point, Reals
 from graphic_tmm.language.said import said
 
@@ -25,9 +25,11 @@ _NOT_SETTLED = "the passes of friction do not settle: the mechanism locks itself
 
 
 @operation(
+    symbol=SLIDE,
+    swings=True,
     why=said(
         "A force acts along the line of this direction through the point that it is applied to."
-    )
+    ),
 )
 def action(at: Point, tail: Point, head: Point, *, quarters: int = 0) -> Line:
     """Through {at} draw the line of action {it} parallel to {tail}{head}.
@@ -42,6 +44,7 @@ def action(at: Point, tail: Point, head: Point, *, quarters: int = 0) -> Line:
 
 
 @operation(
+    symbol=f"{SLIDE} + {READ}",
     reads=True,
     why=said(
         "The moment of a force about a point is the force times the distance of its line of action from "
@@ -57,10 +60,11 @@ def arm(about: Point, line: Line) -> Length:
 
 
 @operation(
+    symbol=f"{READ} + N1 + {SLIDE} + M1 + R1 + M2",
     why=said(
         "On a lever shaped like the plan of velocities turned by 90° the arm of a force about the pole is "
         "the part of the velocity along the force, so its moment is its power, to scale."
-    )
+    ),
 )
 def carry(pole: Point, of: Point, image: Point, times: Number, *, quarters: int = 0) -> Point:
     """Carry {image} of the plan turned by 90° over to the lever, {times} times as large: mark {it}.
@@ -72,10 +76,11 @@ def carry(pole: Point, of: Point, image: Point, times: Number, *, quarters: int 
 
 
 @operation(
+    symbol=f"{READ} + N1 + {SLIDE} + M1 + R1 + M2",
     why=said(
         "What is cut free is drawn by itself with all that acts on it: the removed links are replaced by "
         "their reactions."
-    )
+    ),
 )
 def detach(point: Point, mu_l: Number, mu: Number) -> Point:
     """Carry {point} over to the figure of the detached links, which has a scale {mu} of its own: mark {it}.
@@ -288,10 +293,11 @@ def apart_percent(first: Number, second: Number) -> Number:
 
 
 @operation(
+    symbol=f"N1 + {RAY}",
     why=said(
         "Friction is f times the pressure and against the motion, so the whole reaction leans back from "
         "the normal by the angle whose tangent is f."
-    )
+    ),
 )
 def at_friction_angle(
     through: Point, guide: Line, f: Number, normal: Length, segment: Length, of_pin: Length

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from graphic_tmm.board.geometry import along, cis, wedge
-from graphic_tmm.board.grammar import WHOLE_ROW, operation
+from graphic_tmm.board.grammar import SUPPORT, WHOLE_ROW, operation
 from graphic_tmm.board.operations.curve import stationary
 from graphic_tmm.board.values import Angle, Complexes, Curve, Line, Number, Point, Reals
 from graphic_tmm.language.said import said
@@ -14,6 +14,8 @@ _ON = ("from above", "from below")
 
 
 @operation(
+    symbol="2C1",
+    kept=True,
     across=True,
     fails=WHOLE_ROW,
     why=said("The stroke ends where the point is farthest from its beginning."),
@@ -28,6 +30,7 @@ def farthest(start: Point, points: Point, *, row: int) -> Point:
 
 
 @operation(
+    symbol=SUPPORT,
     across=True,
     fails=WHOLE_ROW,
     sides=_ON,
@@ -47,6 +50,7 @@ def supporting(points: Point, angle: Angle, *, row: int, above: int) -> Line:
 
 
 @operation(
+    symbol=SUPPORT,
     across=True,
     fails=WHOLE_ROW,
     sides=_ON,
@@ -76,6 +80,7 @@ def supporting_curve(curve: Curve, angle: Angle, *, above: int) -> Line:
 
 
 @operation(
+    symbol="A1 + A2",
     across=True,
     fails=WHOLE_ROW,
     why=said("The area inside an indicator diagram is the work of a turn, to scale."),

@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from graphic_tmm.board.geometry import along, cis, degrees, wedge
-from graphic_tmm.board.grammar import WHOLE_ROW, operation
+from graphic_tmm.board.grammar import ANGLE, CURVE, FREE, RAY, SUPPORT, WHOLE_ROW, operation
 from graphic_tmm.board.operations.curve import natural, neighbours, stationary
 from graphic_tmm.board.operations.graph_curves import free_ends
 from graphic_tmm.board.operations.graphs import EVEN
@@ -21,10 +21,11 @@ _MOST = ("highest", "lowest")
 
 
 @operation(
+    symbol=RAY,
     why=said(
         "Equal parts of the angle are equal parts of the semicircle: its points have the heights of the "
         "wave."
-    )
+    ),
 )
 def divide_semicircle(arc: Arc, start: Line, by: Angle, *, sense: int) -> Point:
     """On the semicircle {arc} lay off the central angle {by} from {start}; mark {it}.
@@ -35,10 +36,11 @@ def divide_semicircle(arc: Arc, start: Line, by: Angle, *, sense: int) -> Point:
 
 
 @operation(
+    symbol=RAY,
     why=said(
         "Instead of the cam the frame is turned, the other way: the follower goes round the cam and its "
         "line with it."
-    )
+    ),
 )
 def slew(through: Point, to: Line, by: Angle, *, sense: int) -> Line:
     """Through {through} draw {it} at the angle {by} to {to}.
@@ -49,7 +51,8 @@ def slew(through: Point, to: Line, by: Angle, *, sense: int) -> Line:
 
 
 @operation(
-    why=said("The normal of the profile makes the pressure angle with the way of the follower.")
+    symbol=RAY,
+    why=said("The normal of the profile makes the pressure angle with the way of the follower."),
 )
 def inward_normal(through: Point, to: Line, by: Angle, *, sense: int) -> Line:
     """Through {through} draw the normal {it} into the cam, at the angle {by} to {to}.
@@ -60,6 +63,7 @@ def inward_normal(through: Point, to: Line, by: Angle, *, sense: int) -> Line:
 
 
 @operation(
+    symbol=ANGLE,
     fails="the two points coincide",
     why=said(
         "The pressure angle is that between the force, along the normal, and the way of the follower."
@@ -74,6 +78,7 @@ def slant(start: Point, end: Point, to: Line, *, sense: int) -> Angle:
 
 
 @operation(
+    symbol=FREE,
     sides=("along it", "back along it"),
     why=said("The follower's place is where its line cuts the circle."),
 )
@@ -85,13 +90,14 @@ def cut_or_foot(line: Line, arc: Arc, side: Side) -> Point:
     return Point(line.at + (along(to_centre, line.along) + side * half) * line.along)
 
 
-@operation(why=said("Each phase has a law of its own; here they are put together."))
+@operation(symbol=FREE, why=said("Each phase has a law of its own; here they are put together."))
 def in_turn(first: Length, second: Length, at: Number) -> Length:
     """On the first stretch take {first}, on the others {second}; this is {it}."""
     return Length(np.where(at > 0, first, second))
 
 
 @operation(
+    symbol=FREE,
     across=True,
     why=said("At the boundary of two phases the one law ends and the next begins."),
 )
@@ -101,6 +107,7 @@ def phase_end(of: Point, *, at: int) -> Point:
 
 
 @operation(
+    symbol=CURVE,
     across=True,
     why=said("Within a phase the curve changes smoothly."),
 )
@@ -121,6 +128,7 @@ def smooth_stretch(through: Point, *, first: int, last: int) -> Curve:
 
 
 @operation(
+    symbol=CURVE,
     across=True,
     why=said("The profile touches the follower in each of its places: it is the envelope of them."),
 )
@@ -140,6 +148,7 @@ def swept_profile(
 
 
 @operation(
+    symbol=SUPPORT,
     across=True,
     fails=WHOLE_ROW,
     why=said(
@@ -157,7 +166,7 @@ def touch_curve(curve: Curve, to: Line, by: Angle, *, sense: int, left: int) -> 
     return Line(spot, np.broadcast_to(way, spot.shape))
 
 
-@operation(why=said("Both bounds have to hold: the outer one rules."))
+@operation(symbol=FREE, why=said("Both bounds have to hold: the outer one rules."))
 def outer_parallel(first: Line, second: Line, *, left: int) -> Line:
     """Of the parallels {first} and {second} keep the outer one, {it}.
 
@@ -170,6 +179,7 @@ def outer_parallel(first: Line, second: Line, *, left: int) -> Line:
 
 
 @operation(
+    symbol="E1 + E2",
     across=True,
     fails=WHOLE_ROW,
     sides=_MOST,
@@ -184,6 +194,7 @@ def crest_of_curve(curve: Curve, *, above: int) -> Point:
 
 
 @operation(
+    symbol=FREE,
     sides=_MOST,
     why=said("Both have to hold: the farther one decides."),
 )

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.grammar import FREE, operation
 from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.instruments import measure, measure_along
 from graphic_tmm.board.record import Mark
@@ -26,7 +26,9 @@ WHOLE = 1e-9
 """An extra position that is nearer to one of the row, in intervals, stands on its boundary."""
 
 
-@operation(across=True, why=said("Its place between two positions of the row is sought."))
+@operation(
+    symbol=FREE, across=True, why=said("Its place between two positions of the row is sought.")
+)
 def standing(of: Point, *, place: int) -> Point:
     """Mark {it}, where {of} stands in that position."""
     return Point(of[:, place : place + 1])

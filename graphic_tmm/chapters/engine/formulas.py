@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.grammar import ANGLE, RAY, operation
 from graphic_tmm.board.values import Length, Line, Number, Point
 from graphic_tmm.language.said import said
 
@@ -14,10 +14,11 @@ KGF = 9.80665
 
 
 @operation(
+    symbol=f"{ANGLE} + {RAY}",
     why=said(
         "The inertia force of the second order turns as cos 2φ: its vector turns twice as fast as the "
         "crank."
-    )
+    ),
 )
 def doubled(through: Point, outward: Line, crank: Line) -> Line:
     """Through {through} draw {it} at twice the angle of the crank {crank} from {outward}."""

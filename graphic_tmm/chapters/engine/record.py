@@ -42,6 +42,7 @@ WORKS = ("work_T", "work_P", "work_apart")
 
 
 @operation(
+    symbol="N1",
     across=True,
     fails=WHOLE_ROW,
     why=said("The intervals are equal, so the mean of the turn is that of their means."),

@@ -8,7 +8,7 @@ import numpy as np
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.grammar import FREE, operation
 from graphic_tmm.board.operations.energetics import irregularity
 from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.instruments import measure_along
@@ -69,7 +69,7 @@ def excess_work(segment: Length, mu: Number) -> Number:
     """{segment}·{mu}"""
 
 
-@operation(why=said("What is made is measured in whole millimetres."))
+@operation(symbol=FREE, why=said("What is made is measured in whole millimetres."))
 def whole_mm(size: Number) -> Number:
     """Make {size} in whole millimetres: {it}."""
     return Number(np.maximum(np.round(size, 3), 0.001))

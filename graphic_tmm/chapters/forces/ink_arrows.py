@@ -20,7 +20,7 @@ from graphic_tmm.paper.drawing import Data, Ink, Stroke, Wanted, circle, line
 from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.lettering.markup import markup
-from graphic_tmm.paper.rules import PRICK, TRACELESS
+from graphic_tmm.paper.rules import PRICK, traceless
 from graphic_tmm.paper.seen import Seen, finite
 from graphic_tmm.paper.shapes import shape
 from graphic_tmm.paper.symbols.dimensions import arrow
@@ -258,7 +258,7 @@ def pricks(seen: Seen, drawn: Iterable[Ink], k: int, times: float = 1.0) -> tupl
     return tuple(
         circle("thin", times * spot, PRICK)._replace(of=(step.it.slot,), position=k)
         for step in seen.steps
-        if step.it.slot not in shown and not step.op.formula and step.op.name not in TRACELESS
+        if step.it.slot not in shown and not traceless(step.op)
         for spot in [_spot(seen, step, k)]
         if finite(spot)
     )

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from graphic_tmm.board.geometry import TANGENT, cis, degrees, wedge
-from graphic_tmm.board.grammar import operation
+from graphic_tmm.board.grammar import ANGLE, CURVE, FREE, RAY, operation
 from graphic_tmm.board.operations.graph_curves import open_graph
 from graphic_tmm.board.operations.graphs import alike
 from graphic_tmm.board.values import Angle, Arc, Complexes, Curve, Length, Line, Point, Reals
@@ -22,6 +22,7 @@ _PASSES = 8
 
 
 @operation(
+    symbol="N1 + P1 + P2",
     fails="the arc has no radius",
     why=said(
         "The thread wound off the base circle is as long as the arc that it leaves: equal pieces of line "
@@ -38,6 +39,7 @@ def along_arc(start: Point, arc: Arc, length: Length, *, sense: int = 1) -> Poin
 
 
 @operation(
+    symbol=f"{ANGLE} + N1",
     reads=True,
     why=said("The arc is measured as a student does, by its angle and radius."),
 )
@@ -51,6 +53,7 @@ def measure_arc(start: Point, end: Point, arc: Arc, *, sense: int = 1) -> Length
 
 
 @operation(
+    symbol=ANGLE,
     fails="a side has no length",
     why=said("By this angle the flank has to be turned to go through the point."),
 )
@@ -60,22 +63,27 @@ def angle_at(centre: Point, start: Point, end: Point) -> Angle:
 
 
 @operation(
+    symbol=f"2C1 + C3 + {RAY}",
     why=said(
         "All teeth of a wheel are alike: the next one is this one turned by the angular pitch."
-    )
+    ),
 )
 def turn_about(of: Point, about: Point, by: Angle, *, sense: int = 1) -> Point:
     """Turn {of} about {about} by the angle {by}; mark {it}."""
     return Point(about + (of - about) * cis(sense * by))
 
 
-@operation(why=said("A tooth is symmetrical about its axis: the other flank is the mirror image."))
+@operation(
+    symbol="2C1 + 2C2 + 2C3",
+    why=said("A tooth is symmetrical about its axis: the other flank is the mirror image."),
+)
 def reflect(of: Point, axis: Line) -> Point:
     """Mark {it}, symmetrical to {of} about {axis}."""
     return Point(axis.at + np.conj((of - axis.at) / axis.along) * axis.along)
 
 
 @operation(
+    symbol=CURVE,
     across=True,
     why=said("The curve goes smoothly through the points found."),
 )
@@ -87,7 +95,7 @@ def smooth_through(through: Point, *, row: int) -> Curve:
     return open_graph.run(through[:, : row - 1], through[:, row - 1 : row], row=row - 1)  # type: ignore[no-any-return]
 
 
-@operation(why=said("The involute begins on the base circle."))
+@operation(symbol=FREE, why=said("The involute begins on the base circle."))
 def beginning(curve: Curve) -> Point:
     """Mark {it}, the beginning of the curve {curve}."""
     return Point(curve.knots[:, :1])
@@ -126,6 +134,7 @@ def _arcs(curve: Curve, trial: Any = slice(None)) -> _Arcs:
 
 
 @operation(
+    symbol=FREE,
     fails="the curve does not reach the arc",
     why=said("There the flank ends at its circle."),
 )
@@ -165,6 +174,7 @@ def _reach(arcs: _Arcs, centres: Complexes, radii: Reals) -> Complexes:
 
 
 @operation(
+    symbol=FREE,
     fails="the curves do not meet",
     why=said("There one curve goes over into the other."),
 )

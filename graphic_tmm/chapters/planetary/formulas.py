@@ -266,6 +266,7 @@ def miss_of_ratio(found: Number, due: Number) -> Number:
 
 
 @operation(
+    kept=True,
     across=True,
     fails=WHOLE_ROW,
     why=said("Neighbours decide whether the satellites have room."),

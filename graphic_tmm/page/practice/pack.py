@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
+from graphic_tmm.accuracy.geometrography import symbol
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.script import Script
 from graphic_tmm.board.source import defaults
@@ -34,7 +35,6 @@ from graphic_tmm.page.practice.tasks import (
     written,
 )
 from graphic_tmm.page.sentences import indexed, marked_up, runs
-from graphic_tmm.page.tools import symbol_of
 from graphic_tmm.page.tools import tools_sentence as instruments
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.write.svg import ids
@@ -160,7 +160,7 @@ class Packing:
         found: dict[str, Any] = {
             "text": runs(phrase(step, language, reading, at), step, language),
             "tool": instruments(step, language),
-            "hand": symbol_of(step),
+            "hand": symbol(step.op),
         }
         why = grounds(step, language, reading, at)
         if why is not None:
