@@ -16,7 +16,7 @@ from support.scenes import source, written
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
 from graphic_tmm.language.units import known
 from graphic_tmm.readers.findings import warnings
-from graphic_tmm.readers.protocol import part_protocol
+from graphic_tmm.readers.protocol import protocol
 from graphic_tmm.readers.table import table
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.read import read
@@ -81,10 +81,10 @@ def test_the_planetary_results() -> None:
 def test_a_part_speaks_both_languages(name: str, language: str) -> None:
     scene = replace(read(SHEETS / name), language=language)
     (part,) = parts(make(scene))
-    lines = list(part_protocol(part, (KINDS[name],), None, language))
+    lines = list(protocol(part, (KINDS[name],), None, language))
     assert len(lines) > 60
     assert not [line for line in lines if "{" in line or "}" in line]
-    assert list(part_protocol(part, ("positions",), None, language)) == []
+    assert list(protocol(part, ("positions",), None, language)) == []
     assert sheets(scene)[1]
 
 

@@ -43,10 +43,6 @@ class Scale(NamedTuple):
         """Return the length, mm, that stands for a quantity (SI)."""
         return quantity / self.value
 
-    def to_si(self, mm: float) -> float:
-        """Return the quantity (SI) that a length in mm stands for."""
-        return mm * self.value
-
 
 def standard(largest: float, room: float) -> float:
     """Return the least μ of the decades of `MANTISSAS` at which ``largest`` (SI) takes ≤ ``room`` mm.

@@ -28,8 +28,8 @@ from graphic_tmm.language.symbols import spoken
 from graphic_tmm.readers.findings import why_of
 from graphic_tmm.readers.narration import protocol
 from graphic_tmm.readers.protocol import PlanProtocol
-from graphic_tmm.scene.build import DIVISIONS
 from graphic_tmm.scene.captions import view_name
+from graphic_tmm.scene.drawing import DIVISIONS
 
 
 class Board(Drafting):

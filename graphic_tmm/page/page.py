@@ -170,8 +170,8 @@ def page(
             language=language,
             title=made.scene.title,
             words=data["words"],
-            sheets=[(one, Markup(inline(one))) for one in sheets],
-            rubbed=[Markup(inline(_rubbed(one))) for one in sheets],
+            sheets=[(one, Markup(svg(one))) for one in sheets],
+            rubbed=[Markup(svg(_rubbed(one))) for one in sheets],
             protocol=protocol_of(made, language) if made.boards else (),
             data=packed(data),
             rows=carried(turned.rows) if turned is not None else "",
@@ -223,11 +223,6 @@ def packed(data: object) -> str:
 def carried(data: bytes) -> str:
     """Return bytes as the page carries them: gzip, base64."""
     return base64.b64encode(gzip.compress(data, 9, mtime=0)).decode()
-
-
-def inline(sheet: Sheet) -> str:
-    """Return a sheet as SVG that stands within HTML."""
-    return svg(sheet)
 
 
 def _rubbed(sheet: Sheet) -> Sheet:

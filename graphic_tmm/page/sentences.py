@@ -31,14 +31,14 @@ def line_of(line: ProtocolLine, reading: Reading, language: str) -> dict[str, An
     step = line.step
     assert step is not None
     told: dict[str, Any] = {
-        "text": runs(phrase(step, language, reading, line.place), step, language),
+        "text": [*runs(phrase(step, language, reading, line.place), step, language)],
         "it": step.it.slot,
         "uses": [mark.slot for mark in step.uses],
         "op": step.op.name,
     }
     why = grounds(step, language, reading, line.place)
     if why is not None:
-        told["why"] = runs(why, step, language)
+        told["why"] = [*runs(why, step, language)]
     if line.calculation:
         told["calc"] = indexed(line.calculation)
     return told
@@ -114,12 +114,8 @@ def indexed(text: str) -> str:
     return _FIGURE.sub(lambda found: f"{found[1]}_{{{found[2]}}}" if found[1] else found[0], told)
 
 
-def runs(said: Phrase, step: Step, language: str) -> list[Run]:
-    """Return a sentence with what stands for the names of its template, letters with their marks."""
-    return list(_runs(said, step, language))
-
-
-def _runs(said: Phrase, step: Step, language: str) -> Iterator[Run]:
+def runs(said: Phrase, step: Step, language: str) -> Iterator[Run]:
+    """Yield a sentence with what stands for the names of its template, letters with their marks."""
     template, words = said
     marks = dict(zip(step.op.arguments, step.uses, strict=True)) | {"it": step.it}
     for text, name, _, _ in Formatter().parse(template):

@@ -11,7 +11,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Point
@@ -167,40 +166,6 @@ def pictures(
             )
         )
     return tuple(made)
-
-
-class ViewPart(NamedTuple):
-    """What of a view belongs together: its strokes, rubbed ones among them, and its letters."""
-
-    ink: tuple[Ink, ...]
-    letters: tuple[Label, ...]
-
-
-def of_step(drawing: Drawing, mark: Mark) -> ViewPart:
-    """Return what the step that left a mark drew, and the letters that name it."""
-    return ViewPart(
-        tuple(s for s in (*drawing.strokes, *drawing.rubbed) if not s.part and mark.slot in s.of),
-        tuple(label for label in drawing.labels if mark.slot in label.of),
-    )
-
-
-def until(construction: Construction, drawing: Drawing, mark: Mark, position: int) -> ViewPart:
-    """Return what is there when the step that leaves a mark is done in a position: helping lines too.
-
-    What is the same in all positions is there with its step; in positions before it all is there.
-    """
-    order = {step.it.slot: n for n, step in enumerate(construction.steps)}
-    now, points = order[mark.slot], _points(construction)
-
-    def there(one: Ink | Label) -> bool:
-        if isinstance(one, Label):
-            when, place = _lettered(order, points, one)
-        else:
-            when, place = _when(order, one.of, one.position)
-        return when <= now if place is None or place == position else place < position
-
-    ink = (*drawing.strokes, *drawing.rubbed)
-    return ViewPart(tuple(filter(there, ink)), tuple(filter(there, drawing.labels)))
 
 
 _When = tuple[int, int | None]

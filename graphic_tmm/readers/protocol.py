@@ -126,9 +126,8 @@ def plan_protocols(
     def protocols_of(some: Sequence[str], place: str | None) -> list[PlanProtocol]:
         every: list[PlanProtocol] = []
         for drawn in made.boards:
-            own = drawn.board == MECHANISM
-            at = place if own or made.mechanism is None else None
-            every += (_plan_protocols if own else _part_told)(drawn, some, at, language)
+            own = drawn.board == MECHANISM or made.mechanism is None
+            every += _of_board(drawn, some, place if own else None, language)
         return every
 
     every = protocols_of(wanted, position)
@@ -151,36 +150,14 @@ def protocol(
     *,
     why: bool = False,
 ) -> Iterator[str]:
-    """Yield the lines of the protocol of plans in one position; ``why``: with the reasons of its steps.
+    """Yield the lines of the protocol of plans of a board in one position; ``why``: with the reasons of steps.
 
     Raises
     ------
     SceneError
-        If there is no such position, or the only wanted plan is not drawn in it.
+        If there is no such position, or the only wanted plan of a mechanism is not drawn in it.
     """
-    for one in _plan_protocols(drawn, wanted, position, language):
-        yield from text_of(one, language, why)
-
-
-def part_protocol(
-    drawn: Drawn,
-    wanted: Sequence[str],
-    position: str | None,
-    language: str,
-    *,
-    why: bool = False,
-) -> Iterator[str]:
-    """Yield the lines of the protocol of a part, view by view, in one position.
-
-    The rise of a cam has no value where it returns: what is not there in that position is told in another.
-    Where none is asked for, it is that in which most of the steps have a value. ``why``: see `protocol`.
-
-    Raises
-    ------
-    SceneError
-        If the part has no such position.
-    """
-    for one in _part_told(drawn, wanted, position, language):
+    for one in _of_board(drawn, wanted, position, language):
         yield from text_of(one, language, why)
 
 
@@ -191,7 +168,15 @@ def text_of(one: PlanProtocol, language: str, why: bool) -> Iterator[str]:
     yield ""
 
 
-def _plan_protocols(
+def _of_board(
+    drawn: Drawn, wanted: Sequence[str], position: str | None, language: str
+) -> Iterator[PlanProtocol]:
+    """Yield the protocols of the plans of a board: of a mechanism plan by plan, of a part view by view."""
+    tell = _of_mechanism if drawn.board == MECHANISM else _of_part
+    return tell(drawn, wanted, position, language)
+
+
+def _of_mechanism(
     drawn: Drawn, wanted: Sequence[str], position: str | None, language: str
 ) -> Iterator[PlanProtocol]:
     place = position_of(drawn, position)
@@ -204,9 +189,14 @@ def _plan_protocols(
             raise _refused(drawn, plan, drawn.names[place])
 
 
-def _part_told(
+def _of_part(
     drawn: Drawn, wanted: Sequence[str], position: str | None, language: str
 ) -> Iterator[PlanProtocol]:
+    """Yield the protocols of the views of a part.
+
+    The rise of a cam has no value where it returns: what is not there in that position is told in another.
+    Where none is asked for, it is that in which most of the steps have a value.
+    """
     if SCALES in wanted:
         yield from _calculated_plan(drawn, SCALES, language)
     if not set(wanted) & {plan for one in drawn.project.chapters for plan in Named.of(one).plans}:

@@ -18,16 +18,14 @@ from graphic_tmm.mechanism.records import (
     Slide,
     shared,
 )
-from graphic_tmm.scene import drawing, mechanism, registry
+from graphic_tmm.scene import mechanism, registry
 from graphic_tmm.scene import mechanism as m
 from graphic_tmm.scene.checks import centres_of
 from graphic_tmm.scene.declare import build
+from graphic_tmm.scene.drawing import DIVISIONS
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.scene.sections import Parts
 from graphic_tmm.scene.values import CLOCKWISE
-
-DIVISIONS = {"exact": 0.1, "cad": 0.01, "careful": 0.1, "student": 0.5}
-"""Divisions of the rulers of named hands, mm."""
 
 
 def scene(parts: Parts, source: str) -> Scene:
@@ -41,7 +39,7 @@ def scene(parts: Parts, source: str) -> Scene:
         The file they come from.
     """
     head, frame, drive = parts.head, parts.frame, parts.drive
-    plans, hand, block = (parts.record(name) for name in ("plans", "hand", "title_block"))
+    block = parts.record("title_block")
     assert head is not None
     links = [link for link in parts.links if link is not None]
     asked = {section.name for section, _ in parts.chapter_sections}
@@ -56,20 +54,15 @@ def scene(parts: Parts, source: str) -> Scene:
         language=tagged(head.language, head.units),
         mechanism=mechanism,
         row=_row(drive) if drive else Row(),
-        turned=plans.velocities == "turned",
-        common_pole=plans.velocity_pole == "common",
-        main=plans.main,
         tasks=_tasks(parts, mechanism),
-        trajectories=plans.trajectories,
         scales=parts.record("scales"),
-        ruler=_division(hand),
-        hand=hand.name,
-        seed=hand.seed,
         sheets=tuple(replace(one, place=own) for one, own in zip(sheets, shown, strict=True)),
         title_block={k: text for k, text in vars(block).items() if text and isinstance(text, str)},
         print_check=block.print_check,
         task=parts.record("task"),
         author=parts.record("note"),
+        **vars(parts.record("plans")),
+        **vars(parts.record("hand")),
     )
 
 
@@ -81,15 +74,6 @@ def _tasks(parts: Parts, mechanism: Mechanism | None) -> dict[str, object]:
         for section, _ in parts.chapter_sections
         if not section.gives and (section.alone or mechanism is not None)
     }
-
-
-def _division(table: drawing.Hand) -> float | None:
-    """Return the division of the ruler, mm: as told, else the hand's own, 0.1 mm for the exact one."""
-    if isinstance(table.ruler, float):
-        return table.ruler
-    if table.ruler == "exact":
-        return None
-    return DIVISIONS[table.name]
 
 
 @dataclass(frozen=True)

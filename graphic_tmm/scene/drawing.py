@@ -10,26 +10,37 @@ from graphic_tmm.language.said import said
 from graphic_tmm.paper.formats import AUTO, FORMATS, USUAL, other_names
 from graphic_tmm.scene import registry
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Kind, Names, combined_key, key
+from graphic_tmm.scene.declare import Kind, Names, Said, combined_key, key
 from graphic_tmm.scene.misfits import stands
 from graphic_tmm.scene.units import SI, SYSTEMS
 
+DIVISIONS = {"exact": 0.1, "cad": 0.01, "careful": 0.1, "student": 0.5}
+"""Divisions of the rulers of named hands, mm."""
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, kw_only=True)
 class Plans:
     """What is drawn, and how."""
 
-    velocities: str = key(
-        v.choice("direct", "turned", повёрнутый="turned", прямой="direct"),
-        "velocity plans as they are, or turned by 90°",
-        None,
-        "direct",
+    turned: bool = combined_key(
+        lambda said: said.velocities == "turned",
+        False,
+        velocities=key(
+            v.choice("direct", "turned", повёрнутый="turned", прямой="direct"),
+            "velocity plans as they are, or turned by 90°",
+            None,
+            "direct",
+        ),
     )
-    velocity_pole: str = key(
-        v.choice("own", "common", свой="own", общий="common"),
-        "a velocity plan for each position, or all of them from a common pole",
-        None,
-        "own",
+    common_pole: bool = combined_key(
+        lambda said: said.velocity_pole == "common",
+        False,
+        velocity_pole=key(
+            v.choice("own", "common", свой="own", общий="common"),
+            "a velocity plan for each position, or all of them from a common pole",
+            None,
+            "own",
+        ),
     )
     trajectories: tuple[str, ...] = key(v.LETTERS, "points whose paths are drawn", ["C"], ())
     main: str | None = key(v.POSITION, "the position drawn in heavy lines", 2, None)
@@ -61,22 +72,34 @@ class Scales:
     )
 
 
-@dataclass(frozen=True)
+def _division(said: Said) -> float | None:
+    """Return the division of the ruler, mm: as told, else the hand's own; None: read without rounding."""
+    if said.ruler is None:
+        return DIVISIONS[said.name]
+    return None if said.ruler == "exact" else float(said.ruler)
+
+
+@dataclass(frozen=True, kw_only=True)
 class Hand:
     """How well lengths are read."""
 
-    name: str = key(
+    hand: str = key(
         v.choice("exact", "cad", "careful", "student", точная="exact", студент="student"),
         "who draws: exact, cad, careful, student",
         "student",
         "exact",
+        written="name",
     )
     seed: int = key(v.number(Bound(0, 2**31, whole=True)), "which of that hand's drawings", 7, 0)
-    ruler: float | str | None = key(
-        v.RULER,
-        'the division that lengths are read to, or "exact"; left out: the hand\'s own',
-        "0.1 mm",
-        None,
+    ruler: float | None = combined_key(
+        _division,
+        0.1,
+        ruler=key(
+            v.RULER,
+            'the division that lengths are read to, or "exact"; left out: the hand\'s own',
+            "0.1 mm",
+            None,
+        ),
     )
 
 

@@ -14,6 +14,7 @@ from graphic_tmm.language.said import joined
 from graphic_tmm.language.units import retold
 from graphic_tmm.mechanism.records import Mechanism, Row
 from graphic_tmm.scene.author import Author
+from graphic_tmm.scene.drawing import Hand, Plans
 from graphic_tmm.scene.drawing import Scales as Scales
 from graphic_tmm.scene.drawing import SheetOrder as SheetOrder
 from graphic_tmm.scene.mechanism import Task
@@ -21,16 +22,15 @@ from graphic_tmm.scene.registry import called_by, sections
 
 
 @dataclass(frozen=True, repr=False)
-class Scene:
+class Scene(Plans, Hand):
     """A scene: the mechanism, its motion, the plans wanted and the sheets they are placed on.
 
-    ``common_pole``: the velocity plans of all positions have one pole. ``main``: the number of the position
-    drawn in heavy lines. ``author``: what the author of the note says. ``tasks``: what chapters are asked, by
-    section (`tasks.SectionKey`). ``letters``: how high letters of points, titles, numbers are, mm; None:
-    by the formats of the sheets. ``remarks``: what of the file comes to nothing, and defaults that matter, a
-    line each. ``left_out``: chapters that have no result, which it asks for no more, and why. ``told``: the
-    keys that the file writes in its sections, as section.key, each with its line.
-    ``doc``: all that is written, as TOML gives it.
+    What ``[plans]`` and ``[hand]`` say is in it by the fields that they declare. ``author``: what the author of
+    the note says. ``tasks``: what chapters are asked, by section (`tasks.SectionKey`). ``letters``: how high
+    letters of points, titles, numbers are, mm; None: by the formats of the sheets. ``remarks``: what of the
+    file comes to nothing, and defaults that matter, a line each. ``left_out``: chapters that have no result,
+    which it asks for no more, and why. ``told``: the keys that the file writes in its sections, as section.key,
+    each with its line. ``doc``: all that is written, as TOML gives it.
     """
 
     source: str
@@ -38,15 +38,8 @@ class Scene:
     language: str
     mechanism: Mechanism | None = None
     row: Row = field(default_factory=Row)
-    turned: bool = False
-    common_pole: bool = False
     tasks: Mapping[str, Any] = field(default_factory=dict)
-    main: str | None = None
-    trajectories: tuple[str, ...] = ()
     scales: Scales = field(default_factory=Scales)
-    ruler: float | None = 0.1
-    hand: str = "exact"
-    seed: int = 0
     sheets: tuple[SheetOrder, ...] = (SheetOrder(),)
     title_block: Mapping[str, str] = field(default_factory=dict)
     print_check: bool = True

@@ -13,7 +13,7 @@ from graphic_tmm.accuracy.measure import Measure
 from graphic_tmm.accuracy.settings import Setting, hand_named
 from graphic_tmm.errors import SceneError
 from graphic_tmm.readers.position_count import at_all_positions
-from graphic_tmm.scene.build import DIVISIONS
+from graphic_tmm.scene.drawing import DIVISIONS
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make

@@ -17,7 +17,7 @@ from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
 from graphic_tmm.chapters.kinematics.views import position_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Bezier, Drawing
-from graphic_tmm.paper.figure import Picture, of_step, pictures, until
+from graphic_tmm.paper.figure import Picture, pictures
 from graphic_tmm.paper.graph_rules import axes_of
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.rules import BY_KIND, RULES, traceless
@@ -64,24 +64,6 @@ def test_a_plan_is_drawn_step_by_step() -> None:
     assert named.index("a") < named.index("b") < named.index("s_{2}")
     rubbed = [picture for picture in made if set(picture.ink) & set(view.rubbed)]
     assert rubbed, "the figure similar to the link is built with lines that do not stay"
-
-
-def test_a_step_can_be_asked_for_and_all_that_is_there_with_it() -> None:
-    work = drawn("engine", exact=True)
-    log, view = work.construction, plan(work, "velocities", 1)
-    marks = {step.it.name: step.it for step in log.steps if step.it.view == "velocities"}
-    told = of_step(view, marks["a"])
-    assert [label.text for label in told.letters] == ["a"]
-    assert {dict(stroke.data).get("segment") for stroke in told.ink} >= {"pa"}
-    count = -1
-    for step in log.steps:
-        if step.it.view == "velocities":
-            there = until(log, view, step.it, 1)
-            assert len(there.ink) >= count, "nothing is taken away on the way"
-            count = len(there.ink)
-            assert set(of_step(view, step.it).ink) <= set(there.ink)
-    assert set(there.ink) == {*view.strokes, *view.rubbed}
-    assert there.letters == view.labels
 
 
 @pytest.mark.parametrize("name", ["engine", "windrower", "lever"])

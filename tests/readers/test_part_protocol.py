@@ -12,12 +12,12 @@ from support.parts import PARTS, part_of
 
 from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.protocol import BESIDE, part_protocol, plans
+from graphic_tmm.readers.protocol import BESIDE, plans, protocol
 
 
 def lines(part: Drawn, language: str, position: str | None = None) -> list[str]:
     drawn = [plan for plan in plans() if plan not in BESIDE]
-    return list(part_protocol(part, drawn, position, language))
+    return list(protocol(part, drawn, position, language))
 
 
 @pytest.mark.slow

@@ -18,9 +18,8 @@ from support.sheets_of_random import scenes
 from graphic_tmm.board.values import Curve, undefined
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.catalogue import languages
-from graphic_tmm.readers.protocol import part_protocol, plans, protocol
+from graphic_tmm.readers.protocol import plans, protocol
 from graphic_tmm.readers.table import table
-from graphic_tmm.scene.chapter import MECHANISM
 from graphic_tmm.scene.read import read
 
 READABLE = 0.9e-9
@@ -37,8 +36,7 @@ ON_THE_BOARD = tuple(plan for plan in plans() if plan not in ("synthesis", "scal
 def told(
     drawn: Drawn, position: str, language: str = "en", wanted: Sequence[str] = plans()
 ) -> list[str]:
-    tell = protocol if drawn.board == MECHANISM else part_protocol
-    return list(tell(drawn, wanted, position, language))
+    return list(protocol(drawn, wanted, position, language))
 
 
 def value(text: str) -> float:

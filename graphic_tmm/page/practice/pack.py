@@ -158,13 +158,13 @@ class Packing:
         reading, language = self.row.reading, self.language
         at = next((k for k in self.row.places[step.it.view] if self.row.there(step.it, k)), 0)
         found: dict[str, Any] = {
-            "text": runs(phrase(step, language, reading, at), step, language),
+            "text": [*runs(phrase(step, language, reading, at), step, language)],
             "tool": instruments(step, language),
             "hand": symbol(step.op),
         }
         why = grounds(step, language, reading, at)
         if why is not None:
-            found["why"] = runs(why, step, language)
+            found["why"] = [*runs(why, step, language)]
         if step.op.formula:
             letters = letters_of(step, lambda mark: spoken(mark, language))
             formula = with_functions(step.op.formula, language).format(**letters)

@@ -21,7 +21,7 @@ from graphic_tmm.chapters.cycle.views import cycle_views
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.errors import SceneError
 from graphic_tmm.paper.labels import finished
-from graphic_tmm.readers.protocol import part_protocol
+from graphic_tmm.readers.protocol import protocol
 from graphic_tmm.scene.read import read
 
 SAMPLED = 1e-6
@@ -139,7 +139,7 @@ def test_the_views_are_read_off_the_log_and_the_protocol_tells_the_turns(tmp_pat
     assert {"cycle-graphs", "flywheel", "table-results"} <= {one.name for one in views}
     graph = next(one for one in views if one.name == "cycle-graphs")
     assert_read_off_the_log(made.construction, [graph])
-    lines = "\n".join(part_protocol(made, ("cycle",), "3", "en"))
+    lines = "\n".join(protocol(made, ("cycle",), "3", "en"))
     assert "2π·n_t/L = 2π·2/" in lines
 
 

@@ -22,7 +22,7 @@ from graphic_tmm.errors import SceneError
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.page.words import WORDS
 from graphic_tmm.paper.write.svg import ids
-from graphic_tmm.readers.protocol import part_protocol, plans, protocol
+from graphic_tmm.readers.protocol import plans, protocol
 
 NUMBERED = re.compile(r"^\s*\d+(–\d+)?\. ")
 MEASURED = re.compile(r"(?P<segment>\S+) = (?P<mm>−?[\d.,]+) (?:мм|mm)")
@@ -141,10 +141,9 @@ def spoken_in(name: str) -> set[str]:
     made, _ = pages.on_sheets(name, pages.language(name))
     found: set[str] = set()
     for board in made.boards:
-        tell = protocol if board is made.mechanism else part_protocol
         for place in board.names:
             try:
-                told = tell(board, plans(), place, made.scene.language, why=True)
+                told = protocol(board, plans(), place, made.scene.language, why=True)
                 found.update(bare(NUMBERED.sub("", line)) for line in told)
             except SceneError:
                 continue
