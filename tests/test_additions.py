@@ -34,6 +34,13 @@ from graphic_tmm.paper.rules import traceless
 new = OPERATIONS["mark_off"]
 print(new.sentence, speaking("ru")(new.sentence), symbol(new), traceless(new), sep=" | ")
 """
+KERNEL_KEY = """
+import sys
+from graphic_tmm.scene.read import read
+text = open(sys.argv[1]).read().replace("[plans]", "[plans]\\nheavy = true")
+open("scene.toml", "w").write(text)
+print(read("scene.toml").heavy, read(sys.argv[1]).heavy)
+"""
 LAW_FILE = '''"""The law 4-5-6-7: the acceleration begins and ends without a bend."""
 
 from __future__ import annotations
@@ -209,6 +216,16 @@ def test_a_key_with_a_view_is_three_files(tmp_path: Path) -> None:
     assert len({name for name, *_ in edits}) == 3
     scene = str(SHEETS / "gear-pair" / "scene.toml")
     assert added(tmp_path, edits, KEY, scene).split() == ["0.02", "hub"]
+
+
+@pytest.mark.slow
+def test_a_key_of_the_kernel_is_one_file_and_its_reader(tmp_path: Path) -> None:
+    """What ``[plans]`` and ``[hand]`` declare is a field of the scene."""
+    line = '    main: str | None = key(v.POSITION, "the position drawn'
+    new = f'    heavy: bool = key(v.SWITCH, "all of it in heavy lines", True, False)\n{line}'
+    scene = str(SHEETS / "engine" / "scene.toml")
+    told = added(tmp_path, {"scene/drawing.py": (line, new)}, KERNEL_KEY, scene)
+    assert told.split() == ["True", "False"]
 
 
 @pytest.mark.slow

@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from graphic_tmm.accuracy.geometrography import symbol
+from graphic_tmm.board.grammar import JOIN, SLIDE
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Angle, Arc, Line, Point
 from graphic_tmm.language.catalogue import speaking
@@ -112,11 +113,11 @@ class Desk(NamedTuple):
         name, uses = step.op.name, dict(zip(step.op.arguments, step.uses, strict=True))
         if not finite(at, along) or along == 0:
             return None
-        if name in ("join", "rocker_line", "cylinder_axis"):
+        if step.op.symbol == JOIN:
             ends = step.op.arguments[:2]
             start, end = (self.seen.point(uses[key], place) for key in ends)
             return _EDGE, {"start": words[ends[0]], "end": words[ends[1]]}, "edge", [start, end]
-        if name in ("parallel", "directed", "square"):
+        if step.op.symbol == SLIDE and "to" in uses:
             told = _SQUARE if name == "square" else _PARALLEL
             along = self.towards(step, place, at, along)
             spots = [at, at + FAR * along, at + FAR * 1j * along if name == "square" else at]
