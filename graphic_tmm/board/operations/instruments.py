@@ -203,7 +203,8 @@ def cross(first: Arc, second: Arc, side: Side) -> Point:
     base = second.centre - first.centre
     d, r, s = np.abs(base), first.radius, second.radius
     high, low = np.maximum(r, s), np.minimum(r, s)
-    a, c = np.maximum(high, d), np.minimum(low, d)
+    c = np.minimum(low, d)
+    a = np.maximum(high, d)
     b = np.maximum(low, np.minimum(high, d))
     between = a - b
     gap = c - between
