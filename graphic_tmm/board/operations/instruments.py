@@ -215,7 +215,7 @@ def cross(first: Arc, second: Arc, side: Side) -> Point:
     return Point(first.centre + base * vector(foot, side * (0.5 * area / square)))
 
 
-def _tangent_gap(through: Point, centre: Point, radius: Length, side: Side) -> Reals:
+def _near_gap(through: Point, centre: Point, radius: Length, side: Side) -> Reals:
     return np.asarray(np.abs(through - centre) - np.abs(radius))
 
 
@@ -231,8 +231,7 @@ def _tangent_condition(through: Point, centre: Point, radius: Length, side: Side
     fails="the point lies inside the circle",
     gaps=(
         Gap(
-            _tangent_gap,
-            "{through} comes nearer to {centre} than the distance {radius} of the guide",
+            _near_gap, "{through} comes nearer to {centre} than the distance {radius} of the guide"
         ),
     ),
     sides=("directed from the centre to the point", "directed from the point to the centre"),
