@@ -142,12 +142,6 @@ def spots(made: DrawnScene) -> dict[Key, Complexes]:
     return found
 
 
-def cells_and_points(made: DrawnScene) -> dict[Key, Cell]:
-    """Return every figure that a scene has, and every point of its plans."""
-    spots = {key: Cell(None, None, "mm", spot) for key, spot in points(made).items()}
-    return {**spots, **cells(made)}
-
-
 def taken_figure(taken: Taken, cell: Cell) -> float:
     """Return a reading in mm, or as a quantity in the unit of its figure.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.board.hand import HANDS
@@ -212,26 +212,3 @@ def check(
     """
     checker = Checker(scene, hand=hand, points=points, trials=trials, limits=limits, given=given)
     return checker.of(readings, source).report
-
-
-def checks(
-    scene: Scene,
-    drawings: Iterable[tuple[str, Sequence[Taken]]],
-    *,
-    hand: str = "student",
-    points: str = "paper",
-    trials: int = TRIALS,
-    limits: Limits = Limits(),  # noqa: B008
-) -> Iterator[Report]:
-    """Yield the reports on the readings of many drawings of a scene, each with its source.
-
-    The hand draws once for all of them. Otherwise as `check`.
-    """
-    checker = Checker(scene, hand=hand, points=points, trials=trials, limits=limits)
-    for source, readings in drawings:
-        yield checker.of(readings, source).report
-
-
-def figures(scene: Scene) -> int:
-    """Return how many figures of a scene can be read."""
-    return len(cells(make(scene, exact=True)))

@@ -19,10 +19,9 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from support.gallery import SHEETS
-from support.trials import readings
+from support.trials import cells_and_points, checks, readings
 
-from graphic_tmm.checking.cells import cells, cells_and_points
-from graphic_tmm.checking.check import checks
+from graphic_tmm.checking.cells import cells
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make

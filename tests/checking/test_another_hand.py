@@ -21,10 +21,10 @@ from support.another_hand import (
     sheets,
 )
 from support.gallery import CASES
+from support.trials import checks
 from support.verdicts import Verdicts, verdicts
 
 from graphic_tmm.checking.cells import cells, points
-from graphic_tmm.checking.check import checks
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
 from graphic_tmm.scene.read import read

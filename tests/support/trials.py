@@ -5,7 +5,7 @@ The tests run some hundreds, `python tests/benchmarks/hands.py` runs ten thousan
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from typing import Any, NamedTuple
@@ -17,13 +17,14 @@ from graphic_tmm.board.operations.instruments import lay_off, meet
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Line
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
-from graphic_tmm.checking.cells import Cell, Key, cells, cells_and_points
-from graphic_tmm.checking.check import TRIALS
+from graphic_tmm.checking.cells import Cell, Key, cells, points
+from graphic_tmm.checking.check import TRIALS, Checker
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardstick, yardstick
-from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
+from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report, Taken
 from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import drawings
 from support.boards import parts
 from support.gallery import exact
@@ -34,6 +35,20 @@ FRESH = 1 << 20
 SLIP = 4.0
 LONG = 40.0
 """A ray turned by so many degrees, where it is at least so many mm long."""
+
+
+def checks(
+    scene: Scene, files: Iterable[tuple[str, Sequence[Taken]]], **by: Any
+) -> Iterator[Report]:
+    """Yield the reports on the readings of many drawings, each with its source, by one checker."""
+    checker = Checker(scene, **by)
+    return (checker.of(rows, source).report for source, rows in files)
+
+
+def cells_and_points(made: DrawnScene) -> dict[Key, Cell]:
+    """Return every figure that a scene has, and every point of its plans."""
+    spots = {key: Cell(None, None, "mm", spot) for key, spot in points(made).items()}
+    return {**spots, **cells(made)}
 
 
 def readings(found: Figures, due: Figures, *, valued: bool = False) -> list[Taken]:

@@ -48,6 +48,11 @@ class Comparison:
     by: Yardstick
     worse: float = 1.0
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The positions of the mechanism; none without one."""
+        return self.made.mechanism.names if self.made.mechanism is not None else ()
+
     @cached_property
     def due(self) -> Mapping[Key, Cell]:
         """What is due, figure by figure."""
@@ -131,8 +136,7 @@ class Comparison:
 
     def place(self, taken: Taken) -> int:
         """Return the index of the position of a reading; -1 where it has none."""
-        names = self.made.mechanism.names if self.made.mechanism is not None else ()
-        return names.index(taken.position) if taken.position in names else -1
+        return self.names.index(taken.position) if taken.position in self.names else -1
 
     def scale(self, taken: Taken) -> float:
         """Return what a mm on paper means in the unit of a reading's figure; NaN if nothing is drawn of it."""
@@ -141,11 +145,8 @@ class Comparison:
             return float("nan")
         if cell.mm and cell.value:
             return abs(cell.value / cell.mm)
-        return (
-            scale_of(self.made.mechanism, taken.plan)
-            if self.made.mechanism is not None
-            else float("nan")
-        )
+        work = self.made.mechanism
+        return scale_of(work, taken.plan) if work is not None else float("nan")
 
     def errors(self, taken: Taken) -> tuple[tuple[Step, float, float], ...]:
         """Return the errors of the steps that led to a reading: step, error, grain; none if they are not known.

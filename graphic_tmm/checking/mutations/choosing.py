@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Sequence
+from collections.abc import Container, Iterable, Sequence
 from functools import partial
 
 import numpy as np
@@ -47,8 +47,7 @@ def best(allowed: list[Hypothesis], rest: Rest) -> Told | None:
     if not allowed:
         return None
     allowed.sort(key=by_score)
-    whole = float(np.logaddexp.reduce([*rest.scores, *(one.score for one in allowed)]))
-    return _sure(groups(allowed[:KEPT]), whole)
+    return _sure(groups(allowed[:KEPT]), together(allowed, rest.scores))
 
 
 def _sure(found: Sequence[Sequence[Hypothesis]], whole: float) -> Told | None:
@@ -60,10 +59,15 @@ def _sure(found: Sequence[Sequence[Hypothesis]], whole: float) -> Told | None:
     told: list[Hypothesis] = []
     for group in alike:
         told += sorted(group, key=plausible)
-        sure = tempered(float(np.logaddexp.reduce([one.score for one in told])) - whole)
+        sure = tempered(together(told) - whole)
         if sure >= SURE:
             return tuple(told), sure
     return None
+
+
+def together(some: Iterable[Hypothesis], others: Iterable[float] = ()) -> float:
+    """Return how likely one of some hypotheses is, or of others by their scores (logarithm)."""
+    return float(np.logaddexp.reduce([*others, *(one.score for one in some)]))
 
 
 def tempered(chance: float) -> float:
@@ -83,10 +87,7 @@ def told_of(named: Told, off: Container[Mark]) -> Told:
     for one in sorted(group, key=partial(plausible, off=off)):
         kinds.setdefault(at_step(one), []).append(one)
     told = list(kinds.values())[:MOST]
-    every, these = (
-        float(np.logaddexp.reduce([one.score for one in some]))
-        for some in (group, [one for some in told for one in some])
-    )
+    every, these = together(group), together([one for some in told for one in some])
     others = [one for some in told for one in some[1:]]
     return (*(some[0] for some in told), *others), sure * float(np.exp(these - every))
 
@@ -106,13 +107,12 @@ def perhaps(readings: Readings, found: Sequence[Hypothesis], rest: Rest) -> Told
     if not allowed:
         return None
     allowed.sort(key=by_score)
-    known = float(np.logaddexp.reduce([one.score for one in allowed]))
-    whole = float(np.logaddexp.reduce([*rest.scores, known]))
     group = groups(allowed[:KEPT])[0]
-    mine = float(np.logaddexp.reduce([one.score for one in group]))
-    if float(np.exp(mine - known)) < LIKELY or float(np.exp(mine - whole)) < PERHAPS:
+    mine, known = together(group), together(allowed)
+    chance = float(np.exp(mine - np.logaddexp.reduce([*rest.scores, known])))
+    if np.exp(mine - known) < LIKELY or chance < PERHAPS:
         return None
-    return tuple(sorted(group, key=plausible)), min(float(np.exp(mine - whole)), UNSURE)
+    return tuple(sorted(group, key=plausible)), min(chance, UNSURE)
 
 
 def at_step(one: Hypothesis) -> tuple[object, ...]:

@@ -14,7 +14,6 @@ import numpy as np
 from graphic_tmm.board.record import Step
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
-from graphic_tmm.checking.mutations import mutation
 from graphic_tmm.checking.mutations.choosing import (
     CLEAR,
     KEPT,
@@ -33,10 +32,12 @@ from graphic_tmm.checking.mutations.choosing import (
     perhaps,
     plausible,
     tempered,
+    together,
     told_of,
 )
-from graphic_tmm.checking.mutations.columns import multiples
-from graphic_tmm.checking.mutations.evidence import AssumedLog, Readings, of_mutations, unexplained
+from graphic_tmm.checking.mutations.entries import column_multiples
+from graphic_tmm.checking.mutations.evidence import Readings, of_mutations, unexplained
+from graphic_tmm.checking.mutations.execution import AssumedLog
 from graphic_tmm.checking.mutations.hypotheses import (
     A_NUMBER,
     SOMETHING,
@@ -65,7 +66,7 @@ class _Pairs(NamedTuple):
     @property
     def score(self) -> float:
         """How likely the first is together with any second (logarithm)."""
-        return _whole(self.seconds)
+        return together(self.seconds)
 
 
 def two(
@@ -95,7 +96,7 @@ def two(
     sure = tempered(best.score - float(np.logaddexp(best.score, _other_pairs(best, pairs, single))))
     if sure < SURE:
         return None
-    its = sure * tempered(_whole(group) - best.score)
+    its = sure * tempered(together(group) - best.score)
     named: tuple[Told, ...] = ((best.firsts, sure),)
     return named if its < PERHAPS else (*named, (tuple(sorted(group, key=plausible)), its))
 
@@ -123,26 +124,19 @@ def second_mistake(
     if not allowed:
         return None
     group = groups(allowed)[0]
-    mine, known = _whole(group), _whole(allowed)
+    mine, known = together(group), together(allowed)
     chance = float(np.exp(mine - np.logaddexp(known, first.score)))
     if first.beyond <= group[0].beyond or np.exp(mine - known) < LIKELY or chance < PERHAPS:
         return None
     return tuple(sorted(group, key=plausible)), min(chance, UNSURE)
 
 
-def with_mistake(mistakes: Mistakes, one: Hypothesis, base: AssumedLog | None = None) -> AssumedLog:
-    """Return a board on which a mistake is made."""
-    assert isinstance(one.what, Mutation)
-    base = base or mistakes.boards[one.board].base
-    log, given = mutation.changed_log(base.log, base.given, one.what, one.place)
-    return AssumedLog(base.board, log, given)
-
-
 def _allowed(
     readings: Readings, mistakes: Mistakes, least: Least, first: Hypothesis
 ) -> tuple[Hypothesis, ...]:
     """Return the second mistakes that pass the gate, the likeliest first, scored with the first."""
-    base = with_mistake(mistakes, first)
+    assert isinstance(first.what, Mutation)
+    base = mistakes.base_of(first.board).mistaken(first.what, first.place)
     found = _seconds(readings, mistakes, base, first, least)
     ways: tuple[Callable[[], Sequence[Hypothesis]], ...] = (
         lambda: found,
@@ -177,10 +171,6 @@ def _written(
     plain = mistakes.boards[first.board].run([NONE], base)
     found = of_written(readings, base, readings.figures(base.board, plain, np.arange(1)))
     return [one._replace(score=one.score + first.score) for one in found if not one.instrument]
-
-
-def _whole(some: Iterable[Hypothesis]) -> float:
-    return float(np.logaddexp.reduce([one.score for one in some]))
 
 
 VISIBLE = 0.5
@@ -252,7 +242,7 @@ def _left(
         board = mistakes.boards[one.board].board
         if not isinstance(one.what, Mutation) or (base is not None and base.board is not board):
             return ()
-        base = with_mistake(mistakes, one, base)
+        base = (base or mistakes.base_of(one.board)).mistaken(one.what, one.place)
     if base is None:
         return ()
     far = unexplained(readings, base)
@@ -320,15 +310,15 @@ def _of_board(
     rest.beyond = int(evidence.beyond[0].sum())
     if told is not None:
         steps = {step.it: step for step in offered.base.log.steps}
-        gains = {mark: told.unknown[mark] - told.base[mark] for mark in told.base}
-        prior = float(np.log(SOMETHING / max(1, len(gains))))
-        for mark, gain in gains.items():
-            rest.scores.append(prior + float(np.maximum(gain, 0.0).sum()))
-            if mark in rest.marks and (far := float(told.off[mark].max())) > rest.off:
+        prior = float(np.log(SOMETHING / max(1, len(told.entries))))
+        for mark, entry in told.entries.items():
+            gain = np.maximum(entry.unknown - entry.base.likely, 0.0)
+            rest.scores.append(prior + float(gain.sum()))
+            if mark in rest.marks and (far := float(entry.base.off.max())) > rest.off:
                 rest.off, rest.step = far, steps[mark]
         rest.scores += scores(told.multiples.values(), A_NUMBER)
     if number == 0:
-        rest.scores += scores(multiples(readings.columns), A_NUMBER)
+        rest.scores += scores(column_multiples(readings.columns), A_NUMBER)
     yield from of_board(number, some, evidence, offered.shares)
     if number == 0 or offered.made.mechanism is None:
         free, told_free = fitted(readings, offered, offered.base, least)

@@ -1,8 +1,9 @@
-"""What readings tell for and against mutations: entry by entry how likely each is, base and rows.
+"""What readings tell for and against mutations: how likely each is by the base, and by rows beside it.
 
-An entry is a reading against what it should be. Where its step is known it is the step's own error, with the
-earlier readings as they were found; else (a diagram, a force) the figure that the log leads to, with what
-was read put in.
+Where a reading's step is known it is weighed by the step's own error, with the earlier readings as they were
+found. Readings of no mark of their own (diagrams, forces, results, parts) are weighed by the tables' figures,
+which hang on many that were read before: such a figure may have been found from these, or from what the student
+had without writing it down; of both what the readings are more likely with is taken.
 """
 
 from __future__ import annotations
@@ -15,23 +16,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.board.grammar import OPERATIONS
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Length, Point
+from graphic_tmm.checking.cells import Key, due_figure, taken_figure
 from graphic_tmm.checking.judging import slips
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.own_errors import apart, errors_at, exact
-from graphic_tmm.checking.mutations.execution import Executed, Rows, executed
+from graphic_tmm.checking.mutations.execution import AssumedLog, Executed, Rows, executed
 from graphic_tmm.checking.mutations.likelihood import (
-    BEYOND,
     LOST,
     PLAN,
+    Evidence,
+    Likelihood,
     broad,
-    explained,
     log_density,
     multiple,
     size_of,
 )
 from graphic_tmm.checking.mutations.mutation import Mutation
+from graphic_tmm.checking.records import Taken
 
 Array = NDArray[np.float64]
 
@@ -56,43 +59,31 @@ class MarkErrors(NamedTuple):
         return np.asarray(np.isfinite(self.scatter[0]) & np.isfinite(self.error).all(axis=0))
 
 
-class Weighed(NamedTuple):
-    """The evidence: of the base by entry, (position,), and what rows gain on it.
+class Own:
+    """Own errors of the base and of mutated rows: a log executed with what was read.
 
-    ``base``, ``unknown``: logarithms of likelihoods by mark, (position,), as the base has them, and if nothing
-    were known of that step. ``gain``: (row, position) of all entries together; ``beyond``, ``lost``: how many
-    readings are unexplained, and how many cannot be drawn, (row, position). ``moved``, ``squares``: how many
-    are moved and explained, and the sum of the squares of how far off these are. ``errors``: what differs, by
-    mark: rows and their errors in sizes, (row, position). ``off``: the base's, (position,). ``multiples``: what
-    the readings of a segment gain by being so many times what is due.
+    ``found``: by mark, (1, position) or a row for each variation; ``wanted``: further marks to find.
     """
 
-    base: Mapping[Mark, Array]
-    unknown: Mapping[Mark, Array]
-    gain: Array
-    beyond: Array
-    lost: Array
-    moved: Array
-    squares: Array
-    errors: Mapping[Mark, tuple[tuple[Rows, Array], ...]]
-    off: Mapping[Mark, Array]
-    multiples: Mapping[Mark, float]
-    beside: Executed
-
-
-class Own:
-    """Own errors of the base and of rows, while the log is executed with what was read."""
-
-    def __init__(self, drawing: Comparison, found: Mapping[Mark, Any], log: Construction) -> None:
+    def __init__(
+        self,
+        drawing: Comparison,
+        found: Mapping[Mark, Any],
+        base: AssumedLog,
+        mutations: Sequence[Mutation] = (),
+        wanted: Sequence[Mark] = (),
+    ) -> None:
         assert drawing.made.mechanism is not None
-        self.work, self.found, self.drawing = drawing.made.mechanism, found, drawing
-        self.lines = {step.it: step for step in log.steps}
+        self.work, self.found = drawing.made.mechanism, found
+        self.lines = {step.it: step for step in base.log.steps}
         self.due: dict[Mark, Any] = {}
         self.base: dict[Mark, Array] = {}
         """Of the base, (part, trial, position)."""
         self.rows: dict[Mark, list[tuple[Rows, Array]]] = defaultdict(list)
+        marks = (*found, *wanted)
+        self.beside = executed(base.log, base.given, mutations, marks, self._seen)
 
-    def seen(self, step: Step, rows: Rows | None, drawn: list[Any], value: Any) -> Any:
+    def _seen(self, step: Step, rows: Rows | None, drawn: list[Any], value: Any) -> Any:
         """Take the errors of a step that was read; go on with what was read."""
         read = self.found.get(step.it)
         if read is None:
@@ -122,57 +113,6 @@ class Own:
         )
         found = [np.asarray(part.error) for part in parts]
         return np.stack(np.broadcast_arrays(*found))
-
-
-def weighed(
-    drawing: Comparison,
-    found: Mapping[Mark, Any],
-    log: Construction,
-    given: Mapping[Mark, object],
-    mutations: Sequence[Mutation],
-    scatters: Mapping[Mark, Array] | None = None,
-    wanted: Sequence[Mark] = (),
-) -> Weighed:
-    """Return the evidence of what was read for mutations of a log.
-
-    ``found``: by mark, (1, position); ``scatters``: of the hand's own errors, (part, position), else as the
-    drawing's yardstick has them. ``wanted``: further marks to find.
-    """
-    own = Own(drawing, found, log)
-    beside = executed(log, given, mutations, (*found, *wanted), own.seen)
-    places = len(own.work.names)
-    gain = np.zeros((len(mutations), places))
-    beyond, lost, moved, squares = (np.zeros_like(gain) for _ in range(4))
-    base: dict[Mark, Array] = {}
-    unknown: dict[Mark, Array] = {}
-    off: dict[Mark, Array] = {}
-    multiples: dict[Mark, float] = {}
-    errors: dict[Mark, tuple[tuple[Rows, Array], ...]] = {}
-    for mark, error in own.base.items():
-        entry = entry_of(drawing, mark, error[:, 0], found[mark][0], scatters)
-        if entry is None:
-            continue
-        told = EntryEvidence(entry)
-        base[mark], off[mark] = told.likely, told.off
-        unknown[mark] = told.unknown
-        if mark.kind is not Point:
-            read = found[mark][0]
-            due = read - entry.error[0]
-            multiples[mark] = multiple(read, due, entry.scatter[0], entry.figure, entry.mm)
-        told_rows = []
-        for rows, some in own.rows.get(mark, ()):
-            likely, far, gone = told.rows(some)
-            gain[rows] += likely - told.likely
-            beyond[rows] += (far > BEYOND) * 1.0 - (told.off > BEYOND)
-            lost[rows] += gone
-            some_moved, some_squares = explained(far, told.off)
-            moved[rows] += some_moved
-            squares[rows] += some_squares
-            told_rows.append((rows, far))
-        errors[mark] = tuple(told_rows)
-    whole = sum((one > BEYOND) * 1.0 for one in off.values())
-    gain_and_lost = gain, beyond + whole, lost, moved, squares
-    return Weighed(base, unknown, *gain_and_lost, errors, off, multiples, beside)
 
 
 def entry_of(
@@ -215,18 +155,17 @@ class EntryEvidence:
         self.entry = entry
         self.figure = np.full_like(entry.figure, PLAN) if entry.mark.kind is Point else entry.figure
         self.size = size_of(entry.scatter, entry.figure, entry.mm)
-        self.likely, self.off, _ = (
-            one[0] for one in self._of(entry.error[:, None], self.size[:, None])
-        )
+        base = self._of(entry.error[:, None], self.size[:, None])
+        self.base = Likelihood(*(part[0] for part in base))
         with np.errstate(all="ignore"):
             nothing = np.log(broad(np.abs(entry.error), self.size, self.figure)).sum(axis=0)
-            free = np.logaddexp(self.likely, nothing) - np.log(2.0)
+            free = np.logaddexp(self.base.likely, nothing) - np.log(2.0)
             nearest = log_density(np.zeros_like(self.size), self.size, self.figure).sum(axis=0)
         self.unknown = np.where(entry.read, free, 0.0)
         self.nearest = np.where(entry.read, nearest, 0.0)
 
-    def rows(self, errors: Array) -> tuple[Array, Array, Array]:
-        """Return how likely, how far off, how lost rows of errors (part, row, position) are."""
+    def rows(self, errors: Array) -> Likelihood:
+        """Return how likely rows of errors are, (part, row, position); (row, position)."""
         if errors.shape[0] != self.entry.error.shape[0]:
             errors = np.max(np.abs(errors), axis=0)[None]
             entry = self.entry._replace(
@@ -235,23 +174,179 @@ class EntryEvidence:
             )
             return EntryEvidence(entry).rows(errors)
         change = np.nan_to_num(errors - self.entry.error[:, None], posinf=0.0, neginf=0.0)
-        change = change * self.entry.drawn
-        size = size_of(
-            self.entry.scatter[:, None], self.entry.figure, self.entry.mm, np.abs(change)
-        )
+        change = np.abs(change * self.entry.drawn)
+        size = size_of(self.entry.scatter[:, None], self.entry.figure, self.entry.mm, change)
         return self._of(errors, size)
 
-    def _of(self, errors: Array, size: Array) -> tuple[Array, Array, Array]:
+    def _of(self, errors: Array, size: Array) -> Likelihood:
         errors = np.where(np.isfinite(errors), errors, np.nan)
         with np.errstate(all="ignore"):
             likely = log_density(errors, size, self.figure)
             off = np.max(np.abs(errors) / size, axis=0)
-        gone = np.isnan(errors).any(axis=0) & self.entry.read
-        likely = np.where(np.isnan(likely), 0.0, likely).sum(axis=0)
-        likely = np.where(gone, LOST, likely)
         read = self.entry.read
-        return (
-            np.where(read, likely, 0.0),
-            np.where(read, np.nan_to_num(off), 0.0),
-            np.where(read, gone, False) * 1.0,
-        )
+        gone = np.isnan(errors).any(axis=0) & read
+        likely = np.where(np.isnan(likely), 0.0, likely).sum(axis=0)
+        likely = np.where(gone, LOST, np.where(read, likely, 0.0))
+        return Likelihood(likely, np.where(read, np.nan_to_num(off), 0.0), gone.astype(np.float64))
+
+
+class Weighed(NamedTuple):
+    """The evidence for mutations of a log, that of the base by mark, and the log executed with them.
+
+    ``multiples``: what the readings of a segment gain by being so many times what is due.
+    """
+
+    evidence: Evidence
+    entries: Mapping[Mark, EntryEvidence]
+    multiples: Mapping[Mark, float]
+    beside: Executed
+
+
+def weighed(
+    drawing: Comparison,
+    found: Mapping[Mark, Any],
+    base: AssumedLog,
+    mutations: Sequence[Mutation],
+    scatters: Mapping[Mark, Array] | None = None,
+    wanted: Sequence[Mark] = (),
+) -> Weighed:
+    """Return the evidence of what was read for mutations of a log.
+
+    ``found``: by mark, (1, position); ``scatters``: of the hand's own errors, (part, position), else as the
+    drawing's yardstick has them. ``wanted``: further marks to find.
+    """
+    own = Own(drawing, found, base, mutations, wanted)
+    places = len(own.work.names)
+    evidence, every = Evidence.none(len(mutations), places), slice(places)
+    entries: dict[Mark, EntryEvidence] = {}
+    multiples: dict[Mark, float] = {}
+    for mark, error in own.base.items():
+        read = found[mark][0]
+        entry = entry_of(drawing, mark, error[:, 0], read, scatters)
+        if entry is None:
+            continue
+        told = entries[mark] = EntryEvidence(entry)
+        if mark.kind is not Point:
+            due = read - entry.error[0]
+            multiples[mark] = multiple(read, due, entry.scatter[0], entry.figure, entry.mm)
+        evidence.begin(every, told.base)
+        for rows, errors in own.rows.get(mark, ()):
+            evidence.add(rows, every, told.rows(errors), told.base)
+    return Weighed(evidence, entries, multiples, own.beside)
+
+
+class Reading(NamedTuple):
+    """A reading of such a figure: what was found and is due, by what it scatters, what a mm is in its unit.
+
+    ``place``: the index of its position, the number of positions where it has none of the mechanism's;
+    ``beside``: it is the quantity of a length that was read, too.
+    """
+
+    taken: Taken
+    found: complex
+    due: complex
+    scatter: float
+    mm: float
+    place: int
+    beside: bool = False
+
+    @property
+    def at(self) -> tuple[Key, bool]:
+        """By what its figure is known."""
+        return self.taken.at
+
+    def evidence(self, figures: Any, found: Any = None) -> Likelihood:
+        """Return how likely it is by figures, (row,); ``found``: what was read, if otherwise."""
+        read = self.found if found is None else found
+        if self.taken.pointed:
+            error = np.abs(np.asarray(read) - figures)
+        else:
+            error = apart(np.asarray(read, dtype=complex).real, np.asarray(figures).real)
+        change = np.abs(np.asarray(figures) - self.due)
+        gone = ~np.isfinite(error)
+        whole = PLAN if self.taken.pointed else abs(self.found)
+        figure = 0.0 if self.taken.pointed else whole
+        size = size_of(self.scatter, figure, self.mm, np.nan_to_num(change))
+        with np.errstate(all="ignore"):
+            likely = log_density(error, size, whole)
+            off = np.abs(error) / size
+        return Likelihood(np.where(gone, LOST, likely), np.where(gone, 0.0, off), gone * 1.0)
+
+    @property
+    def nearest(self) -> float:
+        """The logarithm of how likely it is if it is exactly what it was expected to be."""
+        return float(self.evidence(self.found).likely)
+
+    @property
+    def unknown(self) -> float:
+        """The logarithm of how likely it is if nothing is known of how it was found."""
+        size = size_of(self.scatter, abs(self.found), self.mm)
+        known = self.evidence(self.due).likely
+        free = broad(abs(self.found - self.due), size, abs(self.found))
+        return float(np.log(0.5 * np.exp(known) + 0.5 * free))
+
+
+def column_readings(drawing: Comparison, marked: Sequence[Taken]) -> list[Reading]:
+    """Return the readings of a drawing that no step of their own is known of; ``marked``: the others."""
+    known = set(marked)
+    names = drawing.names
+    found = []
+    for taken in drawing.rows:
+        limit = drawing.by.spread.get(taken.at)
+        if taken in known or limit is None or not limit.sorted.size:
+            continue
+        place = names.index(taken.position) if taken.position in names else len(names)
+        scatter = drawing.worse * limit.rms
+        if taken.pointed:
+            found.append(Reading(taken, taken.spot, drawing.spots[taken.key], scatter, 1.0, place))
+            continue
+        cell = drawing.due[taken.key]
+        mu = 1.0 if taken.mm is not None else drawing.scale(taken)
+        mm = mu if np.isfinite(mu) else 0.0
+        beside = drawing.length_of(taken)
+        due = due_figure(cell, taken)
+        if beside is not None and np.isfinite(mu):
+            due, scatter = abs(beside.mm or 0.0) * mu, 0.0
+        figure, length = taken_figure(taken, cell), beside is not None
+        figure = abs(figure) if length else figure  # a length has no sign to compare
+        found.append(Reading(taken, figure, due, scatter, mm, place, length))
+    return found
+
+
+def column_multiples(rows: Sequence[Reading]) -> list[float]:
+    """Return what the readings of each segment gain by being so many times what is due."""
+    segments: dict[tuple[str, str, bool], list[Reading]] = {}
+    for one in rows:
+        if not one.beside and not one.taken.pointed:
+            key = one.taken.plan, one.taken.segment, one.taken.mm is not None
+            segments.setdefault(key, []).append(one)
+    found = []
+    for some in segments.values():
+        read = np.array([one.found.real for one in some])
+        due = read - np.array([float(apart(one.found.real, one.due.real)) for one in some])
+        scatter = np.array([one.scatter for one in some])
+        found.append(multiple(read, due, scatter, np.abs(read), max(one.mm for one in some)))
+    return found
+
+
+def column_gains(
+    rows: Sequence[Reading], ways: Sequence[Mapping[tuple[Key, bool], Any]], count: int, places: int
+) -> Evidence:
+    """Return the evidence of readings for so many hypotheses, at so many positions.
+
+    ``ways``: the figures of hypotheses, each way they may have been found; the first row is the base.
+    """
+    evidence = Evidence.none(count, places)
+    for one in rows:
+        found = [one.evidence(figures[one.at]) for figures in ways if one.at in figures]
+        if one.beside or not found:
+            evidence.begin(one.place, one.evidence(one.due))
+            continue
+        best, *others = found
+        for other in others:
+            better, pairs = other.likely > best.likely, zip(other, best, strict=True)
+            best = Likelihood(*(np.where(better, new, old) for new, old in pairs))
+        base = Likelihood(*(np.ravel(part)[0] for part in best))
+        evidence.begin(one.place, base)
+        evidence.add(slice(None), one.place, best, base)
+    return evidence

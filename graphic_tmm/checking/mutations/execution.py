@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
-from functools import partial
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -20,7 +20,7 @@ from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Complexes, Curve, Reals, arrays, places
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.checking.cells import Key, figures, spots
-from graphic_tmm.checking.mutations.mutation import Change, Mutation
+from graphic_tmm.checking.mutations.mutation import Change, Mutation, changed_log
 from graphic_tmm.drawn import Drawn, DrawnScene, Numbers
 
 Rows = NDArray[np.intp]
@@ -28,6 +28,24 @@ SAME = 1e-9
 """Results that differ by less, of a mm or of themselves, are alike: steps agree to some 1e-12."""
 BATCH = 2048
 """So many rows are run through a step at once: what a curve needs for them stays in memory."""
+
+
+@dataclass(frozen=True)
+class AssumedLog:
+    """A log as it is taken to be drawn, and what is given."""
+
+    board: Drawn
+    log: Construction
+    given: Mapping[Mark, object]
+
+    @cached_property
+    def marks(self) -> tuple[Mark, ...]:
+        """Everything that it makes."""
+        return tuple(step.it for step in self.log.steps)
+
+    def mistaken(self, what: Mutation, place: int | None) -> AssumedLog:
+        """Return it with a mistake, everywhere or at one position (its index)."""
+        return AssumedLog(self.board, *changed_log(self.log, self.given, what, place))
 
 
 class Sparse(NamedTuple):

@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
-from graphic_tmm.checking.mutations.evidence import AssumedLog, Evidence, Readings, of_variations
+from graphic_tmm.checking.mutations.evidence import Readings, of_variations
+from graphic_tmm.checking.mutations.execution import AssumedLog
+from graphic_tmm.checking.mutations.likelihood import Evidence
 from graphic_tmm.checking.mutations.mutation import FAMILIES, PREVIOUS, Mutation
 from graphic_tmm.checking.mutations.tables import ReadingTable, Variation, copied, variations
 from graphic_tmm.checking.records import INSTRUMENT, Taken
@@ -102,39 +104,35 @@ def of_table(some: Sequence[Variation], evidence: Evidence) -> Iterator[Hypothes
             continue
         known = KNOWN / len(FAMILIES) / cost / one.cost
         prior = INSTRUMENTS / off if one.kind == INSTRUMENT else known
-        total = float(evidence.gain[row].sum())
-        yield Hypothesis(
-            one,
-            -1,
-            None,
-            float(np.log(prior)) + total,
-            evidence.gain[row],
-            int(evidence.beyond[row].sum()),
-            0,
-            evidence.beyond[row],
-            float(evidence.moved[row].sum()),
-            float(evidence.squares[row].sum()),
-        )
+        # nothing is lost by it: what cannot be drawn was written down so
+        yield _everywhere(one, -1, row, float(np.log(prior)), evidence)._replace(lost=0)
+
+
+def _everywhere(
+    what: Mutation | Variation, board: int, row: int, prior: float, evidence: Evidence
+) -> Hypothesis:
+    """Return the hypothesis of a row of the evidence, ``prior`` a logarithm."""
+    gain, beyond, lost, moved, squares = (part[row] for part in evidence)
+    return Hypothesis(
+        what,
+        board,
+        None,
+        prior + float(gain.sum()),
+        gain,
+        int(beyond.sum()),
+        int(lost.sum()),
+        beyond,
+        float(moved.sum()),
+        float(squares.sum()),
+    )
 
 
 def _scoped(
     one: Mutation, board: int, row: int, prior: float, evidence: Evidence
 ) -> Iterator[Hypothesis]:
-    gain, beyond, lost = evidence.gain[row], evidence.beyond, evidence.lost[row]
-    total = float(gain.sum())
+    gain = evidence.gain[row]
     everywhere = 1.0 - EVERYWHERE if one.family == PREVIOUS else EVERYWHERE
-    yield Hypothesis(
-        one,
-        board,
-        None,
-        prior + float(np.log(everywhere)) + total,
-        gain,
-        int(beyond[row].sum()),
-        int(lost.sum()),
-        beyond[row],
-        float(evidence.moved[row].sum()),
-        float(evidence.squares[row].sum()),
-    )
+    yield _everywhere(one, board, row, prior + float(np.log(everywhere)), evidence)
     places = np.flatnonzero(gain[:-1])
     if places.size < 2:
         return
@@ -142,11 +140,12 @@ def _scoped(
     single = np.zeros_like(gain)
     single[place] = gain[place]
     one_of = float(np.log((1.0 - everywhere) / places.size))
-    far = beyond[0].copy()
-    far[place] = beyond[row, place]
+    far = evidence.beyond[0].copy()
+    far[place] = evidence.beyond[row, place]
     score = prior + one_of + float(gain[place])
     fit = float(evidence.moved[row, place]), float(evidence.squares[row, place])
-    yield Hypothesis(one, board, place, score, single, int(far.sum()), int(lost[place]), far, *fit)
+    lost = int(evidence.lost[row, place])
+    yield Hypothesis(one, board, place, score, single, int(far.sum()), lost, far, *fit)
 
 
 def groups(some: Sequence[Hypothesis]) -> list[list[Hypothesis]]:
@@ -183,10 +182,8 @@ def of_written(
     ``due``: what tables say by the board, (1,), where that is not as it should be.
     """
     drawing = readings.drawing
-    names = drawing.made.mechanism.names if drawing.made.mechanism is not None else ()
-    table = ReadingTable(
-        drawing.rows, names or tuple(dict.fromkeys(t.position for t in drawing.rows))
-    )
+    positions = drawing.names or tuple(dict.fromkeys(t.position for t in drawing.rows))
+    table = ReadingTable(drawing.rows, positions)
 
     def off(k: int) -> complex:
         taken = drawing.rows[k]

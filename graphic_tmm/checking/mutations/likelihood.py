@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,6 +47,50 @@ def broad(off: Any, size: Any, figure: Any) -> Array:
     whole = np.maximum(np.abs(figure), 10.0 * size)
     even = np.where(off <= 2.0 * whole, 0.125 / whole, 0.0)
     return np.asarray(even + 0.25 / ((off + size) * MAGNITUDES))
+
+
+class Likelihood(NamedTuple):
+    """How likely readings are (logarithm), how far off, standard deviations, 1 for what cannot be drawn."""
+
+    likely: Array
+    off: Array
+    gone: Array
+
+
+class Evidence(NamedTuple):
+    """What hypotheses gain on the base, (hypothesis, position and, last, what has none of the mechanism's).
+
+    ``beyond``, ``lost``: how many readings each leaves unexplained, and how many it cannot draw. ``moved``,
+    ``squares``: how many it moves and explains, and the sum of the squares of how far off these are.
+    """
+
+    gain: Array
+    beyond: Array
+    lost: Array
+    moved: Array
+    squares: Array
+
+    @classmethod
+    def none(cls, count: int, places: int) -> Evidence:
+        """Return the evidence for so many hypotheses before anything has been read."""
+        return cls(*(np.zeros((count, places + 1)) for _ in cls._fields))
+
+    def begin(self, at: Any, base: Likelihood) -> None:
+        """Count which readings ``at`` positions are beyond by the base, and so by all hypotheses as yet."""
+        self.beyond[:, at] += base.off > BEYOND
+
+    def add(self, rows: Any, at: Any, now: Likelihood, base: Likelihood) -> None:
+        """Add what some hypotheses, ``rows``, make of readings that are counted by the base."""
+        self.gain[rows, at] += now.likely - base.likely
+        self.beyond[rows, at] += (now.off > BEYOND) * 1.0 - (base.off > BEYOND)
+        self.lost[rows, at] += now.gone
+        moved, squares = explained(now.off, base.off)
+        self.moved[rows, at] += moved
+        self.squares[rows, at] += squares
+
+    def plus(self, other: Evidence) -> Evidence:
+        """Return the evidence of other readings, too."""
+        return Evidence(*map(np.add, self, other))
 
 
 def explained(off: Any, before: Any) -> tuple[Array, Array]:

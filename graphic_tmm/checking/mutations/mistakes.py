@@ -17,8 +17,7 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.checking.cells import Key, cells
 from graphic_tmm.checking.mutations.calculated import BY_UNIT, POWERS_OF_TEN
-from graphic_tmm.checking.mutations.evidence import AssumedLog
-from graphic_tmm.checking.mutations.execution import Executed, executed, figures_of
+from graphic_tmm.checking.mutations.execution import AssumedLog, Executed, executed, figures_of
 from graphic_tmm.checking.mutations.grammar import mutations
 from graphic_tmm.checking.mutations.mutation import (
     CRANK,

@@ -13,18 +13,11 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.step_scatter import as_read, where_read
-from graphic_tmm.checking.mutations import mutation
 from graphic_tmm.checking.mutations.entries import EntryEvidence, Own, entry_of
-from graphic_tmm.checking.mutations.evidence import (
-    AssumedLog,
-    Evidence,
-    Readings,
-    nothing,
-    of_mutations,
-)
-from graphic_tmm.checking.mutations.execution import executed
+from graphic_tmm.checking.mutations.evidence import Readings, of_mutations
+from graphic_tmm.checking.mutations.execution import AssumedLog
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis, groups
-from graphic_tmm.checking.mutations.likelihood import BEYOND, explained
+from graphic_tmm.checking.mutations.likelihood import BEYOND, Evidence, explained
 from graphic_tmm.checking.mutations.mistakes import NONE, Offered, amiss_by, misread
 from graphic_tmm.checking.mutations.mutation import Mutation
 
@@ -70,13 +63,9 @@ def refined(readings: Readings, base: AssumedLog, one: Hypothesis) -> Hypothesis
     work = readings.drawing.made.mechanism
     if not isinstance(what, Mutation) or base.board is not work or not readings.found:
         return one
-    log, given = mutation.changed_log(base.log, base.given, what, one.place)
-    other = AssumedLog(base.board, log, given)
+    other = base.mistaken(what, one.place)
     scatters = scatters_of(readings, other)
-    own = Own(readings.drawing, readings.found, log)
-    executed(log, given, (), readings.found, own.seen)
-    right = Own(readings.drawing, readings.found, base.log)
-    executed(base.log, base.given, (), readings.found, right.seen)
+    own, right = (Own(readings.drawing, readings.found, log) for log in (other, base))
     gain, far, fit = one.gain.copy(), one.far.copy(), np.array([one.moved, one.squares])
     places = readings.places
     for mark, errors in own.base.items():
@@ -87,9 +76,9 @@ def refined(readings: Readings, base: AssumedLog, one: Hypothesis) -> Hypothesis
             continue
         plain, told = EntryEvidence(known), EntryEvidence(mine)
         (before,), (off,), _ = plain.rows(errors[:, :1])
-        gain[:places] += told.likely - before
-        far[:places] += (told.off > BEYOND) * 1.0 - (off > BEYOND)
-        fit += _fit(told.off, plain.off) - _fit(off, plain.off)
+        gain[:places] += told.base.likely - before
+        far[:places] += (told.base.off > BEYOND) * 1.0 - (off > BEYOND)
+        fit += _fit(told.base.off, plain.base.off) - _fit(off, plain.base.off)
     score = one.score + float((gain - one.gain).sum())
     beyond, (moved, squares) = int(far.sum()), map(float, fit)
     return one._replace(
@@ -113,8 +102,7 @@ def scatters_of(readings: Readings, other: AssumedLog) -> dict[Mark, Array]:
     for mark, there in readings.found.items():
         row = np.broadcast_to(drawn[mark], (DRAWN, places))
         found[mark] = where_read(as_read(steps[mark], row, by), there)
-    own = Own(readings.drawing, found, other.log)
-    executed(other.log, other.given, (), found, own.seen)
+    own = Own(readings.drawing, found, other)
     with np.errstate(all="ignore"):
         return {mark: _rms(errors) for mark, errors in own.base.items()}
 
@@ -152,7 +140,7 @@ def fitted(
     rows = offered.moving(least, offered.run(trial, base)) if offered.free else np.zeros(1, int)
     free = [offered.free[k - 1] for k in rows if k]
     if not free:
-        return [], nothing(1, readings.places)
+        return [], Evidence.none(1, readings.places)
 
     def gains(factors: Sequence[Sequence[float]]) -> np.ndarray:
         """Return what each given gains, taken so many times as large; (given, factor)."""
@@ -189,7 +177,7 @@ def put_amiss(
     ]
     trial = [NONE, *(amiss_by([mark], STANDS[0]) for mark in marks)]
     if not marks or offered.moving(least, offered.run(trial, base)).size < 2:
-        return [], nothing(1, readings.places)
+        return [], Evidence.none(1, readings.places)
 
     def gains(angles: Array) -> Array:
         """Return what the crank gains that stands amiss by angles; both (angle, position)."""

@@ -44,6 +44,7 @@ OPPOSITE = 4.0
 """Figures all of the opposite sign are rather calculated or drawn so than written down so."""
 TURNS = (-5.0, -4.0, -3.0, -2.0, -1.5, -1.0, -0.5, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0)
 """Degrees: so far askew a sheet may lie. What is turned farther was drawn so."""
+KINDS = ("mm", "value", "xy")
 Column = tuple[str, str, str]
 """A column of readings: plan, segment, and whether it is "mm", a "value" or "xy"."""
 
@@ -68,6 +69,25 @@ class Variation(NamedTuple):
     cost: float = 1.0
     copied: bool = False
 
+    def moved(self, says: str, rows: Mapping[int, int], **told: object) -> Variation:
+        """Return the readings of some rows (keys) standing in others, −1 nowhere."""
+        source = self.source.copy()
+        source[list(rows)] = list(rows.values())
+        return self._replace(says=says, source=source, told=told)
+
+    def scaled(
+        self,
+        says: str,
+        rows: Sequence[int],
+        factor: complex | NDArray[np.float64],
+        plus: complex = 0.0,
+        **told: object,
+    ) -> Variation:
+        """Return the readings of some rows times a factor, (row,) or one for all, and more by ``plus``."""
+        by, more = self.factor.copy(), self.plus.copy()
+        by[list(rows)], more[list(rows)] = factor, plus
+        return self._replace(says=says, told=told, factor=by, plus=more)
+
 
 class ReadingTable:
     """The rows of readings by plan, segment and position."""
@@ -83,17 +103,22 @@ class ReadingTable:
         """Return the plans that were read."""
         return list(dict.fromkeys(plan for plan, _, _ in self.columns))
 
-    def places(self) -> Iterator[tuple[str, str, list[Column]]]:
-        """Yield what may have gone wrong together: everything, a plan, a column; with its columns."""
+    def places(self) -> Iterator[_Together]:
+        """Yield what may have gone wrong together: everything, a plan, a column."""
         every = list(self.columns)
-        yield "", "", every
+        yield self._together("", "", every)
         for plan in self.plans():
             mine = [column for column in every if column[0] == plan]
             if len(mine) < len(every):
-                yield plan, "", mine
+                yield self._together(plan, "", mine)
             for column in mine:
                 if len(mine) > 1:
-                    yield plan, column[1], [column]
+                    yield self._together(plan, column[1], [column])
+
+    def _together(self, plan: str, segment: str, columns: Sequence[Column]) -> _Together:
+        named = self.same()._replace(plan=plan, segment=segment)
+        kinds = [kind for _, _, kind in columns]
+        return _Together(self, named, kinds, [self.columns[column] for column in columns])
 
     def same(self) -> Variation:
         """Return the table as it is."""
@@ -101,6 +126,31 @@ class ReadingTable:
         return Variation(
             MISTAKE, TABLE, "", np.arange(n), np.ones(n, complex), np.zeros(n, complex), {}
         )
+
+
+class _Together(NamedTuple):
+    """What may have gone wrong together: its place, as a variation names it; the columns there.
+
+    ``kinds``, ``columns``: of each what was read, and the row by position.
+    """
+
+    table: ReadingTable
+    named: Variation
+    kinds: Sequence[str]
+    columns: Sequence[Mapping[str, int]]
+
+    def rows(self, *kinds: str) -> list[int]:
+        """Return the rows of the columns of some kinds."""
+        columns = zip(self.kinds, self.columns, strict=True)
+        return [row for kind, column in columns if kind in kinds for row in column.values()]
+
+    def standing(self, to: Mapping[str, str]) -> dict[int, int]:
+        """Return by row the one of the position whose figure stands there; −1 where that was not read."""
+        return {
+            row: column.get(to.get(position, position), -1)
+            for column in self.columns
+            for position, row in column.items()
+        }
 
 
 def variations(
@@ -113,203 +163,115 @@ def variations(
     """Yield the variations of a table of readings.
 
     ``scales``: what a mm is in the unit of a reading; ``off``: how far a point that was read is from its
-    due, mm.
+    due, mm; ``others``: the scale factors by their letters; ``apart``: whether two rows are due to differ.
     """
-    for plan, segment, columns in table.places():
-        named = table.same()._replace(plan=plan, segment=segment)
-        told: dict[str, object] = {}
-        yield from _moved(table, named, told, columns)
-        if not segment:
-            yield from _other_row(table, named, told, columns)
-        yield from _times(table, named, told, columns)
-        yield from _quantities(table, named, told, columns, scales, others)
-        if not segment:
-            yield from _instruments(table, named, told, columns, off)
+    for place in table.places():
+        yield from _moved(place)
+        if not place.named.segment:
+            yield from _other_row(place)
+        yield from _times(place)
+        yield from _quantities(place, scales, others)
+        if not place.named.segment:
+            yield from _instruments(place, off)
     yield from _swapped(table, apart)
 
 
-def _moved(
-    table: ReadingTable,
-    named: Variation,
-    told: Mapping[str, object],
-    columns: Sequence[Column],
-) -> Iterator[Variation]:
-    """Rows one further, one too early, in the reversed order; two exchanged, one copied from another."""
-    order = [p for p in table.positions if any(p in table.columns[c] for c in columns)]
+def _moved(place: _Together) -> Iterator[Variation]:
+    """Rows one further, one too early, in the reversed order; two exchanged."""
+    order = [p for p in place.table.positions if any(p in column for column in place.columns)]
     count = len(order)
-    if count < 3:
+    if count < 3 or min(map(len, place.columns)) < count:
         return
-    if min(len(table.columns[c]) for c in columns) == count:
-        for says, shift in ((SHIFTED, 1), (SHIFTED_BACK, -1)):
-            to = {p: order[(k + shift) % count] for k, p in enumerate(order)}
-            yield _by_position(table, named, says, told, columns, to)
-        back = {p: order[-k % count] for k, p in enumerate(order)}
-        yield _by_position(table, named, REVERSED, told, columns, back)
-        last = {p: order[count - 1 - k] for k, p in enumerate(order)}
-        yield _by_position(table, named, REVERSED, told, columns, last)
-        for one, other in combinations(order, 2):
-            to = {p: p for p in order} | {one: other, other: one}
-            words = {**told, "one": one, "other": other}
-            found = _by_position(table, named, EXCHANGED, words, columns, to)
-            yield found._replace(position=one, cost=float(count))
+    for says, shift in ((SHIFTED, 1), (SHIFTED_BACK, -1)):
+        to = {p: order[(k + shift) % count] for k, p in enumerate(order)}
+        yield place.named.moved(says, place.standing(to))
+    for first in (0, count - 1):  # the first position stays, or is the last
+        to = {p: order[(first - k) % count] for k, p in enumerate(order)}
+        yield place.named.moved(REVERSED, place.standing(to))
+    for one, other in combinations(order, 2):
+        rows = place.standing({one: other, other: one})
+        found = place.named.moved(EXCHANGED, rows, one=one, other=other)
+        yield found._replace(position=one, cost=float(count))
 
 
-def _by_position(
-    table: ReadingTable,
-    named: Variation,
-    says: str,
-    told: Mapping[str, object],
-    columns: Sequence[Column],
-    to: dict[str, str],
-) -> Variation:
-    source = named.source.copy()
-    for column in columns:
-        rows = table.columns[column]
-        for position, k in rows.items():
-            source[k] = rows.get(to.get(position, position), -1)
-    return named._replace(says=says, source=source, told=told)
-
-
-def _other_row(
-    table: ReadingTable,
-    named: Variation,
-    told: Mapping[str, object],
-    columns: Sequence[Column],
-) -> Iterator[Variation]:
+def _other_row(place: _Together) -> Iterator[Variation]:
     """Figures one row too low, or too high: each stands at the next segment, as rows follow one another."""
-    for kind in ("mm", "value", "xy"):
-        rows = sorted(k for c in columns if c[2] == kind for k in table.columns[c].values())
-        if len(rows) < 3:
-            continue
-        for says, source in ((LOWER, [*rows[1:], -1]), (HIGHER, [-1, *rows[:-1]])):
-            whole = named.source.copy()
-            whole[rows] = source
-            yield named._replace(says=says, source=whole, told=told)
+    for kind in KINDS:
+        rows = sorted(place.rows(kind))
+        if len(rows) >= 3:
+            for says, source in ((LOWER, [*rows[1:], -1]), (HIGHER, [-1, *rows[:-1]])):
+                yield place.named.moved(says, dict(zip(rows, source, strict=True)))
 
 
 def copied(table: ReadingTable, apart: Callable[[int, int], bool]) -> Iterator[Variation]:
     """Yield positions with the readings of the one before; ``apart``: whether two are due to differ."""
     for plan in table.plans():
-        columns = [c for c in table.columns if c[0] == plan]
+        columns = [rows for column, rows in table.columns.items() if column[0] == plan]
         for one, other in zip(table.positions[1:], table.positions, strict=False):
-            pairs = [
-                (table.columns[c][one], table.columns[c][other])
-                for c in columns
-                if one in table.columns[c] and other in table.columns[c]
-            ]
+            pairs = [(c[one], c[other]) for c in columns if one in c and other in c]
             some = [(k, j) for k, j in pairs if apart(k, j)]
             alike = all(_figure(table.rows[k]) == _figure(table.rows[j]) for k, j in some)
-            if len(some) < 2 or not alike:
-                continue
-            source = table.same().source.copy()
-            source[[k for k, _ in some]] = -1
-            yield table.same()._replace(
-                says=COPIED,
-                source=source,
-                told={"one": one, "other": other},
-                plan=plan,
-                position=one,
-                cost=0.1,
-                copied=True,
-            )
+            if len(some) >= 2 and alike:
+                found = table.same().moved(COPIED, {k: -1 for k, _ in some}, one=one, other=other)
+                yield found._replace(plan=plan, position=one, cost=0.1, copied=True)
 
 
 def _figure(taken: Taken) -> object:
     return taken.mm, taken.value, taken.x, taken.y
 
 
-def _times(
-    table: ReadingTable,
-    named: Variation,
-    told: Mapping[str, object],
-    columns: Sequence[Column],
-) -> Iterator[Variation]:
-    for kind in ("mm", "value", "xy"):
-        rows = [k for c in columns if c[2] == kind for k in table.columns[c].values()]
+def _times(place: _Together) -> Iterator[Variation]:
+    for kind in KINDS:
+        rows = place.rows(kind)
         if len(rows) < 2:
             continue
-        for factor in (*FACTORS, -1.0):
-            if factor == -1.0 and kind == "mm":
-                continue
-            found = _scaled(named, TIMES, {**told, "times": factor}, rows, 1.0 / factor)
-            yield found._replace(cost=1.0 if factor > 0.0 else OPPOSITE)
-
-
-def _scaled(
-    named: Variation,
-    says: str,
-    told: Mapping[str, object],
-    rows: Sequence[int],
-    factor: complex | NDArray[np.float64],
-    plus: complex = 0.0,
-) -> Variation:
-    by, more = named.factor.copy(), named.plus.copy()
-    by[list(rows)] = factor
-    more[list(rows)] = plus
-    return named._replace(says=says, told=told, factor=by, plus=more)
+        for factor in FACTORS:
+            yield place.named.scaled(TIMES, rows, 1.0 / factor, times=factor)
+        if kind != "mm":
+            yield place.named.scaled(TIMES, rows, -1.0, times=-1.0)._replace(cost=OPPOSITE)
 
 
 def _quantities(
-    table: ReadingTable,
-    named: Variation,
-    told: Mapping[str, object],
-    columns: Sequence[Column],
-    scales: Callable[[Taken], float],
-    others: Mapping[str, float],
+    place: _Together, scales: Callable[[Taken], float], others: Mapping[str, float]
 ) -> Iterator[Variation]:
     """Of quantities the scale factor is inverted or another one; rates are in degrees."""
-    rows = [k for c in columns if c[2] == "value" for k in table.columns[c].values()]
-    mu = np.array([scales(table.rows[k]) for k in rows])
+    rows = place.rows("value")
+    mu = np.array([scales(place.table.rows[k]) for k in rows])
     drawn = [k for k, m in zip(rows, mu, strict=True) if np.isfinite(m) and m > 0.0]
     if len(drawn) > 1:
-        own = mu[np.isfinite(mu) & (mu > 0.0)]
-        yield _scaled(named, INVERTED, told, drawn, own**2)._replace(family=SCALE)
+        own, of_scale = mu[np.isfinite(mu) & (mu > 0.0)], place.named._replace(family=SCALE)
+        yield of_scale.scaled(INVERTED, drawn, own**2)
         for letter, other in others.items():
             if not np.allclose(own, other):
-                words = {**told, "now": letter}
-                found = _scaled(named, OTHER_SCALE, words, drawn, own / other)
-                yield found._replace(family=SCALE)
+                yield of_scale.scaled(OTHER_SCALE, drawn, own / other, now=letter)
     rates = [k for k, m in zip(rows, mu, strict=True) if not np.isfinite(m)]
     if len(rates) > 1:
-        yield _scaled(named, DEGREES, told, rates, np.pi / 180.0)
+        yield place.named.scaled(DEGREES, rates, np.pi / 180.0)
 
 
 def _swapped(table: ReadingTable, apart: Callable[[int, int], bool]) -> Iterator[Variation]:
     for plan in table.plans():
-        mine = [c for c in table.columns if c[0] == plan]
+        mine = [column for column in table.columns if column[0] == plan]
         for one, other in combinations(mine, 2):
-            if one[2] != other[2]:
-                continue
-            named = table.same()
-            source = named.source.copy()
             first, second = table.columns[one], table.columns[other]
-            common = first.keys() & second.keys()
+            common = first.keys() & second.keys() if one[2] == other[2] else set()
             if sum(apart(first[p], second[p]) for p in common) < 2:
                 continue  # links that turn alike have the same figures
-            for p in common:
-                source[first[p]], source[second[p]] = second[p], first[p]
-            told = {"one": one[1], "other": other[1]}
-            yield named._replace(says=SWAPPED, source=source, told=told, plan=plan, segment=one[1])
+            rows = {first[p]: second[p] for p in common} | {second[p]: first[p] for p in common}
+            found = table.same().moved(SWAPPED, rows, one=one[1], other=other[1])
+            yield found._replace(plan=plan, segment=one[1])
 
 
-def _instruments(
-    table: ReadingTable,
-    named: Variation,
-    told: Mapping[str, object],
-    columns: Sequence[Column],
-    off: Callable[[int], complex],
-) -> Iterator[Variation]:
-    one = named._replace(kind=INSTRUMENT, family="")
-    drawn = [k for c in columns if c[2] in ("mm", "xy") for k in table.columns[c].values()]
+def _instruments(place: _Together, off: Callable[[int], complex]) -> Iterator[Variation]:
+    one = place.named._replace(kind=INSTRUMENT, family="")
+    drawn, points = place.rows("mm", "xy"), place.rows("xy")
     if len(drawn) > 2:
         for factor in COMMON_FACTORS:
-            yield _scaled(one, COMMON, {**told, "times": factor}, drawn, 1.0 / factor)
-    points = [k for c in columns if c[2] == "xy" for k in table.columns[c].values()]
+            yield one.scaled(COMMON, drawn, 1.0 / factor, times=factor)
     if len(points) > 2:
         for degrees in TURNS:
             turn = complex(np.exp(-1j * np.radians(degrees)))
-            yield _scaled(one, ASKEW, {**told, "times": degrees}, points, turn)
+            yield one.scaled(ASKEW, points, turn, times=degrees)
         way = np.array([off(k) for k in points])
         mean = complex(np.median(way.real), np.median(way.imag))
-        words = {**told, "times": round(abs(mean), 1)}
-        yield _scaled(one, POLE, words, points, 1.0, -mean)
+        yield one.scaled(POLE, points, 1.0, -mean, times=round(abs(mean), 1))

@@ -64,8 +64,7 @@ def explained(one: Hypothesis, diagnosis: Diagnosis, drawing: Comparison) -> tup
     moved = set(_columns(one, what, readings, drawing))
     if drawing.made.mechanism is board:
         moved |= set(_marks(board.construction, what, readings))
-    names = drawing.made.mechanism.names if drawing.made.mechanism is not None else ()
-    at = names[one.place] if one.place is not None else ""
+    at = drawing.names[one.place] if one.place is not None else ""
     found = [
         each.taken.line
         for each in some
@@ -166,41 +165,25 @@ def _named(
     says = list(dict.fromkeys(_says(one, drawing, speech) for one in group))
     lines = explained(first, diagnosis, drawing)
     what = first.what
-    names = drawing.made.mechanism.names if drawing.made.mechanism is not None else ()
-    position = names[first.place] if first.place is not None else ""
+    found = Likely("", says[0], lines, len(wrong), 0.0, tuple(says[1:MOST]), chance=sure)
     if isinstance(what, Variation):
-        name = INSTRUMENT if what.kind == OFF else BY_FAMILY[what.family]
-        return Likely(
-            speech(name),
-            says[0],
-            lines,
-            len(wrong),
-            0.0,
-            tuple(says[1:MOST]),
-            what.kind,
-            what.family,
-            what.plan,
-            what.segment,
-            what.position,
-            "",
-            sure,
+        return found._replace(
+            name=speech(INSTRUMENT if what.kind == OFF else BY_FAMILY[what.family]),
+            kind=what.kind,
+            family=what.family,
+            plan=what.plan,
+            segment=what.segment,
+            position=what.position,
         )
     mark = what.at.it if what.at is not None else what.was
     plan, segment = shown_at(first, diagnosis, drawing)
-    return Likely(
-        speech(name_of(what)),
-        says[0],
-        lines,
-        len(wrong),
-        0.0,
-        tuple(says[1:MOST]),
-        MISTAKE,
-        what.family,
-        plan,
-        segment,
-        position,
-        mark.letter if mark is not None and plan else "",
-        sure,
+    return found._replace(
+        name=speech(name_of(what)),
+        family=what.family,
+        plan=plan,
+        segment=segment,
+        position=drawing.names[first.place] if first.place is not None else "",
+        step=mark.letter if mark is not None and plan else "",
     )
 
 

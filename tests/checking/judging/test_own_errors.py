@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import pytest
 from support.gallery import SHEETS, exact
-from support.trials import blamed, readings
+from support.trials import blamed, cells_and_points, readings
 from support.verdicts import verdicts
 
 from graphic_tmm.board.hand import HANDS
-from graphic_tmm.checking.cells import cells, cells_and_points, points
+from graphic_tmm.checking.cells import cells, points
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.judging import judge
 from graphic_tmm.checking.judging.comparison import Comparison

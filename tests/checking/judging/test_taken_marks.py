@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 from support import gallery
 from support.gallery import CASES
+from support.trials import checks
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking import check as check_module
 from graphic_tmm.checking.cells import Cell, cells
-from graphic_tmm.checking.check import check, checks
+from graphic_tmm.checking.check import check
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits, limited
 from graphic_tmm.checking.judging.taken_marks import POINTS, reader

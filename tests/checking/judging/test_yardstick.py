@@ -13,10 +13,10 @@ import pytest
 from support.command import invoke
 from support.gallery import exact
 from support.scenes import calling
-from support.trials import readings
+from support.trials import cells_and_points, readings
 
 from graphic_tmm.board.hand import HANDS
-from graphic_tmm.checking.cells import cells, cells_and_points
+from graphic_tmm.checking.cells import cells
 from graphic_tmm.checking.judging import yardstick as module
 from graphic_tmm.checking.judging.own_errors import run
 from graphic_tmm.checking.judging.scatter import Limits, sample

@@ -24,7 +24,6 @@ from itertools import groupby, product
 from pathlib import Path
 from typing import NamedTuple
 
-from graphic_tmm.checking.check import checks
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import MISTAKE, SLIP, UNKNOWN, WRONG, Likely, Report, Taken
 from graphic_tmm.scene.read import read
@@ -34,6 +33,7 @@ from support.students.kinds import Kind
 from support.students.planting import Planted, Truth
 from support.students.told import Told, alternatives
 from support.students.writing import csv_of
+from support.trials import checks
 
 SURE = 0.8
 TOLD = (MISTAKE, SLIP, UNKNOWN)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from graphic_tmm.checking.mutations.columns import Reading, gains
+from graphic_tmm.checking.mutations.entries import Reading, column_gains
 from graphic_tmm.checking.records import Taken
 
 TAKEN = Taken("forces", "3", "R12", mm=101.0, line=2)
@@ -14,7 +14,7 @@ EXACT, OWN = np.array([130.0, 130.0, 100.0]), np.array([101.5, 101.5, 85.0])
 
 
 def weighed() -> tuple[np.ndarray, ...]:
-    return gains([ONE], [{ONE.at: EXACT}, {ONE.at: OWN}], 3, 8)
+    return column_gains([ONE], [{ONE.at: EXACT}, {ONE.at: OWN}], 3, 8)
 
 
 def test_a_row_that_moves_nothing_gains_nothing() -> None:
