@@ -48,7 +48,7 @@ def known_readings(
     doubted = {fault.line for fault in unclear}
     kept = []
     for taken in named:
-        if _lost(taken, due, spots):
+        if _lost(taken, due):
             words = WORDS[made.scene.language]["not sure"]
             place = f" ({taken.position})" if taken.position else ""
             notes[words.format(line=taken.line, segment=f"{taken.segment}{place}")] = None
@@ -62,7 +62,7 @@ def known_readings(
     return tuple(kept), tuple(notes)
 
 
-def _lost(taken: Taken, due: Mapping[Key, Cell], spots: Mapping[Key, complex]) -> bool:
+def _lost(taken: Taken, due: Mapping[Key, Cell]) -> bool:
     """Whether a figure is null though its plan is drawn at that position, and it is there at others."""
     plan, segment, position = taken.key
     if taken.pointed:

@@ -15,7 +15,7 @@ from graphic_tmm.checking.pencil.points import SEEN, UNSEEN
 from graphic_tmm.checking.pencil.reading import PhotoPoints, Pole, questions, read_plans, readings
 from graphic_tmm.checking.photo.camera import Shot
 from graphic_tmm.checking.pictures import Laid
-from graphic_tmm.checking.readings.read import write_readings
+from graphic_tmm.checking.readings.writing import write_readings
 from graphic_tmm.checking.records import Judged, Report, Taken
 from graphic_tmm.errors import SheetError
 from graphic_tmm.files import write

@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from graphic_tmm.classroom.batch.work import Done, Work
-from graphic_tmm.classroom.variants.start import begun
+from graphic_tmm.classroom.variants.start import begun, kept_composition
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.fitting.compose import Composed
 from graphic_tmm.fitting.composition import FILE as COMPOSITION
-from graphic_tmm.fitting.composition import Composition, composition_file, known_composition, text
+from graphic_tmm.fitting.composition import Composition, text
 from graphic_tmm.note.note import note_files
 from graphic_tmm.note.note import wanted as drawn_for
 from graphic_tmm.page import FORMAT
@@ -103,22 +103,16 @@ class _Desk:
         if self.asked.lent or not text:
             made, found = begun(self.scene, text, self.own)
         else:
-            given = known_composition(text.encode("utf-8"), composition_file(self.scene.source))
-            made, found = composed_sheets(self.scene, given)
+            made, found = composed_sheets(self.scene, kept_composition(text, self.scene.source))
         self.drawings.append((made, True))
         return made, found
 
     @cached_property
     def given(self) -> Composition | None:
         """The composition that all else is drawn by, if it has one."""
-        text = self.asked.composition
         if self.asked.lent:
             return self.composed[1].composition
-        return (
-            known_composition(text.encode("utf-8"), composition_file(self.scene.source))
-            if text
-            else None
-        )
+        return kept_composition(self.asked.composition, self.scene.source)
 
     @cached_property
     def papers(self) -> Texts:

@@ -93,8 +93,6 @@ def _caption(view: Drawing) -> list[Label]:
 
 
 def _mute(stroke: Ink) -> Ink:
-    if isinstance(stroke, Bezier):
-        return stroke._replace(title="", data=())
     return stroke._replace(title="", data=())
 
 

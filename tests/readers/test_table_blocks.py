@@ -21,7 +21,7 @@ from support.command import rows as csv_rows
 from support.examples import most
 from support.scenes import calling, source, written
 
-from graphic_tmm.checking.readings.csv_cells import decoded_text
+from graphic_tmm.checking.readings.csv_cells import decoded
 from graphic_tmm.readers.columns import (
     Column,
 )
@@ -211,7 +211,7 @@ def test_a_decimal_comma_comes_with_semicolons_and_a_mark_on_request() -> None:
 def test_a_table_with_decimal_commas_is_read_back_by_the_check(tmp_path: Path) -> None:
     path = tmp_path / "own.csv"
     path.write_text(printed("table", "engine", "-f", "csv", "--decimal", "comma", "--bom"), "utf-8")
-    assert decoded_text(path).startswith("план;положение")
+    assert decoded(path, path.read_bytes()).startswith("план;положение")
     done = invoke("check", "engine", path, "-f", "json")
     assert done.exit_code in (0, 1), done.output
     assert len(json.loads(done.stdout)["readings"]) > 100

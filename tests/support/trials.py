@@ -21,7 +21,7 @@ from graphic_tmm.checking.cells import Cell, Key, cells, points
 from graphic_tmm.checking.check import TRIALS, Checker
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
-from graphic_tmm.checking.judging.yardstick import Yardstick, yardstick
+from graphic_tmm.checking.judging.yardstick import Yardstick, Yardsticks
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report, Taken
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.scene.records import Scene
@@ -79,7 +79,7 @@ def usual(
     due = cells_and_points(exact(name)) if pointed else cells(exact(name))
     rows = readings(due, due, valued=valued)
     drawing = HANDS[hand]._replace(trials=TRIALS)
-    return yardstick(exact(name), rows, drawing, Limits(), points)
+    return Yardsticks(exact(name), drawing, Limits(), points).of(rows)
 
 
 class Honest(NamedTuple):

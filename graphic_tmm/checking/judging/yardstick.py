@@ -137,7 +137,11 @@ class Yardsticks:
     def __init__(
         self, made: DrawnScene, hand: Hand, limits: Limits, points_by: str = "paper"
     ) -> None:
-        """Take a scene as the exact hand draws it; for the rest see `yardstick`."""
+        """Take a scene as the exact hand draws it.
+
+        ``hand``: by whose drawings readings are judged, so many as its ``trials``; ``points_by``: how points
+        were read, one of `POINTS`.
+        """
         self.made, self.limits = made, limits
         self.reader = reader(made.scene, hand, points_by)
         self.steps: Mapping[tuple[str, str], Step] = steps_of(made.mechanism)
@@ -209,24 +213,3 @@ def _by_figure(asked: Collection[tuple[Key, bool]]) -> dict[Key, set[bool]]:
     for key, in_mm in asked:
         wanted.setdefault(key, set()).add(in_mm)
     return wanted
-
-
-def yardstick(
-    made: DrawnScene, readings: Sequence[Taken], hand: Hand, limits: Limits, points: str = "paper"
-) -> Yardstick:
-    """Return by what readings of these figures are judged.
-
-    Parameters
-    ----------
-    made
-        The scene as the exact hand draws it.
-    readings
-        Which figures were read; other readings of the same figures are judged by the same yardstick.
-    hand
-        By whose drawings they are judged, so many as its ``trials``.
-    limits
-        Where doubt begins, and wrong.
-    points
-        How points were read, one of ``POINTS``.
-    """
-    return Yardsticks(made, hand, limits, points).of(readings)

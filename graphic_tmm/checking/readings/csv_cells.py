@@ -16,7 +16,7 @@ from typing import NamedTuple, NoReturn
 
 from graphic_tmm.checking.readings.figures import SHEET
 from graphic_tmm.errors import Fault, SceneError
-from graphic_tmm.files import Kind, read
+from graphic_tmm.files import Kind
 from graphic_tmm.language.catalogue import languages, speaking
 from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.language.said import said
@@ -35,19 +35,8 @@ NO_BOOK = said("this is no xlsx workbook, or a damaged one; save the sheet as CS
 _NO_TEXT = said("this is not a text; save the table as CSV with the encoding UTF-8")
 
 
-def decoded_text(file: Path) -> str:
-    """Return the text of a file, its encoding found out.
-
-    Raises
-    ------
-    SceneError
-        If it cannot be read (as `files.read`), or is not a text.
-    """
-    return decoded(file, read(file, READINGS))
-
-
 def decoded(file: Path, data: bytes) -> str:
-    """Return the text of the bytes of a file; raises as `decoded_text` if they are none."""
+    """Return the text of the bytes of a file, their encoding found out; raises SceneError if they are none."""
     for encoding in _encodings(data):
         try:
             text = codecs.decode(data, encoding).lstrip("\ufeff").rstrip("\x1a")

@@ -24,13 +24,10 @@ from graphic_tmm.checking.readings.figures import (
 )
 from graphic_tmm.checking.readings.grid import is_book, sheet_table, too_many, torn
 from graphic_tmm.checking.readings.mending import twice
-from graphic_tmm.checking.readings.writing import template, write_readings
 from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.errors import Fault, SceneError, first_of
 from graphic_tmm.files import read
 from graphic_tmm.language.said import joined, said
-
-__all__ = ["read_readings", "readings_of", "template", "write_readings"]
 
 TOLD = 20
 """So many faults of a file are told; how many more there are is counted."""

@@ -210,6 +210,11 @@ def notes(report: Report) -> tuple[str, ...]:
     return tuple(printable_text(note, LONGEST_SENTENCE) for note in report.notes)
 
 
+def verdict_name(verdict: str, language: str) -> str:
+    """Return a verdict with its shape: ✖ wrong."""
+    return f"{SIGNS[verdict]} {WORDS[language][verdict]}"
+
+
 def runs(lines: Sequence[int]) -> str:
     """Return the numbers of lines in short: 2–5, 9; lines without a number (0) are not counted.
 

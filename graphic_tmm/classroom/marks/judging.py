@@ -19,9 +19,9 @@ from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.json import json_report
 from graphic_tmm.classroom.batch.work import Done, Work
 from graphic_tmm.classroom.marks.row import Row, dues, row_of, text
-from graphic_tmm.classroom.variants.start import begun, drawn_by
+from graphic_tmm.classroom.variants.start import begun, drawn_by, kept_composition
 from graphic_tmm.errors import Fault, SceneError, SheetError, TmmError
-from graphic_tmm.fitting.composition import Composition, composition_file, known_composition
+from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.lettering.letters import missing
@@ -105,9 +105,7 @@ def composition_of(task: Task) -> Composition | None:
     if task.lent:
         own = scene_of(task._replace(language=""))
         return begun(scene_of(task), task.composition, own.language)[1].composition
-    if not task.composition:
-        return None
-    return known_composition(task.composition.encode("utf-8"), composition_file(task.source))
+    return kept_composition(task.composition, task.source)
 
 
 @lru_cache(maxsize=2)

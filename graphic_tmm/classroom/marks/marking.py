@@ -8,12 +8,12 @@ one scale factors are searched for each variant, as `check` does of its scene al
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from hashlib import sha256
 from pathlib import Path
 from typing import NamedTuple
 
 from graphic_tmm.checking.photo.picture import PHOTOGRAPH
 from graphic_tmm.checking.readings.csv_cells import READINGS
+from graphic_tmm.classroom.batch.record import digest_of
 from graphic_tmm.classroom.batch.run import USUAL, Ran, run
 from graphic_tmm.classroom.batch.work import Work
 from graphic_tmm.classroom.marks import judging
@@ -29,12 +29,11 @@ from graphic_tmm.classroom.marks.judging import (
 from graphic_tmm.classroom.marks.names import HandIn, Skipped, hand_ins
 from graphic_tmm.classroom.marks.row import Row, faults, known, plans_due, plans_of
 from graphic_tmm.classroom.marks.rule import Mark, Rule, marked
-from graphic_tmm.classroom.variants.start import start_of
+from graphic_tmm.classroom.variants.start import nearby_composition, start_of
 from graphic_tmm.classroom.variants.variant import Base, Variant, source_of, text_of
 from graphic_tmm.classroom.variants.variant import scene_of as variant_of
 from graphic_tmm.errors import SceneError, SheetError, TmmError, printable
 from graphic_tmm.files import read
-from graphic_tmm.fitting.composition import COMPOSITION, composition_file, read_composition
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import captions
@@ -170,7 +169,7 @@ def _scene(of: Class) -> Scene:
 
 def _tasks(of: Class, wanted: set[str]) -> dict[str, Task]:
     """Return the tasks of variants by name; "" for the scene itself. A bad one is told at its line."""
-    own = Task(of.base.text, str(of.base.file), of.language, _composition(str(of.base.file)))
+    own = Task(of.base.text, str(of.base.file), of.language, nearby_composition(str(of.base.file)))
     if of.table is None:
         return {"": own}
     made, begun = {}, _begun(of, own)
@@ -195,34 +194,20 @@ def _task(of: Class, variant: Variant, begun: Task) -> Task:
     assert of.table is not None
     source = str(source_of(of.base, variant))
     task = begun._replace(text=text_of(of.base, variant, str(of.table.file)), source=source)
-    composition = _composition(source)
+    composition = nearby_composition(source)
     return task._replace(composition=composition, lent=False) if composition else task
 
 
-def _composition(source: str) -> str:
-    """Return the composition beside a scene as its file holds it; "" if there is none."""
-    file = composition_file(source)
-    if read_composition(file) is None:
-        return ""
-    return read(file, COMPOSITION).decode("utf-8")
-
-
 def _given(one: HandIn, task: Task, of: Class) -> Given:
-    """Return what the judgement of a hand-in hangs on; raises SceneError if a table cannot be read."""
-    tables = tuple((_path_text(path, of), read(path, READINGS)) for path in one.tables)
+    """Return what the judgement of a hand-in hangs on; raises SceneError if a file cannot be read."""
+    tables = tuple(
+        (path.relative_to(of.folder).as_posix(), read(path, READINGS)) for path in one.tables
+    )
     photographs = tuple(
-        (str(path), sheet, _digest(path)) for path, sheet in (one.photographs if not tables else ())
+        (str(path), sheet, digest_of(read(path, PHOTOGRAPH)))
+        for path, sheet in (one.photographs if not tables else ())
     )
     return Given(one.file, task, of.by, tables, photographs)
-
-
-def _digest(photograph: Path) -> str:
-    """Return the digest of a photograph; raises SceneError if it cannot be read."""
-    return sha256(read(photograph, PHOTOGRAPH)).hexdigest()
-
-
-def _path_text(path: Path, of: Class) -> str:
-    return path.relative_to(of.folder).as_posix()
 
 
 def _run(of: Class, works: Sequence[Work], out: Path, tell: Tell) -> Ran:
@@ -235,15 +220,11 @@ def _run(of: Class, works: Sequence[Work], out: Path, tell: Tell) -> Ran:
 def _done(of: Class, works: Sequence[Work], out: Path, tell: Tell) -> dict[str, Row]:
     """Return the rows of works by their names."""
     ran = _run(of, works, out, tell)
-    found = {}
+    found = dict[str, Row]()
     for one in works:
-        failed = ran.failed.get(one.name)
-        found[one.name] = Row(skipped=failed) if failed else known(_read(out, f"{one.name}.json"))
+        file, failed = out / ROWS / f"{one.name}.json", ran.failed.get(one.name)
+        found[one.name] = Row(skipped=failed) if failed else known(file.read_bytes())
     return found
-
-
-def _read(out: Path, name: str) -> bytes:
-    return (out / ROWS / name).read_bytes()
 
 
 def _other_variants(

@@ -26,6 +26,23 @@ from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import composed_as_large, composed_sheets, draws_mechanism
 
 
+def nearby_composition(source: str) -> str:
+    """Return the composition that stands beside a scene, as its file holds it; "" if there is none.
+
+    Raises
+    ------
+    SceneError
+        If what stands there is no composition.
+    """
+    file = composition_file(source)
+    return "" if read_composition(file) is None else read(file, COMPOSITION).decode("utf-8")
+
+
+def kept_composition(text: str, source: str) -> Composition | None:
+    """Return a composition that was kept as its file beside a scene holds it; None of ""."""
+    return known_composition(text.encode("utf-8"), composition_file(source)) if text else None
+
+
 def start_of(of: Base) -> str:
     """Return the composition that variants begin with, as its file holds it.
 
@@ -37,9 +54,8 @@ def start_of(of: Base) -> str:
     SceneError
         If what stands beside the scene is no composition.
     """
-    file = composition_file(str(of.file))
-    if read_composition(file) is not None:
-        return read(file, COMPOSITION).decode("utf-8")
+    if there := nearby_composition(str(of.file)):
+        return there
     try:
         found = composed_sheets(judged(of.text.encode("utf-8"), of.file))[1]
     except TmmError:
@@ -58,9 +74,7 @@ def begun(scene: Scene, start: str, own: str = "") -> tuple[DrawnScene, Composed
     TmmError
         If it cannot be drawn, or a view fits no sheet.
     """
-    given = (
-        known_composition(start.encode("utf-8"), composition_file(scene.source)) if start else None
-    )
+    given = kept_composition(start, scene.source)
     if scene.spoken_in(own) is scene:
         return composed_sheets(scene, given, near=True)
     _, found = composed_sheets(scene.spoken_in(own), given, near=True)
@@ -74,5 +88,5 @@ def drawn_by(scene: Scene, start: str) -> Composition | None:
     factor no sheet is composed for it.
     """
     if start and all_fixed(scene, mechanism=draws_mechanism(scene, own_boards(scene))):
-        return known_composition(start.encode("utf-8"), composition_file(scene.source))
+        return kept_composition(start, scene.source)
     return begun(scene, start)[1].composition

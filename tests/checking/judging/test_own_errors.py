@@ -15,7 +15,7 @@ from graphic_tmm.checking.check import check
 from graphic_tmm.checking.judging import judge
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.scatter import Limits
-from graphic_tmm.checking.judging.yardstick import yardstick
+from graphic_tmm.checking.judging.yardstick import Yardsticks
 from graphic_tmm.checking.records import FINE, WRONG, Taken
 from graphic_tmm.scene.read import read
 
@@ -28,7 +28,7 @@ SCENES = ("engine", "crank-rocker", "shaper", "offset-slider", "accelerating-cra
 def test_a_perfect_drawing_has_no_error(name: str, pointed: bool) -> None:
     due = cells_and_points(exact(name)) if pointed else cells(exact(name))
     rows = readings(due, due)
-    by = yardstick(exact(name), rows, HANDS["student"]._replace(trials=2), Limits())
+    by = Yardsticks(exact(name), HANDS["student"]._replace(trials=2), Limits()).of(rows)
     own = Comparison(exact(name), rows, by)
     drawn = [t for t in rows if t.plan == "velocities" and (t.pointed or t.mm is not None)]
     assert all(own.errors(taken) for taken in drawn)

@@ -19,7 +19,7 @@ from graphic_tmm.checking.check import check
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits, limited
 from graphic_tmm.checking.judging.taken_marks import POINTS, reader
-from graphic_tmm.checking.judging.yardstick import yardstick
+from graphic_tmm.checking.judging.yardstick import Yardsticks
 from graphic_tmm.checking.readings.figures import half_unit
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Last, Report, Taken
@@ -147,7 +147,7 @@ def test_both_figures_agree_on_plans_that_no_step_measures_too(tmp_path: Path) -
     assert cell.mm is not None
     assert cell.value is not None
     right = Taken(*key[:1], key[2], key[1], mm=round(cell.mm, 1), value=cell.value, unit=cell.unit)
-    by = yardstick(made, [right], HANDS["student"]._replace(trials=TRIALS), Limits())
+    by = Yardsticks(made, HANDS["student"]._replace(trials=TRIALS), Limits()).of([right])
     slipped = right._replace(value=1.3 * cell.value)
     verdict = [[one.verdict for one in judge(made, [row], by)] for row in (right, slipped)]
     assert verdict == [[FINE, FINE], [FINE, WRONG]]
@@ -215,7 +215,7 @@ def test_a_flywheel_a_hundredth_of_what_is_due_is_wrong_by_a_clumsy_hand() -> No
     right = Taken("results", "", "J_fly", value=due.value, unit=due.unit)
     student = HANDS["student"]
     clumsy = student._replace(reading=CLUMSY * student.reading, swing=CLUMSY * student.swing)
-    by = yardstick(made, [right], clumsy._replace(trials=TRIALS), Limits())
+    by = Yardsticks(made, clumsy._replace(trials=TRIALS), Limits()).of([right])
     assert by.spread[right.at].wrong > due.value
     rows = [right._replace(value=due.value * share) for share in (1.0, 1.0 / 88.0)]
     assert [one.verdict for one in judge(made, rows, by)] == [FINE, WRONG]

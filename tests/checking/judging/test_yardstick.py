@@ -22,7 +22,7 @@ from graphic_tmm.checking.judging.own_errors import run
 from graphic_tmm.checking.judging.scatter import Limits, sample
 from graphic_tmm.checking.judging.step_scatter import scatters_of
 from graphic_tmm.checking.judging.taken_marks import as_marks, steps_of
-from graphic_tmm.checking.judging.yardstick import Yardstick, Yardsticks, yardstick
+from graphic_tmm.checking.judging.yardstick import Yardstick, Yardsticks
 from graphic_tmm.checking.records import Taken
 
 HAND = HANDS["student"]._replace(trials=30)
@@ -67,7 +67,7 @@ def test_kept_they_are_those_of_each_drawing_alone(
     together = Yardsticks(exact(name), HAND, Limits())
     for seed in range(2):
         for rows in chosen(name, seed):
-            same(together.of(rows), yardstick(exact(name), rows, HAND, Limits()))
+            same(together.of(rows), Yardsticks(exact(name), HAND, Limits()).of(rows))
 
 
 @pytest.mark.slow

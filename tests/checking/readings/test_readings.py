@@ -11,7 +11,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from support.each import each
 
-from graphic_tmm.checking.readings.read import TOLD, read_readings, write_readings
+from graphic_tmm.checking.readings.read import TOLD, read_readings
+from graphic_tmm.checking.readings.writing import write_readings
 from graphic_tmm.checking.records import Last, Taken
 from graphic_tmm.errors import SceneError
 

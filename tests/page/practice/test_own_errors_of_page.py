@@ -20,7 +20,7 @@ from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.judging.equivalents import ways_of
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
-from graphic_tmm.checking.judging.yardstick import Yardstick, yardstick
+from graphic_tmm.checking.judging.yardstick import Yardstick, Yardsticks
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Judged, Last, Taken
 from graphic_tmm.page.practice.limits import MANNERS
 
@@ -96,7 +96,7 @@ def _yardstick(scene: Packed, manner: str, rows: Any) -> Yardstick:
     key = (scene.name, manner, frozenset(row.at for row in rows))
     if key not in _KEPT:
         hand = HANDS["student"]._replace(trials=TRIALS, seed=scene.made.scene.seed)
-        _KEPT[key] = yardstick(scene.made, rows, hand, Limits(), MANNERS[manner])
+        _KEPT[key] = Yardsticks(scene.made, hand, Limits(), MANNERS[manner]).of(rows)
     return _KEPT[key]
 
 
