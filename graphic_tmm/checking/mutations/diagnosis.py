@@ -6,7 +6,7 @@ Hypotheses are weighed by all readings; a name is given where it is sure, and pa
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -54,7 +54,6 @@ from graphic_tmm.checking.records import FINE, WRONG, Judged
 
 FIRST = 4
 """So many explanations are tried as the first of two mistakes."""
-Least = Mapping[tuple[Key, bool], float]
 
 
 class _Pairs(NamedTuple):
@@ -70,7 +69,7 @@ class _Pairs(NamedTuple):
 
 
 def two(
-    readings: Readings, mistakes: Mistakes, least: Least, found: Sequence[Hypothesis], rest: Rest
+    readings: Readings, mistakes: Mistakes, found: Sequence[Hypothesis], rest: Rest
 ) -> tuple[Told, ...] | None:
     """Return two mistakes made at once, the first sure; None where there are not two, or none is sure."""
     firsts = [one for one in found if one.lost == 0 and float(one.gain.sum()) > CLEAR]
@@ -82,7 +81,7 @@ def two(
     pairs = []
     for group in list(tried.values())[:FIRST]:
         first = min(group, key=plausible)
-        seconds = _allowed(readings, mistakes, least, first)
+        seconds = _allowed(readings, mistakes, first)
         if seconds:
             pairs.append(_Pairs(tuple(sorted(group, key=plausible)), seconds))
     if not pairs:
@@ -114,13 +113,11 @@ def _other_pairs(best: _Pairs, pairs: Iterable[_Pairs], single: Iterable[float])
     return float(np.logaddexp.reduce([*single, *other]))
 
 
-def second_mistake(
-    readings: Readings, mistakes: Mistakes, least: Least, first: Hypothesis
-) -> Told | None:
+def second_mistake(readings: Readings, mistakes: Mistakes, first: Hypothesis) -> Told | None:
     """Return what perhaps was done amiss beside a mistake that is named and leaves something unexplained."""
     if not isinstance(first.what, Mutation):
         return None
-    allowed = _allowed(readings, mistakes, least, first)
+    allowed = _allowed(readings, mistakes, first)
     if not allowed:
         return None
     group = groups(allowed)[0]
@@ -131,13 +128,11 @@ def second_mistake(
     return tuple(sorted(group, key=plausible)), min(chance, UNSURE)
 
 
-def _allowed(
-    readings: Readings, mistakes: Mistakes, least: Least, first: Hypothesis
-) -> tuple[Hypothesis, ...]:
+def _allowed(readings: Readings, mistakes: Mistakes, first: Hypothesis) -> tuple[Hypothesis, ...]:
     """Return the second mistakes that pass the gate, the likeliest first, scored with the first."""
     assert isinstance(first.what, Mutation)
     base = mistakes.base_of(first.board).mistaken(first.what, first.place)
-    found = _seconds(readings, mistakes, base, first, least)
+    found = _seconds(readings, mistakes, base, first)
     ways: tuple[Callable[[], Sequence[Hypothesis]], ...] = (
         lambda: found,
         lambda: _written(readings, mistakes, base, first),
@@ -151,11 +146,11 @@ def _allowed(
 
 
 def _seconds(
-    readings: Readings, mistakes: Mistakes, base: AssumedLog, first: Hypothesis, least: Least
+    readings: Readings, mistakes: Mistakes, base: AssumedLog, first: Hypothesis
 ) -> list[Hypothesis]:
     offered = mistakes.boards[first.board]
     slots = first.what.slots if isinstance(first.what, Mutation) else frozenset()
-    rows = offered.moving(least)
+    rows = offered.moving(readings.least)
     some = [one for one in (offered.mutations[k] for k in rows) if not one.slots & slots]
     some = some if some and some[0] is NONE else [NONE, *some]
     plain = offered.run(some, base)
@@ -173,9 +168,6 @@ def _written(
     return [one._replace(score=one.score + first.score) for one in found if not one.instrument]
 
 
-VISIBLE = 0.5
-"""A mistake must move some reading that is not fine by this share of what a hand scatters by, with no
-reading put in: else it explains noise."""
 CERTAIN = 0.95
 """Where no reading is wrong, a name must be as sure as this, and explain half as much again as `CLEAR`."""
 
@@ -202,18 +194,17 @@ def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged])
     wrong = tuple(one for one in judged if one.verdict == WRONG)
     if not wrong and not _repeated(judged):
         return Diagnosis((), None, ())
-    readings = Readings(drawing)
-    least = _least(drawing, judged)
     doubtful = tuple(one for one in judged if one.verdict != FINE)
+    readings = Readings(drawing, doubtful)
     wronged = {one.taken.key for one in doubtful}
     off = {mark for (mark, _), taken in readings.by_mark.items() if taken.key in wronged}
     followed = frozenset(one.follows.key for one in judged if one.follows is not None)
     found: list[Hypothesis] = []
     rest = Rest(off)
     for number, offered in enumerate(mistakes.boards):
-        found += _of_board(readings, offered, number, least, rest)
+        found += _of_board(readings, offered, number, rest)
     found += of_written(readings, mistakes.base_of(0))
-    said = _said(readings, mistakes, least, found, rest)
+    said = _said(readings, mistakes, found, rest)
     if not said and wrong:
         likely = perhaps(readings, found, rest)
         said = () if likely is None else (likely,)
@@ -252,11 +243,7 @@ def _left(
 
 
 def _said(
-    readings: Readings,
-    mistakes: Mistakes,
-    least: Mapping[tuple[Key, bool], float],
-    found: Sequence[Hypothesis],
-    rest: Rest,
+    readings: Readings, mistakes: Mistakes, found: Sequence[Hypothesis], rest: Rest
 ) -> tuple[Told, ...]:
     """Return what is sure: one mistake, two, or one beside which something is off at one position."""
     named = best([one for one in found if acceptable(readings, one)], rest)
@@ -264,7 +251,7 @@ def _said(
         found = reweighed(readings, mistakes.base_of, found)
         named = best([one for one in found if acceptable(readings, one)], rest)
     if named is None or named[0][0].beyond >= REPEATED:
-        pair = two(readings, mistakes, least, found, rest)
+        pair = two(readings, mistakes, found, rest)
         if pair is not None:
             return pair
     if named is None:
@@ -274,7 +261,7 @@ def _said(
     group, sure = named
     if rest.beyond - group[0].beyond < REPEATED:
         sure = min(sure, UNSURE)  # one reading alone is like many things
-    other = second_mistake(readings, mistakes, least, group[0]) if group[0].beyond else None
+    other = second_mistake(readings, mistakes, group[0]) if group[0].beyond else None
     return ((group, sure),) if other is None else ((group, sure), other)
 
 
@@ -288,23 +275,10 @@ def _repeated(judged: Sequence[Judged]) -> bool:
     )
 
 
-def _least(drawing: Comparison, judged: Sequence[Judged]) -> dict[tuple[Key, bool], float]:
-    """Return by how much a mistake must move each reading that is not fine."""
-    return {
-        one.taken.at: VISIBLE * drawing.by.spread[one.taken.at].rms
-        for one in judged
-        if one.verdict != FINE and one.taken.at in drawing.by.spread
-    }
-
-
 def _of_board(
-    readings: Readings,
-    offered: Offered,
-    number: int,
-    least: Mapping[tuple[Key, bool], float],
-    rest: Rest,
+    readings: Readings, offered: Offered, number: int, rest: Rest
 ) -> Iterator[Hypothesis]:
-    rows = offered.moving(least)
+    rows = offered.moving(readings.least)
     some = [offered.mutations[k] for k in rows]
     evidence, told = of_mutations(readings, offered.base, some, offered.plain, rows)
     rest.beyond = int(evidence.beyond[0].sum())
@@ -321,9 +295,9 @@ def _of_board(
         rest.scores += scores(column_multiples(readings.columns), A_NUMBER)
     yield from of_board(number, some, evidence, offered.shares)
     if number == 0 or offered.made.mechanism is None:
-        free, told_free = fitted(readings, offered, offered.base, least)
+        free, told_free = fitted(readings, offered)
         if free:
             yield from of_board(number, free, told_free, {"given": len(offered.free)}, fitted=True)
         if (evidence.beyond[0, :-1] >= REPEATED).any():
-            stands, told_stands = put_amiss(readings, offered, offered.base, least)
+            stands, told_stands = put_amiss(readings, offered)
             yield from of_board(number, stands, told_stands, {}, fitted=True)

@@ -26,17 +26,28 @@ from graphic_tmm.checking.mutations.execution import AssumedLog, Executed, execu
 from graphic_tmm.checking.mutations.likelihood import BEYOND, Evidence, Likelihood
 from graphic_tmm.checking.mutations.mutation import Mutation
 from graphic_tmm.checking.mutations.tables import Variation
-from graphic_tmm.checking.records import Taken
+from graphic_tmm.checking.records import Judged, Taken
 from graphic_tmm.drawn import Drawn
 
 Array = NDArray[np.float64]
 
 
-class Readings:
-    """The readings of a drawing, ready to be weighed: those of marks, and those of tables."""
+VISIBLE = 0.5
+"""A mistake must move some reading that is not fine by this share of what a hand scatters by, with no
+reading put in: else it explains noise."""
 
-    def __init__(self, drawing: Comparison) -> None:
+
+class Readings:
+    """The readings of a drawing, ready to be weighed: those of marks, and those of tables.
+
+    ``least``: by how much a mistake must move one of those that are ``doubtful`` or wrong.
+    """
+
+    def __init__(self, drawing: Comparison, doubtful: Sequence[Judged]) -> None:
         self.drawing = drawing
+        by = drawing.by.spread
+        at = (one.taken.at for one in doubtful)
+        self.least = {key: VISIBLE * by[key].rms for key in at if key in by}
         self.found = dict(drawing.read_marks[0])
         last: dict[tuple[Mark, int], int] = {}
         # links that turn alike share a mark: of what was read of it the last is the one that was taken

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from graphic_tmm.board import roles
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
-from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.step_scatter import as_read, where_read
 from graphic_tmm.checking.mutations.entries import EntryEvidence, Own, entry_of
 from graphic_tmm.checking.mutations.evidence import Readings, of_mutations
@@ -129,15 +128,15 @@ KEPT_GIVENS = 3
 """So many positions may be the one."""
 
 
-def fitted(
-    readings: Readings, offered: Offered, base: AssumedLog, least: Mapping[tuple[Key, bool], float]
-) -> tuple[list[Mutation], Evidence]:
+def fitted(readings: Readings, offered: Offered) -> tuple[list[Mutation], Evidence]:
     """Return the givens that were misread, each as it fits the readings best, and the evidence for them.
 
-    The first row is the log as it is. ``least``: by how much a figure must move that is not fine.
+    The first row is the log as it is.
     """
     trial = [NONE, *(misread(marks, 1.2) for marks in offered.free)]
-    rows = offered.moving(least, offered.run(trial, base)) if offered.free else np.zeros(1, int)
+    rows = np.zeros(1, int)
+    if offered.free:
+        rows = offered.moving(readings.least, offered.run(trial))
     free = [offered.free[k - 1] for k in rows if k]
     if not free:
         return [], Evidence.none(1, readings.places)
@@ -145,7 +144,7 @@ def fitted(
     def gains(factors: Sequence[Sequence[float]]) -> np.ndarray:
         """Return what each given gains, taken so many times as large; (given, factor)."""
         some = [misread(m, f) for m, row in zip(free, factors, strict=True) for f in row]
-        found = _evidence(readings, offered, base, [NONE, *some]).gain[1:].sum(axis=1)
+        found = _evidence(readings, offered, [NONE, *some]).gain[1:].sum(axis=1)
         return np.asarray(found.reshape(len(free), -1))
 
     first = gains([GRID] * len(free))
@@ -155,34 +154,30 @@ def fitted(
         at = at + np.clip(_newton(told.T, STEP), -FARTHEST, FARTHEST)
     factors = np.exp(at)
     kept = [misread(m, float(f)) for m, f in zip(free, factors, strict=True) if abs(f - 1.0) > NEAR]
-    return [NONE, *kept], _evidence(readings, offered, base, [NONE, *kept])
+    return [NONE, *kept], _evidence(readings, offered, [NONE, *kept])
 
 
-def _evidence(
-    readings: Readings, offered: Offered, base: AssumedLog, some: Sequence[Mutation]
-) -> Evidence:
-    plain = offered.run(some, base)
-    return of_mutations(readings, base, some, plain, np.arange(len(some)))[0]
+def _evidence(readings: Readings, offered: Offered, some: Sequence[Mutation]) -> Evidence:
+    return of_mutations(readings, offered.base, some, offered.run(some), np.arange(len(some)))[0]
 
 
-def put_amiss(
-    readings: Readings, offered: Offered, base: AssumedLog, least: Mapping[tuple[Key, bool], float]
-) -> tuple[list[Mutation], Evidence]:
+def put_amiss(readings: Readings, offered: Offered) -> tuple[list[Mutation], Evidence]:
     """Return the crank put amiss, by as much as fits the readings of a position best, and the evidence.
 
     The first row is the log as it is; then the positions of which that explains most.
     """
+    base = offered.base
     marks = [
         mark for mark in base.log.given if mark.role == roles.CRANK_ANGLE and mark in base.given
     ]
     trial = [NONE, *(amiss_by([mark], STANDS[0]) for mark in marks)]
-    if not marks or offered.moving(least, offered.run(trial, base)).size < 2:
+    if not marks or offered.moving(readings.least, offered.run(trial)).size < 2:
         return [], Evidence.none(1, readings.places)
 
     def gains(angles: Array) -> Array:
         """Return what the crank gains that stands amiss by angles; both (angle, position)."""
         some = [amiss_by(marks, row) for row in angles]
-        found = _evidence(readings, offered, base, [NONE, *some]).gain[1:, :-1]
+        found = _evidence(readings, offered, [NONE, *some]).gain[1:, :-1]
         return np.asarray(np.broadcast_to(found, (len(angles), readings.places)))
 
     grid = np.repeat(np.array(STANDS)[:, None], readings.places, axis=1)
@@ -192,7 +187,7 @@ def put_amiss(
         at = at + np.clip(_newton(told, TURN), -FARTHEST_TURN, FARTHEST_TURN)
     most = np.argsort(-gains(at[None])[0])[:KEPT_GIVENS]
     some = [NONE, *(amiss_by(marks, float(at[k])) for k in most if abs(at[k]) > SEEN)]
-    return some, _evidence(readings, offered, base, some)
+    return some, _evidence(readings, offered, some)
 
 
 def _newton(told: Array, step: float) -> Array:

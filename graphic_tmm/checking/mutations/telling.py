@@ -12,8 +12,8 @@ from graphic_tmm.board.record import Construction, Mark, Step, segment_name
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.choosing import SURE, UNSURE
-from graphic_tmm.checking.mutations.diagnosis import VISIBLE, Diagnosis
-from graphic_tmm.checking.mutations.evidence import Readings
+from graphic_tmm.checking.mutations.diagnosis import Diagnosis
+from graphic_tmm.checking.mutations.evidence import VISIBLE, Readings
 from graphic_tmm.checking.mutations.execution import executed
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis
 from graphic_tmm.checking.mutations.mistakes import NONE, Mistakes

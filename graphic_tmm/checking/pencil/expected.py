@@ -70,6 +70,10 @@ class ExpectedLine(NamedTuple):
         """Its direction."""
         return (self.end - self.start) / self.length
 
+    def share(self, at: complex) -> float:
+        """Return where beside it a place is, as a share of its length."""
+        return ((at - self.start) / self.way).real / self.length
+
     def shares(self, spots: Complexes) -> Reals:
         """Return where on it its places are, as shares of its length; ``spots``: of all places."""
         own = (spots[list(self.places)] - self.start) / self.way

@@ -243,7 +243,7 @@ def crossing(view: View, fit: Fit, k: int) -> Cross:
     for n, (line, track) in enumerate(zip(view.lines, fit.tracks, strict=True)):
         if track is None or k not in line.places:
             continue
-        share = ((view.places[k].at - line.start) / line.way).real / line.length
+        share = line.share(view.places[k].at)
         left = 1j * line.way
         rows.append([left.real, left.imag])
         asides.append(float(track.offset(share)))

@@ -51,6 +51,11 @@ class Track(NamedTuple):
         """Return how far it is aside at a share (0 ... 1, or beyond) of the line, mm."""
         return self.start + (self.end - self.start) * share
 
+    def is_another(self, apart: float, *others: Track) -> bool:
+        """Whether one of its ends is farther than ``apart``, mm, from those of each of others."""
+        ends = ((abs(self.start - one.start), abs(self.end - one.end)) for one in others)
+        return all(max(off) > apart for off in ends)
+
 
 def tracks(flat: Flat, line: ExpectedLine, shift: complex, band: float = BAND) -> tuple[Track, ...]:
     """Return the lines of pencil near a line that is moved by ``shift``, mm, the most covered first.
@@ -67,7 +72,7 @@ def tracks(flat: Flat, line: ExpectedLine, shift: complex, band: float = BAND) -
     sums = _summed(pencil, share, turn, half)
     found = list[Track]()
     for track in refined(flat, line, shift, _best(sums, turn, half)):
-        if all(max(abs(track.start - t.start), abs(track.end - t.end)) > ONE for t in found):
+        if track.is_another(ONE, *found):
             found.append(track)
     return tuple(found)
 
@@ -90,8 +95,9 @@ def _best(sums: Greys, turn: int, half: int) -> list[Track]:
         if sums[i, j] < COVERED or len(found) == MANY:
             break
         start, end = ASIDE * (j - half - (i - turn)), ASIDE * (j - half + (i - turn))
-        if all(max(abs(start - t.start), abs(end - t.end)) > APART for t in found):
-            found.append(Track(start, end, float(sums[i, j])))
+        track = Track(start, end, float(sums[i, j]))
+        if track.is_another(APART, *found):
+            found.append(track)
     return found
 
 

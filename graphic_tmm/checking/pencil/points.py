@@ -337,8 +337,7 @@ class Signs:
         found = 0.0
         for line, far in zip(self.view.lines, doubts, strict=True):
             if far is not None and k in line.places:
-                share = ((at - line.start) / line.way).real / line.length
-                found = max(found, abs(far[0] + (far[1] - far[0]) * share))
+                found = max(found, abs(far[0] + (far[1] - far[0]) * line.share(at)))
         return found
 
     def alone(self, k: int, way: complex) -> float:

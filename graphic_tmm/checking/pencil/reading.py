@@ -114,9 +114,7 @@ def _followed(
     found: list[Track] = []
     for one in tracks(flat, moved, shift, NARROW * spread + NEAREST):
         track = one._replace(start=one.start + aside.start, end=one.end + aside.end)
-        if all(
-            max(abs(track.start - t.start), abs(track.end - t.end)) > ONE for t in (*known, *found)
-        ):
+        if track.is_another(ONE, *known, *found):
             found.append(track)
     return found
 
@@ -230,24 +228,11 @@ def questions(found: PhotoPoints, language: str = "en") -> tuple[str, ...]:
         by.setdefault((plan, position), {}).setdefault(one.how, []).append(letter)
     told = []
     for (plan, position), how in by.items():
-        if unsure := how.get(UNSURE):
-            told.append(
-                speech(
-                    NOT_SURE,
-                    plan=view_name(plan, language),
-                    position=position,
-                    points=", ".join(unsure),
-                )
-            )
-        if unseen := how.get(UNSEEN):
-            told.append(
-                speech(
-                    NOT_SEEN,
-                    plan=view_name(plan, language),
-                    position=position,
-                    points=", ".join(unseen),
-                )
-            )
+        name = view_name(plan, language)
+        for kind, says in ((UNSURE, NOT_SURE), (UNSEEN, NOT_SEEN)):
+            if kind in how:
+                listed = ", ".join(how[kind])
+                told.append(speech(says, plan=name, position=position, points=listed))
     return (*told, *_missing(found.missing, speech))
 
 

@@ -116,8 +116,7 @@ def _other_ways_up(image: NDArray[np.uint8], ruled: Ruled, lines: Lines) -> Iter
     """Yield how much is seen of a frame turned by quarters."""
     for turn in (1, 2, 3):
         turned = lines._replace(corners=np.roll(lines.corners, turn), curl=Curl(ruled.frame))
-        rest, sides = shares_seen(image, ruled, turned)
-        yield min(rest, float(sides.min()))
+        yield _least_seen(shares_seen(image, ruled, turned))
 
 
 def _refined(
@@ -128,10 +127,10 @@ def _refined(
     A side that is no line may be the edge of the paper: then the frame is where it is on this paper.
     """
     lines = refine(image, ruled.frame, corners, lens)
-    rest, sides = shares_seen(image, ruled, lines)
-    if sides.min() > SURE:
-        return min(rest, float(sides.min())), lines
-    lower, right, upper, left = sides < SURE
+    seen = shares_seen(image, ruled, lines)
+    if seen[1].min() > SURE:
+        return _least_seen(seen), lines
+    lower, right, upper, left = seen[1] < SURE
     frame, paper = ruled.frame, ruled.paper
     box = Box(
         paper.left if left else frame.left,
@@ -142,10 +141,13 @@ def _refined(
     matrix = homography(box, lines.lens.straight(lines.corners))
     moved = lines.lens.seen(through(matrix, vertices(frame)))
     if not np.isfinite(moved).all():
-        return min(rest, float(sides.min())), lines
+        return _least_seen(seen), lines
     lines = refine(image, ruled.frame, moved, lens)
-    rest, sides = shares_seen(image, ruled, lines)
-    return min(rest, float(sides.min())), lines
+    return _least_seen(shares_seen(image, ruled, lines)), lines
+
+
+def _least_seen(shares: tuple[float, Reals]) -> float:
+    return min(shares[0], float(shares[1].min()))
 
 
 def _different(several: list[Guess], apart: float) -> Iterator[Guess]:
