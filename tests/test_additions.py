@@ -92,7 +92,7 @@ MISTAKE = """
 import sys
 from graphic_tmm.checking.mutations.grammar import mutations
 from graphic_tmm.checking.mutations.mutation import measured_last
-from graphic_tmm.checking.mutations.names import name_of
+from graphic_tmm.checking.mutations.words import name_of
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
 (board,) = make(read(sys.argv[1]), exact=True).boards
@@ -231,8 +231,8 @@ def test_a_key_of_the_kernel_is_one_file_and_its_reader(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_the_name_of_a_mistake_is_one_file(tmp_path: Path) -> None:
     line = "BY_OPERATION: dict[tuple[str, str], Said] = {\n"
-    entry = f'{line}    (FACTOR, "rate"): said("rate by half"),\n'
-    edits = {"checking/mutations/names.py": (line, entry)}
+    entry = f'{line}    (mutation.FACTOR, "rate"): said("rate by half"),\n'
+    edits = {"checking/mutations/words.py": (line, entry)}
     found = added(tmp_path, edits, MISTAKE, str(SHEETS / "crank-rocker" / "scene.toml")).split()
     assert "ω_2" in found
     assert "pa" not in found

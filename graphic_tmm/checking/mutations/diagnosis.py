@@ -14,14 +14,20 @@ import numpy as np
 from graphic_tmm.board.record import Step
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
-from graphic_tmm.checking.mutations.choosing import (
+from graphic_tmm.checking.mutations.entries import column_multiples
+from graphic_tmm.checking.mutations.evidence import Readings, of_mutations, unexplained
+from graphic_tmm.checking.mutations.execution import AssumedLog
+from graphic_tmm.checking.mutations.hypotheses import (
+    A_NUMBER,
     CLEAR,
     KEPT,
     LIKELY,
     PERHAPS,
     REPEATED,
+    SOMETHING,
     SURE,
     UNSURE,
+    Hypothesis,
     Rest,
     Told,
     acceptable,
@@ -29,22 +35,14 @@ from graphic_tmm.checking.mutations.choosing import (
     best,
     but_one,
     by_score,
+    groups,
+    of_board,
+    of_written,
     perhaps,
     plausible,
     tempered,
     together,
     told_of,
-)
-from graphic_tmm.checking.mutations.entries import column_multiples
-from graphic_tmm.checking.mutations.evidence import Readings, of_mutations, unexplained
-from graphic_tmm.checking.mutations.execution import AssumedLog
-from graphic_tmm.checking.mutations.hypotheses import (
-    A_NUMBER,
-    SOMETHING,
-    Hypothesis,
-    groups,
-    of_board,
-    of_written,
 )
 from graphic_tmm.checking.mutations.likelihood import scores
 from graphic_tmm.checking.mutations.mistakes import NONE, Mistakes, Offered

@@ -11,15 +11,14 @@ from graphic_tmm.board.findings import step_number
 from graphic_tmm.board.record import Construction, Mark, Step, segment_name
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
-from graphic_tmm.checking.mutations.choosing import SURE, UNSURE
 from graphic_tmm.checking.mutations.diagnosis import Diagnosis
 from graphic_tmm.checking.mutations.evidence import VISIBLE, Readings
 from graphic_tmm.checking.mutations.execution import executed
-from graphic_tmm.checking.mutations.hypotheses import Hypothesis
+from graphic_tmm.checking.mutations.hypotheses import SURE, UNSURE, Hypothesis
 from graphic_tmm.checking.mutations.mistakes import NONE, Mistakes
 from graphic_tmm.checking.mutations.mutation import CRANK, Mutation, measured_last
-from graphic_tmm.checking.mutations.names import BY_FAMILY, INSTRUMENT, name_of
 from graphic_tmm.checking.mutations.tables import EVERYTHING, Variation
+from graphic_tmm.checking.mutations.words import BY_FAMILY, INSTRUMENT, name_of
 from graphic_tmm.checking.records import INSTRUMENT as OFF
 from graphic_tmm.checking.records import MISTAKE, SLIP, UNKNOWN, Judged, Likely
 from graphic_tmm.language.catalogue import Speech, speaking

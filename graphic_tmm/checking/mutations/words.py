@@ -1,16 +1,19 @@
-"""What mutations say: a sentence each on the very step, with the letters put in later.
+"""What mutations say, a sentence each on the very step; and what they are called.
 
-Names in braces: ``it`` the mark that the step leaves, ``was`` and ``now`` the marks taken, ``times`` a factor,
-``formula`` as it was calculated.
+In sentences letters are put in later, by names in braces: ``it`` the mark that the step leaves, ``was`` and
+``now`` the marks taken, ``times`` a factor, ``formula`` as it was calculated. Usual mistakes are called as
+teachers call them, by family and operation; the others by their family.
 """
 
 from __future__ import annotations
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.operations.instruments import lay_off, measure, measure_along
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Length, Line, Number, Point
-from graphic_tmm.checking.mutations.mutation import OPERAND, SCALE, START
-from graphic_tmm.language.said import said
+from graphic_tmm.checking.mutations import mutation
+from graphic_tmm.checking.mutations.mutation import Mutation
+from graphic_tmm.language.said import Said, said
 
 CALCULATED = said("{it} was calculated with {now} instead of {was}")
 MEASURED = said("{it} was measured to {now} instead of {was}")
@@ -49,17 +52,94 @@ def operand(step: Step, k: int, *, scale: bool) -> tuple[str, str]:
     """Return the family and the sentence of another mark taken for the one that a step uses."""
     kind = step.uses[k].kind
     if scale:
-        return SCALE, ANOTHER_SCALE
+        return mutation.SCALE, ANOTHER_SCALE
     if step.op.formula:
-        return OPERAND, CALCULATED
+        return mutation.OPERAND, CALCULATED
     if step.op.name in (measure.name, measure_along.name):
-        return OPERAND, MEASURED
+        return mutation.OPERAND, MEASURED
     if kind is Point and k == 0 and step.it.kind is Line:
-        return START, BEGUN
+        return mutation.START, BEGUN
     if kind is Line and step.it.kind is Line:
-        return OPERAND, DIRECTED
+        return mutation.OPERAND, DIRECTED
     if kind in (Length, Number) and step.op is lay_off:
-        return OPERAND, LAID
+        return mutation.OPERAND, LAID
     if kind is Line and step.op is lay_off:
-        return START, BEGUN
-    return OPERAND, TAKEN
+        return mutation.START, BEGUN
+    return mutation.OPERAND, TAKEN
+
+
+BY_OPERATION: dict[tuple[str, str], Said] = {
+    (mutation.LEFT_OUT, "coriolis"): said("Coriolis left out"),
+    (mutation.FACTOR, "coriolis"): said("Coriolis by another factor"),
+    (mutation.SENSE, "coriolis"): said("Coriolis turned"),
+    (mutation.OPERAND, "normal"): said("normal of another link or velocity"),
+    (mutation.POWER, "normal"): said("v/l for v²/l"),
+    (mutation.LEFT_OUT, "normal"): said("normal left out"),
+    (mutation.POWER, "product"): said("ω/r for ω·r"),
+    (mutation.POWER, "rate"): said("v/l inverted"),
+    (mutation.POWER, "rate_turned"): said("v/l inverted"),
+    (mutation.POWER, "product_of_squares"): said("ω²·r by another power"),
+    (mutation.LEFT_OUT, "weight"): said("a weight left out"),
+    (mutation.LEFT_OUT, "inertia_force"): said("inertia left out"),
+    (mutation.LEFT_OUT, "inertia_couple"): said("inertia left out"),
+    (mutation.OPERAND, "measure"): said("another segment"),
+    (mutation.OPERAND, "measure_along"): said("another segment"),
+    (mutation.OPERAND, "similar"): said("another letter in the similarity"),
+    (mutation.OPERAND, "arm"): said("another arm"),
+    (mutation.SENSE, "moment"): said("sense of a moment reversed"),
+}
+INERTIA = said("inertia not reversed")
+BY_FAMILY: dict[str, Said] = {
+    mutation.OPERAND: said("another quantity taken"),
+    mutation.PREVIOUS: said("taken from the position before"),
+    mutation.FACTOR: said("a factor lost or doubled"),
+    mutation.POWER: said("another formula"),
+    mutation.LEFT_OUT: said("something left out"),
+    mutation.DIRECTION: said("parallel for square"),
+    mutation.SENSE: said("sense reversed"),
+    mutation.WRONG_END: said("normal from the wrong end"),
+    mutation.MEETING: said("other assembly"),
+    mutation.MIRRORED: said("mirrored similarity"),
+    mutation.START: said("drawn from another point"),
+    mutation.SCALE: said("another scale factor"),
+    mutation.EXCHANGED: said("links exchanged"),
+    mutation.CRANK: said("crank turned or counted otherwise"),
+    mutation.GIVEN: said("a given misread"),
+    mutation.TABLE: said("table written down otherwise"),
+}
+INSTRUMENT = said("an instrument is off")
+POWERS_OF_TEN = said("decimal point slipped")
+TURNS = said("rpm for rad/s")
+DEGREES = said("degrees for radians")
+
+
+def usual(one: Mutation) -> bool:
+    """Whether a mutation has a name of its own."""
+    return one.at is not None and (one.family, one.at.op.name) in BY_OPERATION
+
+
+def name_of(one: Mutation) -> Said:
+    """Return what a mutation is called."""
+    if one.at is not None:
+        if one.family == mutation.SENSE and one.at.it.role == roles.INERTIA:
+            return INERTIA
+        if (found := BY_OPERATION.get((one.family, one.at.op.name))) and not _ten(one.times):
+            return found
+    if one.family == mutation.FACTOR:
+        return _factor(one)
+    return BY_FAMILY[one.family]
+
+
+def _ten(times: float) -> bool:
+    return times in (10.0, 0.1, 100.0, 0.01, 1000.0, 0.001)
+
+
+def _factor(one: Mutation) -> Said:
+    if _ten(one.times):
+        return POWERS_OF_TEN
+    unit = one.was.unit if one.was is not None else one.at.it.unit if one.at is not None else ""
+    if unit == "1/s" and 9.0 < max(one.times, 1.0 / (one.times or 1.0)) < 10.0:
+        return TURNS
+    if 57.0 < max(one.times, 1.0 / (one.times or 1.0)) < 58.0:
+        return DEGREES
+    return BY_FAMILY[mutation.FACTOR]

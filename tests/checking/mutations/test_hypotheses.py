@@ -6,8 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from graphic_tmm.checking.mutations.choosing import Rest, best, tempered, told_of
-from graphic_tmm.checking.mutations.hypotheses import Hypothesis
+from graphic_tmm.checking.mutations.hypotheses import Hypothesis, Rest, best, tempered, told_of
 from graphic_tmm.checking.mutations.tables import Variation
 from graphic_tmm.checking.records import MISTAKE
 
