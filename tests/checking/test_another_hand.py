@@ -128,6 +128,7 @@ def test_its_honest_drawings_pass_however_they_were_read(
     passes(total)
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", MIRRORED)
 @pytest.mark.parametrize("mode", ["mm", "points"])

@@ -186,6 +186,7 @@ MORE_BAD = {
 }
 
 
+@pytest.mark.turns(4)
 @pytest.mark.slow
 @pytest.mark.parametrize("what", MORE_BAD)
 def test_more_bad_input_is_refused_and_nothing_written(what: str, tmp_path: Path) -> None:

@@ -21,6 +21,7 @@ def in_english(arguments: tuple[str, ...]) -> tuple[str, ...]:
 # names
 
 
+@pytest.mark.turns(6)
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "words"),
@@ -181,6 +182,7 @@ def test_wrong_minutes(what: str, tmp_path: Path) -> None:
     refused(done, "m.toml", *words)
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "arguments",

@@ -198,6 +198,7 @@ def steps_of_scales(drawn: Drawn) -> set[tuple[str, str]]:
     return {(bare(name), number(value, "en")) for name, value in found}
 
 
+@pytest.mark.turns(4)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ALL)
 def test_every_scale_factor_on_a_sheet_is_what_a_step_came_to(name: str) -> None:

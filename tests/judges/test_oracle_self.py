@@ -173,6 +173,7 @@ def at_time(drawn: Sampled, step: float, start: State) -> Rates:
     return solve_digits(drawn.mechanism, angle, start.pose, dps=45)
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("drawn", sample(8, seed=2), ids=lambda drawn: "-".join(drawn.kinds))
 def test_rates_are_differences_of_positions(drawn: Sampled) -> None:

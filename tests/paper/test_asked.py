@@ -364,6 +364,7 @@ def test_a_sheet_is_turned_that_holds_a_view_only_so(tmp_path: Path) -> None:
     assert again.composition == found.composition
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", asked.MECHANISMS)
 @pytest.mark.parametrize("place", ["flywheel", "forces", "engine", "diagrams"])

@@ -95,7 +95,7 @@ def test_curves_of_the_scenes_are_named_beside_themselves(name: str) -> None:
 
 
 @pytest.mark.slow
-@each("seed", range(8))
+@each("seed", range(8), turns=3)
 def test_curves_of_flywheels_drawn_at_random_are_too(seed: int, tmp_path: Path) -> None:
     path = tmp_path / "machine.toml"
     constant = ("driving", "resisting")[seed % 2]

@@ -68,6 +68,7 @@ def test_every_follower_is_moved_by_its_profile(name: str, turns: str) -> None:
     assert off(drawn(name, Law("sine"), turns)) < HUNDREDTH
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "phases", [(120, 0, 120, 120), (180, 0, 180, 0), (90, 180, 90, 0)], ids=repr

@@ -129,6 +129,7 @@ def test_the_scheme_of_the_scene_shows_the_largest_pressure_angle() -> None:
     assert {"contour", "roller", "follower", "normal", "circle"} <= {s.part for s in view.strokes}
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["central", "offset", "rocker", "flat"])
 def test_steps_of_random_cams_are_their_ink(kind: str) -> None:

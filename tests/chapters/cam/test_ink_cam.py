@@ -108,6 +108,7 @@ def sheet(of: list[Drawing]) -> str:
     return svg(Sheet("x", "x", "A1", 841.0, 594.0, tuple(of)))
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ORDERS)
 def test_letters_stand_clear_of_each_other_and_number_every_position(name: str) -> None:
@@ -129,6 +130,7 @@ def test_letters_stand_clear_of_each_other_and_number_every_position(name: str) 
             assert ticks == set(range(of.reading.positions))
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ORDERS)
 def test_unlettered_views_take_about_the_room_of_lettered_ones(name: str) -> None:

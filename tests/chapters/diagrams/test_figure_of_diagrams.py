@@ -37,7 +37,7 @@ def test_the_scenes_have_graphs_of_every_chapter() -> None:
 
 
 @pytest.mark.slow
-@each("seed", range(8))
+@each("seed", range(8), turns=3)
 def test_graphs_of_machines_drawn_at_random_are_read_off_the_log(seed: int, tmp_path: Path) -> None:
     start = ("displacement", "velocity")[seed % 2]
     method = ("chords", "tangents")[seed // 2 % 2]

@@ -62,6 +62,7 @@ def main(of: Drawing) -> list[shapely.Geometry]:
     return [shape(s) for s in of.strokes if s.pen == "main"]
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("order", ORDERS)
 @each("name", VIEWS)

@@ -81,6 +81,7 @@ def case(name: str) -> Seen:
     return Seen(made.mechanism, paper)
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "name", ["bug-bell-crank-rocker", "hydraulic", "rotary", "whitworth-pin-S"]

@@ -10,7 +10,7 @@ from support.mechanisms import Sampled, mechanisms
 
 
 @pytest.mark.slow
-@settings(max_examples=most(150), deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=most(50), deadline=None, suppress_health_check=list(HealthCheck))
 @given(drawn=mechanisms())
 def test_images_of_a_link_are_similar_to_it(drawn: Sampled) -> None:
     read = board(drawn.mechanism).read([[drawn.phi]])

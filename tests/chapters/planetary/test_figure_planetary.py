@@ -46,6 +46,7 @@ def test_steps_of_the_scene_are_its_ink() -> None:
         assert_laws(work.construction, view)
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("scheme", oracle.SENSES)
 def test_steps_of_random_trains_are_their_ink(scheme: str) -> None:

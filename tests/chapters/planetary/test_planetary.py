@@ -52,6 +52,7 @@ def order_of(scheme: str, driving: str = "1", **more: Any) -> PlanetaryTask:
     return PlanetaryTask(scheme, 0.004, SPEED, driving, teeth=GIVEN[scheme], **more)
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("scheme", oracle.SENSES)
 def test_random_trains_move_as_rolling_contacts_say(
