@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 import tomllib
@@ -276,6 +275,7 @@ def number(value: object) -> float | None:
 
 _UNIT = re.compile(r"[\d.,]+( [^\d\s].*)")
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
+_ESCAPES = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t"}
 
 
 def default_text(one: Key) -> str | None:
@@ -310,6 +310,22 @@ def value_of(text: str) -> Any:
     return tomllib.loads(f"it = {text}")["it"]
 
 
+def quoted(text: str) -> str:
+    """Return a text as TOML writes it, on one line."""
+    return '"' + "".join(map(_escaped, text)) + '"'
+
+
+def _escaped(sign: str) -> str:
+    if sign in _ESCAPES:
+        return _ESCAPES[sign]
+    return f"\\u{ord(sign):04x}" if ord(sign) < 32 or ord(sign) == 127 else sign
+
+
+def key_text(name: str) -> str:
+    """Return a key as TOML writes it: bare, or in quotes."""
+    return name if _BARE.fullmatch(name) else quoted(name)
+
+
 def toml(value: object) -> str:
     """Return a value as TOML writes it, on one line.
 
@@ -324,10 +340,10 @@ def toml(value: object) -> str:
     if isinstance(value, (bool, int, float)):
         return f"{value:g}" if isinstance(value, float) else str(value).lower()
     if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False)
+        return quoted(value)
     if isinstance(value, (list, tuple)):
         return f"[{', '.join(map(toml, value))}]"
     if isinstance(value, dict):
-        pairs = (f"{k if _BARE.fullmatch(k) else toml(k)} = {toml(v)}" for k, v in value.items())
+        pairs = (f"{key_text(k)} = {toml(v)}" for k, v in value.items())
         return f"{{ {', '.join(pairs)} }}" if value else "{}"
     raise TypeError(type(value).__name__)

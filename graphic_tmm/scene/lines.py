@@ -52,10 +52,7 @@ class Layout:
 
 def layout(text: str) -> Layout:
     """Return where everything stands in a TOML text; what cannot be followed is left out."""
-    walk = _Walk(text)
-    with suppress(_Lost, RecursionError):
-        walk.document()
-    return walk.found
+    return _walked(text).found
 
 
 def locate(text: str) -> dict[Path, int]:
@@ -71,10 +68,7 @@ def locate(text: str) -> dict[Path, int]:
     dict of tuple to int
         ``("link", 0, "points", "A") -> 7``; items are counted from 0, as in the parsed document.
     """
-    walk = _Walk(text)
-    with suppress(_Lost, RecursionError):
-        walk.document()
-    return walk.lines
+    return _walked(text).lines
 
 
 def line_of(lines: Mapping[Path, int], path: Path) -> int:
@@ -224,6 +218,13 @@ class _Walk:
     def note(self, path: Path, line: int) -> Path:
         self.lines.setdefault(path, line)
         return path
+
+
+def _walked(text: str) -> _Walk:
+    walk = _Walk(text)
+    with suppress(_Lost, RecursionError):
+        walk.document()
+    return walk
 
 
 def _spoken(raw: str) -> str:

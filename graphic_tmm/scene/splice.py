@@ -11,29 +11,17 @@ import tomllib
 from typing import Any
 
 from graphic_tmm.scene.declare import Path
+from graphic_tmm.scene.document import key_text
 from graphic_tmm.scene.lines import Layout, layout
 from graphic_tmm.scene.vary import put
 
-_BARE = re.compile(r"[A-Za-z0-9_-]+")
 _REST = re.compile(r"[^\n]*\n?")
 _ROW = re.compile(r"([ \t]*)([^=\s]+)([ \t]*)=([ \t]*)")
 _NUMBER = re.compile(r"[+-]?[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?")
-_ESCAPES = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t"}
 
 
 class Unplaced(ValueError):
     """The text is laid out so that a value cannot be set in it without touching anything else."""
-
-
-def quoted(text: str) -> str:
-    """Return a text as TOML writes it, on one line."""
-    return '"' + "".join(_escaped(sign) for sign in text) + '"'
-
-
-def _escaped(sign: str) -> str:
-    if sign in _ESCAPES:
-        return _ESCAPES[sign]
-    return f"\\u{ord(sign):04x}" if ord(sign) < 32 or ord(sign) == 127 else sign
 
 
 def literal(text: str) -> object:
@@ -119,7 +107,7 @@ def _with(text: str, there: Layout, path: Path, value: str) -> str:
     if not isinstance(last, str):
         raise Unplaced(path)
     if table in there.inline:
-        return _in_braces(text, there, table, f"{_key(last)} = {value}")
+        return _in_braces(text, there, table, f"{key_text(last)} = {value}")
     if table in there.rows and (table in there.headers or not table):
         return _below(text, there, table, table, [last], value)
     for k in range(len(table) - 1, -1, -1):  # slides.on = 3 below [[link]]
@@ -127,7 +115,7 @@ def _with(text: str, there: Layout, path: Path, value: str) -> str:
         if rows:
             return _below(text, there, table[:k], table, list(path[k:]), value)
     if len(path) == 2 and isinstance(path[0], str) and (path[0],) not in there.values:
-        return _at_the_end(text, path[0], f"{_key(last)} = {value}")
+        return _at_the_end(text, path[0], f"{key_text(last)} = {value}")
     raise Unplaced(path)
 
 
@@ -144,7 +132,7 @@ def _below(
     text: str, there: Layout, header: Path, like: Path, names: list[str | int], value: str
 ) -> str:
     """Return a text with a line behind the last key of a header's table that begins as ``like``."""
-    key = ".".join(_key(str(name)) for name in names)
+    key = ".".join(key_text(str(name)) for name in names)
     rows = [row for row in there.rows[header] if row[: len(like)] == like and row in there.values]
     line = f"{key} = {value}"
     if rows:
@@ -177,12 +165,8 @@ def _line_behind(text: str, at: int, line: str) -> str:
 def _at_the_end(text: str, section: str, line: str) -> str:
     newline = _newline(text)
     gap = newline if text and not text.endswith("\n") else ""
-    return f"{text}{gap}{newline}[{_key(section)}]{newline}{line}{newline}"
+    return f"{text}{gap}{newline}[{key_text(section)}]{newline}{line}{newline}"
 
 
 def _newline(text: str) -> str:
     return "\r\n" if "\r\n" in text else "\n"
-
-
-def _key(name: str) -> str:
-    return name if _BARE.fullmatch(name) else quoted(name)

@@ -14,10 +14,10 @@ from typing import NoReturn
 
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.said import said
-from graphic_tmm.scene.document import parsed
+from graphic_tmm.scene.document import parsed, quoted
 from graphic_tmm.scene.packaged import SCENE
 from graphic_tmm.scene.read import judged
-from graphic_tmm.scene.splice import Unplaced, literal, quoted, set_to
+from graphic_tmm.scene.splice import Unplaced, literal, set_to
 from graphic_tmm.scene.vary import path_of
 from graphic_tmm.serve.form import Field, form
 

@@ -8,7 +8,8 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from graphic_tmm.scene.splice import Unplaced, literal, quoted, set_to
+from graphic_tmm.scene.document import quoted
+from graphic_tmm.scene.splice import Unplaced, literal, set_to
 
 PLAIN = [
     "7",

@@ -21,8 +21,6 @@ from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import told_arrow
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot, pole, slider, turning_pair
 
-TRACELESS = frozenset({"measure"})
-"""Operations of an engine that leave no trace: the arm OB is read off the plan of positions."""
 REACH = 8.0
 """How far the axis of the rotating vectors goes on behind them, mm."""
 

@@ -9,16 +9,13 @@ from collections.abc import Iterator, Mapping
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.chapters.gears.rolling import along_arc, angle_at, measure_arc, smooth_through
+from graphic_tmm.chapters.gears.rolling import along_arc, smooth_through
 from graphic_tmm.chapters.gears.teeth import Flank, Tooth, Wheel
 from graphic_tmm.paper.clipping import Controls, cut, nearest
 from graphic_tmm.paper.drawing import Bezier, Ink, Stroke, arc, circle
 from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.rules import laid_off
 from graphic_tmm.paper.seen import Rule, Seen, finite
-
-TRACELESS = frozenset({measure_arc.name, angle_at.name})
-"""Operations that leave no trace: what is measured with dividers along an arc, or with the protractor."""
 
 
 def stepped_off(seen: Seen, step: Step, k: int) -> Iterator[Ink]:

@@ -15,7 +15,6 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.curve import bezier, french_curve
-from graphic_tmm.board.operations.locus import REFINE
 from graphic_tmm.board.record import Construction, Figure, Mark, Step
 from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
@@ -35,8 +34,6 @@ from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.seen import Seen, Subject
 from graphic_tmm.paper.symbols.kinematic import GROUND_LENGTH, fixed_pivot, round_arrow
 
-TRACELESS = frozenset({REFINE})
-"""Operations of these plans that leave no trace: angles that are tried out, each on a board of its own."""
 SWEEP = 70.0
 """The arrow of ω1 goes over so many degrees."""
 AHEAD = 20.0

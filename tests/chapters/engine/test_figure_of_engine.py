@@ -11,7 +11,7 @@ from support.engines import SCENE
 from support.gallery import asking, drawn
 from support.graphs import assert_read_off_the_log
 
-from graphic_tmm.chapters.engine.ink import TRACELESS, draw_rotating, draw_triangles
+from graphic_tmm.chapters.engine.ink import draw_rotating, draw_triangles
 from graphic_tmm.chapters.engine.plan import ENGINE_PLAN
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
@@ -39,7 +39,7 @@ def rotating(work: Drawn) -> list[Drawing]:
 
 
 def assert_engine(work: Drawn) -> None:
-    assert_read_off_the_log(work.construction, triangles(work), TRACELESS)
+    assert_read_off_the_log(work.construction, triangles(work))
     assert_read_off_the_log(work.construction, rotating(work))
 
 

@@ -13,7 +13,6 @@ from graphic_tmm.board.record import Construction
 from graphic_tmm.chapters.gears.ink import draw_gear_ink
 from graphic_tmm.chapters.gears.ink_rolling import draw_rolling_ink
 from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
-from graphic_tmm.chapters.gears.outline import TRACELESS
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.chapters.gears.views import gear_views
 from graphic_tmm.errors import TmmError
@@ -35,7 +34,7 @@ def views(order: GearTask) -> tuple[Construction, list[Drawing]]:
 
 
 def assert_laws(log: Construction, drawn: list[Drawing]) -> None:
-    assert not without_ink(log, drawn, TRACELESS)
+    assert not without_ink(log, drawn)
     for view in drawn:
         assert not without_source(view)
         assert_pictures_make_the_view(log, view)

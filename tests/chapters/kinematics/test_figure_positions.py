@@ -15,7 +15,6 @@ from support.rewritten import relettered, text_of
 from support.turns import in_turn
 
 from graphic_tmm.chapters.kinematics import views
-from graphic_tmm.chapters.kinematics.ink_positions import TRACELESS
 from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Bezier, Drawing, Stroke
@@ -34,7 +33,7 @@ def positions(name: str) -> Drawing:
 
 
 def assert_is_figure(work: Drawn, view: Drawing) -> None:
-    assert not without_ink(work.construction, [view], TRACELESS)
+    assert not without_ink(work.construction, [view])
     assert not without_source(view)
     assert_pictures_make_the_view(work.construction, view)
 
