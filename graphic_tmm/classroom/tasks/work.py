@@ -21,9 +21,10 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.lettering.letters import missing
+from graphic_tmm.scene.document import quoted
 from graphic_tmm.scene.read import judged
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.scene.splice import quoted, set_to
+from graphic_tmm.scene.splice import set_to
 
 FORMATS = ("svg", "pdf", "png")
 """What the sheets of a task can be written as."""

@@ -15,13 +15,13 @@ from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import Path
-from graphic_tmm.scene.document import Document, document, spoken
+from graphic_tmm.scene.document import Document, document, quoted, spoken
 from graphic_tmm.scene.lines import key_of
 from graphic_tmm.scene.packaged import FILE, SCENE, scene_name
 from graphic_tmm.scene.quantities import NUMBER
 from graphic_tmm.scene.read import judged
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.scene.splice import Unplaced, literal, quoted, set_to
+from graphic_tmm.scene.splice import Unplaced, literal, set_to
 from graphic_tmm.scene.units import UNITS, plain_unit
 from graphic_tmm.scene.vary import place_of as place_in
 
