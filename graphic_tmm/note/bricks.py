@@ -5,11 +5,10 @@ The sections of chapters (`Page`) are built of these.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
-from string import Formatter
 
-from graphic_tmm.drawn import Drawn, Results, single
+from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
@@ -75,15 +74,6 @@ def worked(drawn: Drawn) -> int:
 def heading(words: str, level: int = 2) -> Heading:
     """Return a numbered heading."""
     return Heading(level, text(words))
-
-
-def filled(told: str, put: Mapping[str, Run]) -> Runs:
-    """Return a sentence with runs in the places of its names."""
-    found: list[Run] = []
-    for words, name, _, _ in Formatter().parse(told):
-        found += [Text(words)] if words else []
-        found += [put[name]] if name is not None else []
-    return tuple(found)
 
 
 def referred(
@@ -297,41 +287,3 @@ def _result(name: str, chapter: str, language: str) -> Runs:
         return (Symbol(result_symbol(name.removeprefix(f"{chapter}_"), language)),)
     told = symbol(caption, language)
     return lettered(told) if " " in told else (Symbol(told),)
-
-
-# ---------------------------------------------------------------- conclusions
-
-
-def result_number(drawn: Drawn, results: Results, name: str, language: str) -> Number:
-    """Return a result as a number with its unit."""
-    value, of = single({name: results[name]})[name]
-    return Number(number(value, language), of, Source("result", drawn.board, name), value)
-
-
-def asked_number(drawn: Drawn, section: str, key: str, of: str, language: str) -> Number:
-    """Return what a section of the scene asks for by a key, as a number with its unit."""
-    value = float(getattr(drawn.scene.tasks[section], key))
-    source = Source("asked", drawn.board, f"{section}.{key}")
-    return Number(number(value, language), of, source, value)
-
-
-def greatest(drawn: Drawn, column: Column, language: str) -> tuple[Number, str] | None:
-    """Return the value of a column that is the greatest in size, and the position where it stands."""
-    values = (
-        column.without(drawn.undrawn).first_figures[1] if not column.at else column.first_figures[1]
-    )
-    there = [(abs(value), k) for k, value in enumerate(values) if value is not None]
-    if not there:
-        return None
-    _, k = max(there, key=lambda one: (one[0], -one[1]))
-    names = [name for name, _ in column.at] or list(drawn.names)
-    return quantity_at(drawn, column, k, language), names[k]
-
-
-def quantity_at(drawn: Drawn, column: Column, k: int, language: str, digits: int = 3) -> Number:
-    """Return the quantity that a column holds in a position (index), to so many significant digits."""
-    value = column.first_figures[1][k]
-    assert value is not None
-    return Number(
-        number(value, language, digits), column.unit, column_source(drawn, column, k), value
-    )

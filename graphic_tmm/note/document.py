@@ -297,16 +297,18 @@ def leaves(one: Run | Tree) -> Iterator[Leaf]:
 
 def numbers(document: Document) -> Iterator[Number]:
     """Yield every number of a note."""
-    for block in walk(document.blocks):
-        for run in runs_of(block):
-            yield from (leaf for leaf in leaves(run) if isinstance(leaf, Number))
+    yield from (leaf for leaf in _leaves_of(document) if isinstance(leaf, Number))
 
 
 def symbols(document: Document) -> Iterator[Symbol]:
     """Yield every symbol of a note."""
+    yield from (leaf for leaf in _leaves_of(document) if isinstance(leaf, Symbol))
+
+
+def _leaves_of(document: Document) -> Iterator[Leaf]:
     for block in walk(document.blocks):
         for run in runs_of(block):
-            yield from (leaf for leaf in leaves(run) if isinstance(leaf, Symbol))
+            yield from leaves(run)
 
 
 LETTERS = said("abcdefghi")

@@ -12,22 +12,18 @@ from types import MappingProxyType
 from typing import Generic, TypeVar
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.drawn import Drawn, Results
+from graphic_tmm.drawn import Drawn, Results, single
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.numbers import fixed
+from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.symbols import plain
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.bricks import (
     Figure,
-    asked_number,
     column_source,
     columns,
     figures_of,
-    filled,
-    greatest,
     heading,
     referred,
-    result_number,
     results,
 )
 from graphic_tmm.note.document import (
@@ -40,6 +36,7 @@ from graphic_tmm.note.document import (
     Picture,
     Run,
     Runs,
+    Source,
     Symbol,
     Table,
     Text,
@@ -132,7 +129,8 @@ class Page(LogPage, Generic[T]):
     def concludes(self) -> Iterator[Runs]:
         """Yield what follows, a sentence each."""
         for sentence in self.by_results:
-            if set(_names(sentence)) <= set(self.results):
+            names = {name for _, name, _, _ in Formatter().parse(sentence) if name is not None}
+            if names <= set(self.results):
                 yield self.sentence(sentence)
 
     def views(self) -> Iterable[Drawing]:
@@ -155,8 +153,11 @@ class Page(LogPage, Generic[T]):
         """Return a sentence, or several, its names filled: by what is ``put``, else by results."""
         known: dict[str, Put] = {**self.letters, **(put or {}), **named}
         several = (words,) if isinstance(words, str) else words
-        translated = " ".join(map(self.speech, several))
-        return filled(translated, {k: self._run(k, known) for k in _names(translated)})
+        runs: list[Run] = []
+        for letters, name, _, _ in Formatter().parse(" ".join(map(self.speech, several))):
+            runs += text(letters)
+            runs += [self._run(name, known)] if name is not None else []
+        return tuple(runs)
 
     def says(
         self, words: Words, put: Mapping[str, Put] | None = None, /, **named: Put
@@ -205,11 +206,16 @@ class Page(LogPage, Generic[T]):
 
     def result(self, name: str) -> Number:
         """Return a result with its unit."""
-        return result_number(self.drawn, self.results, name, self.language)
+        value, of = single({name: self.results[name]})[name]
+        source = Source("result", self.drawn.board, name)
+        return Number(number(value, self.language), of, source, value)
 
     def ordered(self, key: str, of: str = "") -> Number:
         """Return what the chapter's section of the scene orders by a key, with its unit."""
-        return asked_number(self.drawn, self.chapter.name, key, of, self.language)
+        section = self.chapter.name
+        value = float(getattr(self.drawn.scene.tasks[section], key))
+        source = Source("asked", self.drawn.board, f"{section}.{key}")
+        return Number(number(value, self.language), of, source, value)
 
     # ------------------------------------------------------------ columns
 
@@ -237,7 +243,24 @@ class Page(LogPage, Generic[T]):
     def greatest(self, segment: str) -> tuple[Number, str] | None:
         """Return the value of a column that is greatest in size, and the position where it stands."""
         column = self.columns.get(segment)
-        return greatest(self.drawn, column, self.language) if column is not None else None
+        if column is None:
+            return None
+        undrawn = () if column.at else self.drawn.undrawn
+        values = column.without(undrawn).first_figures[1]
+        there = [(abs(value), -k) for k, value in enumerate(values) if value is not None]
+        if not there:
+            return None
+        k = -max(there)[1]
+        names = [name for name, _ in column.at] or list(self.drawn.names)
+        return self.quantity(segment, k), names[k]
+
+    def quantity(self, segment: str, k: int, digits: int = 3) -> Number:
+        """Return the quantity that a column holds in a position (index), to so many significant digits."""
+        column = self.columns[segment]
+        value = column.first_figures[1][k]
+        assert value is not None
+        source = column_source(self.drawn, column, k)
+        return Number(number(value, self.language, digits), column.unit, source, value)
 
     def extreme(
         self, words: Words, segment: str, name: str = "value", **put: Put
@@ -296,8 +319,3 @@ class Page(LogPage, Generic[T]):
             yield referred(shown, self.language)
         yield from between
         yield from shown
-
-
-def _names(words: str) -> list[str]:
-    """Return the names that a sentence leaves open."""
-    return [name for _, name, _, _ in Formatter().parse(words) if name is not None]

@@ -15,7 +15,6 @@ from graphic_tmm.chapters.arc_cam.record import BESIDE
 from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER
 from graphic_tmm.chapters.arc_cam.views import arc_views
 from graphic_tmm.language.said import said
-from graphic_tmm.note.bricks import quantity_at
 from graphic_tmm.note.document import Block, Number, Runs
 from graphic_tmm.note.figures import readable
 from graphic_tmm.note.page import COLUMNS, Page
@@ -122,16 +121,13 @@ class ArcCamPage(Page[ArcCam]):
         ]
         k = max(range(len(apart)), key=lambda at: (apart[at], -at))
         if apart[k] >= 0.0:
-            chords, instant = (self._quantity(name, k) for name in ("dS", "dS_P"))
+            chords, instant = (self.quantity(name, k) for name in ("dS", "dS_P"))
             names = self.drawn.names
             yield self.sentence(APART, chords=chords, instant=instant, position=names[k])
         sides = filter(None, map(self.greatest, ("ddS_K", "ddS_K_after")))
         most = max(sides, key=lambda one: abs(one[0].value), default=None)
         if most is not None:
             yield self.sentence(SHARPEST, value=most[0], position=most[1])
-
-    def _quantity(self, segment: str, k: int) -> Number:
-        return quantity_at(self.drawn, self.columns[segment], k, self.language)
 
     def blocks(self) -> Iterator[Block]:
         """Yield what is told: contour, follower, diagrams, the table."""

@@ -19,7 +19,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.language.numbers import decimals_of
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain
-from graphic_tmm.note.bricks import heading, quantity_at, side_by_side, worked
+from graphic_tmm.note.bricks import heading, side_by_side, worked
 from graphic_tmm.note.document import Block, Display, Formula, Picture, Runs, Symbol, paragraph
 from graphic_tmm.note.figures import WALL, in_hand
 from graphic_tmm.note.page import COLUMNS, Page
@@ -127,12 +127,13 @@ class ForcePage(Page[Forces]):
 
     def concludes(self) -> Iterator[Runs]:
         """Yield, for each position that is asked for, whether the lever agrees with the force plans."""
-        column = next(one for name, one in self.columns.items() if name.endswith(DIFFERENCE))
+        segment = next(name for name in self.columns if name.endswith(DIFFERENCE))
+        values = self.columns[segment].first_figures[1]
         for k in self.recorded.places:
-            value = column.first_figures[1][k] if k not in self.drawn.undrawn else None
+            value = values[k] if k not in self.drawn.undrawn else None
             if value is not None:
                 words = AGREE if value <= self.recorded.order.limit else APART
-                apart = quantity_at(self.drawn, column, k, self.language, 2)._replace(unit="")
+                apart = self.quantity(segment, k, 2)._replace(unit="")
                 position, limit = self.drawn.names[k], self.ordered("limit")
                 yield self.sentence(words, position=position, apart=apart, limit=limit)
 

@@ -81,7 +81,7 @@ class _SumFormulas:
         one, writer = self.one, self.writer
         heading = Symbol(writer.letter(one.heading))
         if one.sought is None:
-            total = self._figure(one.of.total, "N·m", signed=True)
+            total = self._total(one.of.total)
             whole = self._tree(self._sum(figures=False)), self._tree(self._sum(figures=True))
             yield from broken(Formula((heading, *whole, total)))
             return
@@ -89,7 +89,7 @@ class _SumFormulas:
         left = [*self._parts(figures=False), (sense, self._last(one.sought))]
         yield from broken(Formula((heading, self._tree(_signed(left)), Symbol("0"))))
         name = self._tree(self._barred(one.sought.value, one.sought.letter))
-        value = self._figure(one.sought.value, one.sought.unit)
+        value = self._result(one.sought)
         yield from broken(Formula((name, self._tree(self._quotient(one.sought, sense)), value)))
 
     def _sum(self, *, figures: bool) -> Node:
@@ -144,13 +144,17 @@ class _SumFormulas:
         told = writer.length(mark) if mark.kind is Length else writer.figure(mark)
         return Number(told, "", self._source(mark, "size"), abs(writer.value(mark)))
 
-    def _figure(self, mark: Mark, unit: str, *, signed: bool = False) -> Number:
+    def _result(self, sought: Sought) -> Number:
+        """Return the size of what is sought, with its unit."""
+        mark = sought.value
+        told = self.writer.figure(mark)
+        return Number(told, sought.unit, self._source(mark, "size"), abs(self.writer.value(mark)))
+
+    def _total(self, mark: Mark) -> Number:
+        """Return a moment with its sign."""
         value = self.writer.value(mark)
-        if not signed:
-            told = Number(self.writer.figure(mark), unit, self._source(mark, "size"), abs(value))
-            return told
-        text = number(value, self.writer.language)
-        return Number(text, unit, self._source(mark, "mark"), value)
+        digits = number(value, self.writer.language)
+        return Number(digits, "N·m", self._source(mark, "mark"), value)
 
     def _source(self, mark: Mark, kind: str) -> Source:
         return Source(kind, self.board, str(mark.slot), self.writer.index, mark.view)
