@@ -184,8 +184,8 @@ def formulas(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         if is_product(step.op) and one.family != SENSE:
             change = Change(step._replace(op=with_sense(one.op, step.op)))
         key = (family, step.op.name, one.op.formula)
-        told = {"formula": one.op.formula, "usual": usual}
-        yield key, at_step(step, family, words.FORMULA, change, **told)
+        text = one.op.formula
+        yield key, at_step(step, family, words.FORMULA, change, formula=text, usual=usual)
     scales = [(k, m) for k, m in enumerate(step.uses) if is_scale(m)]
     for k, was in scales:
         for now in scope.scales:
@@ -223,9 +223,8 @@ def units(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         if was.kind is Number and was.slot in scope.given:
             for factor in BY_UNIT.get(was.unit, ()):
                 change = Change(step._replace(op=_used_times(step.op, k, factor)))
-                told = {"was": was, "times": factor, "usual": 2.0}
-                key = (FACTOR, step.op.name, was.name, factor)
-                yield key, at_step(step, FACTOR, words.USED_TIMES, change, **told)
+                one = at_step(step, FACTOR, words.USED_TIMES, change, was=was, times=factor)
+                yield (FACTOR, step.op.name, was.name, factor), one._replace(usual=2.0)
 
 
 @cache

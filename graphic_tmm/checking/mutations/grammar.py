@@ -134,8 +134,9 @@ def _segments(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
                 first, last = sorted((end, other), key=lambda mark: mark.slot)
                 uses = (*step.uses[:k], first, last, *step.uses[k + 1 :], *step.uses)
                 change = Change(step._replace(op=_by_segment(step.op, k), uses=uses))
-                told = {"was": was, "now": was._replace(letter=f"{first.letter}{last.letter}")}
-                yield (), at_step(step, OPERAND, words.CALCULATED, change, usual=1.5, **told)
+                now = was._replace(letter=f"{first.letter}{last.letter}")
+                one = at_step(step, OPERAND, words.CALCULATED, change, was=was, now=now)
+                yield (), one._replace(usual=1.5)
 
 
 @cache
@@ -157,12 +158,9 @@ def _before(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     if step.op.across or step.op.reads:
         return
     for k, was in enumerate(step.uses):
-        if was.kind in (Line, Length):
-            made = scope.step(was)
-            if made is not None:
-                usual = 1.0 if was.kind is Line else UNUSUAL
-                told = {"was": was, "usual": usual}
-                yield (), at_step(step, PREVIOUS, words.BEFORE, Change(step, before=k), **told)
+        if was.kind in (Line, Length) and scope.step(was) is not None:
+            one = at_step(step, PREVIOUS, words.BEFORE, Change(step, before=k), was=was)
+            yield (), one._replace(usual=1.0 if was.kind is Line else UNUSUAL)
 
 
 def _exchanged(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
@@ -198,8 +196,7 @@ def _openings(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         return
     if all(mark.slot in scope.given for mark in (*first.uses, *second.uses)):
         changes = {one.it.slot: _opened(one, second), other.it.slot: _opened(other, first)}
-        told: dict[str, Any] = {"was": first.it, "now": second.it}
-        yield (), Mutation(EXCHANGED, words.EXCHANGED_WITH, changes, {}, step, **told)
+        yield (), Mutation(EXCHANGED, words.EXCHANGED_WITH, changes, {}, step, first.it, second.it)
 
 
 def _opened(arc: Step, by: Step) -> Change:
@@ -251,25 +248,23 @@ def _directions(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
             change = Change(
                 step._replace(choice={"quarters": (step.choice["quarters"] + quarters) % 4})
             )
-            told: dict[str, Any] = {"times": 90.0 * quarters}
             key = (DIRECTION, step.op.name, quarters)
-            yield key, at_step(step, DIRECTION, words.TURNED, change, **told)
+            yield key, at_step(step, DIRECTION, words.TURNED, change, times=90.0 * quarters)
     if step.it.kind is Line and step.op not in (parallel, square):
         for quarters in (1, 2, 3):
             change = Change(step._replace(op=_turned(step.op, quarters)))
-            told = {"times": 90.0 * quarters, "usual": UNUSUAL}
-            yield (), at_step(step, DIRECTION, words.TURNED, change, **told)
+            one = at_step(step, DIRECTION, words.TURNED, change, times=90.0 * quarters)
+            yield (), one._replace(usual=UNUSUAL)
     if step.op is lay_off:
         for factor in (2.0, 0.5):
-            change = Change(step._replace(op=_times(step.op, factor)))
-            told = {"was": step.uses[1], "times": factor}
-            yield (), at_step(step, FACTOR, words.LAID_TIMES, change, **told)
+            change, was = Change(step._replace(op=_times(step.op, factor))), step.uses[1]
+            yield (), at_step(step, FACTOR, words.LAID_TIMES, change, was=was, times=factor)
         change = Change(step._replace(op=_backwards(step.op)))
         says = words.SENSE if step.uses[0].role != roles.NORMAL else words.WRONG_END
         yield (), at_step(step, SENSE, says, change, was=step.uses[1])
         nothing = Change(step._replace(op=_not_at_all(step.op)))
-        told = {"was": step.uses[1], "usual": 1.5}
-        yield (), at_step(step, LEFT_OUT, words.LEFT_OUT, nothing, **told)
+        one = at_step(step, LEFT_OUT, words.LEFT_OUT, nothing, was=step.uses[1])
+        yield (), one._replace(usual=1.5)
 
 
 @cache

@@ -219,6 +219,12 @@ def doubtful_parts(report: Report) -> tuple[Part, ...]:
     return tuple(found)
 
 
+def verdict_parts(report: Report) -> list[tuple[str, Part]]:
+    """Return what is wrong, then what is doubtful, each part with its verdict."""
+    found = ((WRONG, wrong_parts(report)), (DOUBTFUL, doubtful_parts(report)))
+    return [(verdict, part) for verdict, parts in found for part in parts]
+
+
 def fine_grids(report: Report) -> tuple[Grid, ...]:
     """Return the tables of what is fine, plan by plan."""
     return tuple(
@@ -235,8 +241,8 @@ def fine_ones(report: Report) -> str:
 
 def grids(report: Report) -> tuple[Grid, ...]:
     """Return all tables of a report, in order."""
-    parts = (*wrong_parts(report), *doubtful_parts(report))
-    return (*(part.grid for part in parts if part.grid is not None), *fine_grids(report))
+    there = (part.grid for _, part in verdict_parts(report))
+    return (*(grid for grid in there if grid is not None), *fine_grids(report))
 
 
 def legend(report: Report, grids: Sequence[Grid]) -> str:

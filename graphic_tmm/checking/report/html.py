@@ -7,12 +7,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report
+from graphic_tmm.checking.records import FINE, Report
 from graphic_tmm.checking.report import rows
 from graphic_tmm.checking.report.charts import COLOURS, chart, render, small_plan
 from graphic_tmm.checking.report.findings import (
     Part,
-    doubtful_parts,
     finding_rows,
     fine_grids,
     fine_ones,
@@ -20,7 +19,7 @@ from graphic_tmm.checking.report.findings import (
     headline,
     legend,
     summary,
-    wrong_parts,
+    verdict_parts,
 )
 from graphic_tmm.checking.report.rows import WORDS, plan_name
 
@@ -41,7 +40,6 @@ def html_report(report: Report) -> str:
         for plan, readings in rows.by_plan(report.readings).items()
         if (drawn := chart(plan, readings, language))
     ]
-    groups = ((WRONG, wrong_parts(report)), (DOUBTFUL, doubtful_parts(report)))
     fine = fine_ones(report)
     page = render(
         "page.html",
@@ -53,7 +51,7 @@ def html_report(report: Report) -> str:
         headline=headline(report),
         findings=finding_rows(report),
         summary=summary(report),
-        groups=[(rows.SIGNS[verdict], verdict, parts) for verdict, parts in groups],
+        parts=verdict_parts(report),
         plan=_plan,
         fine=f"{rows.SIGNS[FINE]} {fine}" if fine else "",
         fine_grids=fine_grids(report),

@@ -9,10 +9,9 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report
+from graphic_tmm.checking.records import FINE, Report
 from graphic_tmm.checking.report.charts import small_plan
 from graphic_tmm.checking.report.findings import (
-    doubtful_parts,
     finding_rows,
     fine_grids,
     fine_ones,
@@ -20,7 +19,7 @@ from graphic_tmm.checking.report.findings import (
     headline,
     legend,
     summary,
-    wrong_parts,
+    verdict_parts,
 )
 from graphic_tmm.checking.report.rows import FIGURES, SIGNS, WORDS, Grid, notes, title, who
 
@@ -41,13 +40,12 @@ def markdown_report(report: Report) -> str:
     if found := finding_rows(report):
         blocks.append("\n".join(f"- {opened(row)}" for row in found))
     blocks += [opened(text) for text in (summary(report), who(report)) if text]
-    for sign, parts in ((WRONG, wrong_parts(report)), (DOUBTFUL, doubtful_parts(report))):
-        for part in parts:
-            blocks += [f"## {SIGNS[sign]} {marked(part.heading)}", *map(opened, part.told)]
-            if part.picture is not None:
-                blocks.append(str(small_plan(part.picture, part.caption)).rstrip())
-                blocks.append(opened(part.caption))
-            blocks += [_pipes(part.grid, words)] if part.grid is not None else []
+    for verdict, part in verdict_parts(report):
+        blocks += [f"## {SIGNS[verdict]} {marked(part.heading)}", *map(opened, part.told)]
+        if part.picture is not None:
+            blocks.append(str(small_plan(part.picture, part.caption)).rstrip())
+            blocks.append(opened(part.caption))
+        blocks += [_pipes(part.grid, words)] if part.grid is not None else []
     if told := fine_ones(report):
         blocks.append(f"<details><summary>{SIGNS[FINE]} {marked(told)}</summary>")
         for grid in fine_grids(report):

@@ -7,13 +7,12 @@ from typing import Any, NamedTuple
 
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report
 from graphic_tmm.checking.report.findings import (
-    doubtful_parts,
     finding_rows,
     fine_ones,
     headline,
     legend,
     summary,
-    wrong_parts,
+    verdict_parts,
 )
 from graphic_tmm.checking.report.rows import FIGURES, SIGNS, WORDS, Grid, notes, title, who, worst
 
@@ -40,8 +39,7 @@ def text_report(report: Report) -> list[Any]:
     ]
     made += [Text(f"• {row}") for row in finding_rows(report)]
     made += [Text(text) for text in (summary(report), who(report)) if text]
-    parts = [(WRONG, part) for part in wrong_parts(report)]
-    parts += [(DOUBTFUL, part) for part in doubtful_parts(report)]
+    parts = verdict_parts(report)
     for verdict, part in parts:
         made += [Text(""), Text(f"{SIGNS[verdict]} {part.heading}", style=STYLES[verdict])]
         made += [Text(text) for text in part.told]
