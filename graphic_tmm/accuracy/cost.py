@@ -27,9 +27,6 @@ from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Arc, Curve, Kind, Line, Point, arrays
 from graphic_tmm.errors import ConstructionError
 
-ALONG = frozenset({"following", "succession", "next_satellite"})
-"""Operations across positions that leave a mark at every position; the others leave one for the row."""
-
 Parts = tuple[bool, ...]
 """For each array of a value: whether it varies with the position."""
 Choice = tuple[tuple[str, int], ...]
@@ -65,7 +62,7 @@ def repeated(construction: Construction, varies: Iterable[Mark]) -> frozenset[in
 def _left(step: Step, taken: tuple[Parts, ...]) -> Parts:
     op, size = step.op, _size(step.op.leaves)
     if op.across:
-        return (op.name in ALONG,) * size
+        return (op.everywhere,) * size
     if not any(map(any, taken)):
         return (False,) * size
     if op.name not in OPERATIONS:  # it owns a construction of its own

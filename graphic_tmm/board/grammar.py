@@ -67,6 +67,7 @@ class Operation(NamedTuple):
     looked_up: bool = False
     kept: bool = False
     swings: bool = False
+    everywhere: bool = False
 
     def __repr__(self) -> str:
         return self.name
@@ -103,6 +104,7 @@ def operation(
     looked_up: bool = False,
     kept: bool = False,
     swings: bool = False,
+    everywhere: bool = False,
 ) -> Callable[[F], Operation]:
     """Turn an annotated function into an `Operation` and enter it into the table.
 
@@ -116,7 +118,7 @@ def operation(
     ``symbol``: of geometrography, such as "E1 + E2 + R2", "" for what costs no work; None: that of its sort.
     ``looked_up``: in a row of standard values. ``kept``: it names what stands there already, so no hand slips.
     ``swings``: a ray drawn with the square, the protractor or by eye, which a hand swings; a line through two
-    points is as good as they are.
+    points is as good as they are. ``everywhere``: it works across positions, and leaves a mark at each of them.
     """
 
     def enter(function: F) -> Operation:
@@ -153,6 +155,7 @@ def operation(
             looked_up,
             kept,
             swings,
+            everywhere,
         )
         if OPERATIONS.setdefault(made.name, made) is not made:
             raise TypeError(f"the board has two operations called {made.name}")

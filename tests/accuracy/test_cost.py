@@ -13,7 +13,6 @@ from support.gallery import ALL, NAMES
 from support.logs import FourBar, logs, sizes
 
 from graphic_tmm.accuracy.cost import (
-    ALONG,
     MINUTES,
     NOTHING,
     BoardWork,
@@ -54,9 +53,9 @@ def test_steps_across_positions_leave_one_mark_or_one_for_each_position() -> Non
             for step in log.steps:
                 if step.op.across and step.op.leaves is not Curve:
                     size = max(part.shape[1] for part in arrays(reading[step.it]))
-                    assert size == (reading.positions if step.op.name in ALONG else 1), step.op
+                    assert size == (reading.positions if step.op.everywhere else 1), step.op
                     seen.add(step.op.name)
-    assert seen >= ALONG
+    assert seen >= {"following", "succession", "next_satellite"}
 
 
 def test_some_scene_has_many_steps_of_either_sort() -> None:

@@ -31,6 +31,7 @@ def at_zero(of: Point) -> Point:
 @operation(
     kept=True,
     across=True,
+    everywhere=True,
     why=said("An interval of the row lies between a position and the one that follows."),
 )
 def following(point: Point, end: Point, *, row: int) -> Point:
@@ -161,6 +162,7 @@ def _abscissas(knots: Complexes) -> Reals:
 @operation(
     symbol="nE1 + nE2 + nR2",
     across=True,
+    everywhere=True,
     fails=WHOLE_ROW,
     why=said(
         "Over each interval the integral grows by the interval times the mean ordinate: a segment parallel "

@@ -268,6 +268,7 @@ def miss_of_ratio(found: Number, due: Number) -> Number:
 @operation(
     kept=True,
     across=True,
+    everywhere=True,
     fails=WHOLE_ROW,
     why=said("Neighbours decide whether the satellites have room."),
 )
