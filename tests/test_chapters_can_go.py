@@ -71,6 +71,7 @@ def covering(names: list[str]) -> list[str]:
     return chosen
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_a_chapter_can_be_taken_out(

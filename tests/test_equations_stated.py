@@ -168,24 +168,28 @@ def in_languages(name: str, many: Many) -> tuple[str, ...]:
     return LANGUAGES if both else LANGUAGES[sorted((*NAMES, *RARE)).index(name) % 2 :][:1]
 
 
+@pytest.mark.turns(2)
 @by_scene
 def test_the_equations_of_a_note_hold_with_what_it_states(name: str, many: Many) -> None:
     for language in in_languages(name, many):
         held(of_note(name, language), 30)
 
 
+@pytest.mark.turns(2)
 @by_scene
 def test_the_equations_of_sheets_hold_with_what_they_state(name: str, many: Many) -> None:
     for language in in_languages(name, many):
         held(of_sheets(name, language), 4)
 
 
+@pytest.mark.turns(2)
 @by_scene
 def test_the_equations_of_protocols_hold_with_what_they_state(name: str, many: Many) -> None:
     for language in in_languages(name, many):
         held(of_protocols(name, language), 20)
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in NAMES if name not in LOADED])
 def test_the_equations_of_a_note_without_forces_hold(name: str, many: Many) -> None:

@@ -110,6 +110,7 @@ def test_a_place_that_will_not_be_replaced_leaves_no_temporary_file(
 # the command line
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("stand", ["file", "file/below", "proc"])
 def test_a_folder_that_cannot_be_written(stand: str, tmp_path: Path) -> None:

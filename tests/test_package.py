@@ -147,6 +147,7 @@ def test_drawing_sheets_imports_no_page(tmp_path: Path) -> None:
     assert done.stdout.strip() == ""
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("arguments", [("table", "planetary"), ("steps", "planetary"), ("scenes",)])
 def test_what_is_printed_does_not_depend_on_hash_or_locale(arguments: tuple[str, ...]) -> None:

@@ -75,6 +75,7 @@ def test_the_planetary_results() -> None:
     assert PLANETARY_PLAN.on(part).order.teeth == (25, None, None)  # the others were found
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", KINDS)
 @pytest.mark.parametrize("language", ["ru", "en"])

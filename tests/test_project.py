@@ -142,6 +142,7 @@ CARRIED = [
 ]
 
 
+@pytest.mark.turns(4)
 @pytest.mark.slow
 @pytest.mark.parametrize("speed", [1.0, -1.0])
 @pytest.mark.parametrize(("make", "zero"), CARRIED)

@@ -88,6 +88,7 @@ def specimen() -> Sheet:
     return Sheet("s", "", "A4", 210, 297, (Drawing("d", "", tuple(strokes), tuple(labels)),))
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
 def test_typst_and_resvg_paint_every_sheet_alike(
@@ -100,6 +101,7 @@ def test_typst_and_resvg_paint_every_sheet_alike(
         assert worst < SHARE, sheet.name
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("dots", [72.0, 96.0, 100.0, WHOLE, 137.0, 150.0])
 def test_every_pen_and_letter_at_any_dots(dots: float) -> None:
@@ -129,6 +131,7 @@ def test_a_small_change_is_seen(what: str) -> None:
     assert unlike(painted, by_resvg(changed))[1] > SHARE
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["crank-rocker", "engine"])
 def test_pdfium_paints_the_pdf_like_the_svg(name: str) -> None:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from itertools import pairwise
 
 import pytest
 import shapely
 from support.each import each
-from support.gallery import ALL, EVERYDAY, LARGEST
+from support.gallery import ALL, EVERYDAY
 from support.handouts import lettered, papers, read, told
 
 from graphic_tmm.handout.handout import overview
@@ -23,7 +22,6 @@ from graphic_tmm.paper.sheet_frame import drawing_area
 
 SCENES = [name for name in ALL if name != "lettering"]
 CHEAP = [name for name in ("slider-diagrams",) if name in EVERYDAY]
-FEW = ("arc-cam", LARGEST)
 OTHER = {"slider-diagrams": "en", "crank-rocker": "ru"}
 """Scenes told in the language that is not their own, too."""
 CELL = 1e-6
@@ -117,11 +115,9 @@ def test_the_sheets_speak_either_language(name: str) -> None:
 
 
 @pytest.mark.slow
-@each("name", sorted(set(SCENES) - set(CHEAP)))
-def test_the_sheets_of_every_scene(name: str, many: Callable[[int, int], int]) -> None:
-    """A part and the largest, besides those told in either language; measured, each of them."""
-    if many(1, 0) or name in FEW:
-        judge(name)
+@each("name", sorted(set(SCENES) - set(CHEAP)), turns=1)
+def test_the_sheets_of_every_scene(name: str) -> None:
+    judge(name)
 
 
 def test_several_pictures_stand_on_a_sheet() -> None:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import pytest
 from support.each import each
-from support.gallery import ALL, EVERYDAY, LARGEST
+from support.gallery import ALL, EVERYDAY
 from support.handouts import drawn_last, shape_of, told
 
 from graphic_tmm.handout.chosen import Chosen
@@ -203,8 +203,6 @@ def test_the_series_of_a_scene(name: str) -> None:
 
 
 @pytest.mark.slow
-@each("name", sorted(set(SCENES) - set(CHEAP)))
-def test_the_series_of_every_scene(name: str, many: Callable[[int, int], int]) -> None:
-    """A part and the largest mechanism; with ``--measured`` it is each of them."""
-    if many(1, 0) or name in ("arc-cam", LARGEST):
-        judge(name)
+@each("name", sorted(set(SCENES) - set(CHEAP)), turns=1)
+def test_the_series_of_every_scene(name: str) -> None:
+    judge(name)

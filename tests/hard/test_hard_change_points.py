@@ -37,6 +37,7 @@ def _all(name: str, frame: Frame) -> list[tuple[float, Verdict]]:
     return [(off, judge(there, frame.angle(a + math.degrees(off)))) for a in angles for off in OFFS]
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @each("frame", [FRAMES[k] for k in (0, 1, 4)])
 @pytest.mark.parametrize("name", CASES)
@@ -53,6 +54,7 @@ def test_at_the_change_point_itself_the_plan_says_so(name: str) -> None:
         assert found.kinds & {"touching", "undrawn"}
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_a_position_that_lost_its_digits_is_named(name: str) -> None:

@@ -50,6 +50,7 @@ NEAR = (FRAMES[0], FRAMES[4])
 """Frames in which all distances from a dead centre are tried; in the others, the dead centre itself."""
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_right_at_and_about_the_dead_centres(name: str) -> None:

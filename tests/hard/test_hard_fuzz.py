@@ -13,6 +13,7 @@ from fuzz_tasks import task
 from support.command import invoke
 from support.gallery import NAMES, SHEETS
 from support.scenes import source
+from support.turns import in_turn
 
 from graphic_tmm.paper.symbols.kinematic import MOST, MOST_HATCHES, hatched, hatching
 
@@ -37,7 +38,7 @@ def test_changed_scenes_are_drawn_or_refused(many: Callable[[int, int], int]) ->
 
 @pytest.mark.slow
 def test_changed_files_beside_a_scene_are_used_or_refused(many: Callable[[int, int], int]) -> None:
-    for kind in inputs.KINDS:
+    for kind in in_turn(inputs.KINDS, 3):
         assert (kind, cased(0, inputs.unchanged(kind)).status) in {(kind, 0), (kind, 1)}
     found = [inputs.case(number, 1) for number in range(many(300, 16))]
     assert not [one for one in found if one.fault]
@@ -61,6 +62,7 @@ def test_changed_photographs_are_judged_or_refused(
     assert {0, 2} <= {one.status for one in found} <= {0, 1, 2}
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "old", "new", "says"),

@@ -23,6 +23,7 @@ from graphic_tmm.scene.read import read
 # a few positions
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("count", [1, 2, 3])
 @pytest.mark.parametrize("command", [["table", "-f", "json"], ["steps"], ["draw"]])

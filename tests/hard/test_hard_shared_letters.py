@@ -33,6 +33,7 @@ def test_few_meet_every_kind_of_groups_and_every_command() -> None:
     assert len({lines_of(number) for number in FEW}) == len(IN_TURN)
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("turn", range(len(FEW)))
 def test_they_are_drawn_or_refused(turn: int, many: Callable[[int, int], int]) -> None:
@@ -62,6 +63,7 @@ FOUND: dict[int, tuple[str, tuple[tuple[str, ...], ...]]] = {
 """What was at fault: the sheet that shows it, if not those of the scene, and the commands."""
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("number", FOUND)
 def test_what_was_found_is_drawn(number: int, tmp_path: Path) -> None:

@@ -111,6 +111,7 @@ def _shuffled(text: str, seed: int) -> str:
 QUICK = [n for n in NAMES if source(n).count("[[link]]") > 1]
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", QUICK)
 def test_links_in_another_order_give_the_same_bytes(name: str, tmp_path: Any) -> None:

@@ -30,6 +30,7 @@ SCENES = [
 ]
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize(("name", "language"), SCENES)
 def test_every_number_stands_in_the_log(name: str, language: str) -> None:
     made, found = spoken(name, language), list(numbers(noted(name, language)))

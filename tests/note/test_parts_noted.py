@@ -59,6 +59,7 @@ def wrong(made: DrawnScene, document: Document) -> list[Number]:
     ]
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", sorted(CAMS))
 def test_every_number_of_a_cam_stands_in_the_log(kind: str, tmp_path: Path) -> None:
@@ -80,6 +81,7 @@ DIAGRAMS = {
 }
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize("kind", sorted(DIAGRAMS))
 def test_every_number_of_diagrams_stands_in_the_log(kind: str, tmp_path: Path) -> None:
     text = (SHEETS / "slider-diagrams" / "scene.toml").read_text(encoding="utf-8")

@@ -96,6 +96,7 @@ def _at(value: np.ndarray, k: int) -> complex:
     return complex(value[0, k if value.shape[1] > 1 else 0])
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("seed", range(3))
 def test_between_positions_marks_are_what_vector_loops_say(seed: int) -> None:
     """Mechanisms with groups of every kind, one to three of them."""

@@ -71,6 +71,7 @@ def held(found: Turned) -> int:
     return len(found.data["figures"])
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("seed", range(3))
 def test_mechanisms_at_their_limits_have_a_page(seed: int) -> None:
     assert_turned(seed)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import cache
 
 import pytest
 from support.each import each
-from support.gallery import ALL, EVERYDAY, LARGEST, paper
+from support.gallery import ALL, paper
 
 from graphic_tmm.page.stops import Played
 from graphic_tmm.page.views import plays_of
@@ -34,19 +34,16 @@ def in_full(view: Played) -> Iterator[int]:
 SOME = ("cam", "engine", "gear-pair", "locomobile")
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize("name", SOME)
 def test_stops_are_the_pictures_and_the_lines(name: str) -> None:
     assert_all_is_told(name)
 
 
 @pytest.mark.slow
-@each("name", ALL)
-def test_stops_of_all_scenes_are_the_pictures_and_the_lines(
-    name: str, many: Callable[[int, int], int]
-) -> None:
-    """A scene of every chapter and the largest; with ``--measured`` it is each of them."""
-    if many(1, 0) or name in (*EVERYDAY, LARGEST):
-        assert_all_is_told(name)
+@each("name", ALL, turns=4)
+def test_stops_of_all_scenes_are_the_pictures_and_the_lines(name: str) -> None:
+    assert_all_is_told(name)
 
 
 def assert_all_is_told(name: str) -> None:
@@ -64,10 +61,9 @@ def assert_all_is_told(name: str) -> None:
 
 
 @pytest.mark.slow
-@each("name", ALL)
-def test_no_step_is_told_before_what_it_uses(name: str, many: Callable[[int, int], int]) -> None:
-    """A scene of every chapter and the largest; with ``--measured`` it is each of them."""
-    for view in plays(name) if many(1, 0) or name in (*EVERYDAY, LARGEST) else ():
+@each("name", ALL, turns=4)
+def test_no_step_is_told_before_what_it_uses(name: str) -> None:
+    for view in plays(name):
         due = {one.slot for stop in view.stops if not _again(stop) for one in stop.told}
         done: set[int] = set()
         for stop in view.stops:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
 import pytest
 from support.each import each
-from support.gallery import ALL, EVERYDAY, LARGEST, paper
+from support.gallery import ALL, paper
 
 from graphic_tmm.accuracy.geometrography import ELEMENTARY, symbol
 from graphic_tmm.board.grammar import OPERATIONS
@@ -34,19 +34,16 @@ def test_every_instrument_of_geometrography_has_a_name() -> None:
     assert set(re.findall("[A-Z]", used)) <= set(NAMES)
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("name", SOME)
 def test_every_step_of_drawing_has_its_instrument(name: str) -> None:
     assert_named(name)
 
 
 @pytest.mark.slow
-@each("name", ALL)
-def test_every_step_of_all_scenes_has_its_instrument(
-    name: str, many: Callable[[int, int], int]
-) -> None:
-    """A scene of every chapter and the largest; with ``--measured`` it is each of them."""
-    if many(1, 0) or name in (*EVERYDAY, LARGEST):
-        assert_named(name)
+@each("name", ALL, turns=4)
+def test_every_step_of_all_scenes_has_its_instrument(name: str) -> None:
+    assert_named(name)
 
 
 def assert_named(name: str) -> None:

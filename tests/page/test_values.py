@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
 import pytest
 from support.each import each
-from support.gallery import ALL, EVERYDAY, LARGEST, paper
+from support.gallery import ALL, paper
 from support.readable import UNREADABLE, texts
 
 from graphic_tmm.page.page import page_data
@@ -56,6 +56,7 @@ def test_values_are_those_of_the_table_on_the_sheet(plan: str) -> None:
         assert numbers(mm) | numbers(value.partition(" ")[0]) <= cells, segment
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("name", SOME)
 def test_a_length_times_its_scale_is_the_quantity(name: str) -> None:
     """Who takes the figures of a row as they are written gets its quantity to its last decimal."""
@@ -83,13 +84,9 @@ def test_nothing_is_told_that_nobody_can_read(name: str) -> None:
 
 
 @pytest.mark.slow
-@each("name", ALL)
-def test_nothing_is_told_in_any_scene_that_nobody_can_read(
-    name: str, many: Callable[[int, int], int]
-) -> None:
-    """A scene of every chapter and the largest; with ``--measured`` it is each of them."""
-    if many(1, 0) or name in (*EVERYDAY, LARGEST):
-        assert_readable(name)
+@each("name", ALL, turns=4)
+def test_nothing_is_told_in_any_scene_that_nobody_can_read(name: str) -> None:
+    assert_readable(name)
 
 
 def assert_readable(name: str) -> None:

@@ -75,6 +75,7 @@ def assert_readable(made: DrawnScene, most: int = 100) -> None:
         assert not unreadable.any(), (plan, position, lengths)
 
 
+@pytest.mark.turns(3)
 @pytest.mark.parametrize(
     "name",
     [

@@ -113,6 +113,7 @@ def test_blocks_hold_as_many_positions_as_fit(count: int, width: int, digits: in
 # CSV
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SCENES)
 @pytest.mark.parametrize("ruler", [0.1, 0.5])

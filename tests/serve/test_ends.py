@@ -51,6 +51,7 @@ def all_gone(processes: list[int]) -> bool:
     return all(map(gone, processes))
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("after", [0.0, 0.5, 2.0])
 def test_ctrl_c_ends_it_at_any_moment_also_while_it_draws(after: float, tmp_path: Path) -> None:
     """From where it has just told where it is to amid a drawing."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -46,14 +47,21 @@ def opened(browser: Any) -> Iterator[Callable[..., Opened]]:
 
 @pytest.fixture(scope="session")
 def files(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
-    """Write pages of scenes of the package, each once; a page is in the scene's language if none is named."""
-    folder = tmp_path_factory.mktemp("pages")
+    """Write pages of scenes of the package, each once; a page is in the scene's language if none is named.
+
+    Workers of one run have one folder of them: what another has written is there.
+    """
+    own = tmp_path_factory.getbasetemp()
+    folder = (own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "pages"
+    folder.mkdir(exist_ok=True)
 
     def written(name: str, language: str = "") -> Path:
         spoken = language or pages.language(name)
         file = folder / f"{name}-{spoken}.html"
         if not file.exists():
-            file.write_text(pages.text(name, spoken), encoding="utf-8")
+            being_written = own / file.name
+            being_written.write_text(pages.text(name, spoken), encoding="utf-8")
+            being_written.replace(file)
         return file
 
     return written

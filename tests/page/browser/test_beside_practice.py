@@ -38,6 +38,7 @@ TABS = {
 }
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize("tab", TABS)
 def test_other_tabs_are_laid_out_as_ever(
     opened: Callable[..., Any], both: tuple[Path, Path], tab: str

@@ -50,6 +50,7 @@ def serious(page) -> list[str]:
     return page.evaluate(AXE)
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize(
     ("look", "size"),
     [("light", "desk"), ("dark", "phone"), ("forced", "turned"), ("contrast", "twice")],
@@ -75,6 +76,7 @@ def test_axe_finds_no_serious_fault_in_the_speaker_s_window(page_of) -> None:
     assert serious(found.value) == []
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize(
     ("size", "languages"),
     [("desk", "en ru"), ("phone", "ru en"), ("turned", "ru en"), ("twice", "en ru")],
@@ -219,6 +221,7 @@ def test_letters_act_on_a_russian_keyboard_too(page_of) -> None:
     assert page.locator("#lecture .black").is_visible()
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize("look", LOOKS)
 def test_what_is_new_is_told_by_its_width_too(page_of, look: str) -> None:
     page = page_of("windrower", "en", STEP, **LOOKS[look]).page
@@ -285,6 +288,7 @@ ODD = [
 ]
 
 
+@pytest.mark.turns(3)
 @pytest.mark.parametrize("address", ODD)
 def test_an_address_that_says_nothing_does_no_harm(page_of, address: str) -> None:
     page = page_of("crank-rocker", "en", address).page
@@ -293,6 +297,7 @@ def test_an_address_that_says_nothing_does_no_harm(page_of, address: str) -> Non
     assert page.locator("[role=tabpanel]:visible .count").first.inner_text().startswith("1 of")
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("language", ["en", "ru"])
 @pytest.mark.parametrize("size", ["desk", "phone"])
 def test_without_scripts_sheets_and_protocol_are_read(

@@ -40,6 +40,7 @@ def tabs(page):
         yield one.text_content()
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("name", LOOKED_AT)
 def test_without_scripts_there_are_sheets_and_protocol(name: str, opened, files) -> None:
     spoken = pages.language(name)

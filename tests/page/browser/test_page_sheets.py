@@ -68,6 +68,7 @@ def ticked(page: Any, name: str, on: bool) -> None:
     page.get_by_role("checkbox", name=name, exact=True).set_checked(on)
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize(("ratio", "steps", "number"), [(1, 5, 1), (2, 0, 0), (3, -5, 2)])
 def test_the_canvas_shows_what_the_svg_shows(ratio, steps, number, sheets_of, as_svg):
     page = sheets_of(device_scale_factor=ratio)

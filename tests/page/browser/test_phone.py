@@ -55,6 +55,7 @@ def shown(opened: Any, file: Path, address: str, width: int, height: int) -> Any
     return page
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize("size", PHONES)
 def test_nothing_collides_on_a_phone(size: tuple[int, int], file: Path, opened: Any) -> None:
     page = shown(opened, file, "#positions/all/999", *size)

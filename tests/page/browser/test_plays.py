@@ -62,6 +62,7 @@ def lesson(browser: Any, files: Callable[..., Path]) -> Iterator[Callable[[str],
         one.tab.close()
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("name", ALL)
 def test_the_pictures_are_those_that_the_log_tells(name: str, lesson) -> None:
     met = lesson(name).met
@@ -164,6 +165,7 @@ def bare(text: str) -> str:
     return re.sub(r"[\s_^{}\[\]]", "", text)
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("name", ALL)
 def test_what_is_told_is_what_the_protocol_tells(name: str, lesson) -> None:
     told = [

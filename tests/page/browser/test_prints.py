@@ -99,6 +99,7 @@ def asked_to_print(tab: Any, button: str) -> None:
     assert tab.page.evaluate("window.asked") == 1
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize(("name", "scripts"), [("crank-press", True), ("crank-rocker", False)])
 def test_all_sheets_are_printed_each_on_its_own_paper(name: str, scripts: bool, opened, files):
     tab = opened(files(name), java_script_enabled=scripts)
@@ -133,6 +134,7 @@ def test_one_sheet_is_printed_on_its_own_paper_and_then_all_again(page_of):
     assert count(tab) == len(sheets)
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("name", ["crank-press", "crank-rocker"])
 def test_tiles_carry_the_whole_sheet_at_true_size(name: str, page_of):
     tab = page_of(name, "en", "#sheets:")

@@ -68,6 +68,7 @@ def plans(name: str) -> tuple[Plan, ...]:
     return FORCES if name in ("friction", "by angle") else PLANS
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize("exact", [True, False])
 @pytest.mark.parametrize("name", SCENES)
 def test_a_call_says_what_the_first_of_a_scene_says(name: str, exact: bool) -> None:
