@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
-import subprocess
-import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import combinations
@@ -34,7 +31,6 @@ from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scales, Scene, SheetOrder
 from graphic_tmm.studio import sheet_files, sheets
 
-SMALL = ("crank-rocker", "oscillating-cylinder")
 SVG = "{http://www.w3.org/2000/svg}"
 ROUNDING = 1e-6
 
@@ -146,39 +142,6 @@ def test_the_plans_fit_on_the_sheets_ordered(name: str) -> None:
     made = whole.mechanism
     due = [order.format for order in made.scene.sheets]
     assert [sheet.format for sheet in papers] == due
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", SMALL)
-def test_the_same_scene_gives_the_same_bytes(name: str) -> None:
-    first, second = (sheet_files(read(SHEETS / name))[1] for _ in range(2))
-    assert first == second
-    assert list(first) == list(second)
-
-
-@pytest.mark.slow
-def test_the_bytes_do_not_depend_on_the_process() -> None:
-    code = (
-        "import sys; from graphic_tmm.scene.packaged import scene_path;"
-        "from graphic_tmm.studio import sheet_files;"
-        "from graphic_tmm.scene.read import read;"
-        "texts = sheet_files(read(scene_path('crank-rocker')))[1];"
-        "sys.stdout.buffer.write(''.join(texts.values()).encode())"
-    )
-    found = []
-    for seed, language in (("1", "C.UTF-8"), ("2", "C")):
-        environment = os.environ | {"PYTHONHASHSEED": seed, "LC_ALL": language, "TZ": "Asia/Tokyo"}
-        run = subprocess.run(
-            [sys.executable, "-c", code],
-            capture_output=True,
-            check=True,
-            env=environment,
-            cwd=SHEETS.parent,
-        )
-        found.append(run.stdout)
-    assert found[0] == found[1]
-    here = "".join(sheet_files(read(scene_path("crank-rocker")))[1].values())
-    assert found[0] == here.encode()
 
 
 def test_sheets_are_named_after_their_folder() -> None:

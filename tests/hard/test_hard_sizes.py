@@ -62,7 +62,7 @@ def told(work: Callable[[], object]) -> str:
 
 
 @pytest.mark.slow
-@each("what", SCENES)
+@each("what", SCENES, turns=3)
 def test_a_large_scene_is_refused_in_few_words(what: str, tmp_path: Path) -> None:
     file = tmp_path / "scene.toml"
     file.write_bytes(cut(SCENES[what](SCENE.largest // SHARE), SCENE.largest // SHARE))
@@ -72,7 +72,7 @@ def test_a_large_scene_is_refused_in_few_words(what: str, tmp_path: Path) -> Non
 
 
 @pytest.mark.slow
-@each("what", READINGS)
+@each("what", READINGS, turns=3)
 def test_many_readings_are_read_or_refused_in_few_words(what: str, tmp_path: Path) -> None:
     file = tmp_path / "r.csv"
     file.write_bytes(cut(READINGS[what](1_000_000 // SHARE), 1_000_000 // SHARE))
@@ -80,7 +80,7 @@ def test_many_readings_are_read_or_refused_in_few_words(what: str, tmp_path: Pat
 
 
 @pytest.mark.slow
-@each("what", SCENES)
+@each("what", SCENES, turns=3)
 def test_a_large_table_of_minutes_is_refused_in_few_words(what: str, tmp_path: Path) -> None:
     file = tmp_path / "minutes.toml"
     file.write_bytes(cut(SCENES[what](MINUTES.largest // SHARE), MINUTES.largest // SHARE))
