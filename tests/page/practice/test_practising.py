@@ -67,6 +67,7 @@ def test_what_is_wrong_is_refused(worked: Any) -> None:
     assert told["instrument"] > 5_000
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", CHECKED)
 def test_the_readings_that_are_saved_are_judged_alike_by_a_check(
