@@ -9,17 +9,15 @@ import numpy as np
 import pytest
 from support.boards import usual_part
 from support.cams import curvatures, motion, pressure_angles
+from support.concluded import concluded
 from support.gallery import SHEETS
 from support.scenes import edited
 
-from graphic_tmm.chapters.cam.findings import verdict
 from graphic_tmm.chapters.cam.plan import CAM_PLAN
 from graphic_tmm.chapters.cam.record import BESIDE, VIEW
 from graphic_tmm.chapters.cam.table import results
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.choice import choices
-from graphic_tmm.note.document import Number as Figure
-from graphic_tmm.note.document import Runs, Text
 from graphic_tmm.project import record
 from graphic_tmm.readers.table import columns_of
 from graphic_tmm.readers.task_sheet import given_rows
@@ -74,23 +72,18 @@ def test_what_is_left_up_to_the_limits_is_what_a_dense_turn_leaves() -> None:
 
 
 def test_that_all_limits_are_kept_is_told_in_words_and_only_then(tmp_path: Path) -> None:
-    (told,) = verdict(part(SHEETS / "cam" / "scene.toml"), "en")
-    words = plain(told)
+    words = concluded(part(SHEETS / "cam" / "scene.toml"))[-1]
     assert words.startswith("All conditions of the cam hold")
     for figure in ("3.687", "1.213", "0.00404"):
         assert figure in words
     steep = part(edited(tmp_path, ('"52.1 mm"', '"45 mm"'), name="cam"))
-    assert not list(verdict(steep, "en"))
+    assert not [one for one in concluded(steep) if "All conditions" in one]
     flat = tmp_path / "flat"
     flat.mkdir()
     gone = ('transmission = "60 deg"', "#"), ('roller       = "16.8 mm"', "#")
     follower = ('"roller"', '"flat"'), ('r0           = "52.1 mm"', "#")
-    (told,) = verdict(part(edited(flat, *follower, *gone, name="cam")), "ru")
-    assert "выпуклый" in plain(told)
-
-
-def plain(told: Runs) -> str:
-    return "".join(one.text for one in told if isinstance(one, (Text, Figure)))
+    told = concluded(part(edited(flat, *follower, *gone, name="cam")), "ru")
+    assert "выпуклый" in told[-1]
 
 
 @pytest.mark.parametrize("rocker", [False, True])

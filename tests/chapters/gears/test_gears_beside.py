@@ -8,13 +8,13 @@ import mpmath
 import numpy as np
 import pytest
 from support.boards import usual_part
+from support.concluded import concluded
 from support.gallery import SHEETS
 from support.scenes import edited
 
 from graphic_tmm.board.bounds import TaskError
 from graphic_tmm.board.execute import execute
 from graphic_tmm.chapters.gears.dimensions import VIEW as DIMENSIONS
-from graphic_tmm.chapters.gears.findings import verdict
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN
 from graphic_tmm.chapters.gears.record import BESIDE, VIEW
 from graphic_tmm.chapters.gears.refusals import refuse_order
@@ -22,8 +22,6 @@ from graphic_tmm.chapters.gears.table import SLIDING
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.drawn import Drawn, Results, single
 from graphic_tmm.fitting.choice import choices
-from graphic_tmm.note.document import Number as Figure
-from graphic_tmm.note.document import Text
 from graphic_tmm.project import record
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.table import columns_of, results_of
@@ -138,12 +136,11 @@ def test_the_table_of_sliding_has_its_limits_the_pole_and_the_stations_of_the_ta
 
 
 def test_that_all_checks_hold_is_told_in_words_and_only_then(tmp_path: Path) -> None:
-    (told,) = verdict(part(read(SCENE)), "en")
-    words = "".join(one.text for one in told if isinstance(one, (Text, Figure)))
+    words = concluded(part(read(SCENE)))[-1]
     assert words.startswith("All conditions of the meshing hold")
     assert "1.158" in words
     undercut = edited(tmp_path, ("x1 = 0.83", "x1 = 0.0"), name="gear-pair")
-    assert not list(verdict(part(read(undercut)), "en"))
+    assert not [one for one in concluded(part(read(undercut))) if "All conditions" in one]
 
 
 def _columns(drawn: Drawn) -> list[Column]:

@@ -8,15 +8,14 @@ from pathlib import Path
 
 import pytest
 from support.boards import usual_part
+from support.concluded import concluded
 from support.gallery import SHEETS
 from support.scenes import edited, written
 
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
 from graphic_tmm.chapters.planetary.record import BEHIND, BESIDE, CALCULATED
-from graphic_tmm.chapters.planetary.table import train_results, verdict
+from graphic_tmm.chapters.planetary.table import train_results
 from graphic_tmm.drawn import Drawn, single
-from graphic_tmm.note.document import Number as Figure
-from graphic_tmm.note.document import Text
 from graphic_tmm.project import record
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
@@ -101,8 +100,7 @@ def test_results_and_words_tell_the_meshes_and_that_all_conditions_hold() -> Non
     found = single(train_results(drawn))
     assert found["planetary_mesh_1"][0] == pytest.approx(-32 / 25)
     assert found["planetary_mesh_2"][0] == pytest.approx(89 / 32)
-    (told,) = verdict(drawn, "en")
-    words = "".join(one.text for one in told if isinstance(one, (Text, Figure)))
+    words = concluded(drawn)[-1]
     taken, most = found["planetary_satellites"][0], found["planetary_most"][0]
     assert taken <= most
     assert f"{taken:g} satellites" in words
