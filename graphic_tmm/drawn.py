@@ -149,6 +149,10 @@ class Drawn:
         """Return one of the drawings of a hand that drew several times."""
         return replace(self, numbers=self.numbers.trial(k))
 
+    def value(self, mark: Mark) -> float:
+        """Return a number, a length or an angle that does not vary, in the unit of its mark."""
+        return float(self.reading[mark][0, 0])
+
     def findings(self) -> tuple[Finding, ...]:
         """Return what could not be drawn, or was drawn at the edge of its possibility, or is left out."""
         log, drawn = self.construction, self.numbers.drawn

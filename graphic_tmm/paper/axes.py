@@ -14,9 +14,7 @@ from graphic_tmm.paper.drawing import Bezier, Ink, Label
 from graphic_tmm.paper.graph_rules import TICK
 from graphic_tmm.paper.label_places import CLEAR, HEAVY, HEAVY_HALF
 from graphic_tmm.paper.labels import Named
-from graphic_tmm.paper.lettering.letters import (
-    letter,
-)
+from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.shapes import shapes
 
 BESIDE = 0.8

@@ -11,7 +11,7 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import ByIdentity, Construction, Mark, Step
-from graphic_tmm.board.values import Curve
+from graphic_tmm.board.values import Complexes, Curve
 from graphic_tmm.paper.drawing import Ink
 from graphic_tmm.paper.formats import HEIGHTS, Heights
 
@@ -57,6 +57,18 @@ class Seen:
     def number(self, mark: Mark, k: int) -> float:
         """Return a length (mm), an angle (degrees) or a number."""
         return _at(self.reading[mark], k).real
+
+    def fixed_place(self, mark: Mark) -> complex:
+        """Return where a point is that does not vary, mm."""
+        return self.point(mark, 0)
+
+    def fixed_number(self, mark: Mark) -> float:
+        """Return a length (mm) or a number that does not vary."""
+        return self.number(mark, 0)
+
+    def all(self, mark: Mark) -> Complexes:
+        """Return where a point is in all positions, mm, (position,)."""
+        return np.broadcast_to(self.reading[mark][0], (len(self.positions),))
 
     def line(self, mark: Mark, k: int) -> tuple[complex, complex]:
         """Return where a line begins, mm, and its direction."""

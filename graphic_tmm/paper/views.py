@@ -14,9 +14,7 @@ from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing, Label, Stand, Within
 from graphic_tmm.paper.formats import HEIGHTS, Heights
-from graphic_tmm.paper.lettering.letters import (
-    letter,
-)
+from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.packing import bounds, in_pieces
 
 BELOW = 0.7

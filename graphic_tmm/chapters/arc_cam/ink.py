@@ -13,17 +13,17 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Complexes
 from graphic_tmm.chapters.arc_cam.contour import VIEW, Arc
 from graphic_tmm.chapters.arc_cam.formulas import line_on_arc, on_arc, turn_between
 from graphic_tmm.chapters.arc_cam.plan import ArcCam
 from graphic_tmm.chapters.arc_cam.task import FLAT
+from graphic_tmm.chapters.cam.ink import shaft
 from graphic_tmm.chapters.cam.operations import slant
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
-from graphic_tmm.paper.figure import added, body, figure, showing
+from graphic_tmm.paper.figure import body, figure, showing
 from graphic_tmm.paper.labels import Named, shared
-from graphic_tmm.paper.seen import Subject, finite
-from graphic_tmm.paper.symbols.kinematic import channel, fixed_pivot, round_arrow
+from graphic_tmm.paper.seen import Seen, Subject, finite
+from graphic_tmm.paper.symbols.kinematic import channel, fixed_pivot
 
 TRACELESS = frozenset({on_arc.name, line_on_arc.name, slant.name, turn_between.name})
 """Operations that leave no trace: what only chooses, angles measured with the protractor."""
@@ -31,8 +31,8 @@ BEYOND, DOT, PIN = 4.0, 0.4, 1.2
 """How far a guide goes on behind its roller, radius of a point, of the roller's pin, mm."""
 ROD, GUIDE, WIDTH = 30.0, 14.0, 5.0
 """Length of the rod above its roller, of its guide, width of the rod, mm."""
-TURN, CROSS = 9.0, 5.0
-"""Radius of the arrow of the cam's turning; how far centre lines go on behind the contour, mm."""
+CROSS = 5.0
+"""How far centre lines go on behind the contour, mm."""
 LEAST = 0.02
 """What is shorter is no arc, mm."""
 
@@ -45,25 +45,17 @@ class ArcNames(NamedTuple):
     omega: str = "ω"
 
 
-class _Ink:
+class _Ink(Seen):
     """The view of the contour and its numbers while it is inked."""
 
     def __init__(self, on: Subject, made: ArcCam) -> None:
-        self.seen = on.seen((VIEW,), range(len(made.angles)))
+        super().__init__(on.construction, on.reading, (VIEW,), range(len(made.angles)))
         self.made, self.heights = made, on.heights
         self.points = self.all(made.follower.points)
 
-    def all(self, mark: Mark) -> Complexes:
-        """The places of a point in all positions."""
-        return np.broadcast_to(self.seen.reading[mark][0], (len(self.made.angles),))
-
-    def fixed_place(self, mark: Mark) -> complex:
-        """The place of a point that does not vary."""
-        return self.seen.point(mark, 0)
-
     def length(self, mark: Mark | None) -> float:
-        """A length that does not vary; 0 for none."""
-        return self.seen.number(mark, 0) if mark is not None else 0.0
+        """Return a length that does not vary, mm; 0 for none."""
+        return self.fixed_number(mark) if mark is not None else 0.0
 
     def near(self, mark: Mark) -> bool:
         """Whether a centre stands among what is drawn; a flank's may be far off."""
@@ -79,9 +71,10 @@ class _Ink:
 def draw_contour_ink(on: Subject, made: ArcCam, names: ArcNames) -> Drawing:
     """Return the contour with its follower in reversed motion."""
     ink = _Ink(on, made)
-    traces = figure(ink.seen, showing({}))
+    traces = figure(ink, showing({}))
     strokes = [*traces.staying, *_contour(ink), *_ways(ink), *_inverted(ink), *_lowest(ink)]
-    strokes += _shaft(ink)
+    reach = float(np.nanmax(np.abs(ink.points))) + CROSS
+    strokes += shaft(made.contour.origin, reach, made.sense)
     wanted = [*_letters(ink, names), *_numbers(ink, names.positions)]
     return traces.drawing(on, strokes, wanted, (), enumerate(names.positions))
 
@@ -122,7 +115,7 @@ def _ways(ink: _Ink) -> Iterator[Ink]:
     base = contour.arcs["base"]
     assert base.centre is not None
     assert base.radius is not None
-    whole = circle("thin", ink.fixed_place(base.centre), ink.length(base.radius))
+    whole = circle("thin", ink.fixed_place(base.centre), ink.fixed_number(base.radius))
     yield from body([whole], "circle", [base.centre, base.radius])
     if ink.roller > 0.0:
         yield from _pitch(ink)
@@ -165,7 +158,7 @@ def _outward(ink: _Ink, flank: Arc, spot: complex, low: complex) -> complex:
 def _inverted(ink: _Ink) -> Iterator[Ink]:
     """Guides, rollers, levers, faces in all positions."""
     follower, contour = ink.made.follower, ink.made.contour
-    lines = ink.seen.reading[follower.guides]
+    lines = ink.reading[follower.guides]
     starts = np.broadcast_to(lines.at[0], ink.points.shape)
     ways = np.broadcast_to(lines.along[0], ink.points.shape)
     pivots = ink.all(follower.pivots) if follower.pivots is not None else None
@@ -208,30 +201,23 @@ def _lowest(ink: _Ink) -> Iterator[Ink]:
         strokes: list[Ink] = [line("main", pivot, start), *fixed_pivot(pivot)]
         yield from body(strokes, "lever", [follower.pivots, *of], 0)
         return
-    half, foot = 0.5 * WIDTH, start
-    if ink.made.order.follower == FLAT:
+    flat = ink.made.order.follower == FLAT
+    if flat:
         wide = 0.5 * float(np.nanmax(np.abs(ink.points))) + BEYOND
         yield from body([line("main", start - wide, start + wide)], "face", of, 0)
-    top = start + 1j * (ROD + ink.roller)
-    if ink.roller > 0.0 or ink.made.order.follower == FLAT:
-        corners = [foot - half, foot + half, top + half, top - half]
-    else:
-        corners = [foot, foot + half + 2j * half, top + half, top - half, foot - half + 2j * half]
-    rod = line("body", *corners, closed=True)
-    stand = channel(top - 0.5j * GUIDE - 4j, 90.0, GUIDE, width=WIDTH)
-    yield from body([rod, *stand], "follower", of, 0)
+    yield from body(
+        rod(start, ink.roller, pointed=not flat and ink.roller <= 0.0), "follower", of, 0
+    )
 
 
-def _shaft(ink: _Ink) -> Iterator[Ink]:
-    """Centre lines, the cam's shaft, the arrow of its turning."""
-    reach = float(np.nanmax(np.abs(ink.points))) + CROSS
-    if not math.isfinite(reach):
-        return
-    yield from added([line("centre", -reach * way, reach * way) for way in (1 + 0j, 1j)], "axis")
-    centre, sense = [ink.made.contour.origin], ink.made.sense
-    yield from body([circle("joint", 0j, 2.0)], "pivot", centre)
-    bow = round_arrow(0j, TURN, 90.0 - sense * 200.0, sense * 110.0)
-    yield from body(bow, "sense", centre)
+def rod(at: complex, roller: float, *, pointed: bool) -> list[Ink]:
+    """Return the rod of a follower that slides, upright in its guide; ``roller``: its radius, mm."""
+    half, top = 0.5 * WIDTH, at + 1j * (ROD + roller)
+    corners = [at - half, at + half, top + half, top - half]
+    if pointed:
+        corners = [at, at + half + 1j * WIDTH, top + half, top - half, at - half + 1j * WIDTH]
+    guide = channel(top - 0.5j * GUIDE - 4j, 90.0, GUIDE, width=WIDTH)
+    return [line("body", *corners, closed=True), *guide]
 
 
 def _letters(ink: _Ink, names: ArcNames) -> Iterator[Wanted]:
@@ -250,7 +236,7 @@ def _letters(ink: _Ink, names: ArcNames) -> Iterator[Wanted]:
     middles = {"rise": (spots[0] + spots[1]) / 2, "return": (spots[2] + spots[3]) / 2}
     base = contour.arcs["base"]
     assert base.radius is not None
-    middles["base"] = ink.length(base.radius) * cmath.rect(1.0, math.radians(90 + 30))
+    middles["base"] = ink.fixed_number(base.radius) * cmath.rect(1.0, math.radians(90 + 30))
     nose = ink.fixed_place(contour.nose)
     middles["nose"] = nose - 1j * ink.length(contour.arcs["nose"].radius)
     for name, told in names.radii.items():
@@ -263,7 +249,7 @@ def _letters(ink: _Ink, names: ArcNames) -> Iterator[Wanted]:
 def _numbers(ink: _Ink, names: Sequence[str]) -> Iterator[Wanted]:
     """The numbers of the positions, behind the rollers."""
     follower, named = ink.made.follower, []
-    lines = ink.seen.reading[follower.guides]
+    lines = ink.reading[follower.guides]
     ways = np.broadcast_to(lines.along[0], ink.points.shape)
     pivots = ink.all(follower.pivots) if follower.pivots is not None else None
     for k, (name, at) in enumerate(zip(names, ink.points, strict=True)):

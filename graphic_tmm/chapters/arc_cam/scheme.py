@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from graphic_tmm.board.scales import LENGTHS, standard_length
 from graphic_tmm.chapters.arc_cam.geometry import centre_of, normals
-from graphic_tmm.chapters.arc_cam.ink import DOT, GUIDE, PIN, ROD, WIDTH, from_to
+from graphic_tmm.chapters.arc_cam.ink import DOT, PIN, from_to, rod
 from graphic_tmm.chapters.arc_cam.task import ASKED, FLAT, ROCKER, ArcTask, Flank
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -21,7 +21,7 @@ from graphic_tmm.paper.figure import added
 from graphic_tmm.paper.formats import HEIGHTS
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.packing import bounds
-from graphic_tmm.paper.symbols.kinematic import arrowhead, channel, fixed_pivot, round_arrow
+from graphic_tmm.paper.symbols.kinematic import arrowhead, fixed_pivot, round_arrow
 from graphic_tmm.readers.task_sheet import Scheme
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.values import CLOCKWISE
@@ -185,16 +185,11 @@ def _follower(cam: _Placed) -> Iterator[Part]:
         yield from _rocker(cam, reach, roller)
         return
     at = cam.spot(complex(-order.offset, math.sqrt(reach**2 - order.offset**2)))
-    half, top = 0.5 * WIDTH, at + 1j * (ROD + roller)
     if order.follower == FLAT:
         wide = cam.length(order.base)
         yield Part("face", (line("main", at - wide, at + wide),))
-    corners = [at - half, at + half, top + half, top - half]
-    if roller == 0.0 and order.follower != FLAT:
-        up = at + 1j * WIDTH
-        corners = [at, up + half, top + half, top - half, up - half]
-    stand = channel(top - 0.5j * GUIDE - 4j, 90.0, GUIDE, width=WIDTH)
-    yield Part("follower", (line("body", *corners, closed=True), *stand))
+    pointed = roller == 0.0 and order.follower != FLAT
+    yield Part("follower", tuple(rod(at, roller, pointed=pointed)))
     yield from _roller(cam, at, roller)
     if order.offset:
         away = 0.5 * cam.length(order.base) * 1j

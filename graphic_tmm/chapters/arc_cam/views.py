@@ -52,7 +52,7 @@ def _contour(drawn: Drawn, made: ArcCam, lettered: bool) -> Drawing:
     }
     on = subject(drawn, captions(language)["arc cam profile"], PLAN)
     view = draw_contour_ink(on, made, ArcNames(drawn.names, told))
-    mu = float(drawn.reading[made.contour.mu][0, 0])
+    mu = drawn.value(made.contour.mu)
     scale = f"μ_l = {number(mu, language)} {unit('m/mm', language)}"
     return with_caption(view, on, lettered, scale)
 
@@ -77,7 +77,7 @@ def _diagrams(drawn: Drawn, made: ArcCam, lettered: bool) -> Drawing:
         views.append(finished(graph, lettered))
         scale = drawn.scales[chart.view]._replace(symbol=f"μ_{{{LETTERS[which]}}}")
         scales.append(mu_text(scale, language))
-    along = math.degrees(float(reading[made.base.mu][0, 0]))
+    along = math.degrees(drawn.value(made.base.mu))
     common = f"μ_φ = {number(along, language)} {unit('°/mm', language)}"
 
     def told_of(chosen: Sequence[int]) -> list[str]:

@@ -15,7 +15,6 @@ from graphic_tmm.chapters.cam.centre import Path
 from graphic_tmm.chapters.cam.ink_rules import (
     CamInk,
     between,
-    curve,
     directions,
     draw_phases,
     numbered,
@@ -27,6 +26,7 @@ from graphic_tmm.chapters.cam.profile import THEORETICAL, VIEW, WORKING
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing
+from graphic_tmm.paper.mark_rules import curve
 from graphic_tmm.paper.seen import Rule, Subject, finite
 from graphic_tmm.paper.symbols.kinematic import arrowhead, channel, fixed_pivot, round_arrow
 
@@ -50,7 +50,7 @@ def inverted(ink: CamInk) -> Iterator[Ink]:
         centre, radius = roller.marks
         for k, at in enumerate(ink.all(centre)):
             if np.isfinite(at):
-                made = circle("thin", complex(at), ink.length(radius))
+                made = circle("thin", complex(at), ink.fixed_number(radius))
                 yield from body([made], "roller", roller.marks, k)
     for lever in ink.figures("lever"):
         pivots = lever.marks[0]
@@ -72,9 +72,9 @@ def dwells(ink: CamInk, contour: Figure) -> Iterator[Ink]:
         if mark.kind is not Arc:
             continue
         before, after = contour.marks[n - 1], contour.marks[(n + 1) % len(contour.marks)]
-        ends = ink.seen.reading[before].knots[0, -1], ink.seen.reading[after].knots[0, 0]
+        ends = ink.reading[before].knots[0, -1], ink.reading[after].knots[0, 0]
         start, end = (complex(z) for z in ends)
-        radius = ink.seen.arc(mark, 0)[1]
+        radius = ink.arc(mark, 0)[1]
         if not finite(start, end, radius):
             continue
         turn = (sense * math.degrees(cmath.phase(end / start))) % 360.0
@@ -91,7 +91,7 @@ def follower(ink: CamInk, points: Complexes) -> Iterator[Ink]:
         return
     radius = 0.0
     for roller in ink.figures("roller"):
-        radius = ink.length(roller.marks[1])
+        radius = ink.fixed_number(roller.marks[1])
         strokes = (circle("main", start, radius), circle("joint", start, PIN))
         yield from body(strokes, "roller", roller.marks, 0)
     for lever in ink.figures("lever"):
@@ -104,24 +104,24 @@ def follower(ink: CamInk, points: Complexes) -> Iterator[Ink]:
         start = complex(feet[0])
         half = float(np.nanmax(np.abs(points - feet))) + 5.0
         yield from body([line("main", start - half, start + half)], "face", face.marks, 0)
-    top, half = start + 1j * (ROD + radius), 0.5 * WIDTH
-    rod = line("body", start - half, start + half, top + half, top - half, closed=True)
-    stand = channel(top - 0.5j * GUIDE - 4j, 90.0, GUIDE, width=WIDTH)
-    yield from body([rod, *stand], "follower", [(made.theoretical or made.working).points], 0)
+    yield from body(rod(start, radius), "follower", [(made.theoretical or made.working).points], 0)
 
 
-def shaft(ink: CamInk) -> Iterator[Ink]:
-    """Centre lines, the cam's shaft, the arrow of its turning."""
-    cam = ink.cam
-    reach = ink.seen.arc(cam.profile.working.upper, 0)[1] + CROSS
+def rod(at: complex, radius: float) -> list[Ink]:
+    """Return the rod of a follower over its roller or face, upright in its guide."""
+    top, half = at + 1j * (ROD + radius), 0.5 * WIDTH
+    outline = line("body", at - half, at + half, top + half, top - half, closed=True)
+    return [outline, *channel(top - 0.5j * GUIDE - 4j, 90.0, GUIDE, width=WIDTH)]
+
+
+def shaft(centre: Mark, reach: float, sense: int) -> Iterator[Ink]:
+    """Yield centre lines that reach so far (mm), the cam's shaft, the arrow of its turning."""
     if not math.isfinite(reach):
         return
-    cross = [line("centre", -reach * way, reach * way) for way in (1 + 0j, 1j)]
-    yield from added(cross, "axis")
-    centre = [cam.profile.centre]
-    yield from body([circle("joint", 0j, 2.0)], "pivot", centre)
-    bow = round_arrow(0j, TURN, 90.0 - cam.sense * 200.0, cam.sense * 110.0)
-    yield from body(bow, "sense", centre)
+    yield from added([line("centre", -reach * way, reach * way) for way in (1 + 0j, 1j)], "axis")
+    yield from body([circle("joint", 0j, 2.0)], "pivot", [centre])
+    bow = round_arrow(0j, TURN, 90.0 - sense * 200.0, sense * 110.0)
+    yield from body(bow, "sense", [centre])
 
 
 BEYOND = 4.0
@@ -152,11 +152,12 @@ def draw_profile_ink(on: Subject, cam: Cam, names: ProfileNames) -> Drawing:
     ink = CamInk(on, cam, VIEW)
     made = cam.profile
     points = ink.all((made.theoretical or made.working).points)
-    traces = figure(ink.seen, showing(_rules(ink, points)))
+    traces = figure(ink, showing(_rules(ink, points)))
     strokes = [*traces.staying, *inverted(ink)]
     for contour in ink.figures("contour"):
         strokes += dwells(ink, contour)
-    strokes += [*follower(ink, points), *shaft(ink)]
+    reach = ink.arc(made.working.upper, 0)[1] + CROSS
+    strokes += [*follower(ink, points), *shaft(made.centre, reach, cam.sense)]
     wanted = [*_letters(ink, names, points), *_dwell_letters(ink, names, points)]
     wanted += phase_letters(ink)
     strokes += [*_radii(ink, points), *draw_phases(ink)]
@@ -174,12 +175,12 @@ def _rules(ink: CamInk, points: Complexes) -> dict[Mark, Rule]:
     if isinstance(ink.cam.path, Lever):
         rules[made.guides] = between(feet, points)
     elif isinstance(ink.cam.path, Path):
-        reach = BEYOND + (ink.length(made.roller) if made.roller is not None else 0.0)
+        reach = BEYOND + (ink.fixed_number(made.roller) if made.roller is not None else 0.0)
         rules[made.guides] = between(feet, points + reach * directions(points - feet))
     else:
         assert made.feet is not None
         rules[ink.used(made.feet)] = between(np.zeros_like(feet), feet)
-        along = ink.seen.reading[made.guides].along[0]
+        along = ink.reading[made.guides].along[0]
         half = np.abs(points - feet) + FACE
         rules[made.guides] = between(feet - half * along, feet + half * along)
     return rules
@@ -192,7 +193,7 @@ def _ends(ink: CamInk, points: Complexes) -> tuple[Complexes, Complexes]:
     if isinstance(ink.cam.path, Lever) or made.roller is None:
         return feet, directions(feet)
     ways = directions(points - feet)
-    return points + (ink.length(made.roller) + BEYOND) * ways, ways
+    return points + (ink.fixed_number(made.roller) + BEYOND) * ways, ways
 
 
 def _letters(ink: CamInk, names: ProfileNames, points: Complexes) -> Iterator[Wanted]:
@@ -227,7 +228,7 @@ def _letters(ink: CamInk, names: ProfileNames, points: Complexes) -> Iterator[Wa
 def _edge(ink: CamInk, points: Complexes) -> tuple[complex, complex]:
     """Where the arrow of the roller's radius begins and ends."""
     assert ink.cam.profile.roller is not None
-    start, radius = complex(points[0]), ink.length(ink.cam.profile.roller)
+    start, radius = complex(points[0]), ink.fixed_number(ink.cam.profile.roller)
     return start, start + radius * cmath.rect(1.0, math.radians(90.0 + ink.cam.sense * 55.0))
 
 
@@ -266,11 +267,11 @@ def _dwell_letters(ink: CamInk, names: ProfileNames, points: Complexes) -> Itera
     last, made, small = _last(ink, points), ink.cam.profile, ink.heights.number
     if last is None:
         return
-    radius, way = ink.seen.arc(made.working.lower, 0)[1], _share(ink, last, 0.5, 0.55, 0.6)
+    radius, way = ink.arc(made.working.lower, 0)[1], _share(ink, last, 0.5, 0.55, 0.6)
     yield Wanted(names.working, radius * way, small, 0.5, -way, (made.working.lower.slot,))
     if made.theoretical is not None:
         lower = made.theoretical.lower
-        radius, way = ink.seen.arc(lower, 0)[1], _share(ink, last, 0.7, 0.75)
+        radius, way = ink.arc(lower, 0)[1], _share(ink, last, 0.7, 0.75)
         yield Wanted(names.theoretical, radius * way, small, 1.5, way, (lower.slot,))
     tip = _r0(ink, last)
     of = ((made.theoretical or made.working).lower.slot,)
@@ -280,7 +281,7 @@ def _dwell_letters(ink: CamInk, names: ProfileNames, points: Complexes) -> Itera
 def _r0(ink: CamInk, last: complex) -> complex:
     """Where the arrow of r0 ends: on the base circle."""
     made = ink.cam.profile
-    radius = ink.seen.arc((made.theoretical or made.working).lower, 0)[1]
+    radius = ink.arc((made.theoretical or made.working).lower, 0)[1]
     return radius * _share(ink, last, 0.15, 0.25, 0.35)
 
 

@@ -13,19 +13,17 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.cam.centre import VIEW, Centre
 from graphic_tmm.chapters.cam.ink_rules import (
     OVER,
+    POINT,
     CamInk,
     arrow_axis,
     between,
-    curve,
-    drawn,
     numbered,
-    reached,
-    straight,
 )
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing
+from graphic_tmm.paper.mark_rules import curve, leaving, reached, straight
 from graphic_tmm.paper.rules import segment
 from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import dimension
@@ -63,7 +61,7 @@ def draw_centre_ink(on: Subject, cam: Cam, names: CentreNames) -> Drawing:
     made = cam.centre
     assert isinstance(made, Centre)
     ink = _Region(CamInk(on, cam, VIEW), made)
-    traces = figure(ink.on.seen, showing(_rules(ink)))
+    traces = figure(ink.on, showing(_rules(ink)))
     radii = list(_dimensions(ink, names))
     strokes = [*traces.staying, *added(_axes(ink), "axis"), *_bodies(ink)]
     strokes += [stroke for found, _ in radii for stroke in found]
@@ -105,9 +103,9 @@ class _Region:
 def _rules(ink: _Region) -> dict[Mark, Rule]:
     """What stays of the steps: the curve with what was laid off to it, the limits, the line of the centres."""
     made = ink.made
-    rules: dict[Mark, Rule] = {made.points: reached, **dict.fromkeys(made.curves, curve())}
+    rules: dict[Mark, Rule] = {made.points: reached(POINT), **dict.fromkeys(made.curves, curve())}
     for mark in made.limits:
-        spot, way = ink.on.seen.line(mark, 0)
+        spot, way = ink.on.line(mark, 0)
         if finite(spot, ink.apex):
             rules[mark] = straight("main", _down(ink, mark), spot + ABOVE * way)
     down = ink.on.used(made.ends[0])
@@ -117,7 +115,7 @@ def _rules(ink: _Region) -> dict[Mark, Rule]:
 
 def _down(ink: _Region, limit: Mark) -> complex:
     """Where a limit of the region ends below."""
-    spot, way = ink.on.seen.line(limit, 0)
+    spot, way = ink.on.line(limit, 0)
     return spot + way * ((ink.bottom - spot.imag) / way.imag)
 
 
@@ -131,7 +129,7 @@ def _bodies(ink: _Region) -> Iterator[Ink]:
     made, cam = ink.made, ink.on.cam
     assert made.apex is not None
     for mark, end, phase in zip(made.limits, made.ends, cam.diagrams.turn.phases, strict=True):
-        spot, way = ink.on.seen.line(mark, 0)
+        spot, way = ink.on.line(mark, 0)
         if finite(spot, ink.apex):
             side = -1 if phase.sign * cam.sense < 0 else 1
             strokes = hatching(_down(ink, mark), ink.apex, side)
@@ -190,7 +188,7 @@ def _letters(ink: _Region, names: CentreNames) -> Iterator[Wanted]:
     if finite(ink.centre) and abs(ink.centre.real) > LEAST:
         yield Wanted(names.r0, 0.45 * ink.centre, small, 0.5, ink.out, (made.centre.slot,))
     for limit, mark, text in zip(made.limits, made.ends, names.limits, strict=True):
-        spot, way = ink.on.fixed_place(mark), ink.on.seen.line(limit, 0)[1]
+        spot, way = ink.on.fixed_place(mark), ink.on.line(limit, 0)[1]
         if finite(spot, way):
             turn = math.radians(90.0) + cmath.phase(way / 1j) / 2
             middle = cmath.rect(ANGLE, turn)
@@ -225,7 +223,7 @@ def draw_rocker_ink(on: Subject, cam: Cam, names: CentreNames) -> Drawing:
     assert isinstance(path, Lever)
     ink = CamInk(on, cam, VIEW)
     bounds = list(_bounds(ink, made, path, names.limits))
-    traces = figure(ink.seen, showing(_rocker_rules(ink, made, path, bounds)))
+    traces = figure(ink, showing(_rocker_rules(ink, made, path, bounds)))
     strokes = (*traces.staying, *_rocker_bodies(ink, made, path, bounds))
     wanted = _rocker_letters(ink, made, path, names, bounds)
     return traces.drawing(on, strokes, wanted, (), enumerate(names.positions))
@@ -257,9 +255,11 @@ def _rocker_rules(ink: CamInk, made: Centre, path: Lever, bounds: list[Bound]) -
     rules: dict[Mark, Rule] = {
         begin: straight("main", 0j, lowest),
         levers: between(np.zeros_like(roller), roller),
-        made.points: reached,
+        made.points: reached(POINT),
         path.line: straight("thin", 0j, ink.fixed_place(made.centre)),
-        ink.used(made.ends[0], 1): drawn(*_part(lowest, ink.length(path.centres), spots, AROUND)),
+        ink.used(made.ends[0], 1): leaving(
+            *_part(lowest, ink.fixed_number(path.centres), spots, AROUND)
+        ),
     }
     for mark in dict.fromkeys(one.marks[0] for one in bounds):
         own = {one.position: one for one in bounds if one.marks[0] == mark}

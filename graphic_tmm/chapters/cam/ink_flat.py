@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
@@ -11,16 +11,15 @@ from graphic_tmm.chapters.cam.centre import VIEW, Convexity
 from graphic_tmm.chapters.cam.ink_centre import CentreNames
 from graphic_tmm.chapters.cam.ink_rules import (
     OVER,
+    POINT,
     CamInk,
     arrow_axis,
-    curve,
     numbered,
-    reached,
-    straight,
 )
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing
+from graphic_tmm.paper.mark_rules import curve, reached, straight
 from graphic_tmm.paper.rules import segment
 from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import dimension
@@ -40,7 +39,7 @@ def draw_convexity_ink(on: Subject, cam: Cam, names: CentreNames) -> Drawing:
     made = cam.centre
     assert isinstance(made, Convexity)
     ink = _Convexity(CamInk(on, cam, VIEW), made)
-    traces = figure(ink.on.seen, showing(_rules(ink)))
+    traces = figure(ink.on, showing(_rules(ink)))
     radii = list(_dimensions(ink, names))
     strokes = [*traces.staying, *added(_axes(ink), "axis"), *_bodies(ink)]
     strokes += [stroke for found, _ in radii for stroke in found]
@@ -54,7 +53,7 @@ class _Convexity:
 
     def __init__(self, on: CamInk, made: Convexity) -> None:
         self.on, self.made = on, made
-        self.spots = np.full(len(on.seen.positions), np.nan + np.nan * 1j)
+        self.spots = np.full(len(on.positions), np.nan + np.nan * 1j)
         for mark, (_, first, last) in zip(made.points, on.cam.diagrams.stretches, strict=True):
             part, own = slice(first, last + 1), on.all(mark)
             there = np.isfinite(self.spots[part])
@@ -64,8 +63,8 @@ class _Convexity:
         self.top = float(np.nanmax(self.spots.imag))
         self.cut = on.fixed_place(made.cut)
         self.low = min(0.0, self.cut.imag) - OVER
-        self.centre = complex(0, -on.length(made.radius))
-        self.least = -1j * on.length(made.least) / on.length(made.mu)
+        self.centre = complex(0, -on.fixed_number(made.radius))
+        self.least = -1j * on.fixed_number(made.least) / on.fixed_number(made.mu)
 
 
 def _rules(ink: _Convexity) -> dict[Mark, Rule]:
@@ -76,17 +75,17 @@ def _rules(ink: _Convexity) -> dict[Mark, Rule]:
     ):
         rules |= {mark: _within(first, last), own: curve()}
     if finite(ink.cut):
-        spot, way = ink.on.seen.line(made.limit, 0)
+        spot, way = ink.on.line(made.limit, 0)
         rules[made.limit] = straight("main", spot - BEYOND * way, ink.cut + BEYOND * way)
     return rules
 
 
 def _within(first: int, last: int) -> Rule:
     """Return the rule of a point that is laid off from the axis in the positions of a stretch."""
+    rule = reached(POINT)
 
-    def laid(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-        if first <= k <= last:
-            yield from reached(seen, step, k)
+    def laid(seen: Seen, step: Step, k: int) -> Iterable[Ink]:
+        return rule(seen, step, k) if first <= k <= last else ()
 
     return laid
 

@@ -9,14 +9,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.operations.instruments import strike
 from graphic_tmm.board.record import Figure, Mark, Step
 from graphic_tmm.board.values import Complexes
 from graphic_tmm.chapters.cam import formulas as law
 from graphic_tmm.chapters.cam.operations import divide_semicircle, extreme_of_two, phase_end, slant
 from graphic_tmm.chapters.cam.plan import Cam
-from graphic_tmm.paper.drawing import Bezier, Ink, Wanted, arc, circle, line
+from graphic_tmm.paper.drawing import Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.graph_rules import DOT
 from graphic_tmm.paper.labels import Named, shared
@@ -31,51 +30,22 @@ POINT = 0.4
 """Radius of a point, mm."""
 
 
-class CamInk:
+class CamInk(Seen):
     """A view of a cam's log and its numbers while it is inked."""
 
     def __init__(self, on: Subject, cam: Cam, view: str) -> None:
-        self.seen = on.seen((view,), range(cam.diagrams.turn.positions))
+        positions = range(cam.diagrams.turn.positions)
+        super().__init__(on.construction, on.reading, (view,), positions)
         self.cam, self.view, self.heights = cam, view, on.heights
-
-    def all(self, mark: Mark) -> Complexes:
-        """The places of a point in all positions."""
-        return np.broadcast_to(self.seen.reading[mark][0], (len(self.seen.positions),))
-
-    def fixed_place(self, mark: Mark) -> complex:
-        """The place of a point that does not vary."""
-        return self.seen.point(mark, 0)
-
-    def length(self, mark: Mark) -> float:
-        """A number or a length that does not vary."""
-        return self.seen.number(mark, 0)
 
     def used(self, mark: Mark, which: int = 0) -> Mark:
         """What the step that left a mark used."""
-        return self.seen.by_mark[mark].uses[which]
+        return self.by_mark[mark].uses[which]
 
     def figures(self, kind: str) -> list[Figure]:
         """The bodies of a kind, as the plan tells them."""
-        told = self.seen.construction.figures
+        told = self.construction.figures
         return [figure for figure in told if figure.view == self.view and figure.kind == kind]
-
-
-def curve(pen: str = "main") -> Rule:
-    """Return the rule of a curve that is drawn with a pen."""
-
-    def drawn(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-        for run in bezier(seen.reading[step.it]):
-            yield Bezier(pen, tuple(complex(z) for z in run), step.it.name)
-
-    return drawn
-
-
-def reached(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-    """A point of a curve, and the length laid off to it from where its line begins."""
-    spot = seen.point(step.it, k)
-    yield from segment("thin", seen.line(step.uses[0], k)[0], spot)
-    if finite(spot):
-        yield circle("main", spot, POINT, filled=True)
 
 
 def between(starts: Complexes, ends: Complexes) -> Rule:
@@ -92,20 +62,6 @@ def whole(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
     centre, radius = seen.arc(step.it, k)
     if math.isfinite(radius) and finite(centre):
         yield circle("thin", centre, radius)
-
-
-def drawn(*strokes: Ink) -> Rule:
-    """Return the rule of a step that leaves these strokes."""
-
-    def left(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-        return iter(strokes)
-
-    return left
-
-
-def straight(pen: str, start: complex, end: complex) -> Rule:
-    """Return the rule of a line between two places, if they are there."""
-    return drawn(*([line(pen, start, end)] if finite(start, end) else []))
 
 
 EVERY, APART = (1, 2, 5, 10), 1.2
@@ -190,7 +146,7 @@ def _marks(ink: CamInk) -> Mark:
 
 
 def _radius(ink: CamInk) -> float:
-    return SHARE * ink.seen.arc(ink.cam.profile.working.lower, 0)[1]
+    return SHARE * ink.arc(ink.cam.profile.working.lower, 0)[1]
 
 
 def _phases(ink: CamInk) -> Iterator[Phase]:

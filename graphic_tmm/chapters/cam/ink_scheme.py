@@ -15,9 +15,8 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.curve import bezier
-from graphic_tmm.board.record import Figure
 from graphic_tmm.board.values import Arc
-from graphic_tmm.chapters.cam.ink import GUIDE, PIN, ROD, TURN, WIDTH, dwells
+from graphic_tmm.chapters.cam.ink import PIN, TURN, dwells, rod
 from graphic_tmm.chapters.cam.ink_rules import CamInk
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import THEORETICAL, VIEW
@@ -25,7 +24,7 @@ from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.figure import added, body
 from graphic_tmm.paper.seen import Subject, finite
 from graphic_tmm.paper.symbols.dimensions import angular
-from graphic_tmm.paper.symbols.kinematic import channel, fixed_pivot, round_arrow
+from graphic_tmm.paper.symbols.kinematic import fixed_pivot, round_arrow
 
 NAME = "cam scheme"
 BEYOND, ASIDE = 26.0, 12.0
@@ -58,7 +57,7 @@ def draw_scheme_ink(on: Subject, cam: Cam, names: SchemeNames) -> Drawing:
     """Return the mechanism in one position."""
     ink = CamInk(on, cam, VIEW)
     k = position_of(on.reading, cam)
-    angle = ink.seen.number(cam.diagrams.angle, k)
+    angle = ink.number(cam.diagrams.angle, k)
     turn = cmath.exp(1j * cam.sense * math.radians(angle))
     cam_, letters = [*_cam(ink, turn)], [*_letters(ink, names)]
     follower, more = _follower(ink, k, turn, names)
@@ -74,25 +73,20 @@ def _turned(stroke: Ink, turn: complex) -> Ink:
     return stroke._replace(path=tuple((z.real, z.imag, bulge) for z, bulge in spots))
 
 
-def _contours(ink: CamInk) -> Iterator[Figure]:
-    """The working profile, and of a roller the path of its centre."""
-    yield from ink.figures("contour")
-
-
 def _cam(ink: CamInk, turn: complex) -> Iterator[Ink]:
     """The contour as the cam stands, the path of the roller's centre thin; the base circle."""
-    for contour in _contours(ink):
+    for contour in ink.figures("contour"):
         pen = "thin" if contour.name == THEORETICAL else "main"
         for mark in contour.marks:
             if mark.kind is Arc:
                 continue
-            runs = bezier(ink.seen.reading[mark])
+            runs = bezier(ink.reading[mark])
             curves = [Bezier(pen, tuple(complex(z) for z in run), mark.name) for run in runs]
             yield from body((_turned(one, turn) for one in curves), "contour", [mark])
         yield from (_turned(one, turn)._replace(pen=pen) for one in dwells(ink, contour))
     made = ink.cam.profile
     lower = (made.theoretical or made.working).lower
-    radius = ink.seen.arc(lower, 0)[1]
+    radius = ink.arc(lower, 0)[1]
     if math.isfinite(radius):
         yield from body([circle("dashed", 0j, radius)], "circle", [lower])
 
@@ -108,7 +102,7 @@ def _follower(
     if not finite(at):
         return [], []
     strokes: list[Ink] = []
-    radius = ink.length(made.roller) if made.roller is not None else 0.0
+    radius = ink.fixed_number(made.roller) if made.roller is not None else 0.0
     if made.roller is not None:
         pins: list[Ink] = [circle("main", at, radius), circle("joint", at, PIN)]
         strokes += body(pins, "roller", [points, made.roller], k)
@@ -121,7 +115,7 @@ def _follower(
         way = way if (way * at.conjugate()).real > 0 else -way
     else:
         way = 1j
-        strokes += body(_rod(at, radius), "follower", [mark], k)
+        strokes += body(rod(at, radius), "follower", [mark], k)
     if made.theoretical is None:
         half = abs(complex(ink.all(points)[k]) * turn - at) + FACE
         strokes += body([line("main", at - half, at + half)], "face", [mark, points], k)
@@ -129,13 +123,6 @@ def _follower(
     more, wanted = _pressure(ink, k, turn, (at, way, radius), names)
     letter = Wanted("B", at, ink.heights.point, 2.0, complex(-sense), (points.slot,), k)
     return [*strokes, *more], [letter, *wanted]
-
-
-def _rod(at: complex, radius: float) -> list[Ink]:
-    """The rod of a follower, upright in its guide."""
-    top, half = at + 1j * (ROD + radius), 0.5 * WIDTH
-    rod = line("body", at - half, at + half, top + half, top - half, closed=True)
-    return [rod, *channel(top - 0.5j * GUIDE - 4j, 90.0, GUIDE, width=WIDTH)]
 
 
 def _pressure(
@@ -148,7 +135,7 @@ def _pressure(
     """The normal n–n through the roller's centre, the way of the follower, the angle between them."""
     at, way, radius = on
     made = ink.cam.profile
-    normal = -ink.seen.line(made.normals, k)[1] * turn
+    normal = -ink.line(made.normals, k)[1] * turn
     if not finite(normal) or normal == 0:
         return [], []
     reach = radius + BEYOND
@@ -179,7 +166,7 @@ def _pressure(
 def _shaft(ink: CamInk) -> Iterator[Ink]:
     """Centre lines, the cam's pivot on the frame, the arrow of its turning."""
     cam = ink.cam
-    reach = ink.seen.arc(cam.profile.working.upper, 0)[1] + ASIDE
+    reach = ink.arc(cam.profile.working.upper, 0)[1] + ASIDE
     if not math.isfinite(reach):
         return
     yield from added([line("centre", -reach * way, reach * way) for way in (1 + 0j, 1j)], "axis")
@@ -191,7 +178,7 @@ def _letters(ink: CamInk, names: SchemeNames) -> Iterator[Wanted]:
     """The letters of the cam's centre, of its turning, of the base circle's radius."""
     made, sense = ink.cam.profile, ink.cam.sense
     lower = (made.theoretical or made.working).lower
-    radius = ink.seen.arc(lower, 0)[1]
+    radius = ink.arc(lower, 0)[1]
     yield Wanted("O", 0j, ink.heights.point, 2.5, complex(-sense, -1), (made.centre.slot,))
     yield Wanted(names.omega, 1j * TURN, ink.heights.number, 1.0, complex(-sense))
     if math.isfinite(radius):

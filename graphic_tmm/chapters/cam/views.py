@@ -67,10 +67,6 @@ def scheme_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     return [with_caption(view, on, lettered, _lengths(drawn, made))]
 
 
-def _number(drawn: Drawn, mark: Mark) -> float:
-    return float(drawn.reading[mark][0, 0])
-
-
 def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> list[Drawing]:
     """Return the diagrams of motion one below the other, those of pressure angle and curvature beside them."""
     language, log, reading = drawn.scene.language, drawn.construction, drawn.reading
@@ -103,7 +99,7 @@ def _limits(drawn: Drawn, made: Cam) -> list[Level]:
     if made.pressure is None:
         return []
     order, language = made.order, drawn.scene.language
-    scale, back = _number(drawn, made.pressure.chart.mu), order.pressure_return or order.pressure
+    scale, back = drawn.value(made.pressure.chart.mu), order.pressure_return or order.pressure
     return [
         Level(sign * angle / scale, f"{minus}[α] = {minus}{number(angle, language)}°")
         for sign, minus, angle in ((1, "", order.pressure), (-1, "−", back))
@@ -112,7 +108,7 @@ def _limits(drawn: Drawn, made: Cam) -> list[Level]:
 
 def _phases(drawn: Drawn, made: Cam) -> list[Span]:
     """Return the phases of the turn with their angles."""
-    order, whole = made.order, _number(drawn, made.diagrams.base.length)
+    order, whole = made.order, drawn.value(made.diagrams.base.length)
     found, at = [], 0.0
     for k, angle in enumerate((order.rise, order.upper_dwell, order.fall, order.lower_dwell), 1):
         ends = (at * whole / 360.0, (at + angle) * whole / 360.0)
@@ -124,7 +120,7 @@ def _phases(drawn: Drawn, made: Cam) -> list[Span]:
 
 def _bounds(drawn: Drawn, made: Cam) -> list[tuple[float, str]]:
     """Return where phases end on the base, mm, and the angles of the turn there."""
-    order, whole = made.order, _number(drawn, made.diagrams.base.length)
+    order, whole = made.order, drawn.value(made.diagrams.base.length)
     phases = (order.rise, order.upper_dwell, order.fall, order.lower_dwell)
     angles = dict.fromkeys(round(angle, 9) for angle in accumulate(phases))
     return [(angle * whole / 360.0, f"{number(angle, drawn.scene.language)}°") for angle in angles]
@@ -139,7 +135,7 @@ def _scale(drawn: Drawn, made: Cam, view: str) -> str:
     """Return the scale of a diagram and that of its base, along which the turn is told in degrees."""
     language, scale = drawn.scene.language, drawn.scales.get(view)
     along = BESIDE.on(drawn).along
-    base = mu_text(Scale(along.name, _number(drawn, along), along.unit), language)
+    base = mu_text(Scale(along.name, drawn.value(along), along.unit), language)
     if scale is None:
         return base
     if view == VIEWS["V"]:
@@ -150,7 +146,7 @@ def _scale(drawn: Drawn, made: Cam, view: str) -> str:
 
 def _mm(drawn: Drawn, mark: Mark) -> str:
     language = drawn.scene.language
-    return f"{fixed(1000.0 * _number(drawn, mark), 1, language)} {unit('mm', language)}"
+    return f"{fixed(1000.0 * drawn.value(mark), 1, language)} {unit('mm', language)}"
 
 
 def _centre(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Drawing:
@@ -183,7 +179,7 @@ def _offset(drawn: Drawn, made: Cam) -> str:
 
 def _lengths(drawn: Drawn, made: Cam) -> str:
     language, mu = drawn.scene.language, made.profile.mu
-    return f"μ_l = {number(_number(drawn, mu), language)} {unit('m/mm', language)}"
+    return f"μ_l = {number(drawn.value(mu), language)} {unit('m/mm', language)}"
 
 
 def _profile(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Drawing:

@@ -16,9 +16,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.labels import finished
-from graphic_tmm.paper.lettering.letters import (
-    escape,
-)
+from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.views import mu_text, pole_figures, stacked, wrapped
 from graphic_tmm.readers.result_table import result_table

@@ -12,10 +12,11 @@ from graphic_tmm.board.values import Line
 from graphic_tmm.chapters.engine.plan import Engine
 from graphic_tmm.chapters.engine.task import HARMONICS, VIEW
 from graphic_tmm.chapters.forces.ink_polygons import LEAST
-from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
+from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.lettering.markup import markup
+from graphic_tmm.paper.mark_rules import straight
 from graphic_tmm.paper.rules import drawn_line, segment
 from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import told_arrow
@@ -181,17 +182,11 @@ def _turning(seen: Seen, made: Engine, index: int, mu: float) -> Manner:
     def projected(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         yield from segment("thin", seen.point(step.uses[1], k), _foot(seen, step, k))
 
-    def drawn(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-        at, along = seen.line(step.it, k)
-        if step.it != found.axis:
-            yield from drawn_line(seen, step, k)
-        elif finite(at, along):
-            yield line("centre", at - along * reach, at + along * reach)
-
-    rules: dict[str, Rule] = {step.op.name: drawn for step in seen.steps if step.it.kind is Line}
-    rules |= {lay_off.name: vector, measure_along.name: projected}
-
     def stays(_: Seen, step: Step) -> bool:
         return step.it == found.axis or step.op in (lay_off, measure_along)
 
-    return Manner(rules, stays)
+    at, along = seen.line(found.axis, index)
+    axis = straight("centre", at - along * reach, at + along * reach)
+    rules: dict[str, Rule] = {s.op.name: drawn_line for s in seen.steps if s.it.kind is Line}
+    rules |= {lay_off.name: vector, measure_along.name: projected}
+    return Manner(rules, stays, {found.axis: axis})

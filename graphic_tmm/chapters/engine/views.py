@@ -26,9 +26,7 @@ from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.graph_rules import axes_of
 from graphic_tmm.paper.labels import finished
-from graphic_tmm.paper.lettering.letters import (
-    escape,
-)
+from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.views import captioned, in_rows, mu_text, stacked, width_of
 from graphic_tmm.readers.result_table import result_table, results
 from graphic_tmm.scene.captions import captions
@@ -157,7 +155,7 @@ def _diagrams(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
 def _base_text(drawn: Drawn, view: str) -> str:
     """Return the scale of the base of a diagram over the turn: μ_φ = 0.05236 rad/mm."""
     mark, language = axes_of(drawn.construction, view).mu_along, drawn.scene.language
-    value = float(drawn.reading[mark][0, 0])
+    value = drawn.value(mark)
     return mu_text(Scale(mark.name, value, mark.unit), language)
 
 

@@ -17,9 +17,10 @@ from graphic_tmm.chapters.flywheel.task import ENERGY_MASS
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.graph import ASIDE
-from graphic_tmm.paper.graph_rules import OVER, axis, dot, ruled
+from graphic_tmm.paper.graph_rules import DOT, OVER, axis, dot, ruled
+from graphic_tmm.paper.mark_rules import dotted, leaving
 from graphic_tmm.paper.rules import stays as usual
-from graphic_tmm.paper.seen import Seen, Subject, finite
+from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.shapes import flat
 from graphic_tmm.paper.symbols.dimensions import angular, dimension
 
@@ -95,26 +96,19 @@ def _manner(seen: Seen, made: EnergyMass, extent: tuple[float, float, float]) ->
     """Return how the curve is inked: what carried its points over is rubbed out."""
     high, low, right = extent
     along, up = (seen.by_mark[made.chart.ordinates[0]].uses[2], seen.by_mark[made.segment].uses[2])
-    axes = {along: (0j, complex(right + OVER, 0)), up: (1j * low, 1j * (high + OVER))}
-    feet = dict(zip(made.tangents, made.ends, strict=True))
-
-    def drawn(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-        if step.it in axes:
-            yield from axis(*axes[step.it])
-        elif step.it in feet:
-            yield from _tangent(seen, step.it, feet[step.it])
-        else:
-            yield from ruled(seen, step, k)
-
-    def laid(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-        yield from dot(seen.point(step.it, k))
+    marks = {
+        along: leaving(*axis(0j, complex(right + OVER, 0))),
+        up: leaving(*axis(1j * low, 1j * (high + OVER))),
+    }
+    for tangent, end in zip(made.tangents, made.ends, strict=True):
+        marks[tangent] = leaving(*_tangent(seen, tangent, end))
 
     def stays(seen: Seen, step: Step) -> bool:
-        lasting = step.it in axes or step.it in feet or step.it == made.points
+        lasting = step.it in marks or step.it == made.points
         return lasting or (step.op is not lay_off and usual(seen, step))
 
-    by_line = {step.op.name: drawn for step in seen.steps if step.it.kind is Line}
-    return Manner({**by_line, lay_off.name: laid}, stays)
+    by_line: dict[str, Rule] = {s.op.name: ruled for s in seen.steps if s.it.kind is Line}
+    return Manner({**by_line, lay_off.name: dotted(DOT)}, stays, marks)
 
 
 def _tangent(seen: Seen, tangent: Mark, end: Mark) -> Iterator[Ink]:

@@ -9,9 +9,7 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import REDUCTIONS
 from graphic_tmm.chapters.flywheel.energy import EnergyMass
-from graphic_tmm.chapters.flywheel.ink_energy import (
-    draw_energy_mass_ink,
-)
+from graphic_tmm.chapters.flywheel.ink_energy import draw_energy_mass_ink
 from graphic_tmm.chapters.flywheel.ink_sketch import Sizes, draw_flywheel
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
 from graphic_tmm.chapters.flywheel.rim import DrawnRim
@@ -36,9 +34,7 @@ from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.graph import Names, draw_graph
-from graphic_tmm.paper.lettering.letters import (
-    escape,
-)
+from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.views import captioned, mu_text, pole_figures, stacked
 from graphic_tmm.readers.position_count import told_off
 from graphic_tmm.readers.result_table import result_table, results
@@ -63,7 +59,7 @@ def _graph_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 def _sketch_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the sketch of the flywheel, if it has a rim."""
     made = FLYWHEEL_PLAN.of(drawn)
-    if made is None or made.rim is None or not math.isfinite(_value(drawn, made.rim.width)):
+    if made is None or made.rim is None or not math.isfinite(drawn.value(made.rim.width)):
         return []
     return [sketch(drawn, made.rim, rim_too_wide(drawn, drawn.scene.language))]
 
@@ -116,7 +112,7 @@ def graphs(drawn: Drawn, made: Flywheel, lettered: bool, place: str = PLAN) -> l
         graph = draw_graph(on, view, project.count, letters)
         scales = [
             mu_text(drawn.scales[view], language),
-            f"{phi.name} = {number(_value(drawn, phi), language)} {unit(phi.unit, language)}",
+            f"{phi.name} = {number(drawn.value(phi), language)} {unit(phi.unit, language)}",
         ]
         told = [", ".join(scales), *([equal] if key == "work" else [])]
         views.append(with_caption(graph, on, lettered, *told))
@@ -141,15 +137,11 @@ def _energy_mass(drawn: Drawn, second: EnergyMass, lettered: bool) -> Drawing:
 
 def _segment_figure(drawn: Drawn, segment: Mark) -> str:
     """Return a segment as it is dimensioned: [cd] = 60.7."""
-    return f"[{segment.name}] = {number(_value(drawn, segment), drawn.scene.language)}"
-
-
-def _value(drawn: Drawn, mark: Mark) -> float:
-    return float(drawn.reading[mark][0, 0])
+    return f"[{segment.name}] = {number(drawn.value(segment), drawn.scene.language)}"
 
 
 def _angle(drawn: Drawn, mark: Mark) -> str:
-    return f"{mark.name} = {number(_value(drawn, mark), drawn.scene.language)}°"
+    return f"{mark.name} = {number(drawn.value(mark), drawn.scene.language)}°"
 
 
 def sketch(
@@ -163,7 +155,7 @@ def sketch(
     _ = speaking(language)
     order = rim.order
     metre = millimetres(1.0, language) / 1000.0
-    read = (metre * _value(drawn, mark) for mark in (rim.outer, rim.inner, rim.width))
+    read = (metre * drawn.value(mark) for mark in (rim.outer, rim.inner, rim.width))
     outer, inner, width = read
     # made in whole millimetres: the thinnest rim is one
     width = max(round(width, 3), 0.001)

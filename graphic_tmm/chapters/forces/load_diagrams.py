@@ -177,7 +177,7 @@ def _reach(drawn: Drawn, load: Load, size: Mark) -> tuple[float, str]:
     """Return how far the base of a diagram reaches, and the unit of its scale factor."""
     if load.travel is not None:
         stroke = travelled(drawn, size)[1]
-        return float(drawn.reading[stroke][0, 0]) * mu_l(drawn), "m/mm"
+        return drawn.value(stroke) * mu_l(drawn), "m/mm"
     if load.by_angle:
         return 360.0, "°/mm"
     return float(len(sizes_of(load)) - 1 or 1), ""

@@ -42,15 +42,11 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import heights
-from graphic_tmm.paper.lettering.letters import (
-    escape,
-)
+from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.seen import Seen, Subject
 from graphic_tmm.paper.views import captioned, mu_text, paired
 from graphic_tmm.readers.columns import Column
-from graphic_tmm.readers.result_table import (
-    result_table,
-)
+from graphic_tmm.readers.result_table import result_table
 from graphic_tmm.scene.captions import captions
 
 EXACTLY = 2
@@ -228,7 +224,7 @@ def lever_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         name, at = drawn.names[place], f"{words['position']} {escape(drawn.names[place])}"
         on = subject(drawn, f"{words['lever']}, {at}", "lever", name=f"lever-{name}")
         view = draw_lever_ink(on, made.lever, place, decimals_told(drawn))
-        larger = number(_value(drawn, made.lever.times), language)
+        larger = number(drawn.value(made.lever.times), language)
         times = _("enlargement {k} = {larger}", k=made.lever.times.name, larger=larger)
         lines = [f"{scale}, {times}, {_('forces not to scale')}", *_verdict(drawn, made, place)]
         heading = f"{_('Equations of the lever')}, {at}"
@@ -237,10 +233,6 @@ def lever_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         known = (made.lever.balance,)
         views += paired([with_caption(view, on, lettered, *lines, known=known), told])
     return views
-
-
-def _value(drawn: Drawn, mark: Mark) -> float:
-    return float(drawn.reading[mark][0, 0])
 
 
 def _verdict(drawn: Drawn, made: Forces, place: int) -> list[str]:

@@ -46,7 +46,7 @@ def failures(drawn: Drawn, language: str) -> Iterator[str]:
     made, _ = GEARS_PLAN.on(drawn), speaking(language)
     fails = [one for one in verdicts(made.checks, drawn.reading) if not one.holds]
     pointed = {one.wheel for one in fails if one.name == "pointed tooth"}
-    ratio = float(drawn.reading[made.sizes.contact_ratio][0, 0])
+    ratio = drawn.value(made.sizes.contact_ratio)
     for one in fails:
         if one.name == "tip thickness" and one.wheel in pointed:
             continue
@@ -60,7 +60,7 @@ def failures(drawn: Drawn, language: str) -> Iterator[str]:
             least=mm * one.least,
             enough=math.ceil(1e4 * one.least) / 1e4,
             depth=-mm * one.value,
-            top=1000.0 * float(drawn.reading[top][0, 0]),
+            top=1000.0 * drawn.value(top),
             ratio=ratio,
         )
 

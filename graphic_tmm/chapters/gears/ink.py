@@ -10,7 +10,7 @@ from itertools import pairwise
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.gears.line import VIEW
-from graphic_tmm.chapters.gears.outline import RULES, dotted, flank, outline, part, sector, spot
+from graphic_tmm.chapters.gears.outline import RULES, flank, outline, part, sector, spot
 from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.chapters.gears.teeth import Wheel
 from graphic_tmm.language.numbers import fixed
@@ -18,6 +18,7 @@ from graphic_tmm.paper.clipping import cut, nearest, points
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Label, Wanted, arc, line
 from graphic_tmm.paper.figure import body, figure, showing
 from graphic_tmm.paper.formats import Heights
+from graphic_tmm.paper.mark_rules import dotted, leaving
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.seen import Rule, Seen, Subject
 from graphic_tmm.paper.symbols.dimensions import dimension
@@ -113,13 +114,13 @@ def _rules(ink: MeshInk) -> dict[Mark, Rule]:
     """What stays of the meshing, by mark."""
     made, own = ink.made, ink.made.line
     rules: dict[Mark, Rule] = {
-        own.centres: _drawn(_centre_line(ink)),
+        own.centres: leaving(*_centre_line(ink)),
         own.pole: dotted(DOT),
-        own.line: _drawn(
-            [line("thin", ink.limits[0] - OVER * ink.way, ink.limits[1] + OVER * ink.way)]
+        own.line: leaving(
+            line("thin", ink.limits[0] - OVER * ink.way, ink.limits[1] + OVER * ink.way)
         ),
-        own.angle: _drawn(_angle(ink)),
-        own.working: _drawn([line("medium", *ink.ends)]),
+        own.angle: leaving(*_angle(ink)),
+        own.working: leaving(line("medium", *ink.ends)),
     }
     rules |= dict.fromkeys(own.ends, dotted(DOT))
     for k, mark in enumerate(own.limits):
@@ -128,23 +129,13 @@ def _rules(ink: MeshInk) -> dict[Mark, Rule]:
         rules |= {mark: _circle(ink, wheel, pen) for mark, pen, _ in circles_of(wheel)}
     for mark in made.contact.pair:
         z = ink.at(mark)
-        rules[mark] = _drawn([line("thin", z - TICK * 1j * ink.way, z + TICK * 1j * ink.way)])
+        rules[mark] = leaving(line("thin", z - TICK * 1j * ink.way, z + TICK * 1j * ink.way))
     for wheel, engaged in zip(made.wheels, made.contact.wheels, strict=True):
         rules |= dict.fromkeys((engaged.entering, engaged.leaving), _touching(ink, wheel))
         rules |= dict.fromkeys(engaged.arc, dotted(DOT))
         start, end = (ink.at(mark) for mark in engaged.arc)
-        rules[engaged.length] = _drawn(_arc(ink.at(wheel.circles.centre), start, end))
+        rules[engaged.length] = leaving(*_arc(ink.at(wheel.circles.centre), start, end))
     return rules
-
-
-def _drawn(strokes: Iterator[Ink] | list[Ink]) -> Rule:
-    """Return the rule of a step that leaves these strokes."""
-    made = tuple(strokes)
-
-    def drawn(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-        return iter(made)
-
-    return drawn
 
 
 def _centre_line(ink: MeshInk) -> Iterator[Ink]:

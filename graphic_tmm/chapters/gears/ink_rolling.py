@@ -14,16 +14,14 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.gears.line import VIEW
 from graphic_tmm.chapters.gears.outline import (
     RULES,
-    dotted,
-    reached,
     spot,
-    thin_curve,
     tooth_outline,
 )
 from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, line
 from graphic_tmm.paper.figure import body, figure, showing
 from graphic_tmm.paper.formats import Heights
+from graphic_tmm.paper.mark_rules import curve, dotted, reached
 from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
@@ -91,7 +89,7 @@ class _Rolling:
         shown = (line_.pole, line_.limits[self.k], wheel.origin, wheel.feet)
         rules |= dict.fromkeys((*shown, wheel.at_pitch, wheel.middle), dot)
         rules |= dict.fromkeys((wheel.points, self.bends), reach)
-        rules |= {self.string: self._first, wheel.flank: thin_curve, wheel.axis: self._axis}
+        rules |= {self.string: self._first, wheel.flank: curve("thin"), wheel.axis: self._axis}
         return rules
 
     def _first(self, seen: Seen, step: Step, k: int) -> Iterator[Ink]:

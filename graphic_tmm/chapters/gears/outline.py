@@ -12,9 +12,9 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.gears.rolling import along_arc, smooth_through
 from graphic_tmm.chapters.gears.teeth import Flank, Tooth, Wheel
 from graphic_tmm.paper.clipping import Controls, cut, nearest
-from graphic_tmm.paper.drawing import Bezier, Ink, Stroke, arc, circle
+from graphic_tmm.paper.drawing import Bezier, Ink, Stroke, arc
 from graphic_tmm.paper.figure import body
-from graphic_tmm.paper.rules import laid_off
+from graphic_tmm.paper.mark_rules import curve
 from graphic_tmm.paper.seen import Rule, Seen, finite
 
 
@@ -30,35 +30,7 @@ def stepped_off(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         yield arc("thin", centre, radius, math.degrees(cmath.phase(start - centre)), turn)
 
 
-def thin_curve(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-    """A curve through points, before what is needed of it is drawn over."""
-    for controls in bezier(seen.reading[step.it]):
-        yield Bezier("thin", tuple(complex(z) for z in controls), step.it.name)
-
-
-def dotted(radius: float) -> Rule:
-    """Return the rule of a point that is shown."""
-
-    def dot(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-        spot = seen.point(step.it, k)
-        if finite(spot):
-            yield circle("main", spot, radius, filled=True)
-
-    return dot
-
-
-def reached(radius: float) -> Rule:
-    """Return the rule of a point to which a length was laid off from where its line begins: both are shown."""
-    dot = dotted(radius)
-
-    def laid(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-        yield from laid_off(seen, step, k)
-        yield from dot(seen, step, k)
-
-    return laid
-
-
-RULES: Mapping[str, Rule] = {along_arc.name: stepped_off, smooth_through.name: thin_curve}
+RULES: Mapping[str, Rule] = {along_arc.name: stepped_off, smooth_through.name: curve("thin")}
 """By operation."""
 
 

@@ -17,9 +17,10 @@ from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.graph import names_beside
 from graphic_tmm.paper.graph_rules import OVER, axis, dot, ends_of, ruled
 from graphic_tmm.paper.labels import Named, lettered, shared
+from graphic_tmm.paper.mark_rules import leaving
 from graphic_tmm.paper.rules import BEYOND, segment
 from graphic_tmm.paper.rules import stays as usual
-from graphic_tmm.paper.seen import Seen, Subject, finite
+from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.shapes import flat
 
 TOGETHER = 1.0
@@ -75,22 +76,12 @@ def draw_indicator_ink(
 def _manner(seen: Seen, made: Indicator, high: float) -> Manner:
     """Return how the diagram is inked: axes, the ray that divides the base, ordinates with their points."""
     end = seen.point(made.end, 0)
-    axes = {
-        seen.by_mark[made.end].uses[0]: (0j, end + OVER),
-        seen.by_mark[made.sides[0].ordinate].uses[2]: (0j, 1j * (high + OVER)),
+    marks: dict[Mark, Rule] = {
+        seen.by_mark[made.end].uses[0]: leaving(*axis(0j, end + OVER)),
+        seen.by_mark[made.sides[0].ordinate].uses[2]: leaving(*axis(0j, 1j * (high + OVER))),
+        seen.by_mark[made.divisions].uses[0]: _ray,
     }
-    ray = seen.by_mark[made.divisions].uses[0]
     points = {side.points for side in made.sides}
-
-    def drawn(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-        if step.it in axes:
-            yield from axis(*axes[step.it])
-        elif step.it == ray:
-            start, far = ends_of(seen, step, k)
-            way = far - start
-            yield from segment("thin", start, far + BEYOND * way / abs(way) if way else far)
-        else:
-            yield from ruled(seen, step, k)
 
     def laid(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         spot = seen.point(step.it, k)
@@ -101,7 +92,14 @@ def _manner(seen: Seen, made: Indicator, high: float) -> Manner:
     def stays(seen: Seen, step: Step) -> bool:
         if step.op is lay_off:
             return step.it in points
-        return step.it == ray or step.it in axes or usual(seen, step)
+        return step.it in marks or usual(seen, step)
 
-    by_line = {step.op.name: drawn for step in seen.steps if step.it.kind is Line}
-    return Manner({**by_line, lay_off.name: laid}, stays)
+    by_line: dict[str, Rule] = {s.op.name: ruled for s in seen.steps if s.it.kind is Line}
+    return Manner({**by_line, lay_off.name: laid}, stays, marks)
+
+
+def _ray(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+    """The ray that is divided, and a little more of it."""
+    start, far = ends_of(seen, step, k)
+    way = far - start
+    yield from segment("thin", start, far + BEYOND * way / abs(way) if way else far)

@@ -13,9 +13,7 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.paper.lettering.letters import (
-    escape,
-)
+from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.views import mu_text
 from graphic_tmm.scene.captions import captions
 
@@ -41,4 +39,4 @@ def indicator_views(drawn: Drawn, lettered: bool, by: str) -> list[Drawing]:
 def _scale_of_stroke(drawn: Drawn) -> Scale:
     """Return the scale of the base."""
     mu = BESIDE.on(drawn).mu
-    return Scale(mu.name, float(drawn.reading[mu][0, 0]), mu.unit)
+    return Scale(mu.name, drawn.value(mu), mu.unit)

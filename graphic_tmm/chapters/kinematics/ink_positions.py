@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.curve import bezier, french_curve
+from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.record import Construction, Figure, Mark, Step
 from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
@@ -27,10 +27,11 @@ from graphic_tmm.chapters.kinematics.ink_numbers import (
 from graphic_tmm.chapters.kinematics.reaches import VIEW as PLAN
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.chapters.kinematics.task import EXTREMES
-from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Stroke, Wanted, circle
+from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, Wanted, circle
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.lettering.markup import markup
+from graphic_tmm.paper.mark_rules import curve
 from graphic_tmm.paper.seen import Seen, Subject
 from graphic_tmm.paper.symbols.kinematic import GROUND_LENGTH, fixed_pivot, round_arrow
 
@@ -70,7 +71,7 @@ def draw_positions_ink(
     point, small = on.heights.point, on.heights.number
     places = [i for i in range(len(names)) if i not in shown.skipped]
     ink = PositionsInk(on.construction, on.reading, reaches, places)
-    traces = figure(ink.seen, Manner({french_curve.name: drawn_path}, path_stays))
+    traces = figure(ink.seen, Manner({french_curve.name: curve("thin")}, path_stays))
     strokes: list[Ink] = [*ink.guides(), *ink.crank_circle(crank), *traces.staying]
     full = [index for index in shown.extremes if index in places and index != main]
     for index in places:
@@ -114,12 +115,6 @@ def draw_position_ink(
     strokes = (*ink.guides(), *ink.heavy(index), *upon)
     letters = ink.letters((ink.frame.name, *ink.names), index, on.heights.point)
     return traces.drawing(on, strokes, letters)
-
-
-def drawn_path(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-    """The path of a point, drawn with the French curve."""
-    for controls in bezier(seen.reading[step.it]):
-        yield Bezier("thin", tuple(complex(z) for z in controls), step.it.name)
 
 
 def path_stays(seen: Seen, step: Step) -> bool:

@@ -13,7 +13,7 @@ from graphic_tmm.board.operations.instruments import stand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
-from graphic_tmm.chapters.kinematics.ink_positions import FULL, PositionsInk, drawn_path, path_stays
+from graphic_tmm.chapters.kinematics.ink_positions import FULL, PositionsInk, path_stays
 from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN, KinematicPlans, sides_at
 from graphic_tmm.chapters.kinematics.positions import side_record, side_values
 from graphic_tmm.chapters.kinematics.scales import reaches
@@ -26,6 +26,7 @@ from graphic_tmm.page.strands import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing, Ink
 from graphic_tmm.paper.figure import Manner, figure
 from graphic_tmm.paper.formats import heights
+from graphic_tmm.paper.mark_rules import curve
 from graphic_tmm.paper.views import mu_text
 from graphic_tmm.project import Project
 from graphic_tmm.readers.any_angles.turn import (
@@ -138,7 +139,7 @@ def _about(drawn: Drawn, made: KinematicPlans) -> Drawing:
     left_out = {*drawn.undrawn, *made.repeated}
     places = [k for k in drawn.all if k not in left_out]
     ink = PositionsInk(drawn.construction, drawn.reading, reaches(drawn), places)
-    traces = figure(ink.seen, Manner({french_curve.name: drawn_path}, path_stays))
+    traces = figure(ink.seen, Manner({french_curve.name: curve("thin")}, path_stays))
     strokes: list[Ink] = [*ink.crank_circle(made.crank), *traces.staying]
     for k in made.extremes:
         strokes += ink.thin(k, FULL) if k in places else []

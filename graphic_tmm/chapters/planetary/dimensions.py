@@ -7,9 +7,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.operations.formulas import (
-    pitch_radius,
-)
+from graphic_tmm.board.operations.formulas import pitch_radius
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.planetary import formulas as t

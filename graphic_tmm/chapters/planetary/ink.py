@@ -33,6 +33,7 @@ from graphic_tmm.chapters.planetary.rates import RATES, VELOCITIES
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, circle, line
 from graphic_tmm.paper.figure import body, figure, showing
 from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.mark_rules import leaving
 from graphic_tmm.paper.rules import rule_of
 from graphic_tmm.paper.seen import Rule, Seen, Subject
 from graphic_tmm.paper.shapes import box
@@ -76,18 +77,9 @@ def circle_rules(ink: TrainInk) -> dict[Mark, Rule]:
     rules: dict[Mark, Rule] = dict.fromkeys(end.circles.values(), pitch_circle)
     rules |= {end.axis: main_axis, end.up: below, ways: through_satellite}
     return rules | {
-        level: _carried(a, b)
+        level: leaving(line("thin", a, b))
         for level, a, b in zip(end.levels, ink.points, ink.zeros[1:], strict=True)
     }
-
-
-def _carried(start: complex, end: complex) -> Rule:
-    """A level, from its point to the zero line of the picture."""
-
-    def level(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-        yield line("thin", start, end)
-
-    return level
 
 
 def draw_circle_bodies(ink: TrainInk) -> Iterator[Ink]:

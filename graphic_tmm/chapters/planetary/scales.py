@@ -56,7 +56,7 @@ def choose_steps(drawn: Drawn, ledger: Ledger) -> None:
 def _reach(drawn: Drawn, train: Planetary) -> float:
     """Return the radius about the main axis that the pitch circles take, mm."""
     lengths = train.end.lengths
-    found = {wheel: abs(float(drawn.reading[mark][0, 0])) for wheel, mark in lengths.items()}
+    found = {wheel: abs(drawn.value(mark)) for wheel, mark in lengths.items()}
     wheels = train.train.scheme.wheels
     rims = max(found[wheel] for wheel in wheels[1:-1])
     return max(found["1"], found[wheels[-1]], found["H"] + rims)
