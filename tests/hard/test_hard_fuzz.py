@@ -13,7 +13,6 @@ from fuzz_tasks import task
 from support.command import invoke
 from support.gallery import NAMES, SHEETS
 from support.scenes import source
-from support.turns import in_turn
 
 from graphic_tmm.paper.symbols.kinematic import MOST, MOST_HATCHES, hatched, hatching
 
@@ -38,7 +37,7 @@ def test_changed_scenes_are_drawn_or_refused(many: Callable[[int, int], int]) ->
 
 @pytest.mark.slow
 def test_changed_files_beside_a_scene_are_used_or_refused(many: Callable[[int, int], int]) -> None:
-    for kind in in_turn(inputs.KINDS, 3):
+    for kind in inputs.KINDS:
         assert (kind, cased(0, inputs.unchanged(kind)).status) in {(kind, 0), (kind, 1)}
     found = [inputs.case(number, 1) for number in range(many(300, 16))]
     assert not [one for one in found if one.fault]
