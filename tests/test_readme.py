@@ -73,6 +73,7 @@ def test_worked_commands_print_what_is_shown(
     assert unlike(shown, printed) is None
 
 
+@pytest.mark.slow
 def test_what_is_shown_in_python_runs(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -47,6 +47,7 @@ def test_a_file_is_judged_as_the_command_judges_it(options) -> None:
     assert found.ok == (found.wrong == 0) == (not due["counts"]["wrong"])
 
 
+@pytest.mark.slow
 @each(
     "readings",
     [

@@ -24,6 +24,7 @@ def _elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
 
 
+@pytest.mark.slow
 def test_the_page_of_the_face_is_true() -> None:
     found = doctest.testfile(str(PAGE), module_relative=False, optionflags=FLAGS, encoding="utf-8")
     assert found.attempted > 30

@@ -165,6 +165,7 @@ def test_loads_and_pressures_stand_on_what_is_drawn() -> None:
         assert low == high or np.ptp(between) > 0.5 * (high - low)
 
 
+@pytest.mark.slow
 def test_a_plan_of_no_position_is_drawn_at_no_degree(tmp_path: Path) -> None:
     """Forces of inertia need accelerations; a page shows no plan of them that the sheets do not have."""
     path = calling(tmp_path, "effects", "load", "forces")

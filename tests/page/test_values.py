@@ -78,6 +78,7 @@ def _number(text: str) -> float:
     return float(mantissa) * 10.0 ** int(raised or 0)
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("name", SOME)
 def test_nothing_is_told_that_nobody_can_read(name: str) -> None:
     assert_readable(name)
@@ -108,6 +109,7 @@ def test_what_is_not_there_in_a_position_is_told_in_words() -> None:
     assert all("нет" in text for text in told)
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("name", SOME)
 def test_terms_of_equations_are_drawn_by_stops(name: str) -> None:
     """A vector lights up in the stop in which its line is drawn, then in which its end is."""

@@ -56,6 +56,7 @@ def decimals(figure: str) -> int:
     return len(figure.replace(",", ".").partition(".")[2]) if "·10" not in figure else 99
 
 
+@pytest.mark.slow
 @pytest.mark.turns(1)
 @pytest.mark.usefixtures("found_once")
 @pytest.mark.parametrize(("ruler", "most"), [('"0.1 mm"', 1), ('"0.5 mm"', 1), ('"exact"', 2)])

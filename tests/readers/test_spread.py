@@ -203,6 +203,7 @@ def test_a_table_of_trials_is_what_a_table_a_trial_comes_to(
     assert low != high
 
 
+@pytest.mark.slow
 def test_a_spread_that_misses_a_quantile_is_drawn_once_more(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -127,6 +127,7 @@ def test_the_force_on_the_crank_follows_from_the_loop_in_pounds() -> None:
     assert reaction.value[0, 2] == pytest.approx(abs(f12), rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.turns(1)
 @pytest.mark.usefixtures("found_once")
 @pytest.mark.parametrize("language", languages())

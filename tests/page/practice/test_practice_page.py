@@ -65,6 +65,7 @@ def test_the_policy_names_the_program_that_was_written_for_it(practised: str) ->
     assert [word for word in FORBIDDEN if word in program[1]] == []
 
 
+@pytest.mark.slow
 def test_the_same_scene_has_the_same_page_and_another_seed_another(practised: str) -> None:
     assert text(NAME, practised=True) == practised
     posed = [data(text(NAME, practised=True, seed=seed))["practice"] for seed in (1, 2)]
