@@ -19,9 +19,10 @@ from graphic_tmm.fitting.choice import SCALES, choices
 from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.formats import formatted
 from graphic_tmm.fitting.sizes import usual
-from graphic_tmm.note.document import Document, Number, Source
+from graphic_tmm.note.document import Document, Number, Source, Text
 from graphic_tmm.note.formats import files
 from graphic_tmm.note.note import note, wanted
+from graphic_tmm.note.section_chapter import page_of
 from graphic_tmm.readers.position_count import Finer, finer
 from graphic_tmm.readers.protocol import SYNTHESIS, synthesis
 from graphic_tmm.readers.table import columns_of, results_of
@@ -207,7 +208,17 @@ def document_of(docx: bytes) -> ElementTree.Element:
     return ElementTree.fromstring(parts(docx)["word/document.xml"])
 
 
+def concluded(drawn: Drawn, language: str = "en") -> list[str]:
+    """Return what a note concludes of the only chapter of a board, a sentence each; letters are left out."""
+    (chapter,) = drawn.project.chapters
+    return [
+        "".join(one.text for one in told if isinstance(one, (Text, Number)))
+        for told in page_of(drawn, chapter, language).concludes()
+    ]
+
+
 __all__ = [
+    "concluded",
     "document_of",
     "file_of",
     "looked_up",

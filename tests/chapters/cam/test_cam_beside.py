@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from support.boards import usual_part
 from support.cams import curvatures, motion, pressure_angles
-from support.concluded import concluded
 from support.gallery import SHEETS
+from support.notes import concluded
 from support.scenes import edited
 
 from graphic_tmm.chapters.cam.plan import CAM_PLAN

@@ -8,8 +8,8 @@ import mpmath
 import numpy as np
 import pytest
 from support.boards import usual_part
-from support.concluded import concluded
 from support.gallery import SHEETS
+from support.notes import concluded
 from support.scenes import edited
 
 from graphic_tmm.board.bounds import TaskError

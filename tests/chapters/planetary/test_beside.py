@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 from support.boards import usual_part
-from support.concluded import concluded
 from support.gallery import SHEETS
+from support.notes import concluded
 from support.scenes import edited, written
 
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
