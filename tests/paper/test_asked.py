@@ -77,17 +77,6 @@ def sensible(made: DrawnScene, paper: tuple[Sheet, ...]) -> None:
         assert len(there) <= ordered + 4 * taken / room
 
 
-def longest(work: Drawn, plan: str) -> float:
-    """The longest absolute vector of a plan as drawn, mm; without end if there is no such plan."""
-    log = work.project.construction
-    reading = work.of("accelerations") if plan == "accelerations" else work.reading
-    view = log.view(plan)
-    if view is None or reading is None or plan not in work.scales:
-        return float("inf")
-    marks = [s.it for s in log.steps if s.it.view == plan and s.it.kind is Point]
-    return float(max(np.nanmax(np.abs(reading[mark])) for mark in marks))
-
-
 def measurable(made: DrawnScene, format: str) -> None:
     """Plans of velocities and accelerations of 40 mm at least, the plan of positions of 60 or 100 mm.
 
@@ -99,7 +88,7 @@ def measurable(made: DrawnScene, format: str) -> None:
     placed = made.scene.shown_places
     for plan in {"velocities", "accelerations"} & placed:
         # a plan that a sheet does not hold at 40 mm is as large as it does
-        assert longest(work, plan) >= SAVING * MEASURABLE - 0.1
+        assert asked.longest(work, plan) >= SAVING * MEASURABLE - 0.1
     if "positions" in placed:
         log = work.project.construction
         marks = [s.it for s in log.steps if s.it.view == "positions" and s.it.kind is Point]
@@ -406,4 +395,6 @@ def test_a_plan_that_the_ruler_makes_larger_is_held_too() -> None:
     assert exact is not None
     assert made.mechanism is not None
     assert exact.scales == made.mechanism.scales
-    assert longest(made.mechanism, "accelerations") > 1.5 * longest(exact, "accelerations")
+    assert asked.longest(made.mechanism, "accelerations") > 1.5 * asked.longest(
+        exact, "accelerations"
+    )

@@ -4,6 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
+from graphic_tmm.board.values import Point
+from graphic_tmm.drawn import Drawn
+
 SLIDER = """
 [frame]
 O = [0, 0]
@@ -211,3 +216,14 @@ FOUR = ("diagrams", "flywheel", *ENGINE)
 def can(kind: str, place: str, positions: int) -> bool:
     """Whether a mechanism can be asked for a place at all."""
     return (positions >= 4 or place not in FOUR) and (kind == "slider" or place not in ENGINE)
+
+
+def longest(work: Drawn, plan: str) -> float:
+    """The longest absolute vector of a plan as drawn, mm; without end if there is no such plan."""
+    log = work.project.construction
+    reading = work.of("accelerations") if plan == "accelerations" else work.reading
+    view = log.view(plan)
+    if view is None or reading is None or plan not in work.scales:
+        return float("inf")
+    marks = [s.it for s in log.steps if s.it.view == plan and s.it.kind is Point]
+    return float(max(np.nanmax(np.abs(reading[mark])) for mark in marks))
