@@ -130,11 +130,16 @@ class SheetError(TmmError):
 
 
 class ViewError(SheetError):
-    """A view that fits no sheet of its format: its name and size (mm), for a remedy."""
+    """A view that fits no sheet of its format, so that a remedy can be told.
 
-    def __init__(self, message: str, view: str, size: tuple[float, float]) -> None:
+    ``view``: its name; ``size``: mm; ``shows``: the views of the log of which it is the picture.
+    """
+
+    def __init__(
+        self, message: str, view: str, size: tuple[float, float], shows: tuple[str, ...] = ()
+    ) -> None:
         super().__init__(message)
-        self.view, self.size = view, size
+        self.view, self.size, self.shows = view, size, shows
 
 
 class AbsentError(TmmError, KeyError):

@@ -37,10 +37,10 @@ Cells = list[Drawing]
 
 
 class TooLarge(NamedTuple):
-    """A view that no sheet of its format holds: the place it belongs to, its name, what share would fit."""
+    """A view that no sheet of its format holds: the place it belongs to, its role, what share would fit."""
 
     place: str
-    view: str
+    role: str
     share: float
 
 
@@ -127,7 +127,7 @@ class Rooms:
     def too_large(self, sizes: Sizes) -> list[TooLarge]:
         """Return the views of boards that no sheet holds."""
         return [
-            TooLarge(one.place, one.view.name, share(one.view, one.within))
+            TooLarge(one.place, one.view.role, share(one.view, one.within))
             for one in self.sheet_views(sizes)
             if places()[one.place][0].board in self.boards and not holds(one.within, one.view)
         ]
@@ -150,7 +150,7 @@ class Rooms:
 
     def _depending(self, size: str, sizes: Sizes) -> Iterator[SheetView]:
         for one in self.sheet_views(sizes):
-            if size in sizes_of(one.place, one.view.name, self.scene):
+            if size in sizes_of(one.place, one.view.role, self.scene):
                 yield one
 
     def fill(self, size: str, sizes: Sizes) -> float:
@@ -158,7 +158,7 @@ class Rooms:
         found = [1.0]
         for number, (_, rooms) in enumerate(self.orders):
             views = list(self._of(number, sizes))
-            if any(size in sizes_of(v.place, v.view.name, self.scene) for v in views):
+            if any(size in sizes_of(v.place, v.view.role, self.scene) for v in views):
                 taken = sum(_area(bounds(one.view)) for one in views)
                 room = _area(rooms[0].inner) - sum(map(_area, rooms[0].occupied))
                 found.append(taken / (self._sheets(number, sizes) * room))
@@ -221,7 +221,7 @@ class Rooms:
         if own not in self._depends:
             views = self._views(place, piece, sizes)
             found = [*shown.follows]
-            found += [name for view in views for name in sizes_of(place, view.name, self.scene)]
+            found += [name for view in views for name in sizes_of(place, view.role, self.scene)]
             self._depends[own] = tuple(n for n in dict.fromkeys(found) if n in board.sizes)
         return (*own, *(board.comes_of(name, sizes) for name in self._depends[own]))
 
@@ -257,7 +257,14 @@ def cells(
 
 def _parts(view: Drawing, within: Within) -> Cells:
     return [
-        Drawing(part.name, part.title, cell=bounds(part), stand=part.stand, foot=part.foot)
+        Drawing(
+            part.name,
+            part.title,
+            cell=bounds(part),
+            stand=part.stand,
+            foot=part.foot,
+            role=part.role,
+        )
         for part in in_pieces(view, within)
     ]
 

@@ -58,12 +58,12 @@ def refusal(scene: Scene, error: ViewError) -> SheetError:
     from graphic_tmm.fitting.search import depends
 
     known = plans()
-    plan = error.view.partition("-")[0]
+    plan = next((view for view in error.shows if view in known), "")
     if plan in known and not known[plan].fixed(scene):
         freed = scene
         for size in known.values():
             freed = size.freed(freed) if size is not known[plan] else freed
-        plan = next(iter(depends(plan, plan, freed)), plan)
+        plan = next(iter(depends(plan, "", freed)), plan)
     key, helps = "", list[str]()
     if plan in known and known[plan].fixed(scene):
         key, helps = f"{known[plan].fixed(scene)}: ", [_remedy(scene, known[plan])]

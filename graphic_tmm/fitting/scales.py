@@ -75,7 +75,7 @@ class ScaleFactors(Answer):
 
     ``reach``: what they go by, found once. ``plan_scales``: μ of the plans at a size, without drawing them.
     ``scales``: the values of its scale factors, put into what is given. ``named``: further scale factors as
-    drawn, by view, of those that were given a value; ``key``: what machines call the scale factor of a view.
+    drawn, by view, of those that were given a value; ``keys``: what machines call the scale factors of views.
     """
 
     stands: ClassVar[str] = "scales.SCALES"
@@ -85,7 +85,15 @@ class ScaleFactors(Answer):
     named: Callable[[Project, Reading, Container[Mark]], Mapping[str, Scale]] = (
         lambda project, reading, given: {}
     )
-    key: Callable[[str], str] = lambda view: ""
+    keys: Callable[[Project], Mapping[str, str]] = lambda project: {}
+
+
+def scale_keys(project: Project) -> dict[str, str]:
+    """Return what machines call the scale factors of views, where chapters have a name for them."""
+    found: dict[str, str] = {}
+    for chapter in reversed(project.chapters):
+        found |= ScaleFactors.of(chapter).keys(project)
+    return found
 
 
 def unscaled(project: Project, doubts: Doubts, marks: Iterable[Mark]) -> Reading:

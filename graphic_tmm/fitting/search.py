@@ -17,6 +17,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.measuring import Rooms, TooLarge, cells
 from graphic_tmm.fitting.sizes import Sizes, all_sizes, sizes_of, usual
 from graphic_tmm.fitting.tried import Board, Mechanism
+from graphic_tmm.paper.drawing import TABLE
 from graphic_tmm.paper.packing import holds, share
 from graphic_tmm.scene.records import Scene
 
@@ -276,7 +277,7 @@ class Search:
         for _ in range(TRIALS):
             drawn = own.final(sizes, wanted, exact=False)
             found = [
-                TooLarge(place, view.name, share(view, rooms[0].within))
+                TooLarge(place, view.role, share(view, rooms[0].within))
                 for order, rooms in self.rooms.orders
                 for place in order.place
                 if place in plans
@@ -295,16 +296,16 @@ def _smaller(found: Iterable[TooLarge], sizes: Sizes, scene: Scene) -> Sizes:
     known = all_sizes()
     way: dict[str, float] = {}
     for one in found:
-        names = depends(one.place, one.view, scene)
+        names = depends(one.place, one.role, scene)
         name = next((n for n in names if sizes[n] > known[n].least), None)
         if name is not None:
             way[name] = min(way.get(name, STEP), one.share)
     return {**sizes, **{name: sizes[name] * share for name, share in way.items()}} if way else sizes
 
 
-def depends(place: str, view: str, scene: Scene) -> tuple[str, ...]:
-    """Return the sizes, left free by the scene, that a view depends on, in the order in which they give way."""
-    if view.startswith("table"):
+def depends(place: str, role: str, scene: Scene) -> tuple[str, ...]:
+    """Return the sizes, left free by the scene, that views of a role depend on, in the order they give way."""
+    if role == TABLE:
         return ()
     known = all_sizes()
-    return tuple(name for name in sizes_of(place, view, scene) if not known[name].fixed(scene))
+    return tuple(name for name in sizes_of(place, role, scene) if not known[name].fixed(scene))

@@ -48,7 +48,7 @@ class Size:
 class Sizing(Answer):
     """How large a chapter is drawn.
 
-    ``sizes``: by which that is told. ``depends``: by place, the name of a view -> the sizes on which it
+    ``sizes``: by which that is told. ``depends``: by place, the role of a view -> the sizes on which it
     depends, in the order in which they give way.
     """
 
@@ -68,10 +68,10 @@ def all_sizes() -> dict[str, Size]:
     return {size.name: size for one in chapters() for size in Sizing.of(one).sizes}
 
 
-def sizes_of(place: str, view: str, scene: Scene) -> tuple[str, ...]:
-    """Return the sizes on which a view of a place depends, in the order in which they give way."""
+def sizes_of(place: str, role: str, scene: Scene) -> tuple[str, ...]:
+    """Return the sizes on which views of a place and a role depend, in the order in which they give way."""
     depends = Sizing.of(places()[place][0]).depends.get(place)
-    return depends(scene, view) if depends is not None else ()
+    return depends(scene, role) if depends is not None else ()
 
 
 def usual(scene: Scene) -> dict[str, float]:

@@ -116,21 +116,14 @@ def side_by_side(shown: Sequence[Picture]) -> tuple[Figure, ...]:
 
 def figures_of(drawn: Drawn, place: Place, at: int, language: str) -> tuple[Picture, ...]:
     """Return the figures of a place of sheets; of those drawn for each position that at ``at`` (index)."""
-    name = drawn.names[at] if drawn.names else ""
     found = [view for view in drawings(drawn, place) if is_figure(view)]
-    others = {f"-{other}" for other in drawn.names if other != name}
-    kept = [
-        view
-        for view in found
-        if not (any(view.name.endswith(one) for one in others) and _sisters(view, found, name))
-    ]
+    kept = [view for view in found if view.position in (None, at) or not _drawn_at(view, found, at)]
     return tuple(picture(view, language) for view in kept)
 
 
-def _sisters(view: Drawing, found: Sequence[Drawing], name: str) -> bool:
-    """Whether the same view is drawn in another position, too: that of a ``name``."""
-    stem = view.name.rpartition("-")[0]
-    return any(other.name == f"{stem}-{name}" for other in found)
+def _drawn_at(view: Drawing, found: Iterable[Drawing], at: int) -> bool:
+    """Whether the same is drawn in another position, too: at ``at``."""
+    return any(other.position == at and other.shows == view.shows for other in found)
 
 
 def drawings(drawn: Drawn, place: Place) -> list[Drawing]:

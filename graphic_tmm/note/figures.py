@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.note.document import Document, Picture, SideBySide, letter_of, text
-from graphic_tmm.paper.drawing import Drawing, Label, Sheet
+from graphic_tmm.paper.drawing import EQUATIONS, TABLE, Drawing, Label, Sheet
 from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.write.svg import clean
@@ -60,7 +60,7 @@ def _scale_of(view: Drawing) -> float:
 
 def is_figure(drawing: Drawing) -> bool:
     """Whether a view is a figure: tables and equations are set as such."""
-    return not drawing.name.startswith(("table", "equations"))
+    return drawing.role not in (TABLE, EQUATIONS)
 
 
 def picture(drawing: Drawing, language: str, name: str = "") -> Picture:

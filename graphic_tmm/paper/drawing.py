@@ -14,6 +14,9 @@ from typing import NamedTuple
 Vertex = tuple[float, float, float]
 Path = tuple[Vertex, ...]
 Data = tuple[tuple[str, str], ...]
+TABLE, EQUATIONS, GRAPH = "table", "equations", "graph"
+"""What a view is, where code asks: a ruled table, equations line by line, a graph on axes. A chapter's own
+stand in the chapter; of all others, "", nobody asks."""
 
 
 class Symbol(NamedTuple):
@@ -129,6 +132,8 @@ class Stand(NamedTuple):
 class Drawing(NamedTuple):
     """A view: everything of one plan, table or block, that layout moves as a whole.
 
+    ``name`` is for readers and files; ``role`` tells code what it is, ``position`` where it is drawn alone (an
+    index of all that the board has; None: in none, or in several).
     ``cell`` (left, bottom, right, top) is the room it takes if that is more than its ink. ``apart``: what it
     comes apart into where no sheet holds it whole; None if it does not. ``stand``: how it stands among others,
     ``foot``: how high the caption at its lower edge is, mm: captions of a row begin on one line.
@@ -154,6 +159,8 @@ class Drawing(NamedTuple):
     numbers: tuple[tuple[int, str], ...] = ()
     begins: tuple[int, ...] = ()
     origins: tuple[tuple[str, complex], ...] = ()
+    role: str = ""
+    position: int | None = None
 
     def origin(self, view: str) -> complex:
         """Return where the origin of a view of the log stands (complex, mm)."""

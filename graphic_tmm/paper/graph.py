@@ -15,7 +15,7 @@ from graphic_tmm.board.operations.instruments import join, measure_along
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Curve, Point, Reals
 from graphic_tmm.paper.axes import position_numbers
-from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
+from graphic_tmm.paper.drawing import GRAPH, Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import added, body, figure
 from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.graph_rules import (
@@ -183,7 +183,8 @@ def draw_graph(
     numbers = position_numbers(*_positions(graph, names), strokes, small)
     figures = [one.label._replace(of=_slots(mark)) for mark, one in made]
     drawing = traces.drawing(on, strokes, _letters(graph, names, on.heights), (*figures, *numbers))
-    return drawing._replace(begins=(graph.axes.along.slot, graph.axes.up.slot))
+    begins = (graph.axes.along.slot, graph.axes.up.slot)
+    return drawing._replace(begins=begins, role=GRAPH)
 
 
 def _slots(mark: Mark | None) -> tuple[int, ...]:

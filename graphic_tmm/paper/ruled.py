@@ -10,7 +10,7 @@ from itertools import accumulate
 from typing import NamedTuple
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper.drawing import Drawing, Label, Stand, Stroke, line
+from graphic_tmm.paper.drawing import TABLE, Drawing, Label, Stand, Stroke, line
 from graphic_tmm.paper.lettering import letters
 
 PITCH = 1.7
@@ -289,7 +289,7 @@ def ruled_table(
     labels = [label for label in labels if label.text]
     ruling = _ruling(edges, step, top, crown)
     told = title.replace("\n", " ")
-    return Drawing(name, told, ruling, tuple(labels), stand=Stand(kind="table"))
+    return Drawing(name, told, ruling, tuple(labels), stand=Stand(kind="table"), role=TABLE)
 
 
 def _row(cells: Sequence[str], size: float) -> tuple[float, float]:

@@ -12,7 +12,7 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
-from graphic_tmm.paper.drawing import Drawing, Label, Stand, Within
+from graphic_tmm.paper.drawing import TABLE, Drawing, Label, Stand, Within
 from graphic_tmm.paper.formats import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.packing import bounds, in_pieces
@@ -73,7 +73,7 @@ def captioned(
     the lines appear with them.
     """
     view, of = view._replace(cell=bounds(view)), tuple(mark.slot for mark in known)
-    if view.name.startswith("table"):
+    if view.role == TABLE:
         told = [_Line(text, heights.number) for text in lines]
     else:
         width = min(narrowest, width_of(view))
@@ -134,7 +134,7 @@ def _above(lines: Sequence[_Line], view: Drawing) -> Drawing:
     """Return a view with lines below it, each in its height; it does not come apart."""
     left, bottom, right, top = bounds(view)
     low = bottom
-    tabular, middle = view.name.startswith("table"), (left + right) / 2
+    tabular, middle = view.role == TABLE, (left + right) / 2
     anchor = "start" if tabular else "middle"
     # leaning tops reach out at the right, tails at the left
     labels, widest = list(view.labels), 0.0
@@ -241,6 +241,7 @@ def _below_another(views: Sequence[Drawing], name: str) -> Drawing:
         rubbed=tuple(stroke for view in moved for stroke in view.rubbed),
         shows=tuple(dict.fromkeys(shown for view in moved for shown in view.shows)),
         origins=tuple(at for view in moved for at in view.origins),
+        role=views[0].role,
     )
 
 

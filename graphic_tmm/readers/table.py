@@ -12,7 +12,7 @@ import numpy as np
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.drawn import Drawn, DrawnScene, Results, hand_of, single
-from graphic_tmm.fitting.scales import ScaleFactors
+from graphic_tmm.fitting.scales import scale_keys
 from graphic_tmm.language.numbers import decimals_of
 from graphic_tmm.language.units import unit_name
 from graphic_tmm.readers.columns import Column, Positions, Tabled
@@ -127,9 +127,10 @@ def scales_of(made: DrawnScene) -> dict[str, Any]:
     """Return the scale factors under the names that machines read."""
     found = {}
     for drawn in made.boards:
+        keys = scale_keys(drawn.project)
         for view, scale in drawn.scales.items():
             of = unit_name(scale.unit, made.scene.language)
-            found[_scale_key(drawn, view)] = {"value": scale.value, "unit": of}
+            found[keys.get(view, _plain_key(view))] = {"value": scale.value, "unit": of}
         found |= dict(_bases(drawn))
     return found
 
@@ -152,10 +153,8 @@ BASES = {"μ_φ": "phi", "μ_S": "S"}
 """Scale factors of bases, as machines read them."""
 
 
-def _scale_key(drawn: Drawn, view: str) -> str:
-    keys = (ScaleFactors.of(chapter).key(view) for chapter in drawn.project.chapters)
-    plain = "mu_" + view.replace(" ", "_").replace("-", "_")
-    return next((key for key in keys if key), plain)
+def _plain_key(view: str) -> str:
+    return "mu_" + view.replace(" ", "_").replace("-", "_")
 
 
 def positions_of(made: DrawnScene) -> Positions:

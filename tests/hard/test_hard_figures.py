@@ -22,7 +22,7 @@ from support.hard_mechanisms import weighed
 from support.mechanisms import sample
 from support.scenes import written
 
-from graphic_tmm.chapters.forces.plan import Forces
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 
@@ -33,7 +33,8 @@ def named(made: Drawn, told: Told) -> bool:
     return any(
         told.place in finding.positions
         and (
-            finding.step.it.view == plan or (plan == "forces" and Forces.owns(finding.step.it.view))
+            finding.step.it.view == plan
+            or (plan == "forces" and finding.step.it.view in FORCES_PLAN.on(made).views)
         )
         for finding in made.findings()
         if finding.kind in ("lost", "undrawn")

@@ -10,16 +10,15 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Choice, Ledger
 from graphic_tmm.fitting.sizes import Size, Sizing
 from graphic_tmm.language.said import said
+from graphic_tmm.paper.drawing import GRAPH, TABLE
 from graphic_tmm.scene.records import Scene
 
-FIGURES = ("cam profile", "cam scheme", "cam centre", "profile", "centre")
-"""What is drawn of a cam besides graphs."""
 CAPS = {"cam.mu_l": 0.6, "cam.base": 0.94}
 """What share of a sheet's height what a key sizes may take."""
 
 
-def _depends(scene: Scene, view: str) -> tuple[str, ...]:
-    return (CAM,) if view.startswith(FIGURES) else (GRAPHS,)
+def _depends(scene: Scene, role: str) -> tuple[str, ...]:
+    return (GRAPHS,) if role in (GRAPH, TABLE) else (CAM,)
 
 
 def _size(name: str, key: str) -> Size:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from graphic_tmm.board import roles
 from graphic_tmm.chapters.cycle.task import CYCLE
-from graphic_tmm.chapters.flywheel.task import VIEWS
+from graphic_tmm.chapters.flywheel.task import SKETCH, VIEWS
 from graphic_tmm.fitting.scales import ScaleFactors
 from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Size, Sizing
 
 SIZES = Sizing(
     sizes=(GRAPH, Size("cycle sketch", small=0.6, cap=0.4, step=1.6, seen=False)),
-    depends={CYCLE: lambda scene, view: ("cycle sketch" if view == "flywheel" else GRAPHS,)},
+    depends={CYCLE: lambda scene, role: ("cycle sketch" if role == SKETCH else GRAPHS,)},
 )
 
 
@@ -29,5 +29,5 @@ SCALES = ScaleFactors(
             ("cycle.H", VIEWS["work"], roles.POLE_DISTANCE),
         ],
     ),
-    key=lambda view: SCALE_KEYS.get(view, ""),
+    keys=lambda project: SCALE_KEYS,
 )

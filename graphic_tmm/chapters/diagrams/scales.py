@@ -18,7 +18,7 @@ from graphic_tmm.fitting.scales import ScaleFactors
 from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Sizing
 from graphic_tmm.project import Project
 
-SIZES = Sizing(sizes=(GRAPH,), depends={DIAGRAMS: lambda scene, view: (GRAPHS,)})
+SIZES = Sizing(sizes=(GRAPH,), depends={DIAGRAMS: lambda scene, role: (GRAPHS,)})
 
 
 def _named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
@@ -32,7 +32,6 @@ SCALES = ScaleFactors(
         GRAPHS, [("diagrams.base", view, roles.BASE) for view in (VIEWS["S"], VIEWS["V"])]
     ),
     named=_named,
-    key=lambda view: f"mu_{view.replace(' ', '_')}" if view in VIEWS.values() else "",
 )
 
 

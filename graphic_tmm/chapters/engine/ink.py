@@ -60,7 +60,7 @@ def draw_triangles(on: Subject, made: Engine, pivot: Mark, index: int, mu: float
         if finite(spot)
     ]
     wanted += _vector_names(seen, forces, index, on.heights.number)
-    return traces.drawing(on, strokes, wanted)
+    return traces.drawing(on, strokes, wanted)._replace(position=index)
 
 
 def _vector_names(

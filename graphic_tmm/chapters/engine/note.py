@@ -29,7 +29,7 @@ from graphic_tmm.note.bricks import columns
 from graphic_tmm.note.document import Block, Item, Listed, Runs, Symbol
 from graphic_tmm.note.figures import in_hand, picture, readable
 from graphic_tmm.note.section_chapter import Noted
-from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.drawing import GRAPH, Drawing
 
 GAS = said(
     "The motion to and fro of the piston becomes an even turning of the shaft through the forces that the "
@@ -267,9 +267,7 @@ class EnginePage(GasPage[Engine]):
         yield self.head(OVER_A_TURN)
         yield from self.again(self.recorded.turning[0].base.mu)
         views = [
-            view
-            for view in engine_diagram_views(in_hand(self.drawn), True)
-            if view.name.startswith("engine-diagrams")
+            view for view in engine_diagram_views(in_hand(self.drawn), True) if view.role == GRAPH
         ]
         charts = [chart.symbol for chart in self.recorded.charts]
         half = (len(charts) + 1) // 2

@@ -19,12 +19,13 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Choice, Ledger
 from graphic_tmm.fitting.scales import Fitting, ScaleFactors, unscaled
 from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Size, Sizing
+from graphic_tmm.paper.drawing import GRAPH as GRAPH_VIEW
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
 
-def _plan(scene: Scene, view: str) -> tuple[str, ...]:
-    return (GRAPHS,) if view.startswith("indicator") else ("engine", POSITIONS)
+def _plan(scene: Scene, role: str) -> tuple[str, ...]:
+    return (GRAPHS,) if role == GRAPH_VIEW else ("engine", POSITIONS)
 
 
 SIZES = Sizing(
@@ -35,8 +36,8 @@ SIZES = Sizing(
     ),
     depends={
         "engine": _plan,
-        TRANSFER_PLACE: lambda scene, view: (TRANSFER, POSITIONS),
-        "engine diagrams": lambda scene, view: (GRAPHS,),
+        TRANSFER_PLACE: lambda scene, role: (TRANSFER, POSITIONS),
+        "engine diagrams": lambda scene, role: (GRAPHS,),
     },
 )
 
@@ -84,7 +85,7 @@ def named(project: Project, reading: Reading, given: Container[Mark]) -> dict[st
 
 
 SCALES = ScaleFactors(
-    reach=reach, scales=engine_scales, named=named, key=lambda view: SCALE_KEYS.get(view, "")
+    reach=reach, scales=engine_scales, named=named, keys=lambda project: SCALE_KEYS
 )
 
 

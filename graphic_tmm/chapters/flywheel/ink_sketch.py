@@ -9,6 +9,7 @@ from typing import NamedTuple
 import shapely
 
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.flywheel.task import FLYWHEEL, SKETCH
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
@@ -87,7 +88,7 @@ def draw_flywheel(
     ]
     of = tuple(mark.slot for mark in marks)
     labels = tuple(made.label._replace(of=of) for made in dimensions)
-    return Drawing("flywheel", title, tuple(strokes), labels)
+    return Drawing(FLYWHEEL, title, tuple(strokes), labels, role=SKETCH)
 
 
 class _Sketch:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from graphic_tmm.board import roles
-from graphic_tmm.chapters.flywheel.task import ENERGY_MASS, FLYWHEEL, VIEWS
+from graphic_tmm.chapters.flywheel.task import ENERGY_MASS, FLYWHEEL, SKETCH, VIEWS
 from graphic_tmm.fitting.scales import ScaleFactors
 from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Size, Sizing
 
 SIZES = Sizing(
-    sizes=(GRAPH, Size("sketch", small=0.6, cap=0.4, step=1.6, seen=False)),
-    depends={FLYWHEEL: lambda scene, view: ("sketch" if view == FLYWHEEL else GRAPHS,)},
+    sizes=(GRAPH, Size(SKETCH, small=0.6, cap=0.4, step=1.6, seen=False)),
+    depends={FLYWHEEL: lambda scene, role: (SKETCH if role == SKETCH else GRAPHS,)},
 )
 
 
@@ -29,5 +29,5 @@ SCALES = ScaleFactors(
             ("flywheel.H", VIEWS["work"], roles.POLE_DISTANCE),
         ],
     ),
-    key=lambda view: SCALE_KEYS.get(view, ""),
+    keys=lambda project: SCALE_KEYS,
 )

@@ -24,6 +24,8 @@ VIEWS = {"moment": "moment", "work": "work", "energy": "energy"}
 CALCULATED = "flywheel-calculation"
 """The view of what is calculated beside."""
 ENERGY_MASS = "energy-mass"
+SKETCH = "sketch"
+"""The role of the view of the wheel itself, and the name of its size."""
 
 
 MATERIALS = {"steel": (110.0, 7800.0), "cast iron": (35.0, 7200.0)}

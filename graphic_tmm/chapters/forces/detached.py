@@ -15,6 +15,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.loads import Couple, Force
+from graphic_tmm.chapters.forces.task import FORCES
 
 Pair = tuple[int, int]
 
@@ -37,27 +38,43 @@ class Reaction(NamedTuple):
     place: tuple[Mark, Mark] | None = None
 
 
-class Views(NamedTuple):
-    """Where the polygon of what is detached is drawn, and where in the ``last`` pass of friction."""
+class Solution(NamedTuple):
+    """What is solved: links that are detached together; in which pass of friction, None in the last."""
 
-    polygon: str
-    last: str
+    links: tuple[int, ...]
+    tried: int | None = None
+
+    @property
+    def name(self) -> str:
+        """The links, as people write them: 2-3."""
+        return "-".join(map(str, self.links))
+
+    def key(self, of: str) -> str:
+        """Return what machines call a scale factor of it: that of forces, "F", of lengths, "l"."""
+        links = "_".join(map(str, self.links))
+        return f"mu_{of}_{links}"
 
     def begin(self, draft: Draft) -> Chain:
         """Open the polygon: take its scale and its first vertex."""
-        draft.open(self.polygon)
+        last = f"{FORCES} {self.name}"
+        draft.open(last if self.tried is None else f"{last} {self.tried}")
         mu = draft.scale("μ_F", "N/mm")
         start = draft.take(Point, "1", 0j)
-        draft.lay_out(start, role=roles.FORCE_POLYGON, last=self.last)
+        draft.lay_out(start, role=roles.FORCE_POLYGON, last=last)
         return Chain(draft, mu, start)
 
 
 class Polygon(NamedTuple):
-    """A polygon of forces as drawn: its view, its scale, its sides (letter, tail, head) in order."""
+    """A polygon of forces as drawn: of what, its scale, its sides (letter, tail, head) in order."""
 
-    view: str
+    of: Solution
     mu: Mark
     sides: tuple[tuple[str, Mark, Mark], ...]
+
+    @property
+    def view(self) -> str:
+        """Where it is drawn."""
+        return self.mu.view
 
 
 class Chain:
@@ -99,26 +116,29 @@ def bare(letter: str) -> str:
     return letter.replace("_", "").replace("{", "").replace("}", "")
 
 
-def own_scale(view: str) -> str:
+def own_scale(links: Iterable[int]) -> str:
     """Return the letter of the scale factor of what is detached, for it is not that of the plan of positions.
 
-    >>> own_scale("group 2-3"), own_scale("group 1")
+    >>> own_scale((2, 3)), own_scale((1,))
     ('μ_{l23}', 'μ_{l1}')
     """
-    return f"μ_{{l{view.removeprefix('group ').replace('-', '')}}}"
+    return f"μ_{{l{''.join(map(str, links))}}}"
 
 
 class Detached:
-    """A group or a link drawn by itself while it is solved, in a ``view`` of its own; ``mu``: its μ_l.
+    """A group or a link drawn by itself in a ``view`` of its own to solve it: ``of`` what; ``mu``: its μ_l.
 
     What is drawn in it stands for what is drawn on the plan of positions: it is asked for by those marks, and
     drawn once. ``note``: a remark that stands before the first step.
     """
 
-    def __init__(self, draft: Draft, view: str, note: str, points: Iterable[Mark]) -> None:
-        self.draft, self.view = draft, view
-        draft.open(view)
-        self.mu = draft.scale(own_scale(view), "m/mm")
+    def __init__(
+        self, draft: Draft, links: tuple[int, ...], note: str, points: Iterable[Mark]
+    ) -> None:
+        self.draft, self.of = draft, Solution(links)
+        self.view = f"group {self.of.name}"
+        draft.open(self.view)
+        self.mu = draft.scale(own_scale(links), "m/mm")
         draft.lay_out(role=roles.DETACHED)
         draft.say(note)
         self.points: dict[Mark, Mark] = {}

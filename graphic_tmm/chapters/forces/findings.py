@@ -40,7 +40,7 @@ def ruled(project: Project, given: Mapping[Mark, object], hand: Hand) -> dict[in
 def compared(drawn: Drawn, one: Finding, places: set[int]) -> Finding:
     """Return a finding without what it says of comparing nothing with nothing; its places are cut down."""
     made, doubts = FORCES_PLAN.on(drawn), drawn.doubts
-    if not made.owns(one.step.it.view):
+    if one.step.it.view not in made.views:
         return one
     difference = made.difference
     (none,) = balanced(drawn.project, doubts).values()

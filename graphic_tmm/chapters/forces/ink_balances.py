@@ -20,7 +20,7 @@ from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.paper.drawing import Drawing, Label
+from graphic_tmm.paper.drawing import EQUATIONS, Drawing, Label
 from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.lettering.markup import markup
@@ -371,7 +371,7 @@ def draw_balances(name: str, title: str, rows: Iterable[Row], index: int, high: 
         position = index if of else None
         labels.append(Label(text, complex(x, base), height, of=of, position=position))
         base -= made.descent
-    return Drawing(name, title, labels=tuple(labels))
+    return Drawing(name, title, labels=tuple(labels), role=EQUATIONS, position=index)
 
 
 def _broken(parts: Sequence[str], size: float, wide: float) -> list[str]:

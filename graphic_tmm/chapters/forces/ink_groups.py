@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.operations.instruments import lay_off, parallel
 from graphic_tmm.board.operations.statics import action, arm
 from graphic_tmm.board.record import Figure, Mark, Step
@@ -146,7 +147,8 @@ def draw_group(
         traces.rubbed += (*pricks(seen, drawn, index), *pricks(above, drawn, index, times))
     arms = loads.arms(traces.staying, decimals)
     wanted = (*bodies.letters(on.heights), *loads.arrows.wanted, *arms, *loads.offs)
-    return traces.drawing(on, strokes, wanted)._replace(shows=(view, LOADS))
+    found = traces.drawing(on, strokes, wanted)
+    return found._replace(shows=(view, LOADS), role=roles.DETACHED, position=index)
 
 
 def _drawn(op: str, seen: Seen) -> bool:

@@ -75,7 +75,7 @@ def draw_lever_ink(
         traces.rubbed += pricks(seen, (*strokes, *traces.rubbed), index)
     letters = _letters(seen, lever, index, on.heights)
     wanted = (*letters, *ink.arrows.wanted, *ink.arms(lines, decimals))
-    return traces.drawing(on, strokes, wanted)
+    return traces.drawing(on, strokes, wanted)._replace(position=index)
 
 
 def _ray(seen: Seen, step: Step, k: int) -> Iterator[Ink]:

@@ -154,7 +154,7 @@ def draw_polygon(
         for mark in dict.fromkeys(mark for _, tail, head in polygon.sides for mark in (tail, head))
     ]
     wanted += lettered(shared(numbers, LEAST), high.number, away_from=middle)
-    return traces.drawing(on, traces.staying, wanted)
+    return traces.drawing(on, traces.staying, wanted)._replace(position=index)
 
 
 def _label(

@@ -6,13 +6,16 @@ reactions of the pass before cause.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.statics import apart_percent, efficiency, settled, still_open
-from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Views
+from graphic_tmm.board.record import Construction, Mark
+from graphic_tmm.board.roles import DETACHED, FORCE_POLYGON
+from graphic_tmm.chapters.forces import friction, lever, loads
+from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Solution
 from graphic_tmm.chapters.forces.friction import Joint, Rub, Rubbing, joints
 from graphic_tmm.chapters.forces.lever import Lever, draw_lever
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force, Ground, Loads, draw_loads
@@ -32,8 +35,9 @@ from graphic_tmm.chapters.kinematics.task import ACCELERATIONS
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
 
-VIEW = "forces"
-"""Polygons are views "forces 4-5"; figures of detached groups "group 4-5", of the driving link "group 1"."""
+SOLVED = (FORCE_POLYGON, DETACHED)
+"""The roles of views in which links are solved: for readers "forces 4-5", "group 4-5"."""
+OTHERS = (loads.VIEW, friction.VIEW, lever.VIEW)
 
 
 @dataclass(frozen=True)
@@ -43,7 +47,8 @@ class Forces:
     ``balance``: P_bal (N) or M_bal (N·m) by kinetostatics and by the lever, their difference in %.
     ``open``: by how much further passes of friction can change it; ``efficiency`` in %. ``acting``: the forces
     and couples on each link, reactions handed on among them; ``circles``: radii of friction (m) by pin;
-    ``places``: the positions (indices) at which forces are asked for.
+    ``places``: the positions (indices) at which forces are asked for; ``views``: those of the board in which
+    they are drawn, of earlier passes too.
     """
 
     order: ForcesTask
@@ -58,12 +63,7 @@ class Forces:
     efficiency: Mark | None = None
     circles: dict[Mark, Mark] | None = None
     places: tuple[int, ...] = ()
-
-    @staticmethod
-    def owns(view: str) -> bool:
-        """Whether a view of the board is one that forces are drawn in, those of earlier passes too."""
-        kind, _, rest = view.partition(" ")
-        return view in ("loads", "friction", "lever") or (kind in (VIEW, "group") and bool(rest))
+    views: tuple[str, ...] = ()
 
     @property
     def polygons(self) -> tuple[Polygon, ...]:
@@ -95,13 +95,20 @@ def record(bench: Bench) -> Forces | None:
     ground = _ground(bench, machine, plans.accelerations)
     made = draw_forces(ground, _driver(bench.draft, machine), order, machine.arm, cylinder)
     places = chosen(order.positions, bench.names, ASKED.section)
-    log = bench.draft.board.construction()
-    for view in dict.fromkeys(step.it.view for step in log.steps):
-        if made.owns(view):
-            bench.tell(view, places)
+    views = tuple(_views(bench.draft.board.construction()))
+    for view in views:
+        bench.tell(view, places)
     if order.inertia:
         bench.tell(ACCELERATIONS, places)
-    return replace(made, places=places)
+    return replace(made, places=places, views=views)
+
+
+def _views(log: Construction) -> Iterator[str]:
+    """Yield the views in which forces are drawn, in the order of the log."""
+    solved = {view.name for view in log.views if view.role in SOLVED}
+    for view in dict.fromkeys(step.it.view for step in log.steps):
+        if view in solved or view in OTHERS:
+            yield view
 
 
 def _ground(bench: Bench, machine: Machine, accelerations: Motion | None) -> Ground:
@@ -147,9 +154,9 @@ class _Figures:
         if links not in self.known:
             points = [mark for number in links for mark in self.bodies[number].marks.values()]
             more = [self.closing[link]] if link in self.closing else []
-            name = "-".join(map(str, links))
+            name = Solution(links).name
             note = f"II({name})" if more else f"I({name})"
-            self.known[links] = Detached(self.draft, f"group {name}", note, (*points, *more))
+            self.known[links] = Detached(self.draft, links, note, (*points, *more))
         return self.known[links]
 
 
@@ -189,8 +196,8 @@ def draw_forces(
     for k in range(count + 1):
         if k and rub is not None:
             rubbing = rub.draw(found, _by_joint(found, passes[-1]), k)
-        suffix = "" if k == count else f" {k}"
-        passes.append(_solve(ground, driver, order, loads, rubbing, figures, suffix))
+        tried = None if k == count else k
+        passes.append(_solve(ground, driver, order, loads, rubbing, figures, tried))
     last = passes[-1]
     balance = last.driven.balance
     open_ = share = None
@@ -227,7 +234,7 @@ def _solve(
     loads: Loads,
     rubbing: Rubbing,
     figures: _Figures,
-    suffix: str,
+    tried: int | None,
 ) -> _Pass:
     acting = Acting()
     frame, crank = ground.mechanism.frame.number, driver.body.link.number
@@ -237,26 +244,19 @@ def _solve(
         acting.add(couple)
     groups = []
     for closing in reversed(ground.positions.closings):
-        name = closing.group.name
         solved = solve_group(
             figures.of(closing.legs[0].link),
             closing,
             acting,
-            _views(name, suffix),
+            Solution(closing.group.links, tried),
             rubbing.slopes,
             rough=order.friction is not None,
         )
         hand_on(solved, acting, frame, figures.of)
         groups.append(solved)
-    views = _views(str(crank), suffix)
-    driven = solve_driver(
-        figures.of(crank), driver, acting, views, frame, order.balance, suffix.strip()
-    )
+    of = Solution((crank,), tried)
+    driven = solve_driver(figures.of(crank), driver, acting, of, frame, order.balance)
     return _Pass(tuple(groups), driven, acting, rubbing)
-
-
-def _views(name: str, suffix: str) -> Views:
-    return Views(f"{VIEW} {name}{suffix}", f"{VIEW} {name}")
 
 
 def _by_joint(found: tuple[Joint, ...], done: _Pass) -> dict[tuple[int, int, str], Reaction]:

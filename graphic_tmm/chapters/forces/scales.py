@@ -23,7 +23,7 @@ from graphic_tmm.board.scales import (
 from graphic_tmm.board.values import Length, Point
 from graphic_tmm.chapters.forces.detached import Detached
 from graphic_tmm.chapters.forces.load_diagrams import ACROSS, UP, pictured
-from graphic_tmm.chapters.forces.plan import FORCES_PLAN, VIEW
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.task import ASKED, FORCES
 from graphic_tmm.chapters.kinematics.task import POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
@@ -31,6 +31,7 @@ from graphic_tmm.fitting.choice import Choice, Ledger
 from graphic_tmm.fitting.scales import Fitting, ScaleFactors, extent, unscaled
 from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Size, Sizing
 from graphic_tmm.language.said import said
+from graphic_tmm.paper.drawing import GRAPH as GRAPH_VIEW
 from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
@@ -41,10 +42,8 @@ def _fixed(scene: Scene) -> str:
     return "forces.mu_F" if order is not None and order.mu is not None else ""
 
 
-def _polygons(scene: Scene, view: str) -> tuple[str, ...]:
-    if view.startswith("indicator"):
-        return (GRAPHS,)
-    return ("groups",) if view.startswith("group") else ("forces",)
+def _polygons(scene: Scene, role: str) -> tuple[str, ...]:
+    return {GRAPH_VIEW: (GRAPHS,), roles.DETACHED: ("groups",)}.get(role, ("forces",))
 
 
 SIZES = Sizing(
@@ -54,7 +53,7 @@ SIZES = Sizing(
         Size("groups", least=0.05, small=0.6, cap=0.42),
         Size("lever", least=0.05, small=0.6, cap=0.45),
     ),
-    depends={"forces": _polygons, "lever": lambda scene, view: ("lever",)},
+    depends={"forces": _polygons, "lever": lambda scene, role: ("lever",)},
 )
 """Of polygons, of detached groups, of the lever: shares of the usual room."""
 
@@ -168,16 +167,15 @@ def named(project: Project, reading: Reading, given: Container[Mark]) -> dict[st
     return found
 
 
-def scale_key(view: str) -> str:
-    """Return what machines call the scale factor of a view: forces 4-5 -> mu_F_4_5, group 1 -> mu_l_1."""
-    if view.startswith("group "):
-        return "mu_l_" + view.removeprefix("group ").replace("-", "_")
-    if view.startswith(f"{VIEW} "):
-        return "mu_F_" + view.removeprefix(f"{VIEW} ").replace("-", "_").replace(" ", "_pass_")
-    return "mu_lever" if view == "lever" else ""
+def scale_keys(project: Project) -> dict[str, str]:
+    """Return what machines call the scale factors, by view: forces 4-5 -> mu_F_4_5, group 1 -> mu_l_1."""
+    made = FORCES_PLAN.on(project)
+    keys = {figure.view: figure.of.key("l") for figure in made.figures}
+    keys |= {polygon.view: polygon.of.key("F") for polygon in made.polygons}
+    return {**keys, made.lever.mu.view: "mu_lever"}
 
 
-SCALES = ScaleFactors(reach=reach, scales=force_scales, named=named, key=scale_key)
+SCALES = ScaleFactors(reach=reach, scales=force_scales, named=named, keys=scale_keys)
 
 
 GRAIN = 10.0

@@ -18,7 +18,7 @@ from graphic_tmm.board.operations.statics import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import words as why
-from graphic_tmm.chapters.forces.detached import Chain, Detached, Pair, Polygon, Reaction, Views
+from graphic_tmm.chapters.forces.detached import Chain, Detached, Pair, Polygon, Reaction, Solution
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
 from graphic_tmm.chapters.kinematics.bodies import Body, Closing, GuideLeg, PinLeg
 
@@ -68,7 +68,7 @@ def solve_group(
     figure: Detached,
     closing: Closing,
     acting: Acting,
-    views: Views,
+    of: Solution,
     slopes: dict[Pair, Slope],
     *,
     rough: bool,
@@ -86,7 +86,7 @@ def solve_group(
         links = summed_links(closing, leg)
         turning[leg.link] = _moments_of(figure, closing, acting, links, f"ΣM_{leg.link}")
     tangents = _tangents(figure, closing, turning)
-    chain = views.begin(draft)
+    chain = of.begin(draft)
     start = chain.end
     if first.link in tangents and isinstance(first, PinLeg):
         tangents[first.link] = _across(chain, first, tangents[first.link])
@@ -212,7 +212,7 @@ def _read(
         for leg in closing.legs
     ]
     sides = (*chain.sides, (letters[1], at.end, at.top), (letters[0], at.top, at.start))
-    drawn = Polygon(chain.mu.view, chain.mu, sides)
+    drawn = Polygon(figure.of, chain.mu, sides)
     return Solved(closing, (found[0], found[1], between), drawn, turning, tangents, figure)
 
 
@@ -291,15 +291,11 @@ def solve_driver(
     figure: Detached,
     driver: Driver,
     acting: Acting,
-    views: Views,
+    of: Solution,
     frame: int,
     kind: str,
-    tried: str = "",
 ) -> Driven:
-    """Balance the driving link; ``kind``: "force" or "moment".
-
-    ``tried``: the number of a pass that others follow.
-    """
+    """Balance the driving link; ``kind``: "force" or "moment"."""
     number, draft = driver.body.link.number, figure.draft
     draft.open(figure.view)
     forces = acting.forces.get(number, [])
@@ -309,7 +305,7 @@ def solve_driver(
         total = draft.take(Number, f"ΣM_{number}", 0.0, "N·m")
     sides = [(force.letter, force.line, force.value) for force in forces]
     arm = figure.length(driver.pivot, driver.pin)
-    force, raised = None, f"^{{({tried})}}" if tried else ""
+    force, raised = None, "" if of.tried is None else f"^{{({of.tried})}}"
     if kind == "force":
         letter = f"P_b{raised}"
         balance = draft.draw(balancing, letter, total, arm, figure.mu, unit="N")
@@ -325,7 +321,7 @@ def solve_driver(
         sides.append((letter, line, balance))
     else:
         balance = draft.draw(reversed_, f"M_b{raised}", total, unit="N·m", why=why.BALANCING_MOMENT)
-    chain = views.begin(draft)
+    chain = of.begin(draft)
     start = chain.end
     for letter, line, value in sides:
         chain.add(letter, line, value)
@@ -338,7 +334,7 @@ def solve_driver(
         balance,
         force,
         reaction,
-        Polygon(views.polygon, chain.mu, (*chain.sides, (name, end, start))),
+        Polygon(figure.of, chain.mu, (*chain.sides, (name, end, start))),
         total,
         arm,
         figure,

@@ -115,9 +115,7 @@ TABLE = Tabled(columns=force_columns)
 
 def _views(project: Project) -> Mapping[str, list[str]]:
     """Return the views that forces are drawn in, in the order of the log."""
-    made = FORCES_PLAN.on(project)
-    there = dict.fromkeys(step.it.view for step in project.construction.steps)
-    return {FORCES: [view for view in there if made.owns(view)]}
+    return {FORCES: list(FORCES_PLAN.on(project).views)}
 
 
 def polygon_equation(drawn: Drawn, view: str, language: str) -> list[str]:

@@ -145,11 +145,10 @@ def _three(
 def vectors_of(polygon: Polygon, language: str) -> str:
     """Return the vector equation of a polygon: two lines under what was known, one under a direction."""
     letters = [symbol(letter, language) for letter, _, _ in polygon.sides]
-    known = len(letters) - (2 if "-" in polygon.view else 1)
+    group = len(polygon.of.links) > 1
+    known = len(letters) - (2 if group else 1)
     terms = [
-        f"\\{'uu' if k < known else 'u'}{{{bar(letter)}}}"
-        if "-" in polygon.view or k < known
-        else bar(letter)
+        f"\\{'uu' if k < known else 'u'}{{{bar(letter)}}}" if group or k < known else bar(letter)
         for k, letter in enumerate(letters)
     ]
     return " + ".join(terms) + " = 0"

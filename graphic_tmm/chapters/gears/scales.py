@@ -17,13 +17,13 @@ def _fixed(scene: Scene) -> str:
 
 SIZES = Sizing(
     sizes=(Size(GEARS, small=0.75, cap=0.9, step=1.25, fixed=_fixed),),
-    depends={"gears": lambda scene, view: (GEARS,)},
+    depends={"gears": lambda scene, role: (GEARS,)},
 )
 
 
 SCALES = ScaleFactors(
     scales=gear_scales,
-    key=lambda view: {"gear": "mu_l_gears", "sliding": "mu_theta"}.get(view, ""),
+    keys=lambda project: {"gear": "mu_l_gears", "sliding": "mu_theta"},
 )
 
 

@@ -12,7 +12,7 @@ from graphic_tmm.board.values import Line
 from graphic_tmm.chapters.indicator.plan import Indicator
 from graphic_tmm.chapters.indicator.task import VIEW
 from graphic_tmm.paper.axes import largest, position_numbers
-from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
+from graphic_tmm.paper.drawing import GRAPH, Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.graph import names_beside
 from graphic_tmm.paper.graph_rules import OVER, axis, dot, ends_of, ruled
@@ -70,7 +70,7 @@ def draw_indicator_ink(
         Named(seen.point(made.feet, k), name, (made.feet.slot,), k) for k, name in enumerate(names)
     ]
     numbers = position_numbers((), shared(feet, TOGETHER), strokes, heights.number)
-    return traces.drawing(on, strokes, wanted, numbers)
+    return traces.drawing(on, strokes, wanted, numbers)._replace(role=GRAPH)
 
 
 def _manner(seen: Seen, made: Indicator, high: float) -> Manner:

@@ -5,4 +5,4 @@ from __future__ import annotations
 from graphic_tmm.chapters.indicator.task import VIEW
 from graphic_tmm.fitting.scales import ScaleFactors
 
-SCALES = ScaleFactors(key=lambda view: "mu_p" if view == VIEW else "")
+SCALES = ScaleFactors(keys=lambda project: {VIEW: "mu_p"})

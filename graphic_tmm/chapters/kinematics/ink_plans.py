@@ -19,7 +19,7 @@ from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.kinematics.accelerations import VIEW as ACCELERATIONS
 from graphic_tmm.chapters.kinematics.motion import Vector, vectors
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.paper.drawing import Drawing, Ink, Label, Stroke, Wanted
+from graphic_tmm.paper.drawing import EQUATIONS, Drawing, Ink, Label, Stroke, Wanted
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.formats import HEIGHTS, Heights
 from graphic_tmm.paper.labels import Named, lettered, shared
@@ -171,7 +171,7 @@ def draw_equations(
         base -= made.ascent + (0.0 if not labels else LEAD * size)
         labels.append(Label(text, complex(0.0, base), size))
         base -= made.descent
-    return Drawing(f"equations-{plan}", title, labels=tuple(labels))
+    return Drawing(f"equations-{plan}", title, labels=tuple(labels), role=EQUATIONS)
 
 
 def _crank(construction: Construction, plan: str) -> list[str]:

@@ -200,9 +200,7 @@ def reaches_at(
     return found
 
 
-SCALES = ScaleFactors(
-    reach=extents, plan_scales=plan_scales, key=lambda view: SCALE_KEYS.get(view, "")
-)
+SCALES = ScaleFactors(reach=extents, plan_scales=plan_scales, keys=lambda project: SCALE_KEYS)
 
 
 def _narrow(scene: Scene) -> float:
@@ -257,16 +255,16 @@ _SIZES = (
 """Room for the plan of positions, and for the longest vectors of the others."""
 
 
-def _velocities(scene: Scene, view: str) -> tuple[str, ...]:
+def _velocities(scene: Scene, role: str) -> tuple[str, ...]:
     return (POSITIONS,) if scene.scales.mu_v_is_mu_l_omega else (VELOCITIES,)
 
 
 SIZES = Sizing(
     sizes=_SIZES,
     depends={
-        POSITIONS: lambda scene, view: (POSITIONS,),
+        POSITIONS: lambda scene, role: (POSITIONS,),
         VELOCITIES: _velocities,
-        ACCELERATIONS: lambda scene, view: (ACCELERATIONS,),
+        ACCELERATIONS: lambda scene, role: (ACCELERATIONS,),
     },
 )
 

@@ -128,9 +128,9 @@ def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawin
     if reading is None or plan not in drawn.scales:
         return []
     scale, size = drawn.scales[plan], heights(drawn.scene, plan)
-    places = enumerate(drawn.row(plan))
+    row = drawn.row(plan)
     left_out = {*drawn.undrawn, *KINEMATICS_PLAN.on(drawn).repeated}
-    shown = [(k, drawn.names[p]) for k, p in places if p not in left_out]
+    shown = [(k, drawn.names[p]) for k, p in enumerate(row) if p not in left_out]
     if plan == VELOCITIES and drawn.scene.common_pole and len(shown) > 1:
         orders = [(plan, f"{caption}, {_('all positions')}", [Place(*one) for one in shown])]
     else:
@@ -141,7 +141,8 @@ def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawin
     views = []
     for name, title, stood in orders:
         on = subject(drawn, title, plan, name=name)._replace(reading=reading)
-        views.append(finished(draw_plan(on, plan, stood, scale.value, UNITS[plan]), lettered))
+        view = finished(draw_plan(on, plan, stood, scale.value, UNITS[plan]), lettered)
+        views.append(view._replace(position=row[stood[0].at] if len(stood) == 1 else None))
     mu = mu_text(scale, drawn.scene.language)
     titles, narrowest = [view.title for view in views], width_of(*views)
     told = [

@@ -17,7 +17,7 @@ def _fixed(scene: Scene) -> str:
 
 SIZES = Sizing(
     sizes=(Size(PLANETARY_TRAIN, small=0.75, cap=0.65, step=1.25, fixed=_fixed),),
-    depends={"planetary": lambda scene, view: (PLANETARY_TRAIN,)},
+    depends={"planetary": lambda scene, role: (PLANETARY_TRAIN,)},
 )
 
 
@@ -29,7 +29,7 @@ SCALE_KEYS = {
 """What the scale factors are called where machines read them."""
 
 SCALES = ScaleFactors(
-    key=lambda view: SCALE_KEYS.get(view, ""),
+    keys=lambda project: SCALE_KEYS,
 )
 
 

@@ -273,7 +273,7 @@ def too_large(outline: Outline, room: Room, format: str) -> ViewError:
         inner=inner[2] - inner[0] - 2 * GAP,
         inner2=inner[3] - inner[1] - 2 * GAP,
     )
-    return ViewError(says, outline.name, (outline.width, outline.height))
+    return ViewError(says, outline.name, (outline.width, outline.height), outline.shows)
 
 
 def pack(views: Sequence[Drawing], rooms: Rooms, format: str) -> list[list[Drawing]]:

@@ -23,7 +23,7 @@ Sized = tuple[float, float, float]
 class Outline(NamedTuple):
     """A view as a box, mm, and how it stands; ``foot``: of its height, what its caption takes.
 
-    ``title``: what people call it; ``corner``: where its lower left corner is drawn.
+    ``title``: what people call it; ``corner``: where its lower left corner is drawn; ``shows``: see `Drawing`.
     """
 
     name: str
@@ -33,6 +33,7 @@ class Outline(NamedTuple):
     foot: float = 0.0
     title: str = ""
     corner: complex = 0j
+    shows: tuple[str, ...] = ()
 
     @classmethod
     def of(cls, view: Drawing) -> Outline:
@@ -40,7 +41,7 @@ class Outline(NamedTuple):
         left, bottom, right, top = bounds(view)
         corner = complex(left, bottom)
         size = (right - left, top - bottom)
-        return cls(view.name, *size, view.stand, view.foot, view.title, corner)
+        return cls(view.name, *size, view.stand, view.foot, view.title, corner, view.shows)
 
 
 class Unit(NamedTuple):
