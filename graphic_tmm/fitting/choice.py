@@ -34,6 +34,7 @@ from graphic_tmm.board.scales import (
 )
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors
 from graphic_tmm.fitting.sizes import GRAPHS
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Plan
@@ -131,6 +132,17 @@ class Ledger:
         rules = (standard_length, next_standard_length) if lengths else (standard, next_standard)
         return self.enter(mu, self._standard(mu.letter, mu.unit, largest, due, *rules))
 
+    def ruled(self, drawn: Drawn, one: ScaleFactor) -> Mark:
+        """Record the choice of a scale factor that the scene gives, or that the largest rules."""
+        mu, (segment, mm) = one.mu, one.length
+        self.of(mu.view)
+        if one.fixed:
+            return self.given(mu, one.fixed)
+        most = self.quantity(one.letter, one.largest, one.unit)
+        if mm:
+            return self.by_length(mu, most, segment, mm)
+        return self.fitting(mu, most, value_of(drawn, mu), lengths=one.lengths)
+
     def pictured(self, letter: str, unit: str, largest: Mark, room: float) -> None:
         """Record the choice for the picture of what is given: ``largest`` takes ``room`` (mm) at most."""
         due = standard(self._value(largest), room)
@@ -180,12 +192,6 @@ class Ledger:
         """Record the length of a quantity that follows."""
         return self.draft.draw(to_board, letter, quantity, mu)
 
-    def value_of(self, drawn: Drawn, mark: Mark) -> float:
-        """Return the value of a mark of the board that is the same in all positions."""
-        given = drawn.given.get(mark)
-        value = drawn.reading[mark] if given is None else given
-        return float(np.ravel(np.asarray(value))[0])
-
     def copied(self, drawn: Drawn, steps: Mapping[Mark, Step], mark: Mark) -> Mark:
         """Return what stands for a mark of the board: chosen before, given, or calculated as there.
 
@@ -193,7 +199,7 @@ class Ledger:
         """
         if mark.slot in self.chosen:
             return self.chosen[mark.slot]
-        value, step = self.value_of(drawn, mark), steps.get(mark)
+        value, step = value_of(drawn, mark), steps.get(mark)
         if step is not None and step.op.formula:
             uses = [self.copied(drawn, steps, one) for one in step.uses]
             found = self.draft.draw(step.op, mark.name, *uses, unit=mark.unit, why=step.why)
@@ -211,6 +217,13 @@ class Ledger:
     def _value(self, mark: Mark) -> float:
         found = execute(self.draft.board.construction(), self.draft.given, [mark])
         return float(found[mark][0, 0])
+
+
+def value_of(drawn: Drawn, mark: Mark) -> float:
+    """Return the value of a mark of the board that is the same in all positions."""
+    given = drawn.given.get(mark)
+    value = drawn.reading[mark] if given is None else given
+    return float(np.ravel(np.asarray(value))[0])
 
 
 def _round(largest: float, due: float, rule: Callable[[float, float], float]) -> float:
@@ -234,7 +247,7 @@ def _graphs(drawn: Drawn, charts: Iterable[Chart], ledger: Ledger) -> None:
             found[chart.mu] = chart
     for mu, chart in found.items():
         ledger.of(chart.view)
-        value, most = ledger.value_of(drawn, mu), reach[chart.view]
+        value, most = value_of(drawn, mu), reach[chart.view]
         letter = f"{chart.symbol}_{{max}}"
         if chart.wanted and chart.room and math.isclose(most, value * chart.room, rel_tol=SAME):
             largest = ledger.quantity(letter, most, chart.unit)
@@ -262,7 +275,7 @@ def _calculated(drawn: Drawn, ledger: Ledger) -> None:
     for mark in (view.scale for view in log.views):
         if mark in fixed and mark.slot not in ledger.chosen:
             ledger.of(mark.view)
-            ledger.given(mark, ledger.value_of(drawn, mark))
+            ledger.given(mark, value_of(drawn, mark))
     wanted = [view.scale for view in log.views if view.scale in steps]
     wanted += [step.it for step in log.steps if step.op in FOLLOWING]
     for mark in sorted(
@@ -282,9 +295,14 @@ def _shared(charts: Iterable[Chart], ledger: Ledger) -> None:
 
 @dataclass(frozen=True)
 class Choice(Answer):
-    """How a chapter's scale factors were chosen: what ``choose`` enters."""
+    """How a chapter's scale factors were chosen.
+
+    ``factors``: by the largest of what is drawn to them, where it says more of that than `ScaleFactors`;
+    ``choose``: enters others.
+    """
 
     stands: ClassVar[str] = "scales.CHOICE"
+    factors: Callable[[Drawn], Iterable[ScaleFactor]] = lambda drawn: ()
     choose: Callable[[Drawn, Ledger], None] = lambda drawn, ledger: None
 
 
@@ -293,7 +311,10 @@ def choices(drawn: Drawn) -> Choices:
     if SCALES not in drawn.cache:
         ledger = Ledger()
         for chapter in drawn.project.chapters:
-            Choice.of(chapter).choose(drawn, ledger)
+            own = Choice.of(chapter)
+            for one in (*ScaleFactors.of(chapter).factors(drawn), *own.factors(drawn)):
+                ledger.ruled(drawn, one)
+            own.choose(drawn, ledger)
             _graphs(drawn, Plan.of(chapter).charts(drawn.recorded[chapter.name]), ledger)
         _calculated(drawn, ledger)
         _shared(drawn.project.charts, ledger)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 
@@ -13,14 +13,14 @@ from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.scales import Scale, standard
+from graphic_tmm.board.scales import Scale, standard, standard_length
 from graphic_tmm.drawn import Drawn, Findings, Numbers, hand_of, read_log, view_scales
 from graphic_tmm.errors import StructureError
 from graphic_tmm.fitting.sizes import GRAPHS, Sizes
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Plan, Project
-from graphic_tmm.scene.chapter import MECHANISM, Answer
+from graphic_tmm.scene.chapter import MECHANISM, Answer, Holder
 from graphic_tmm.scene.records import Scene
 
 
@@ -70,17 +70,65 @@ class Fitting:
 
 
 @dataclass(frozen=True)
+class ScaleFactor:
+    """A scale factor that is chosen by the ``largest`` (SI), called a ``letter``, of what is drawn to it.
+
+    ``room``: mm for that; 0: its value is found elsewhere. ``fixed``: what the scene gives instead, SI a mm;
+    ``length``: what the scene calls the segment that shows the largest, and how long it wants it, mm.
+    ``lengths``: standard is what ГОСТ 2.302 has.
+    """
+
+    mu: Mark
+    letter: str
+    largest: float
+    room: float = 0.0
+    fixed: float | None = None
+    length: tuple[str, float | None] = ("", None)
+    lengths: bool = False
+
+    @property
+    def value(self) -> float:
+        """What the scene gives, else the standard value at which the largest takes its room, SI a mm."""
+        rule = standard_length if self.lengths else standard
+        return self.fixed or rule(self.largest, self.room)
+
+    @property
+    def unit(self) -> str:
+        """The unit of the largest."""
+        unit = self.mu.unit.removesuffix("/mm").strip("()")
+        return "" if unit == "1" else unit
+
+
+class Sized(Holder, Protocol):
+    """Recorded chapters in sizes: scale factors are chosen of it, or were (`Fitting`, `Drawn`)."""
+
+    @property
+    def project(self) -> Project:
+        """What was recorded."""
+
+    @property
+    def sizes(self) -> Sizes:
+        """How large it is drawn."""
+
+    @property
+    def reach(self) -> Mapping[str, Any]:
+        """What chapters go by, see `reach_of`."""
+
+
+@dataclass(frozen=True)
 class ScaleFactors(Answer):
     """The scale factors of a chapter.
 
     ``reach``: what they go by, found once. ``plan_scales``: μ of the plans at a size, without drawing them.
-    ``scales``: the values of its scale factors, put into what is given. ``named``: further scale factors as
-    drawn, by view, of those that were given a value; ``keys``: what machines call the scale factors of views.
+    ``factors``: those that the largest of what is drawn rules; ``scales``: the values of others, put into what
+    is given. ``named``: these as drawn, by view, of those that were given a value; ``keys``: what machines call
+    the scale factors of views.
     """
 
     stands: ClassVar[str] = "scales.SCALES"
     reach: Callable[[Project, Doubts], Any] = lambda project, doubts: None
     plan_scales: Callable[[Fitting], Mapping[str, Scale]] = lambda fitting: {}
+    factors: Callable[[Sized], Iterable[ScaleFactor]] = lambda sized: ()
     scales: Callable[[Fitting], Mapping[Mark, object]] = lambda fitting: {}
     named: Callable[[Project, Reading, Container[Mark]], Mapping[str, Scale]] = (
         lambda project, reading, given: {}
@@ -126,9 +174,9 @@ def chosen(
     plans = {project.scale(view): scale.value for view, scale in scales.items()}
     fitting = replace(fitting, given={**fitting.given, **plans})
     for chapter in project.chapters:
-        fitting = replace(
-            fitting, given={**fitting.given, **ScaleFactors.of(chapter).scales(fitting)}
-        )
+        own = ScaleFactors.of(chapter)
+        found = {one.mu: one.value for one in own.factors(fitting)}
+        fitting = replace(fitting, given={**fitting.given, **found, **own.scales(fitting)})
     return {**fitting.given, **_graph_scales(fitting)}, scales
 
 
@@ -164,8 +212,13 @@ def executed(
     # on a board of its own every view is drawn to a scale of its own; graphs may share one
     views = view_scales(project, found.whole) if project.board != MECHANISM else {}
     scales |= views | _scales_of_graphs(project, found.whole)
+    fitting = Fitting(project, sizes, reach, given)
+    last = {view.name for view in project.construction.views if view.last == view.name}
     for chapter in project.chapters:
-        scales |= ScaleFactors.of(chapter).named(project, found.whole, told)
+        own = ScaleFactors.of(chapter)
+        scales |= own.named(project, found.whole, told)
+        ruled = (one.mu for one in own.factors(fitting) if one.mu.view in last)
+        scales |= {mu.view: scale_of(mu, found.whole) for mu in ruled}
     missing = {
         k for one in project.chapters for k in Findings.of(one).undrawn(project, found.whole)
     }
@@ -178,6 +231,11 @@ def executed(
         )
     undrawn = tuple(sorted(missing))
     return Drawn(project, given, scales, found, hand, doubts, undrawn, sizes, reach)
+
+
+def scale_of(mu: Mark, reading: Reading) -> Scale:
+    """Return a scale factor as drawn."""
+    return Scale(mu.name, float(reading[mu][0, 0]), mu.unit)
 
 
 def _figures(project: Project, doubts: Doubts) -> dict[str, float]:
@@ -229,7 +287,7 @@ def _graphs_on(scene: Scene, places: set[str]) -> float:
 def _scales_of_graphs(project: Project, reading: Reading) -> dict[str, Scale]:
     """Return the scales of the graphs as drawn, by view."""
     return {
-        chart.view: Scale(chart.scale_name, float(reading[chart.mu][0, 0]), chart.mu.unit)
+        chart.view: scale_of(chart.mu, reading)._replace(symbol=chart.scale_name)
         for chart in project.charts
     }
 

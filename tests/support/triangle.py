@@ -9,7 +9,7 @@ from graphic_tmm.board.operations.instruments import cross, lay_off, measure, ra
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point, Side
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.scales import ScaleFactors
+from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.paper.drawing import Drawing, line
 from graphic_tmm.paper.views import captioned, mu_text
@@ -68,7 +68,7 @@ CHAPTER = Chapter(
     places=(Place("triangle", 130),),
     answers=(
         Plan(record=record), Views(draw={"triangle": figure}),
-        ScaleFactors(scales=lambda fitting: {TRIANGLE.on(fitting).mu: 0.0005}),
+        ScaleFactors(factors=lambda on: [ScaleFactor(TRIANGLE.on(on).mu, "a", 0.06, 120.0, lengths=True)]),
         Named(captions={"triangle": "Triangle by its sides"}, plans=("triangle",)),
     ),
 )  # fmt: skip

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, reach_of
 from graphic_tmm.chapters.arc_cam.task import ARC_CAM
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Choice, Ledger
+from graphic_tmm.fitting.choice import Choice
+from graphic_tmm.fitting.scales import ScaleFactor
 from graphic_tmm.fitting.sizes import Size, Sizing
 from graphic_tmm.scene.records import Scene
 
@@ -20,16 +23,11 @@ SIZES = Sizing(
 )
 
 
-def choose(drawn: Drawn, ledger: Ledger) -> None:
-    """Record the choice: by how far the contour with its follower reaches."""
+def factors(drawn: Drawn) -> Iterator[ScaleFactor]:
+    """Yield μ_l: by how far the contour with its follower reaches."""
     made = ARC_CAM_PLAN.on(drawn)
-    mu = made.contour.mu
-    ledger.of(mu.view)
-    if made.order.mu_l:
-        ledger.given(mu, made.order.mu_l)
-        return
-    most = ledger.quantity("r_{max}", reach_of(made.order), "m")
-    ledger.fitting(mu, most, ledger.value_of(drawn, mu), lengths=True)
+    far, mu_l = reach_of(made.order), made.order.mu_l
+    yield ScaleFactor(made.contour.mu, "r_{max}", far, fixed=mu_l, lengths=True)
 
 
-CHOICE = Choice(choose)
+CHOICE = Choice(factors)

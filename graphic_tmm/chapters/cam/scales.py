@@ -7,7 +7,8 @@ from graphic_tmm.board.scales import accepted
 from graphic_tmm.chapters.cam.plan import CAM_PLAN
 from graphic_tmm.chapters.cam.task import ASKED, CAM, GRAPHS
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Choice, Ledger
+from graphic_tmm.fitting.choice import Choice, Ledger, value_of
+from graphic_tmm.fitting.scales import ScaleFactor
 from graphic_tmm.fitting.sizes import Size, Sizing
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import GRAPH, TABLE
@@ -60,12 +61,8 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
     if mu not in drawn.given or order is None:
         return
     ledger.of(cam.profile.view)
-    if order.mu_l:
-        ledger.given(mu, order.mu_l)
-        return
-    radius, stroke = (ledger.value_of(drawn, mark) for mark in (cam.r0, cam.diagrams.stroke))
-    most = ledger.quantity("r_{max}", radius + stroke, "m")
-    ledger.fitting(mu, most, ledger.value_of(drawn, mu), lengths=True)
+    far = value_of(drawn, cam.r0) + value_of(drawn, cam.diagrams.stroke)
+    ledger.ruled(drawn, ScaleFactor(mu, "r_{max}", far, fixed=order.mu_l, lengths=True))
 
 
 def _as_diagrams(drawn: Drawn, ledger: Ledger, mu: Mark, view: str) -> None:
@@ -77,4 +74,4 @@ def _as_diagrams(drawn: Drawn, ledger: Ledger, mu: Mark, view: str) -> None:
     ledger.draft.draw(accepted, "μ_l", same, unit=mu.unit, why=_AS_DIAGRAMS)
 
 
-CHOICE = Choice(choose)
+CHOICE = Choice(choose=choose)

@@ -13,8 +13,8 @@ from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
 from graphic_tmm.chapters.diagrams.task import ASKED, BASE_VIEW, DIAGRAMS, VIEWS, chain, wanted_base
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Choice, Ledger
-from graphic_tmm.fitting.scales import ScaleFactors
+from graphic_tmm.fitting.choice import Choice, Ledger, value_of
+from graphic_tmm.fitting.scales import ScaleFactors, scale_of
 from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Sizing
 from graphic_tmm.project import Project
 
@@ -24,7 +24,7 @@ SIZES = Sizing(sizes=(GRAPH,), depends={DIAGRAMS: lambda scene, role: (GRAPHS,)}
 def _named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
     """Return the scale of the base."""
     mu = DIAGRAMS_PLAN.on(project).base.mu
-    return {BASE_VIEW: Scale(mu.name, float(reading[mu][0, 0]), mu.unit)}
+    return {BASE_VIEW: scale_of(mu, reading)}
 
 
 SCALES = ScaleFactors(
@@ -57,7 +57,7 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
         mu, source = (made.charts[symbol].mu for symbol in (one.symbol, one.source))
         if source.slot not in ledger.chosen:
             ledger.of(VIEWS[one.source])
-            ledger.given(source, ledger.value_of(drawn, source))
+            ledger.given(source, value_of(drawn, source))
         ledger.of(VIEWS[one.symbol])
         pole = getattr(order, one.symbol).pole
         wanted = ledger.draft.take(Length, f"[H_{one.symbol}]", pole)
@@ -71,4 +71,4 @@ def _nearest(ledger: Ledger, mu: Mark, exact: Mark) -> None:
     ledger.enter(mu, found)
 
 
-CHOICE = Choice(choose)
+CHOICE = Choice(choose=choose)

@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Iterator
 
 import numpy as np
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.doubt import Doubts
-from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Mark
-from graphic_tmm.board.scales import Scale, standard
 from graphic_tmm.chapters.engine.plan import ENGINE_PLAN
 from graphic_tmm.chapters.engine.record import BESIDE
 from graphic_tmm.chapters.engine.task import ENGINE, HARMONICS, TRANSFER, TRANSFER_PLACE, VIEW
 from graphic_tmm.chapters.kinematics.task import POSITIONS
-from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Choice, Ledger
-from graphic_tmm.fitting.scales import Fitting, ScaleFactors, unscaled
+from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors, Sized, unscaled
 from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Size, Sizing
 from graphic_tmm.paper.drawing import GRAPH as GRAPH_VIEW
 from graphic_tmm.project import Project
@@ -45,6 +40,8 @@ SIZES = Sizing(
 TRIANGLE, VECTOR, FORCE = 60.0, 70.0, 55.0
 """Room for the largest force of an engine's triangles, for its rotating vectors, for the largest force of the
 figure of all, mm."""
+LARGEST = "F_{max}"
+"""What the largest force is called."""
 SCALE_KEYS = {VIEW: "mu_F_engine", HARMONICS: "mu_F_harmonics", TRANSFER: "mu_F_148"} | {
     f"{VIEW} {symbol}": f"mu_{symbol}_engine" for symbol in "PNQTKM"
 }
@@ -65,38 +62,19 @@ def _most(values: np.ndarray) -> float:
     return float(np.max(size, initial=0.0, where=np.isfinite(size)))
 
 
-def engine_scales(fitting: Fitting) -> dict[Mark, object]:
-    """Return μ_F of an engine's force triangles, its rotating vectors and all its forces: standard ones."""
-    made, share = ENGINE_PLAN.on(fitting), fitting.sizes["engine"]
-    known: dict[str, float] = fitting.reach[ENGINE]
-    found: dict[Mark, object] = {
-        made.mu: standard(known[VIEW], TRIANGLE * share),
-        made.harmonics.mu: standard(known[HARMONICS], VECTOR * share),
-        BESIDE.on(fitting).transfer.mu: standard(known[TRANSFER], FORCE * fitting.sizes[TRANSFER]),
-    }
-    return fitting.shorter(GRAPHS, [("engine.base", VIEW, roles.BASE)]) | found
-
-
-def named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
-    """Return the scales as drawn."""
-    made = ENGINE_PLAN.on(project)
-    marks = {VIEW: made.mu, HARMONICS: made.harmonics.mu, TRANSFER: BESIDE.on(project).transfer.mu}
-    return {view: Scale("μ_F", float(reading[mu][0, 0]), mu.unit) for view, mu in marks.items()}
+def factors(sized: Sized) -> Iterator[ScaleFactor]:
+    """Yield μ_F of an engine's force triangles, its rotating vectors and all its forces."""
+    made, known = ENGINE_PLAN.on(sized), sized.reach[ENGINE]
+    share, transfer = sized.sizes["engine"], sized.sizes[TRANSFER]
+    yield ScaleFactor(made.mu, LARGEST, known[VIEW], TRIANGLE * share)
+    yield ScaleFactor(made.harmonics.mu, LARGEST, known[HARMONICS], VECTOR * share)
+    mu = BESIDE.on(sized).transfer.mu
+    yield ScaleFactor(mu, LARGEST, known[TRANSFER], FORCE * transfer)
 
 
 SCALES = ScaleFactors(
-    reach=reach, scales=engine_scales, named=named, keys=lambda project: SCALE_KEYS
+    reach=reach,
+    factors=factors,
+    scales=lambda fitting: fitting.shorter(GRAPHS, [("engine.base", VIEW, roles.BASE)]),
+    keys=lambda project: SCALE_KEYS,
 )
-
-
-def choose(drawn: Drawn, ledger: Ledger) -> None:
-    """Record how each scale factor was chosen: by the largest force."""
-    made, known = ENGINE_PLAN.on(drawn), drawn.reach[ENGINE]
-    marks = {VIEW: made.mu, HARMONICS: made.harmonics.mu, TRANSFER: BESIDE.on(drawn).transfer.mu}
-    for view, mu in marks.items():
-        ledger.of(view)
-        most = ledger.quantity("F_{max}", known[view], mu.unit.removesuffix("/mm"))
-        ledger.fitting(mu, most, ledger.value_of(drawn, mu))
-
-
-CHOICE = Choice(choose)

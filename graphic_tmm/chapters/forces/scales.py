@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Container, Mapping
+from collections.abc import Container, Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -16,8 +16,6 @@ from graphic_tmm.board.scales import (
     ENLARGED,
     Scale,
     next_ratio,
-    standard,
-    standard_length,
     times_larger,
 )
 from graphic_tmm.board.values import Length, Point
@@ -27,8 +25,16 @@ from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.task import ASKED, FORCES
 from graphic_tmm.chapters.kinematics.task import POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Choice, Ledger
-from graphic_tmm.fitting.scales import Fitting, ScaleFactors, extent, unscaled
+from graphic_tmm.fitting.choice import Choice, Ledger, value_of
+from graphic_tmm.fitting.scales import (
+    Fitting,
+    ScaleFactor,
+    ScaleFactors,
+    Sized,
+    extent,
+    scale_of,
+    unscaled,
+)
 from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Size, Sizing
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import GRAPH as GRAPH_VIEW
@@ -110,36 +116,38 @@ def _apart(figure: Detached, reading: Reading, places: tuple[int, ...]) -> float
     return far if far > ROUNDED * np.nanmax(np.abs(rows), initial=0.0) else 0.0
 
 
-def force_scales(fitting: Fitting) -> dict[Mark, object]:
-    """Return μ of every polygon of forces: what the scene fixes, else a standard one; how large the lever is.
+def factors(sized: Sized) -> Iterator[ScaleFactor]:
+    """Yield μ_l of what is detached and μ_F of every polygon of forces.
 
-    The largest side of a polygon in any position whose forces are asked for takes its share of `POLYGON` mm at
-    most. A polygon whose forces are all nothing has no μ but the scene's.
+    The links of a figure take their room in all positions; the largest side of a polygon in any position whose
+    forces are asked for takes its share of `POLYGON` mm at most. A polygon whose forces are all nothing has no
+    μ but the scene's.
+    """
+    made, known, project = FORCES_PLAN.on(sized), sized.reach[FORCES], sized.project
+    room = narrowest(sheet.format for sheet in project.scene.sheets).room
+    room *= DETACHED * sized.sizes["groups"]
+    for figure in made.figures:
+        if far := known.detached[figure.view]:
+            yield ScaleFactor(figure.mu, "l_{max}", far, room, lengths=True)
+    high, mu_F = POLYGON * sized.sizes["forces"], made.order.mu
+    for mu in polygon_scales(project):
+        if mu_F or known.polygons[mu.view] > 0.0:
+            yield ScaleFactor(mu, "F_{max}", known.polygons[mu.view], high, mu_F)
+
+
+def force_scales(fitting: Fitting) -> dict[Mark, object]:
+    """Return how many times larger the lever is drawn; μ_l of what is detached in one point.
+
+    That has no length to go by: it is drawn to the scale of the plan of positions.
     """
     project, made = fitting.project, FORCES_PLAN.on(fitting)
     known: Reaches = fitting.reach[FORCES]
-    found: dict[Mark, object] = {}
-    for mu in polygon_scales(project):
-        far = known.polygons[mu.view]
-        if made.order.mu or far > 0.0:
-            found[mu] = made.order.mu or standard(far, POLYGON * fitting.sizes["forces"])
-    found |= _detached(fitting, known)
     plan = np.ravel(np.asarray(fitting.given[project.scale(VELOCITIES)]))[0]
     room = LEVER * fitting.sizes["lever"] * float(plan)
     times = next((k for k in ENLARGED if k * known.lever <= room), ENLARGED[-1])
-    return found | {made.lever.times: times}
-
-
-def _detached(fitting: Fitting, known: Reaches) -> dict[Mark, object]:
-    """Return μ_l of what is detached: a standard one at which its links take their room in all positions.
-
-    What is detached in one point has no length to go by: it is drawn to the scale of the plan of positions.
-    """
-    room = narrowest(sheet.format for sheet in fitting.scene.sheets).room
-    room *= DETACHED * fitting.sizes["groups"]
-    plan = fitting.given[fitting.project.scale(POSITIONS)]
-    far = {figure.mu: known.detached[figure.view] for figure in FORCES_PLAN.on(fitting).figures}
-    return {mu: standard_length(reach, room) if reach else plan for mu, reach in far.items()}
+    mu_l = fitting.given[project.scale(POSITIONS)]
+    points = {figure.mu: mu_l for figure in made.figures if not known.detached[figure.view]}
+    return {made.lever.times: times, **points}
 
 
 def _place(reading: Reading, mark: Mark, doubts: Doubts) -> np.ndarray:
@@ -154,17 +162,9 @@ def _at(values: np.ndarray, places: tuple[int, ...]) -> np.ndarray:
 def named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
     """Return the scales of the lever, and of the polygons and detached groups that have one ``given``."""
     made = FORCES_PLAN.on(project)
-    mu = made.lever.mu
-    found = {mu.view: Scale(mu.name, float(reading[mu][0, 0]), mu.unit)}
-    for polygon in made.polygons:
-        if polygon.mu in given:
-            found[polygon.view] = Scale("μ_F", float(reading[polygon.mu][0, 0]), "N/mm")
-    for figure in made.figures:
-        if figure.mu in given:
-            found[figure.view] = Scale(
-                figure.mu.name, float(reading[figure.mu][0, 0]), figure.mu.unit
-            )
-    return found
+    others = [polygon.mu for polygon in made.polygons] + [figure.mu for figure in made.figures]
+    chosen = [made.lever.mu, *(mu for mu in others if mu in given)]
+    return {mu.view: scale_of(mu, reading) for mu in chosen}
 
 
 def scale_keys(project: Project) -> dict[str, str]:
@@ -175,7 +175,7 @@ def scale_keys(project: Project) -> dict[str, str]:
     return {**keys, made.lever.mu.view: "mu_lever"}
 
 
-SCALES = ScaleFactors(reach=reach, scales=force_scales, named=named, keys=scale_keys)
+SCALES = ScaleFactors(reach, factors=factors, scales=force_scales, named=named, keys=scale_keys)
 
 
 GRAIN = 10.0
@@ -188,24 +188,11 @@ _POINT = said(
 
 def choose(drawn: Drawn, ledger: Ledger) -> None:
     """Record how the scale factors of the forces were chosen."""
-    made, reach = FORCES_PLAN.on(drawn), drawn.reach[FORCES]
-    known: Reaches = reach
-    for figure in made.figures:
-        ledger.of(figure.view)
-        if known.detached[figure.view] > 0.0:
-            far = ledger.quantity("l_{max}", known.detached[figure.view], "m")
-            ledger.fitting(figure.mu, far, ledger.value_of(drawn, figure.mu), lengths=True)
-        else:
+    known: Reaches = drawn.reach[FORCES]
+    for figure in FORCES_PLAN.on(drawn).figures:
+        if not known.detached[figure.view]:
+            ledger.of(figure.view)
             ledger.same(figure.mu, drawn.project.scale(POSITIONS), figure.mu.name, why=_POINT)
-    for mu in polygon_scales(drawn.project):
-        if mu not in drawn.given or not (made.order.mu or known.polygons[mu.view] > 0.0):
-            continue
-        ledger.of(mu.view)
-        if made.order.mu:
-            ledger.given(mu, made.order.mu)
-            continue
-        most = ledger.quantity("F_{max}", known.polygons[mu.view], "N")
-        ledger.fitting(mu, most, ledger.value_of(drawn, mu))
     _lever(drawn, ledger, known.lever)
     for one in pictured(drawn):
         ledger.of(one.view)
@@ -223,11 +210,11 @@ def _lever(drawn: Drawn, ledger: Ledger, longest: float) -> None:
     lever = FORCES_PLAN.on(drawn).lever
     plan = ledger.chosen[drawn.project.scale(VELOCITIES).slot]
     ledger.of(lever.mu.view)
-    times = ledger.value_of(drawn, lever.times)
+    times = value_of(drawn, lever.times)
     if not longest > 0.0:
         ledger.quantity(lever.times.name, times, "")
         return
-    mu_v = ledger.value_of(drawn, drawn.project.scale(VELOCITIES))
+    mu_v = value_of(drawn, drawn.project.scale(VELOCITIES))
     most = ledger.quantity("v_{max}", longest, "m/s")
     room = GRAIN * math.ceil(times * longest / mu_v / GRAIN)
     wanted = ledger.draft.take(Length, f"[{most.name}]", room)
@@ -235,4 +222,4 @@ def _lever(drawn: Drawn, ledger: Ledger, longest: float) -> None:
     ledger.enter(lever.times, ledger.draft.draw(next_ratio, lever.times.name, exact))
 
 
-CHOICE = Choice(choose)
+CHOICE = Choice(choose=choose)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN, gear_scales
 from graphic_tmm.chapters.gears.task import GEARS
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Choice, Ledger
-from graphic_tmm.fitting.scales import ScaleFactors
+from graphic_tmm.fitting.choice import Choice, value_of
+from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors
 from graphic_tmm.fitting.sizes import Size, Sizing
 from graphic_tmm.scene.records import Scene
 
@@ -27,24 +29,13 @@ SCALES = ScaleFactors(
 )
 
 
-def choose(drawn: Drawn, ledger: Ledger) -> None:
-    """Record how both scale factors were chosen: by the distance of the axes, by the largest sliding."""
+def factors(drawn: Drawn) -> Iterator[ScaleFactor]:
+    """Yield both scale factors: by the distance of the axes, by the largest sliding."""
     gear = GEARS_PLAN.on(drawn)
-    line, chart = gear.line.mu, gear.sliding.chart
-    ledger.of(line.view)
-    axes = ledger.quantity("a_{w}", ledger.value_of(drawn, gear.sizes.a_w), "m")
-    if gear.order.mu:
-        ledger.given(line, gear.order.mu)
-    elif gear.order.axes:
-        ledger.by_length(line, axes, "[a_{w}]", gear.order.axes)
-    else:
-        ledger.fitting(line, axes, ledger.value_of(drawn, line), lengths=True)
-    ledger.of(chart.view)
-    if chart.wanted:
-        ledger.given(chart.mu, chart.wanted)
-        return
-    most = ledger.quantity("ϑ_{max}", gear.sliding.floor, "")
-    ledger.fitting(chart.mu, most, ledger.value_of(drawn, chart.mu))
+    order, chart, axes = gear.order, gear.sliding.chart, value_of(drawn, gear.sizes.a_w)
+    wanted = ("[a_{w}]", order.axes)
+    yield ScaleFactor(gear.line.mu, "a_{w}", axes, fixed=order.mu, length=wanted, lengths=True)
+    yield ScaleFactor(chart.mu, "ϑ_{max}", gear.sliding.floor, fixed=chart.wanted)
 
 
-CHOICE = Choice(choose)
+CHOICE = Choice(factors)

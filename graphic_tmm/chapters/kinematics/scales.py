@@ -27,7 +27,7 @@ from graphic_tmm.chapters.kinematics.task import (
     VELOCITIES,
 )
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Choice, Ledger
+from graphic_tmm.fitting.choice import Choice, Ledger, value_of
 from graphic_tmm.fitting.scales import Fitting, ScaleFactors, extent, unscaled
 from graphic_tmm.fitting.sizes import Size, Sizing
 from graphic_tmm.language.catalogue import speaking
@@ -284,7 +284,7 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
         mu_l = ledger.by_length(mu, arm, f"{pivot}{pin}", wanted.OA)
     else:
         most = ledger.quantity("l_{max}", reach.positions, "m")
-        mu_l = ledger.fitting(mu, most, ledger.value_of(drawn, mu), lengths=True)
+        mu_l = ledger.fitting(mu, most, value_of(drawn, mu), lengths=True)
     if not wanted.OA or wanted.mu_l:
         ledger.follows(f"{pivot}{pin}", arm, mu_l)
     if made.velocities is None:
@@ -329,8 +329,8 @@ def _plan(
         return
     else:
         most = ledger.quantity(f"{quantity.letter[0]}_{{max}}", longest, quantity.unit)
-        found = ledger.fitting(mu, most, ledger.value_of(drawn, mu))
+        found = ledger.fitting(mu, most, value_of(drawn, mu))
     ledger.follows(letter, quantity, found)
 
 
-CHOICE = Choice(choose)
+CHOICE = Choice(choose=choose)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary
 from graphic_tmm.chapters.planetary.task import PLANETARY_TRAIN
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Choice, Ledger
-from graphic_tmm.fitting.scales import ScaleFactors
+from graphic_tmm.fitting.choice import Choice, value_of
+from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors
 from graphic_tmm.fitting.sizes import Size, Sizing
 from graphic_tmm.scene.records import Scene
 
@@ -28,29 +30,17 @@ SCALE_KEYS = {
 }
 """What the scale factors are called where machines read them."""
 
-SCALES = ScaleFactors(
-    keys=lambda project: SCALE_KEYS,
-)
+SCALES = ScaleFactors(keys=lambda project: SCALE_KEYS)
 
 
-def choose_steps(drawn: Drawn, ledger: Ledger) -> None:
-    """Record how both were chosen: by the diameter that the train takes, by the largest velocity."""
+def factors(drawn: Drawn) -> Iterator[ScaleFactor]:
+    """Yield both scale factors: by the diameter that the train takes, by the largest velocity."""
     train = PLANETARY_PLAN.on(drawn)
     order, mu_l, mu_v = train.order, train.mu, train.picture.mu
-    ledger.of(mu_l.view)
-    value = ledger.value_of(drawn, mu_l)
-    if order.mu_l:
-        ledger.given(mu_l, order.mu_l)
-    else:
-        most = ledger.quantity("d_{max}", 2.0 * _reach(drawn, train) * value, "m")
-        ledger.fitting(mu_l, most, value, lengths=True)
-    ledger.of(mu_v.view)
-    value = ledger.value_of(drawn, mu_v)
-    if order.mu_v:
-        ledger.given(mu_v, order.mu_v)
-        return
-    longest = max(abs(ledger.value_of(drawn, mark)) for mark in train.picture.readings.values())
-    ledger.fitting(mu_v, ledger.quantity("v_{max}", longest * value, "m/s"), value)
+    wide = 2.0 * _reach(drawn, train) * value_of(drawn, mu_l)
+    yield ScaleFactor(mu_l, "d_{max}", wide, fixed=order.mu_l, lengths=True)
+    longest = max(abs(value_of(drawn, mark)) for mark in train.picture.readings.values())
+    yield ScaleFactor(mu_v, "v_{max}", longest * value_of(drawn, mu_v), fixed=order.mu_v)
 
 
 def _reach(drawn: Drawn, train: Planetary) -> float:
@@ -62,4 +52,4 @@ def _reach(drawn: Drawn, train: Planetary) -> float:
     return max(found["1"], found[wheels[-1]], found["H"] + rims)
 
 
-CHOICE = Choice(choose_steps)
+CHOICE = Choice(factors)
