@@ -5,15 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-import numpy as np
-
 from graphic_tmm.accuracy.quantities import Accuracy, Axis, Quantity, Reference, Value
-from graphic_tmm.board.charts import ScaleOrder, distances
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN
-from graphic_tmm.chapters.cycle.task import ASKED, CYCLE, CycleTask
-from graphic_tmm.chapters.flywheel.accuracy import BY_POSITIONS
-from graphic_tmm.chapters.flywheel.task import VIEWS
+from graphic_tmm.chapters.cycle.task import ASKED, CYCLE
+from graphic_tmm.chapters.flywheel.accuracy import BY_POSITIONS, farther, larger
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
@@ -68,26 +64,14 @@ def _poles(scene: Scene) -> tuple[str, ...]:
 
 
 def _farther(project: Project, times: float) -> dict[Mark, object]:
-    """Return the distance of the pole of the works, or their scale."""
-    work = VIEWS["work"]
-    charts = (one for one in CYCLE_PLAN.on(project).flywheel.charts if one.view == work)
-    moved = [*(one.mu for one in charts if one.chosen), *distances(project.given, work)]
-    return {mark: np.asarray(project.given[mark]) * times for mark in moved}
+    return farther(project, CYCLE_PLAN.on(project).flywheel, times)
 
 
 def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     order = ASKED.of(scene)
-    return scene if order is None else ASKED.put(scene, _larger(order, drawn, times))
-
-
-def _larger(order: CycleTask, drawn: Drawn, times: float) -> CycleTask:
-    own = order.flywheel
-    mu = {view: scale.value / times for view, scale in drawn.scales.items()}
-    pole = own.A.pole * times if own.A.pole is not None else None
-    work = None if pole is not None else mu.get(VIEWS["work"], own.A.mu)
-    told = mu.get(VIEWS["moment"], own.mu_M)
-    larger = replace(own, A=ScaleOrder(work, pole), base=own.base * times, mu_M=told)
-    return replace(order, flywheel=larger)
+    if order is None:
+        return scene
+    return ASKED.put(scene, replace(order, flywheel=larger(order.flywheel, drawn, times)))
 
 
 WORDS = {

@@ -10,8 +10,8 @@ import numpy as np
 from graphic_tmm.accuracy.quantities import Accuracy, Quantity, Reference, Value
 from graphic_tmm.board.charts import ScaleOrder, distances
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
-from graphic_tmm.chapters.flywheel.task import ASKED, FLYWHEEL, VIEWS
+from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
+from graphic_tmm.chapters.flywheel.task import ASKED, FLYWHEEL, VIEWS, FlywheelTask
 from graphic_tmm.chapters.forces.task import ASKED as FORCES
 from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged, sampled
 from graphic_tmm.drawn import Drawn
@@ -84,10 +84,14 @@ def _poles(scene: Scene) -> tuple[str, ...]:
 
 
 def _farther(project: Project, times: float) -> dict[Mark, object]:
+    return farther(project, FLYWHEEL_PLAN.on(project), times)
+
+
+def farther(project: Project, flywheel: Flywheel, times: float) -> dict[Mark, object]:
     """Return the distance of the pole of the works, or their scale; ΔT has that of the works."""
-    charts = (one for one in FLYWHEEL_PLAN.on(project).charts if one.view == VIEWS["work"])
-    scales = [one.mu for one in charts if one.chosen]
-    moved = [*scales, *distances(project.given, VIEWS["work"])]
+    work = VIEWS["work"]
+    scales = [chart.mu for chart in flywheel.charts if chart.view == work and chart.chosen]
+    moved = [*scales, *distances(project.given, work)]
     return {mark: np.asarray(project.given[mark]) * times for mark in moved}
 
 
@@ -95,17 +99,17 @@ def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     order = ASKED.of(scene)
     if order is None:
         return scene
+    indicator = enlarged(order.indicator, times) if order.indicator is not None else None
+    return ASKED.put(scene, replace(larger(order, drawn, times), indicator=indicator))
+
+
+def larger(order: FlywheelTask, drawn: Drawn, times: float) -> FlywheelTask:
+    """Return a flywheel whose graphs are drawn so many times larger than they were, each μ so much finer."""
     mu = {view: scale.value / times for view, scale in drawn.scales.items()}
     pole = order.A.pole * times if order.A.pole is not None else None
     work = None if pole is not None else mu.get(VIEWS["work"], order.A.mu)
-    larger = replace(
-        order,
-        indicator=enlarged(order.indicator, times) if order.indicator is not None else None,
-        A=ScaleOrder(work, pole),
-        base=order.base * times,
-        mu_M=mu.get(VIEWS["moment"], order.mu_M),
-    )
-    return ASKED.put(scene, larger)
+    moment = mu.get(VIEWS["moment"], order.mu_M)
+    return replace(order, A=ScaleOrder(work, pole), base=order.base * times, mu_M=moment)
 
 
 WORDS = {

@@ -53,6 +53,7 @@ from graphic_tmm.scene.chapter import Chapter, Place
 _BOTH = (VELOCITIES, ACCELERATIONS)
 _AT = (POSITIONS,)
 _EQUATIONS = said("The vector equations of velocities are written down.")
+_POSITION_TABLE = said("Lengths and angles are put into a table.")
 _TABLE = said("Velocities of points and angular velocities of links are set in a table.")
 
 CHAPTER = Chapter(
@@ -78,7 +79,7 @@ CHAPTER = Chapter(
             asks=(_EQUATIONS,),
         ),
         Place("acceleration equations", shows=(ACCELERATIONS,), follows=_AT, tells=ACCELERATIONS),
-        Place("position table", shows=_AT, follows=_AT),
+        Place("position table", shows=_AT, follows=_AT, asks=(_POSITION_TABLE,)),
         Place(
             "velocity table",
             shows=(VELOCITIES,),

@@ -50,11 +50,6 @@ def _rows(asked: Rows, language: str) -> Iterator[str]:
             yield _(says, listed=", ".join(listed))
 
 
-def position_table(scene: Scene, language: str) -> Iterator[str]:
-    """Ask for the table of positions."""
-    yield speaking(language)(_POSITION_TABLE)
-
-
 def velocities(scene: Scene, language: str) -> Iterator[str]:
     """Ask for the plans of velocities."""
     _ = speaking(language)
@@ -103,7 +98,6 @@ _CURVED = said(
     "Normal and tangential accelerations and radii of curvature of the paths are found of points: {listed}."
 )
 _PINS = said("The rubbing speeds of these pins (radius) are found: {listed}.")
-_POSITION_TABLE = said("Lengths and angles are put into a table.")
 _PLAN = said(
     "The plan of positions is drawn for {n} position of the crank; the first one bears the number {first}.",
     "The plan of positions is drawn for {n} equally spaced positions of the crank; the first one "
@@ -141,7 +135,6 @@ TASK_SHEET = TaskSheet(
         ACCELERATIONS: accelerations,
         "equations": equations,
         "acceleration equations": acceleration_equations,
-        "position table": position_table,
         "acceleration table": acceleration_table,
         "results": both_tables,
     },
