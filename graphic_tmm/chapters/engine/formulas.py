@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.grammar import ANGLE, RAY, operation
-from graphic_tmm.board.values import Length, Line, Number, Point
+from graphic_tmm.board.grammar import ANGLE, RAY, WHOLE_ROW, operation
+from graphic_tmm.board.values import Angle, Length, Line, Number, Point
 from graphic_tmm.language.said import said
 
 KGF = 9.80665
 """A kgf in N."""
+_SQUARE = "the rod stands square to the guide"
 
 
 @operation(
@@ -151,7 +152,7 @@ def moment_of_rod(force: Number, arm: Length, mu_l: Number) -> Number:
 
 @formula(
     holds="{along} ≠ 0",
-    fails="the rod stands square to the guide",
+    fails=_SQUARE,
     why=said(
         "N = P′·tan β acts on the arm OB = OA·cos φ + AB·cos β. As OA·sin φ = AB·sin β, that is OB = R·sin(φ + "
         "β)/sin β, so M′ = N·OB = P′·R·sin(φ + β)/cos β; formula (344). It is M: both couples are equal."
@@ -164,3 +165,101 @@ def tipping_couple(force: Number, arm: Length, rod: Length, along: Length, mu_l:
 @formula(why=said("A mass in kg weighs as many kgf; divided by g it is the mass in kgf·s²/m."))
 def mass_by_weight(mass: Number, g: Number) -> Number:
     """{mass}/{g}"""
+
+
+@operation(
+    symbol="N1",
+    across=True,
+    fails=WHOLE_ROW,
+    why=said("The intervals are equal, so the mean of the turn is that of their means."),
+)
+def mean_of_row(values: Number, *, row: int) -> Number:
+    """Find the mean {it} of {values} over the turn."""
+    return Number(np.mean(values[:, :row], axis=1, keepdims=True))
+
+
+@formula(
+    holds="{along} ≠ 0",
+    fails=_SQUARE,
+    why=said(
+        "The crank pin stands {height} off the guide's line and {along} along it from the crosshead: their "
+        "ratio is tan β."
+    ),
+)
+def slope_of_rod(height: Length, along: Length) -> Angle:
+    """arctan({height}/{along})"""
+
+
+@formula(
+    holds="{along} ≠ 0",
+    fails=_SQUARE,
+    why=said(
+        "In the triangle at the crosshead N is opposite to β, P′ beside it: N = P′·tan β, and tan β is "
+        "{height}/{along}; formula (339)."
+    ),
+)
+def guide_pressure(force: Number, height: Length, along: Length) -> Number:
+    """{force}·{height}/{along}"""
+
+
+@formula(
+    holds="{along} ≠ 0",
+    fails=_SQUARE,
+    why=said(
+        "Q is the longest side of the triangle at the crosshead: Q = P′/cos β, and cos β is {along}/{rod}; "
+        "formula (340)."
+    ),
+)
+def rod_force(force: Number, rod: Length, along: Length) -> Number:
+    """{force}·{rod}/{along}"""
+
+
+@formula(
+    holds="{crank}·{along} ≠ 0",
+    fails=_SQUARE,
+    why=said(
+        "The rod makes the angle φ + β with the crank, an outer angle of the triangle OAB. T = "
+        "P′·sin(φ + β)/cos β is the part of Q square to the crank, and sin(φ + β) is {arm}/{crank}; "
+        "formula (341)."
+    ),
+)
+def tangential_force(
+    force: Number, arm: Length, crank: Length, rod: Length, along: Length
+) -> Number:
+    """{force}·{arm}/{crank}·{rod}/{along}"""
+
+
+@formula(
+    holds="{crank}·{along} ≠ 0",
+    fails=_SQUARE,
+    why=said(
+        "K = P′·cos(φ + β)/cos β is the part of Q along the crank, and cos(φ + β) is {part}/{crank}; "
+        "formula (342)."
+    ),
+)
+def radial_force(force: Number, part: Length, crank: Length, rod: Length, along: Length) -> Number:
+    """{force}·{part}/{crank}·{rod}/{along}"""
+
+
+@formula(why=said("The mean moment times the angle of a turn, 2π, is the work of the turn."))
+def work_of_turn(moment: Number) -> Number:
+    """2π·{moment}"""
+
+
+@formula(
+    why=said(
+        "The mean pressure is what, constant over one stroke, does the work of the whole turn: times the "
+        "area it is a force, times the stroke that work. The sign tells whether the gas drives or resists."
+    )
+)
+def work_of_gas(sign: Number, pressure: Number, area: Number, stroke: Number) -> Number:
+    """{sign}·{pressure}·{area}·{stroke}"""
+
+
+@formula(
+    holds="{due} ≠ 0",
+    fails="the gas does no work",
+    why=said("So much of the steam's work does the work of the tangential force differ from it."),
+)
+def works_apart(found: Number, due: Number) -> Number:
+    """100·({found} − {due})/{due}"""

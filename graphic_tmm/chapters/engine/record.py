@@ -9,20 +9,27 @@ import numpy as np
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
-from graphic_tmm.board.formula import formula
-from graphic_tmm.board.grammar import WHOLE_ROW, operation
 from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.graphs import level_off
 from graphic_tmm.board.operations.instruments import measure, measure_along, square
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle, Length, Number
+from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.engine.formulas import (
     KGF,
+    guide_pressure,
     in_kgf,
     mass_by_weight,
+    mean_of_row,
     moment_of_rod,
+    radial_force,
+    rod_force,
+    slope_of_rod,
+    tangential_force,
     tipping_couple,
+    work_of_gas,
+    work_of_turn,
+    works_apart,
 )
 from graphic_tmm.chapters.engine.plan import ENGINE_PLAN, Engine, record
 from graphic_tmm.chapters.engine.task import ASKED, CALCULATED, ENGINE, MASSES, WORKS_VIEW
@@ -30,113 +37,13 @@ from graphic_tmm.chapters.engine.transfer import Transfer, draw_transfer
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder, Machine, Side, machine_of
 from graphic_tmm.chapters.indicator.task import INDICATOR, Wish
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, FULL_TURN, VELOCITIES
-from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Link
 from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene.chapter import Recorded, aside
 from graphic_tmm.scene.records import Scene
 
-_SQUARE = "the rod stands square to the guide"
 WORKS = ("work_T", "work_P", "work_apart")
 """What the results of the works are called."""
-
-
-@operation(
-    symbol="N1",
-    across=True,
-    fails=WHOLE_ROW,
-    why=said("The intervals are equal, so the mean of the turn is that of their means."),
-)
-def mean_of_row(values: Number, *, row: int) -> Number:
-    """Find the mean {it} of {values} over the turn."""
-    return Number(np.mean(values[:, :row], axis=1, keepdims=True))
-
-
-@formula(
-    holds="{along} ≠ 0",
-    fails=_SQUARE,
-    why=said(
-        "The crank pin stands {height} off the guide's line and {along} along it from the crosshead: their "
-        "ratio is tan β."
-    ),
-)
-def slope_of_rod(height: Length, along: Length) -> Angle:
-    """arctan({height}/{along})"""
-
-
-@formula(
-    holds="{along} ≠ 0",
-    fails=_SQUARE,
-    why=said(
-        "In the triangle at the crosshead N is opposite to β, P′ beside it: N = P′·tan β, and tan β is "
-        "{height}/{along}; formula (339)."
-    ),
-)
-def guide_pressure(force: Number, height: Length, along: Length) -> Number:
-    """{force}·{height}/{along}"""
-
-
-@formula(
-    holds="{along} ≠ 0",
-    fails=_SQUARE,
-    why=said(
-        "Q is the longest side of the triangle at the crosshead: Q = P′/cos β, and cos β is {along}/{rod}; "
-        "formula (340)."
-    ),
-)
-def rod_force(force: Number, rod: Length, along: Length) -> Number:
-    """{force}·{rod}/{along}"""
-
-
-@formula(
-    holds="{crank}·{along} ≠ 0",
-    fails=_SQUARE,
-    why=said(
-        "The rod makes the angle φ + β with the crank, an outer angle of the triangle OAB. T = "
-        "P′·sin(φ + β)/cos β is the part of Q square to the crank, and sin(φ + β) is {arm}/{crank}; "
-        "formula (341)."
-    ),
-)
-def tangential_force(
-    force: Number, arm: Length, crank: Length, rod: Length, along: Length
-) -> Number:
-    """{force}·{arm}/{crank}·{rod}/{along}"""
-
-
-@formula(
-    holds="{crank}·{along} ≠ 0",
-    fails=_SQUARE,
-    why=said(
-        "K = P′·cos(φ + β)/cos β is the part of Q along the crank, and cos(φ + β) is {part}/{crank}; "
-        "formula (342)."
-    ),
-)
-def radial_force(force: Number, part: Length, crank: Length, rod: Length, along: Length) -> Number:
-    """{force}·{part}/{crank}·{rod}/{along}"""
-
-
-@formula(why=said("The mean moment times the angle of a turn, 2π, is the work of the turn."))
-def work_of_turn(moment: Number) -> Number:
-    """2π·{moment}"""
-
-
-@formula(
-    why=said(
-        "The mean pressure is what, constant over one stroke, does the work of the whole turn: times the "
-        "area it is a force, times the stroke that work. The sign tells whether the gas drives or resists."
-    )
-)
-def work_of_gas(sign: Number, pressure: Number, area: Number, stroke: Number) -> Number:
-    """{sign}·{pressure}·{area}·{stroke}"""
-
-
-@formula(
-    holds="{due} ≠ 0",
-    fails="the gas does no work",
-    why=said("So much of the steam's work does the work of the tangential force differ from it."),
-)
-def works_apart(found: Number, due: Number) -> Number:
-    """100·({found} − {due})/{due}"""
 
 
 class _Plan(NamedTuple):
