@@ -71,7 +71,7 @@ class ExpectedLine(NamedTuple):
         return (self.end - self.start) / self.length
 
     def share(self, at: complex) -> float:
-        """Return where beside it a place is, as a share of its length."""
+        """Return the foot of a place on it, as a share of its length."""
         return ((at - self.start) / self.way).real / self.length
 
     def shares(self, spots: Complexes) -> Reals:
