@@ -200,7 +200,7 @@ def test_a_key_with_a_view_is_three_files(tmp_path: Path) -> None:
         "from graphic_tmm.board.values import Point\n"
     )
     view = (
-        "    if made.hub is not None:\n        radius = float(reading[made.hub].radius[0, 0])\n"
+        "    if made.hub is not None:\n        radius = float(drawn.reading[made.hub].radius[0, 0])\n"
         '        found.append(Drawing("hub", "hub", (circle("main", 0j, radius),)))\n'
     )
     last = "    checks: tuple[Check, ...]\n"
