@@ -40,7 +40,6 @@ def near(order: ArcTask) -> float:
     return 20.0 * sagitta / size
 
 
-@pytest.mark.turns(3)
 @pytest.mark.parametrize(("kind", "flank"), CASES)
 def test_the_follower_stands_where_it_touches_the_contour(kind: str, flank: str) -> None:
     order = random_order(random.Random(f"{kind} {flank}"), kind, flank)
@@ -58,7 +57,6 @@ def _mu(made, reading) -> float:  # type: ignore[no-untyped-def]
     return float(reading[made.contour.mu][0, 0])
 
 
-@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize(("kind", "flank"), RATES)
 def test_the_instant_centre_tells_the_derivative(kind: str, flank: str) -> None:

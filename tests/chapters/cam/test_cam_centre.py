@@ -97,7 +97,6 @@ def test_the_document_s_radius_passes(turns: str) -> None:
     assert np.abs(alpha).max() < 30.0
 
 
-@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FOLLOWERS)
 @each("law", SHAPES)
@@ -107,7 +106,6 @@ def test_the_least_r0_by_brute_force(name: str, law: str) -> None:
     assert abs(found.one(found.cam.least) - due) < bound(found.cam.order) + 1e-6
 
 
-@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["central", "offset", "rocker along"])
 def test_the_limits_of_rise_and_return_may_differ(name: str) -> None:

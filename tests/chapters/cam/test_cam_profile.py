@@ -53,14 +53,12 @@ def off(of: Made) -> float:
     return float(np.abs(displaced(of, ANGLES) - due).max() * lever)
 
 
-@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("law", [*map(Law, SHAPES), TRAPEZOID], ids=lambda law: law.name)
 def test_the_profile_gives_back_the_law(law: Law) -> None:
     assert off(drawn("central", law)) < HUNDREDTH
 
 
-@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in FOLLOWERS if name != "central"])
 @pytest.mark.parametrize("turns", ["clockwise", "counterclockwise"])
@@ -68,7 +66,6 @@ def test_every_follower_is_moved_by_its_profile(name: str, turns: str) -> None:
     assert off(drawn(name, Law("sine"), turns)) < HUNDREDTH
 
 
-@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "phases", [(120, 0, 120, 120), (180, 0, 180, 0), (90, 180, 90, 0)], ids=repr
@@ -87,7 +84,6 @@ def test_the_document_s_cam_with_its_roller() -> None:
     assert not cam_findings(found.reading, found.cam)
 
 
-@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["central", "offset", "rocker", "rocker along"])
 @pytest.mark.parametrize("law", [Law("sine"), Law("constant acceleration")], ids=lambda x: x.name)

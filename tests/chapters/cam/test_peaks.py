@@ -53,7 +53,6 @@ LAWS = {
 }
 
 
-@pytest.mark.turns(3)
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("follower", ["flat", "rocker"])
 def test_peaks_are_those_of_the_law(tmp_path: Path, law: str, follower: str) -> None:

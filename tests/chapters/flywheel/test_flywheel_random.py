@@ -56,7 +56,6 @@ def test_the_segment_is_what_the_curves_give(tmp_path: Path, seed: int, count: i
     assert found == pytest.approx(np.ptp(graphs(*rows(seed, count)).own), rel=1e-6)
 
 
-@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize(("seed", "count"), [(0, 12), (1, 24)])
 def test_a_student_who_draws_it_finds_the_segment_every_time(
@@ -110,7 +109,6 @@ def inked(text: str) -> dict[str, np.ndarray]:
     return found
 
 
-@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("seed", "ruler"), [(0, RULER), (3, 'ruler = "0.1 mm"'), (5, 'ruler = "0.5 mm"')]

@@ -46,7 +46,6 @@ def scene(folder: Path, name: str) -> Path:
     return written(folder, MECHANISM + LOADS[name])
 
 
-@pytest.mark.turns(2)
 @pytest.mark.parametrize("name", LOADS)
 def test_the_forces_of_one_point_are_drawn(tmp_path: Path, name: str) -> None:
     found = tabled(scene(tmp_path, name), "--exact")
@@ -68,7 +67,6 @@ def test_the_choice_of_its_scale_is_told(tmp_path: Path) -> None:
     assert "All points of what is detached lie in one" in " ".join(told.split())
 
 
-@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", LOADS)
 def test_its_sheet_is_drawn_and_its_figure_stands_on_it(tmp_path: Path, name: str) -> None:

@@ -144,7 +144,6 @@ def cut(order: GearTask, k: int) -> shapely.Geometry:
     return shapely.union_all(places)
 
 
-@pytest.mark.turns(4)
 @pytest.mark.slow
 @pytest.mark.parametrize("order", [*CASES[:4], *CASES[5:], *UNDERCUT])
 @pytest.mark.parametrize("k", [0, 1])
@@ -163,7 +162,6 @@ def test_flank_and_fillet_are_what_a_rack_cuts(order: GearTask, k: int) -> None:
     assert root == pytest.approx(1000 * of.real(made.sizes.r_f) / M, abs=1e-9)
 
 
-@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("order", CASES)
 def test_turned_through_a_pitch_flanks_touch_and_never_overlap(order: GearTask) -> None:

@@ -90,7 +90,6 @@ def touches(order: GearTask) -> float:
     return abs(last(1.0) - last(-1.0)) * z[0] / (2 * np.pi)
 
 
-@pytest.mark.turns(2)
 @pytest.mark.parametrize("order", [WHOLE, BEYOND_N1, BEYOND_N2, BEYOND_BOTH, POINTED])
 def test_the_contact_ratio_counts_where_flanks_that_are_there_touch(order: GearTask) -> None:
     found = pair(order).results()

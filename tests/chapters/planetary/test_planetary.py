@@ -52,8 +52,6 @@ def order_of(scheme: str, driving: str = "1", **more: Any) -> PlanetaryTask:
     return PlanetaryTask(scheme, 0.004, SPEED, driving, teeth=GIVEN[scheme], **more)
 
 
-@pytest.mark.turns(2)
-@pytest.mark.slow
 @pytest.mark.parametrize("scheme", oracle.SENSES)
 def test_random_trains_move_as_rolling_contacts_say(
     scheme: str, many: Callable[[int, int], int]
@@ -82,7 +80,6 @@ def test_random_trains_move_as_rolling_contacts_say(
         assert speeds["B"] == pytest.approx(carrier * unit * float(b) * 0.004, rel=1e-9)
 
 
-@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("scheme", oracle.SENSES)
 def test_one_log_serves_many_trains_at_once(scheme: str) -> None:

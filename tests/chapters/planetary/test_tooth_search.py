@@ -44,7 +44,6 @@ def listed(found: Solutions, scheme: str) -> list[tuple[oracle.Four, int]]:
     return [(oracle.four(scheme, row), k) for row, k in zip(rows, ks, strict=True)]
 
 
-@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("order", ORDERS, ids=lambda o: f"{o.scheme} {o.ratio}")
 def test_the_search_finds_what_brute_force_finds(order: PlanetaryTask) -> None:
