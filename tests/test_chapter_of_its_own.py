@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 import pytest
 from support import triangle
 from support.command import invoke, printed, tabled
+from support.leftovers import data_of
 
 from graphic_tmm.scene.chapter import added
 
@@ -115,16 +116,21 @@ def test_its_task_is_set_without_its_solution(language: str, tmp_path: Path) -> 
     printed("task", written(tmp_path, SCENE.format(language)), "-j", 0, "-o", tmp_path / "out")
     (sheet,) = (tmp_path / "out" / "tasks").glob("*.svg")
     text = sheet.read_text(encoding="utf-8")
-    asks = {"en": "To be drawn: Triangle by its sides.", "ru": "Построить: Triangle by its sides."}
-    assert asks[language] in text
+    assert "1. Triangle by its sides." in text
     assert text.count('id="s-task-1-table-given-triangle"') == 1
     assert 'id="s-task-1-triangle"' not in text
 
 
-def test_its_page_shows_it_and_lets_it_be_drawn(scene: Path, tmp_path: Path) -> None:
-    printed("page", scene, "--practice", "-o", tmp_path)
+def test_its_page_plays_its_plan_step_by_step(scene: Path, tmp_path: Path) -> None:
+    printed("page", scene, "-o", tmp_path)
     (page,) = tmp_path.glob("*.html")
-    assert "Triangle by its sides" in page.read_text(encoding="utf-8")
+    data = data_of(page.read_text(encoding="utf-8"))
+    (view,) = data["views"]
+    assert view["title"] == "Triangle by its sides"
+    told = [line["op"] for picture in view["pictures"] for line in picture["lines"]]
+    assert [op for op in told if op != "to_board"] == [
+        *("ray", "lay_off", "strike", "strike", "cross", "measure")
+    ]
 
 
 def test_without_it_its_section_is_unknown(scene: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -140,7 +140,7 @@ class Accuracy(Answer):
 def quantities(project: Project) -> tuple[Quantity, ...]:
     """Return the quantities of a drawing, in the order in which they are constructed.
 
-    By default those of a board of its own are all lengths measured there.
+    By default those of a board of its own are lengths measured there (`measured`).
     """
     there = (chapter for chapter in in_order(project.board) if chapter.name in project.recorded)
     declared = tuple(one for chapter in there for one in Accuracy.of(chapter).quantities(project))
@@ -148,13 +148,19 @@ def quantities(project: Project) -> tuple[Quantity, ...]:
 
 
 def measured(project: Project) -> tuple[Quantity, ...]:
-    """Return what is measured on a board as quantities; what is due is the same, by an exact hand."""
+    """Return lengths measured on a board as quantities; their true values are the same, by an exact hand.
+
+    A length that a step across positions leads to (a chord, a curve) is none: it depends on their number, and
+    the exact hand on the same log has the error of the method, too.
+    """
     log, row = project.construction, len(project.names)
+    across = {step.it for step in log.steps if step.op.across}
     found: dict[str, Quantity] = {}
     for step in log.steps:
+        across |= {step.it} if across & {*step.uses} else set()
         view = log.view(step.it.view)
-        if step.it.kind is Length and step.op.reads and view is not None and view.scale is not None:
-            value, name = Value(step.it, view.scale), segment_name(step.it.letter)
-            unit = unit_of_value(view.scale)
-            found.setdefault(name, Quantity(name, unit, (value,), row, due=(value,)))
+        mu = None if view is None else view.scale
+        if step.it.kind is Length and step.op.reads and mu is not None and step.it not in across:
+            name, value = segment_name(step.it.letter), Value(step.it, mu)
+            found.setdefault(name, Quantity(name, unit_of_value(mu), (value,), row, due=(value,)))
     return tuple(found.values())

@@ -148,7 +148,7 @@ def given_by_keys(chapter: Chapter, scene: Scene) -> Iterator[Given]:
             letter = LETTER.fullmatch(written or field_.name)
             symbol = key.symbol or (letter and "_".join(filter(None, letter.groups())))
             dimension = getattr(key.kind, "unit", None)
-            if symbol and not key.fixes and dimension in UNITS and isinstance(value, (int, float)):
+            if symbol and not key.fixes and dimension in UNITS and type(value) in (int, float):
                 yield Given(symbol, value, UNITS[dimension])
 
 

@@ -75,12 +75,17 @@ def of_svg(svg: str) -> str:
     return "\n".join([*told, *names])
 
 
-def of_page(page: str) -> str:
-    """What a page says: its text, the texts in its data that are sentences."""
+def data_of(page: str) -> Any:
+    """What a page carries for its scripts; nothing if it has none."""
     scripts = re.findall(
         r'(?s)<script type="application/octet-stream" id="data">(.*?)</script>', page
     )
-    data = json.loads(gzip.decompress(base64.b64decode(scripts[0]))) if scripts else []
+    return json.loads(gzip.decompress(base64.b64decode(scripts[0]))) if scripts else []
+
+
+def of_page(page: str) -> str:
+    """What a page says: its text, the texts in its data that are sentences."""
+    data = data_of(page)
     plain = re.sub(r"(?s)<(style|script).*?</\1>|<title>.*?</title>", "", page)
     labels = re.findall(r'(?:label|alt|placeholder)="([^"]*)"', plain)
     text = unescape("\n".join([re.sub(r"<[^>]*>", "\n", plain), *labels]))

@@ -10,9 +10,11 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point, Side
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors
+from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
-from graphic_tmm.paper.drawing import Drawing, line
-from graphic_tmm.paper.views import captioned, mu_text
+from graphic_tmm.paper.drawing import Drawing, Wanted
+from graphic_tmm.paper.figure import figure
+from graphic_tmm.paper.views import mu_text
 from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.captions import Named, captions
@@ -54,12 +56,13 @@ def record(bench: Bench) -> Triangle:
     return Triangle((a, b, c), draft.draw(measure, "CA", c, a), mu)
 
 
-def figure(drawn: Drawn, lettered: bool) -> list[Drawing]:
-    spots = [complex(drawn.reading[mark][0, 0]) for mark in TRIANGLE.on(drawn).corners]
-    view = Drawing("triangle", "triangle", (line("main", *spots, closed=True),))
-    language = drawn.scene.language
-    mu = mu_text(drawn.scales["triangle"], language)
-    return [captioned(view, captions(language)["triangle"], mu)]
+def views(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    on = subject(drawn, captions(drawn.scene.language)["triangle"], "triangle")
+    traces = figure(on.seen(("triangle",), range(len(drawn.names))))
+    spots = [(mark.letter, traces.seen.point(mark, 0)) for mark in TRIANGLE.on(drawn).corners]
+    letters = [Wanted(letter, spot, on.heights.point) for letter, spot in spots]
+    view = traces.drawing(on, traces.staying, letters)
+    return [with_caption(view, on, lettered, mu_text(drawn.scales["triangle"], on.language))]
 
 
 CHAPTER = Chapter(
@@ -67,7 +70,7 @@ CHAPTER = Chapter(
     sections=(Section("triangle", Sides, "a triangle by its sides", alone=True),),
     places=(Place("triangle", 130),),
     answers=(
-        Plan(record=record), Views(draw={"triangle": figure}),
+        Plan(record=record), Views(draw={"triangle": views}),
         ScaleFactors(factors=lambda on: [ScaleFactor(TRIANGLE.on(on).mu, "a", 0.06, 120.0, lengths=True)]),
         Named(captions={"triangle": "Triangle by its sides"}, plans=("triangle",)),
     ),

@@ -31,7 +31,7 @@ class CyclePage(SteadyPage[Cycle]):
         return self.recorded.flywheel
 
     @property
-    def aside(self) -> Aside:
+    def side_calculation(self) -> Aside:
         """What was calculated beside it."""
         return BESIDE.on(self.drawn)
 

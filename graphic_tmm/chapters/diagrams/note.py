@@ -126,7 +126,7 @@ class DiagramPage(Page[Kinematic]):
     tables = (COLUMNS,)
 
     @cached_property
-    def aside(self) -> Aside:
+    def side_calculation(self) -> Aside:
         """What was calculated beside the diagrams."""
         return BESIDE.on(self.drawn)
 
@@ -178,12 +178,12 @@ class DiagramPage(Page[Kinematic]):
         base, over_time = self.recorded.base, self.recorded.order.over == "time"
         yield self.says(TIME if over_time else ANGLE)
         if over_time:
-            yield from self.worked_out(self.aside.time)
+            yield from self.worked_out(self.side_calculation.time)
         by_scale = self.drawn.construction.step(base.length) is not None
         yield self.says(BY_SCALE if by_scale else BY_LENGTH, table=Ref("table-scales"))
         yield from self.worked_out(base.length if by_scale else base.mu)
         yield self.says(DIVIDED, count=base.intervals)
-        yield from self.worked_out(self.aside.interval)
+        yield from self.worked_out(self.side_calculation.interval)
 
     def _laid_off(self, chart: Chart) -> Iterator[Block]:
         yield self._heading(chart)
@@ -209,7 +209,7 @@ class DiagramPage(Page[Kinematic]):
 
     def _chords(self, chart: Chart, source: Chart) -> Iterator[Block]:
         yield self._list(CHORDS, source, chart)
-        middle, called = self.aside.middles[chart.symbol], self._intervals()
+        middle, called = self.side_calculation.middles[chart.symbol], self._intervals()
         if not called:
             return
         k = self.at if self.at in called else next(iter(called))
@@ -274,9 +274,9 @@ class DiagramPage(Page[Kinematic]):
 
     def _places(self) -> Iterator[Block]:
         """Yield where positions outside the row stand on the base."""
-        if self.aside.places:
+        if self.side_calculation.places:
             yield self.says(EXTRA)
-        for place in self.aside.places:
+        for place in self.side_calculation.places:
             yield from self.worked_out(place.distance)
 
     def _results(self) -> Iterator[Block]:

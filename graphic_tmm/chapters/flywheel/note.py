@@ -104,7 +104,7 @@ class SteadyPage(GasPage[T]):
 
     @property
     @abstractmethod
-    def aside(self) -> Aside:
+    def side_calculation(self) -> Aside:
         """What was calculated beside it."""
 
     def concludes(self) -> Iterator[Runs]:
@@ -176,8 +176,8 @@ class SteadyPage(GasPage[T]):
     def _moment(self) -> Iterator[Block]:
         """The graph of the moment over the cycle; where it drives, where it resists."""
         yield from self.view(VIEWS["moment"], self.figures(f"{self.chapter.name}-graphs"))
-        if self.aside.force is not None:
-            yield from self.calculation(self.aside.force)
+        if self.side_calculation.force is not None:
+            yield from self.calculation(self.side_calculation.force)
         drives, resists = self._signs()
         if drives and resists:
             yield self.says(SIGNS, drives=drives, resists=resists)
@@ -216,7 +216,7 @@ class SteadyPage(GasPage[T]):
 
     def _compared(self) -> Iterator[Block]:
         """The mean moment, its power, the excess work, both moments of inertia beside one another."""
-        own = self.aside
+        own = self.side_calculation
         yield self.head(POWER if own.apart is None else SECOND)
         yield from self.sentences(own.moment, own.power, own.excess, own.apart)
 
@@ -233,9 +233,9 @@ class SteadyPage(GasPage[T]):
                 assert speed is not None
                 yield self.says(LIMIT, speed=speed.uses[0], most=mark, outer=rim.outer)
         yield from self.leads(self.figures("flywheel"))
-        if self.aside.rim is not None:
+        if self.side_calculation.rim is not None:
             yield self.says(MADE)
-            yield from self.sentences(*self.aside.rim)
+            yield from self.sentences(*self.side_calculation.rim)
 
 
 class FlywheelPage(SteadyPage[Flywheel]):
@@ -247,7 +247,7 @@ class FlywheelPage(SteadyPage[Flywheel]):
         return self.recorded
 
     @property
-    def aside(self) -> Aside:
+    def side_calculation(self) -> Aside:
         """What was calculated beside it."""
         return BESIDE.on(self.drawn)
 

@@ -43,7 +43,6 @@ ALL = said(
     "The scale factors are chosen: μ = 1; 2; 2.5; 4; 5 (1.5; 7.5), multiplied by 10 to a whole power; scales "
     "of lengths by the standard row."
 )
-DRAWN = said("To be drawn: {title}.", context="task")
 HANDED = said("Sheets: {listed}.")
 NOTE = said("Explanatory note with the calculations.")
 READINGS = said("Table of the lengths read off the drawing, for the check.")
@@ -106,7 +105,7 @@ def _asks(name: str, scene: Scene) -> Iterable[str]:
     told = [*own] or [one for part in place.together for one in _asks(part, scene)]
     if told or wanted or place.attends or name not in (words := captions(language)):
         return told
-    return [speaking(language)(DRAWN, title=words[name])]
+    return [f"{words[name]}."]
 
 
 def conditions(scene: Scene) -> Iterator[str]:
