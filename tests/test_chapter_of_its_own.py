@@ -52,7 +52,10 @@ def test_it_is_drawn_on_a_sheet(scene: Path, tmp_path: Path) -> None:
     printed("draw", scene, "-o", tmp_path)
     (sheet,) = tmp_path.glob("*.svg")
     ink = ElementTree.fromstring(sheet.read_text(encoding="utf-8"))
-    assert [one.get("id") for one in ink.iter() if "triangle" in (one.get("id") or "")]
+    (sides,) = [one.get("d", "") for one in ink.iter() if one.get("data-part") == "triangle"]
+    spots = [complex(*map(float, one.split())) for one in re.findall(r"[\d.]+ [\d.]+", sides)]
+    lengths = [abs(end - start) for start, end in zip(spots, spots[1:] + spots[:1], strict=True)]
+    assert lengths == pytest.approx([120.0, 80.0, 100.0], abs=2e-3)  # thousandths in an SVG
 
 
 def test_it_is_tabulated(scene: Path) -> None:

@@ -12,8 +12,8 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
-from graphic_tmm.paper.drawing import Drawing, Wanted
-from graphic_tmm.paper.figure import figure
+from graphic_tmm.paper.drawing import Drawing, Wanted, line
+from graphic_tmm.paper.figure import body, figure
 from graphic_tmm.paper.views import mu_text
 from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene import values as v
@@ -59,9 +59,11 @@ def record(bench: Bench) -> Triangle:
 def views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     on = subject(drawn, captions(drawn.scene.language)["triangle"], "triangle")
     traces = figure(on.seen(("triangle",), range(len(drawn.names))))
-    spots = [(mark.letter, traces.seen.point(mark, 0)) for mark in TRIANGLE.on(drawn).corners]
-    letters = [Wanted(letter, spot, on.heights.point) for letter, spot in spots]
-    view = traces.drawing(on, traces.staying, letters)
+    corners = TRIANGLE.on(drawn).corners
+    spots = [traces.seen.point(mark, 0) for mark in corners]
+    letters = [Wanted(m.letter, z, on.heights.point) for m, z in zip(corners, spots, strict=True)]
+    sides = body([line("main", *spots, closed=True)], "triangle", corners)
+    view = traces.drawing(on, [*traces.staying, *sides], letters)
     return [with_caption(view, on, lettered, mu_text(drawn.scales["triangle"], on.language))]
 
 
