@@ -12,8 +12,8 @@ from graphic_tmm.board.hand import MOST, Hand
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import TmmError, ViewError
 from graphic_tmm.fitting.absent import in_doubt, without_absent
+from graphic_tmm.fitting.auto import formatted
 from graphic_tmm.fitting.composition import Composition, composition_file, text
-from graphic_tmm.fitting.formats import formatted
 from graphic_tmm.fitting.given import drawn_as, larger
 from graphic_tmm.fitting.remedies import refusal, refuse_tiny
 from graphic_tmm.project import own_boards

@@ -32,7 +32,7 @@ from graphic_tmm.accuracy.study import Tell
 from graphic_tmm.accuracy.words import WORDS, counted
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError, TmmError
-from graphic_tmm.fitting.measuring import sheets_of
+from graphic_tmm.fitting.compose import sheet_count
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.position_count import at_all_positions
@@ -222,7 +222,7 @@ def _as_drawn(candidate: Candidate, made: DrawnScene) -> tuple[Scene | None, dic
 
 def _sheets(made: DrawnScene) -> int:
     """Return how many sheets a scene takes."""
-    return sheets_of(made.scene, made.boards)
+    return sheet_count(made.scene, made.boards)
 
 
 def _sentence(

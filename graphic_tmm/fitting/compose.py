@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -19,7 +19,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.units import millimetres, unit_name
 from graphic_tmm.paper.compose import sheets
 from graphic_tmm.paper.compose.units import Outline
-from graphic_tmm.paper.drawing import Drawing, Sheet, Within
+from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.formats import size_of
 from graphic_tmm.paper.packing import Room, in_pieces
 from graphic_tmm.paper.sheet_frame import frame
@@ -67,12 +67,7 @@ def composed(
     ViewError
         If a view does not fit on an empty sheet.
     """
-
-    def views(place: str, within: Within) -> list[Drawing]:
-        whole = views_of(place, scene, boards, True)
-        return [part for view in whole for part in in_pieces(view, within)]
-
-    wanted, there = _wanted(scene, views)
+    wanted, there = _wanted(scene, boards)
     boxes = [outline for order in wanted for outline in order.outlines]
     names = distinct_names(view.name for view in there)
     laid, remarks = restored_sheets(wanted, names, given) if given is not None else (None, ())
@@ -115,8 +110,15 @@ def composed(
     return Composed(tuple(made), Composition(sizes, tuple(data)), remarks, scales)
 
 
-Views = Callable[[str, Within], Sequence[Drawing]]
-"""The views of a place, for what a sheet offers."""
+def sheet_count(scene: Scene, boards: Sequence[Drawn]) -> int:
+    """Return how many sheets the boards of a scene take.
+
+    Raises
+    ------
+    ViewError
+        If a view fits no sheet.
+    """
+    return len(sheets.shared(_wanted(scene, boards)[0]))
 
 
 def orders(scene: Scene) -> list[tuple[SheetOrder, tuple[Room, Room]]]:
@@ -145,12 +147,17 @@ def documents(scene: Scene) -> list[int]:
     return found
 
 
-def _wanted(scene: Scene, views: Views) -> tuple[list[sheets.Order], list[Drawing]]:
+def _wanted(scene: Scene, boards: Sequence[Drawn]) -> tuple[list[sheets.Order], list[Drawing]]:
     """Return the orders of a scene's sheets as boxes, and the views of all of them in the same order."""
     found, there = list[sheets.Order](), list[Drawing]()
     for order, rooms in orders(scene):
         within = rooms[0].within
-        own = [view for place in order.place for view in views(place, within)]
+        own = [
+            part
+            for place in order.place
+            for view in views_of(place, scene, boards, True)
+            for part in in_pieces(view, within)
+        ]
         outlines = tuple(Outline.of(view) for view in own)
         spared = bool(found) and len(order.place) > 1 and not (order.name or order.designation)
         found.append(sheets.Order(outlines, rooms, order.format, spared))

@@ -1,4 +1,4 @@
-"""From a scene to its boards drawn as large as its sheets hold; what a fixed scale factor leaves half white."""
+"""From a scene to its boards drawn in sizes by rule; what a fixed scale factor leaves half white."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from dataclasses import replace
 from functools import partial
 
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.errors import TmmError
-from graphic_tmm.fitting.search import Search
+from graphic_tmm.fitting.rooms import Rooms
+from graphic_tmm.fitting.rule import TRIALS, by_rule
 from graphic_tmm.fitting.sizes import Sizes
 from graphic_tmm.fitting.tried import Board, Mechanism, PartBoard
 from graphic_tmm.language.said import Said, said
@@ -23,48 +23,37 @@ WORTH = 1.2
 """So many times larger a plan has to come out for anybody to be told of it."""
 
 
-def half_white(search: Search, own: Mechanism, sizes: Sizes) -> Iterator[Said]:
-    """Yield, for each μ of a plan that the scene fixes, what would fill the sheets that it leaves half white.
-
-    Everything else stays as large as it is, and the sheets are no more.
-    """
+def half_white(rooms: Rooms, own: Mechanism, sizes: Sizes) -> Iterator[Said]:
+    """Yield, for each μ of a plan that the scene fixes, what would fill sheets that it leaves half white."""
+    scene = own.scene
     for name, size in own.sizes.items():
-        key = size.fixed(search.scene)
-        if not (key and size.in_mm and search.rooms.fill(name, sizes) < WHITE):
+        key, now = size.fixed(scene), own.mm(name, sizes)
+        if not (key and size.plan and now and rooms.fill(name, sizes) < WHITE):
             continue
-        now = own.mm(name, sizes)
-        free = own.freed(size.freed(search.scene))
-        tried = search.with_board(free)
-        begin = {**sizes, name: now * (1 + 1e-9)}
-        try:
-            most = max(len(search.scene.sheets), tried.rooms.count(begin))
-            found = tried.lettered(tried.lifted(begin, [name], most), most) or begin
-            large = free.mm(name, found)
-            if large < WORTH * now:
-                continue
-            section, _, short = key.rpartition(".")
-            value = size.remedy(free.draw(found), short)
-        except TmmError:
+        free = own.freed(size.freed(scene))
+        large = free.mm(name, sizes)
+        if large < WORTH * now:
             continue
+        section, _, short = key.rpartition(".")
         yield said(
             '{name} in [{section}] leaves its sheet half white: {name} = "{value}" would draw the plan '
             "{large:.0f} mm large, not {now:.0f} mm",
             name=short,
-            value=value,
+            value=size.remedy(free.draw(sizes), short),
             section=section,
             large=large,
             now=now,
         )
 
 
-SEARCHED = "searched"
-"""What is kept beside a scene: the search for its sizes, and what it found."""
+FITTED = "fitted"
+"""What is kept beside a scene: its boards, the room that they take, the sizes found."""
 TURNED = "turned"
 """What is kept beside a scene: the same with sheets turned where that holds what they do not."""
 
 
 def fitted(scene: Scene, *, exact: bool = False, wanted: Set[str] | None = None) -> Drawn:
-    """Draw a mechanism with its plans as large as fit on the sheets ordered, or on as few more as they need.
+    """Draw a mechanism in the sizes of `rule`.
 
     Every reader of a scene takes this μ, so that a table speaks of the sheet that is drawn. ``wanted``: places
     of sheets, if not all is drawn that the scene calls for.
@@ -88,27 +77,34 @@ def fitted_boards(
     StructureError
         If one of them cannot be made, even if nobody wants it.
     """
-    key = (SEARCHED, mechanism)
-    own, parts, search, sizes = _searched(scene, mechanism)
+    own, parts, rooms, sizes = _fitted(scene, mechanism)
     found = [board.final(sizes, wanted, exact=exact) for board in parts]
     if own is not None:
-        of = (*key, None if wanted is None else frozenset(wanted))
+        of = (FITTED, mechanism, None if wanted is None else frozenset(wanted))
         if of not in scene.cache:
-            scene.cache[of] = search.by_hand(own, sizes, wanted)
+            scene.cache[of] = _by_hand(own, rooms, sizes, wanted)
         sizes, by_hand = scene.cache[of]
         whole = own.final(sizes, wanted, exact=True) if exact else by_hand
-        told = partial(half_white, search, own, sizes)
+        told = partial(half_white, rooms, own, sizes)
         found = [replace(whole, advice=told), *found]
     return tuple(one for one in found if one is not None)
 
 
-def sheets_taken(scene: Scene, *, mechanism: bool) -> float:
-    """Return how many sheets a scene takes in the sizes found for it, with all letters; inf: no number does.
+def _by_hand(
+    own: Mechanism, rooms: Rooms, sizes: Sizes, wanted: Set[str] | None
+) -> tuple[Sizes, Drawn]:
+    """Return the sizes, and what is drawn with them by the scene's own hand.
 
-    ``mechanism``: as for `fitted_boards`, which has found them.
+    Near a singular position a rounded reading may make a plan much larger than it is: it gives way too.
     """
-    *_, search, sizes = _searched(scene, mechanism)
-    return search.written.count(sizes)
+    free = {name for name, size in own.sizes.items() if size.plan and not size.fixed(own.scene)}
+    for _ in range(TRIALS):
+        drawn = own.final(sizes, wanted, exact=False)
+        way = rooms.by_hand(drawn, free)
+        if not way:
+            break
+        sizes = {**sizes, **{name: sizes[name] * share for name, share in way.items()}}
+    return sizes, drawn
 
 
 def turned(scene: Scene, *, mechanism: bool) -> Scene:
@@ -124,8 +120,8 @@ def turned(scene: Scene, *, mechanism: bool) -> Scene:
 
 
 def _turned(scene: Scene, mechanism: bool) -> Scene:
-    *_, search, sizes = _searched(scene, mechanism)
-    if not (over := search.over(sizes)):
+    *_, rooms, sizes = _fitted(scene, mechanism)
+    if not (over := rooms.over(sizes)):
         return scene
     other = [
         replace(order, format=other_way(order.format)) if k in over else order
@@ -141,21 +137,17 @@ def _turned(scene: Scene, mechanism: bool) -> Scene:
         for k in over
     )
     tried = replace(scene, sheets=tuple(other), remarks=(*scene.remarks, *told))
-    *_, search, sizes = _searched(tried, mechanism)
-    return scene if search.over(sizes) else tried
+    *_, rooms, sizes = _fitted(tried, mechanism)
+    return scene if rooms.over(sizes) else tried
 
 
-def _searched(scene: Scene, mechanism: bool) -> tuple[Mechanism | None, list[Board], Search, Sizes]:
-    """Return the boards of a scene, and the search for sizes: they hang on no hand, nor on what is wanted."""
-    key = (SEARCHED, mechanism)
+def _fitted(scene: Scene, mechanism: bool) -> tuple[Mechanism | None, list[Board], Rooms, Sizes]:
+    """Return the boards of a scene, their room, their sizes: they hang on no hand, nor on what is wanted."""
+    key = (FITTED, mechanism)
     if key not in scene.cache:
-        scene.cache[key] = _search(scene, mechanism)
-    found: tuple[Mechanism | None, list[Board], Search, Sizes] = scene.cache[key]
+        parts: list[Board] = [PartBoard(scene, board) for board in own_boards(scene)]
+        own = Mechanism(scene) if mechanism else None
+        sizes, rooms = by_rule(scene, [*([own] if own is not None else []), *parts])
+        scene.cache[key] = own, parts, rooms, sizes
+    found: tuple[Mechanism | None, list[Board], Rooms, Sizes] = scene.cache[key]
     return found
-
-
-def _search(scene: Scene, mechanism: bool) -> tuple[Mechanism | None, list[Board], Search, Sizes]:
-    parts: list[Board] = [PartBoard(scene, board) for board in own_boards(scene)]
-    own = Mechanism(scene) if mechanism else None
-    search = Search(scene, [*([own] if own is not None else []), *parts])
-    return own, parts, search, search.sizes()

@@ -78,7 +78,7 @@ def larger(scene: Scene, sizes: Mapping[str, float], *, mechanism: bool) -> dict
         name: LARGER * found[name]
         for board in _boards(scene, mechanism)
         for name, size in board.sizes.items()
-        if size.in_mm and not size.fixed(scene) and board.mm(name, found) < SMALL * found[name]
+        if size.plan and not size.fixed(scene) and 0.0 < board.mm(name, found) < SMALL * found[name]
     }
     return {**found, **small} if small else None
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SheetError, ViewError
-from graphic_tmm.fitting.sizes import Size, Sizing
+from graphic_tmm.fitting.sizes import Size, Sizing, sizes_of
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.chapter import MECHANISM, chapters
 from graphic_tmm.scene.records import Scene, SheetOrder
@@ -20,7 +20,7 @@ of 0.5 mm is 5 % of that."""
 def plans() -> dict[str, Size]:
     """Return the sizes that set the μ of a plan, by the name of the plan."""
     found = (size for one in chapters(MECHANISM) for size in Sizing.of(one).sizes)
-    return {size.name: size for size in found if size.in_mm}
+    return {size.name: size for size in found if size.plan}
 
 
 def refuse_tiny(scene: Scene, drawn: Drawn) -> None:
@@ -55,15 +55,13 @@ def refuse_tiny(scene: Scene, drawn: Drawn) -> None:
 
 def refusal(scene: Scene, error: ViewError) -> SheetError:
     """Return the error of a view that no sheet holds, with the key that makes it so large and a remedy."""
-    from graphic_tmm.fitting.search import depends
-
     known = plans()
     plan = next((view for view in error.shows if view in known), "")
     if plan in known and not known[plan].fixed(scene):
         freed = scene
         for size in known.values():
             freed = size.freed(freed) if size is not known[plan] else freed
-        plan = next(iter(depends(plan, "", freed)), plan)
+        plan = next(iter(sizes_of(plan, "", freed)), plan)
     key, helps = "", list[str]()
     if plan in known and known[plan].fixed(scene):
         key, helps = f"{known[plan].fixed(scene)}: ", [_remedy(scene, known[plan])]

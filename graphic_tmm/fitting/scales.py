@@ -8,19 +8,20 @@ from typing import Any, ClassVar, Protocol
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard, standard_length
-from graphic_tmm.drawn import Drawn, Findings, Numbers, hand_of, read_log, view_scales
+from graphic_tmm.drawn import Drawn, Findings, hand_of, read_log, view_scales
 from graphic_tmm.errors import StructureError
-from graphic_tmm.fitting.sizes import GRAPHS, Sizes
+from graphic_tmm.fitting.sizes import GRAPHS, Sizes, Sizing
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Plan, Project
-from graphic_tmm.scene.chapter import MECHANISM, Answer, Holder
+from graphic_tmm.scene.chapter import MECHANISM, Answer, Chapter, Holder
 from graphic_tmm.scene.records import Scene
 
 
@@ -54,19 +55,25 @@ class Fitting:
             found |= ScaleFactors.of(chapter).plan_scales(self)
         return found
 
-    def shorter(self, size: str, lengths: Iterable[tuple[str, str, str]]) -> dict[Mark, object]:
-        """Return lengths given in mm (key, view, role) at a share of their usual one.
+    def stretched(
+        self, chapter: str, lengths: Iterable[tuple[str, str, str]]
+    ) -> dict[Mark, object]:
+        """Return lengths of graphs given in mm (key, view, role) at the share of the chapter's graphs.
 
-        What the scene itself says of a length is kept.
+        A base grows with the width of its sheet, too. What the scene itself says of a length is kept.
         """
-        share, found = self.sizes[size], {}
-        if share < 1.0:
-            for key, view, role in lengths:
-                for mark in self.project.construction.roles(view, role):
-                    if mark in self.project.given and key not in self.scene.told:
-                        value = np.ravel(np.asarray(self.project.given[mark]))[0]
-                        found[mark] = share * float(value)
-        return dict[Mark, object](found)
+        own = next(one for one in self.project.chapters if one.name == chapter)
+        share, wide = self.sizes[Sizing.of(own).graphs], narrowest(_formats(self.scene, own)).base
+        found = dict[Mark, object]()
+        for key, view, role in lengths:
+            times = share * (wide if role == roles.BASE else 1.0)
+            if key in self.scene.told or times == 1.0:
+                continue
+            for mark in self.project.construction.roles(view, role):
+                if mark in self.project.given:
+                    value = np.ravel(np.asarray(self.project.given[mark]))[0]
+                    found[mark] = times * float(value)
+        return found
 
 
 @dataclass(frozen=True)
@@ -105,6 +112,10 @@ class Sized(Holder, Protocol):
     @property
     def project(self) -> Project:
         """What was recorded."""
+
+    @property
+    def given(self) -> Mapping[Mark, object]:
+        """What is given, scale factors of plans among it."""
 
     @property
     def sizes(self) -> Sizes:
@@ -187,13 +198,11 @@ def executed(
     doubts: Doubts | None,
     *,
     exact: bool,
-    numbers: Callable[[Mapping[Mark, object]], Numbers] | None = None,
 ) -> Drawn:
     """Choose the scale factors of what was recorded, and execute it.
 
     ``reach``: see `reach_of`; ``doubts``: what rounding does to it, if that is known before its scale factors
-    are: else it is found with these. ``exact`` switches the rounding of the ruler off. ``numbers``: what is
-    given -> its numbers, if they are known without executing it.
+    are: else it is found with these. ``exact`` switches the rounding of the ruler off.
 
     Raises
     ------
@@ -208,7 +217,7 @@ def executed(
     scene = project.scene
     hand = EXACT if exact else hand_of(scene)
     doubts = doubts or Doubts(project.construction.steps, given)
-    found = numbers(given) if numbers is not None else read_log(project, given, hand, doubts)
+    found = read_log(project, given, hand, doubts)
     # on a board of its own every view is drawn to a scale of its own; graphs may share one
     views = view_scales(project, found.whole) if project.board != MECHANISM else {}
     scales |= views | _scales_of_graphs(project, found.whole)
@@ -264,24 +273,22 @@ def _graph_scales(fitting: Fitting) -> dict[Mark, float]:
 
     Graphs that share a scale are all of them held to their room.
     """
-    project, share = fitting.project, fitting.sizes.get(GRAPHS, 1.0)
-    heights: dict[str, float] = {}
+    project, found = fitting.project, dict[Mark, float]()
     for one in project.chapters:
-        height = _graphs_on(fitting.scene, {place.name for place in one.places})
-        heights |= {
-            chart.view: height * share for chart in Plan.of(one).charts(project.recorded[one.name])
-        }
-    found: dict[Mark, float] = {}
-    for chart in (chart.shrunk(share) for chart in project.charts if chart.chosen):
-        room = heights[chart.view] if chart.room is None else chart.room
-        mu = chart.wanted or standard(fitting.reach[GRAPHS][chart.view], room)
-        found[chart.mu] = max(mu, found.get(chart.mu, 0.0))
+        share = fitting.sizes.get(Sizing.of(one).graphs, 1.0)
+        height = narrowest(_formats(fitting.scene, one)).graph
+        for chart in Plan.of(one).charts(project.recorded[one.name]):
+            if chart.chosen:
+                room = share * (height if chart.room is None else chart.room)
+                mu = chart.wanted or standard(fitting.reach[GRAPHS][chart.view], room)
+                found[chart.mu] = max(mu, found.get(chart.mu, 0.0))
     return found
 
 
-def _graphs_on(scene: Scene, places: set[str]) -> float:
-    """Return how high a graph of some places may be on the sheets that show them, mm."""
-    return narrowest(sheet.format for sheet in scene.sheets if places & set(sheet.place)).graph
+def _formats(scene: Scene, chapter: Chapter) -> list[str]:
+    """Return the formats of the sheets that show something of a chapter."""
+    own = {place.name for place in chapter.places}
+    return [sheet.format for sheet in scene.sheets if own & set(sheet.place)]
 
 
 def _scales_of_graphs(project: Project, reading: Reading) -> dict[str, Scale]:
@@ -292,11 +299,14 @@ def _scales_of_graphs(project: Project, reading: Reading) -> dict[str, Scale]:
     }
 
 
-def extent(points: Sequence[np.ndarray]) -> float:
-    """Return how far points (mm) reach along the axis of their longer reach; 0 where there are none."""
+def extent(points: Sequence[np.ndarray], wide: float = 1.0) -> float:
+    """Return how far points (mm) reach along the axis of their longer reach; 0 where there are none.
+
+    ``wide``: what their width counts against their height.
+    """
     flat = np.concatenate([np.ravel(p) for p in points])
     flat = flat[np.isfinite(flat)]
     if not flat.size:
         return 0.0
     width, height = np.ptp(flat.real), np.ptp(flat.imag)
-    return float(max(width, height))
+    return float(max(wide * width, height))

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.scene.chapter import Answer, chapters, places
 from graphic_tmm.scene.records import Scene
 
@@ -18,25 +19,23 @@ Sizes = Mapping[str, float]
 class Size:
     """How large something is drawn, by a name.
 
-    ``usual``: room for it ``in_mm``, which sets the μ of a plan, or a share (1) of its usual room; what the
-    formats of a scene's sheets suggest; ``small``: less, from where it may begin; ``unseen``: where no sheet
-    shows it. ``least``: where this is reached, something else has to give way. ``cap``: what share of a sheet's
-    height its views grow to, as far as the sheets have room; 0: it does not grow; ``step``: by how much at
-    least at a time. ``seen``: whether what comes of it is seen in scale factors. ``extent``: what there is to
-    draw, SI, of a board's reach. ``fixed``: the key by which a scene itself says how large it is, "" if it
-    does not; ``freed``: the scene without saying so; ``remedy``: of a drawing made with a free size, what to
-    write for the key. ``keys``: those of [scales] of which one fixes it.
+    ``natural``: the most that the longest of it takes ``in_mm`` on an A1 (on other formats in proportion to
+    their room), or a share (1) of its usual room. ``low``, ``high``: shares of that to which it gives way, or
+    grows, for the sake of its sheet; ``least``: to which it is made smaller where else no sheet holds a view.
+    ``first``: whether it gives way before others do. ``plan``: whether it sets the μ of a plan; ``extent``:
+    what there is to draw of that, SI, of a board's reach. ``fixed``: the key by which a scene itself says how
+    large it is, "" if it does not; ``freed``: the scene without saying so; ``remedy``: of a drawing made with
+    a free size, what to write for the key. ``keys``: those of [scales] of which one fixes it.
     """
 
     name: str
-    usual: Callable[[Scene], float] = lambda scene: 1.0
+    natural: float = 1.0
     in_mm: bool = False
+    low: float = 0.6
+    high: float = 1.4
     least: float = 0.0
-    small: float = 0.0
-    unseen: float = 0.0
-    cap: float = 0.0
-    step: float = 1.1
-    seen: bool = True
+    first: bool = False
+    plan: bool = False
     extent: Callable[[Mapping[str, Any]], float] = lambda reach: 0.0
     fixed: Callable[[Scene], str] = lambda scene: ""
     freed: Callable[[Scene], Scene] = lambda scene: scene
@@ -48,19 +47,23 @@ class Size:
 class Sizing(Answer):
     """How large a chapter is drawn.
 
-    ``sizes``: by which that is told. ``depends``: by place, the role of a view -> the sizes on which it
-    depends, in the order in which they give way.
+    ``sizes``: by which that is told; ``graphs``: that of its graphs. ``depends``: by place, the role of a view
+    -> the sizes on which it depends, in the order in which they give way.
     """
 
     stands: ClassVar[str] = "scales.SIZES"
     sizes: tuple[Size, ...] = ()
+    graphs: str = ""
     depends: Mapping[str, Callable[[Scene, str], tuple[str, ...]]] = field(default_factory=dict)
 
 
 GRAPHS = "graphs"
-"""Graphs on axes, of whatever chapter."""
-GRAPH = Size(GRAPHS, least=0.2, small=0.7, cap=0.94, step=1.4)
-"""How large they are drawn: each chapter that has some lists it among its sizes."""
+"""Under which is kept what graphs on axes go by, of whatever chapter."""
+
+
+def graph_size(chapter: str) -> Size:
+    """Return the size of a chapter's graphs, a share of their usual base and height."""
+    return Size(f"{chapter} {GRAPHS}", high=1.3, least=0.2, first=True)
 
 
 def all_sizes() -> dict[str, Size]:
@@ -75,5 +78,14 @@ def sizes_of(place: str, role: str, scene: Scene) -> tuple[str, ...]:
 
 
 def usual(scene: Scene) -> dict[str, float]:
-    """Return the usual sizes, which the formats of a scene's sheets suggest."""
-    return {name: size.usual(scene) for name, size in all_sizes().items()}
+    """Return the usual, natural sizes: on the narrowest format of the sheets that show something of each."""
+    found = dict[str, float]()
+    for chapter in chapters():
+        sizing = Sizing.of(chapter)
+        for size in sizing.sizes:
+            own = {place for place, on in sizing.depends.items() if size.name in on(scene, "")}
+            own = own or set(sizing.depends)
+            formats = [order.format for order in scene.sheets if own & set(order.place)]
+            formats = formats or [order.format for order in scene.sheets]
+            found[size.name] = size.natural * (narrowest(formats).share if size.in_mm else 1.0)
+    return found

@@ -1,26 +1,27 @@
-"""Boards in sizes that are tried: each is recorded and drawn once with the exact hand, whatever the sizes."""
+"""Boards in sizes that are tried: each is recorded once, and drawn with the exact hand in its natural sizes."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Set
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import replace
 from typing import Any, Protocol
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.doubt import Doubts
-from graphic_tmm.board.scales import Scale
+from graphic_tmm.board.execute import execute
 from graphic_tmm.drawn import Drawn, doubted
-from graphic_tmm.fitting.rescaled import Rescaling
-from graphic_tmm.fitting.scales import Fitting, chosen, executed, reach_of
+from graphic_tmm.fitting.scales import chosen, executed, reach_of
 from graphic_tmm.fitting.sizes import Size, Sizes, Sizing
 from graphic_tmm.project import Project, record
 from graphic_tmm.scene.chapter import MECHANISM, chapters
 from graphic_tmm.scene.records import Scene
 
+Lengths = Mapping[str, tuple[float, float]]
+"""By view: how long 1 SI unit is drawn, and the base of a graph, mm."""
 NO_DOUBTS = Doubts((), {})
-"""Nobody asks what rounding does to a drawing that is only tried."""
+"""Nobody asks what rounding does to a part drawn with the exact hand."""
 
 
 class Board(Protocol):
@@ -33,14 +34,13 @@ class Board(Protocol):
     def sizes(self) -> dict[str, Size]:
         """The sizes on which what is drawn on it depends, by name."""
 
-    def known(self, size: str, sizes: Sizes) -> object:
-        """Return what comes of a size: two sizes of which the same comes are drawn alike."""
-
-    def comes_of(self, size: str, sizes: Sizes) -> object:
-        """Return that of it that the views which depend on the size are drawn by."""
+    def times(
+        self, views: Sequence[str], before: Sizes, sizes: Sizes
+    ) -> tuple[float | None, float] | None:
+        """Return how many times longer the base (None: none) and how many times larger views are."""
 
     def mm(self, size: str, sizes: Sizes) -> float:
-        """Return how long the longest is that is drawn of a plan, mm; without end if nobody knows."""
+        """Return how long the longest is that is drawn of a plan, mm; 0 if there is none."""
 
     def draw(self, sizes: Sizes) -> Drawn:
         """Return the board drawn with the exact hand."""
@@ -50,7 +50,7 @@ class Board(Protocol):
 
 
 class Mechanism:
-    """The board of a mechanism: its millimetres follow from one drawing, see `rescaled`."""
+    """The board of a mechanism: one log, to whatever scale factors."""
 
     name = MECHANISM
 
@@ -61,64 +61,44 @@ class Mechanism:
         self.project = self.whole if shown else record(scene, wanted=scene.shown_places)
         self.doubts = doubted(self.project)
         self.reach = reach_of(self.project, self.doubts)
-        self.rescaling = Rescaling(self.project, self.doubts)
-        self.sizes = {
-            size.name: size for one in self.project.chapters for size in Sizing.of(one).sizes
-        }
+        self.sizes = _sizes(self.project)
         self._drawn: dict[object, Drawn] = {}
-        self._scales: dict[object, dict[str, Scale]] = {}
-        self._chosen: dict[object, tuple[tuple[object, float], ...]] = {}
+        self._known: dict[object, Lengths] = {}
 
     def freed(self, scene: Scene) -> Mechanism:
-        """Return the board for a scene that fixes other scale factors, or orders other sheets."""
+        """Return the board for a scene that fixes other scale factors."""
         other: Mechanism = object.__new__(type(self))
         other.__dict__ |= self.__dict__
         other.scene, other.project = scene, replace(self.project, scene=scene)
-        other.whole = (
-            other.project if self.whole is self.project else replace(self.whole, scene=scene)
-        )
-        other._drawn, other._scales, other._chosen = {}, {}, {}
+        other._drawn, other._known = {}, {}
         return other
 
-    def chosen(self, sizes: Sizes) -> tuple[tuple[object, float], ...]:
-        """Return all scale factors, and what else comes of sizes."""
-        key = tuple(sizes[name] for name in self.sizes)
-        if key not in self._chosen:
-            given, _ = chosen(self.project, sizes, self.reach)
-            fixed = self.project.given
-            found = ((m, v) for m, v in given.items() if v is not fixed.get(m))
-            self._chosen[key] = tuple(found)  # type: ignore[arg-type]
-        return self._chosen[key]
+    def _lengths(self, sizes: Sizes) -> Lengths:
+        key = self._key(sizes)
+        if key not in self._known:
+            self._known[key] = _lengths(self.project, sizes, self.reach)
+        return self._known[key]
 
-    def known(self, size: str, sizes: Sizes) -> object:
-        """Return the scale factors that come of sizes; of what is not seen in them the size itself."""
-        return self.chosen(sizes) if self.sizes[size].seen else sizes[size]
+    def _key(self, sizes: Sizes) -> object:
+        return tuple(sizes[name] for name in self.sizes)
 
-    def comes_of(self, size: str, sizes: Sizes) -> object:
-        """Return μ of a plan; of all else the size itself."""
-        scales = self._plans(sizes) if self.sizes[size].in_mm else {}
-        return scales[size].value if size in scales else sizes[size]
+    def times(
+        self, views: Sequence[str], before: Sizes, sizes: Sizes
+    ) -> tuple[float | None, float] | None:
+        """Return how many times longer the base and how many times larger views are than before."""
+        return _times(views, self._lengths(before), self._lengths(sizes))
 
     def mm(self, size: str, sizes: Sizes) -> float:
-        """Return how long the longest is that is drawn of a plan, mm; without end if there is none."""
-        scales, found = self._plans(sizes), self.sizes[size].extent(self.reach)
-        return found / scales[size].value if size in scales and found > 0.0 else math.inf
-
-    def _plans(self, sizes: Sizes) -> dict[str, Scale]:
-        key = tuple(sizes[name] for name, size in self.sizes.items() if size.in_mm)
-        if key not in self._scales:
-            self._scales[key] = Fitting(self.project, sizes, self.reach).plan_scales()
-        return self._scales[key]
+        """Return how long the longest is that is drawn of a plan, mm; 0 if there is none."""
+        known = self._lengths(sizes)
+        return self.sizes[size].extent(self.reach) * known[size][0] if size in known else 0.0
 
     def draw(self, sizes: Sizes) -> Drawn:
         """Return the mechanism with these sizes."""
-        key = (self.chosen(sizes), tuple(sizes[name] for name in self.sizes))
+        key = self._key(sizes)
         if key not in self._drawn:
-            self._drawn[key] = self._executed(self.project, sizes, self.rescaling)
+            self._drawn[key] = executed(self.project, sizes, self.reach, self.doubts, exact=True)
         return self._drawn[key]
-
-    def _executed(self, project: Project, sizes: Sizes, by: Rescaling) -> Drawn:
-        return executed(project, sizes, self.reach, self.doubts, exact=True, numbers=by.numbers)
 
     def final(self, sizes: Sizes, wanted: Set[str] | None, *, exact: bool) -> Drawn:
         """Return what is drawn in the end, of more than the sheets show, too."""
@@ -126,12 +106,15 @@ class Mechanism:
         if wanted is not None:
             shown = wanted == self.scene.shown_places
             project = self.project if shown else record(self.scene, wanted=wanted)
-        doubts, reach = self.doubts, self.reach
-        if project is not self.project:
-            doubts = doubted(project)
-            own = reach_of(project, doubts)
-            reach = {name: _joined(self.reach.get(name), more) for name, more in own.items()}
+        if project is self.project:
+            return self.draw(sizes) if exact else self._executed(project, sizes)
+        doubts = doubted(project)
+        own = reach_of(project, doubts)
+        reach = {name: _joined(self.reach.get(name), more) for name, more in own.items()}
         return executed(project, sizes, reach, doubts, exact=exact)
+
+    def _executed(self, project: Project, sizes: Sizes) -> Drawn:
+        return executed(project, sizes, self.reach, self.doubts, exact=False)
 
 
 class PartBoard:
@@ -140,46 +123,43 @@ class PartBoard:
     def __init__(self, scene: Scene, board: str) -> None:
         self.scene, self.name = scene, board
         self.project = record(scene, board)
-        self.sizes = {
-            size.name: size for one in self.project.chapters for size in Sizing.of(one).sizes
-        }
-        self._projects: dict[object, tuple[Project, dict[str, Any]]] = {}
+        self.sizes = _sizes(self.project)
+        self._projects: dict[object, tuple[Project, Mapping[str, Any]]] = {}
         self._drawn: dict[object, Drawn] = {}
-        self._known: dict[object, object] = {}
 
-    def known(self, size: str, sizes: Sizes) -> object:
-        """Return the scale factors and lengths that come of sizes."""
-        key = tuple(sizes[name] for name in self.sizes)
-        if key not in self._known:
-            project, reach = self._recorded(sizes)
-            given, _ = chosen(project, sizes, reach)
-            plain = ((m.key, value) for m, value in given.items() if np.ndim(value) == 0)  # type: ignore[arg-type]
-            self._known[key] = tuple(plain)
-        return self._known[key]
-
-    def comes_of(self, size: str, sizes: Sizes) -> object:
-        """Return what comes of all sizes."""
-        return self.known(size, sizes)
+    def times(
+        self, views: Sequence[str], before: Sizes, sizes: Sizes
+    ) -> tuple[float | None, float] | None:
+        """Return how many times longer the base and how many times larger views are than before."""
+        was, now = (
+            _lengths(project, some, reach)
+            for some in (before, sizes)
+            for project, reach in (self._recorded(some),)
+        )
+        return _times(views, was, now)
 
     def mm(self, size: str, sizes: Sizes) -> float:
-        """Return that nobody knows how long it is drawn."""
-        return math.inf
+        """Return that it has no plan."""
+        return 0.0
 
-    def _recorded(self, sizes: Sizes) -> tuple[Project, dict[str, Any]]:
+    def _recorded(self, sizes: Sizes) -> tuple[Project, Mapping[str, Any]]:
         """Return the log in these sizes, and what its scale factors go by."""
-        key = tuple(sizes[name] for name in self.sizes)
+        key = self._key(sizes)
         if key not in self._projects:
             shares = {name: sizes[name] for name in self.sizes if sizes[name] != 1.0}
-            project, usual = self.project, None
+            project = self.project
             if shares:
                 usual = self.draw({**sizes, **dict.fromkeys(self.sizes, 1.0)})
                 project = record(self.scene, self.name, sizes=shares, usual=usual)
             self._projects[key] = project, reach_of(project, NO_DOUBTS)
         return self._projects[key]
 
+    def _key(self, sizes: Sizes) -> object:
+        return tuple(sizes[name] for name in self.sizes)
+
     def draw(self, sizes: Sizes) -> Drawn:
         """Return the part in these sizes."""
-        key = self.known("", sizes)
+        key = self._key(sizes)
         if key not in self._drawn:
             project, reach = self._recorded(sizes)
             self._drawn[key] = executed(project, sizes, reach, None, exact=True)
@@ -194,6 +174,37 @@ class PartBoard:
         if exact:
             return drawn
         return executed(drawn.project, drawn.sizes, drawn.reach, None, exact=False)
+
+
+def _lengths(project: Project, sizes: Sizes, reach: Mapping[str, Any]) -> Lengths:
+    """Return how long 1 SI unit is by view, mm, and the base of a graph, mm, 0 if none is taken there."""
+    log = project.construction
+    given, _ = chosen(project, sizes, reach)
+    views = {view.name: view.scale for view in log.views if view.scale is not None}
+    bases = {view: log.roles(view, roles.BASE)[:1] for view in views}
+    marks = [*views.values(), *(mark for base in bases.values() for mark in base)]
+    reading = execute(log, {**dict.fromkeys(log.given, 1.0), **given}, marks)
+    return {
+        view: (1.0 / _first(reading[mu]), sum(_first(reading[m]) for m in bases[view]))
+        for view, mu in views.items()
+    }
+
+
+def _times(views: Sequence[str], was: Lengths, now: Lengths) -> tuple[float | None, float] | None:
+    there = [view for view in views if view in was and view in now]
+    if not there:
+        return None
+    up = sum(now[view][0] / was[view][0] for view in there) / len(there)
+    bases = (now[view][1] / was[view][1] for view in there if was[view][1])
+    return next(bases, None), up
+
+
+def _first(values: Any) -> float:
+    return float(np.ravel(np.asarray(values))[0])
+
+
+def _sizes(project: Project) -> dict[str, Size]:
+    return {size.name: size for one in project.chapters for size in Sizing.of(one).sizes}
 
 
 def _joined(tried: object, more: object) -> object:

@@ -12,28 +12,30 @@ from typing import NamedTuple, Protocol
 class Format:
     """A format: width, height and width s of the main line, mm; ``called``: its Cyrillic name.
 
-    ``room``: for a plan of positions, mm. ``graph``: the height of a graph, three of which stand in a column,
-    mm. On a small sheet both are what it holds next to its title block.
+    ``share``: how large plans are that are 1 large on an A1. ``graph``: the height of a graph, three of which
+    stand in a column, mm; ``base``: how many times longer than usual its base is. On a small sheet they are
+    what it holds next to its title block.
     """
 
     width: float
     height: float
     main: float
-    room: float
+    share: float
     graph: float
+    base: float
     called: tuple[str, ...] = ()
 
 
 FORMATS: Mapping[str, Format] = MappingProxyType(
     {
-        "A1": Format(841.0, 594.0, 0.8, 230.0, 120.0, ("А1",)),
-        "A1 portrait": Format(594.0, 841.0, 0.8, 230.0, 120.0),
-        "A2": Format(594.0, 420.0, 0.8, 190.0, 80.0, ("А2",)),
-        "A2 portrait": Format(420.0, 594.0, 0.8, 190.0, 120.0),
-        "A3": Format(420.0, 297.0, 0.6, 160.0, 50.0, ("А3",)),
-        "A3 portrait": Format(297.0, 420.0, 0.6, 160.0, 80.0),
-        "A4": Format(210.0, 297.0, 0.6, 140.0, 45.0, ("А4",)),
-        "A4 landscape": Format(297.0, 210.0, 0.6, 100.0, 30.0),
+        "A1": Format(841.0, 594.0, 0.8, 1.0, 120.0, 1.5, ("А1",)),
+        "A1 portrait": Format(594.0, 841.0, 0.8, 1.0, 120.0, 1.5),
+        "A2": Format(594.0, 420.0, 0.8, 0.77, 80.0, 1.25, ("А2",)),
+        "A2 portrait": Format(420.0, 594.0, 0.8, 0.77, 120.0, 1.25),
+        "A3": Format(420.0, 297.0, 0.6, 0.58, 50.0, 1.0, ("А3",)),
+        "A3 portrait": Format(297.0, 420.0, 0.6, 0.58, 80.0, 1.0),
+        "A4": Format(210.0, 297.0, 0.6, 0.53, 45.0, 1.0, ("А4",)),
+        "A4 landscape": Format(297.0, 210.0, 0.6, 0.42, 30.0, 1.0),
     }
 )
 """By name. All are landscape by default but A4, which is portrait (ГОСТ 2.301; lines by ГОСТ 2.303)."""
@@ -64,7 +66,7 @@ def turned(name: str) -> str:
 def narrowest(names: Iterable[str]) -> Format:
     """Return the format with the least room of some; the usual one of none."""
     there = (FORMATS[SENSIBLE if name == AUTO else name] for name in names)
-    return min(there, key=lambda one: one.room, default=FORMATS[USUAL])
+    return min(there, key=lambda one: one.share, default=FORMATS[USUAL])
 
 
 def other_names() -> dict[str, str]:

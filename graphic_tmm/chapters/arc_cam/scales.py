@@ -18,7 +18,7 @@ def _fixed(scene: Scene) -> str:
 
 
 SIZES = Sizing(
-    sizes=(Size(ARC_CAM, small=0.75, cap=0.6, step=1.25, fixed=_fixed),),
+    sizes=(Size(ARC_CAM, low=0.75, fixed=_fixed),),
     depends={"arc_cam": lambda scene, role: (ARC_CAM,)},
 )
 

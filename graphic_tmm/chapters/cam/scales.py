@@ -14,22 +14,13 @@ from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import GRAPH, TABLE
 from graphic_tmm.scene.records import Scene
 
-CAPS = {"cam.mu_l": 0.6, "cam.base": 0.94}
-"""What share of a sheet's height what a key sizes may take."""
-
 
 def _depends(scene: Scene, role: str) -> tuple[str, ...]:
     return (GRAPHS,) if role in (GRAPH, TABLE) else (CAM,)
 
 
 def _size(name: str, key: str) -> Size:
-    return Size(
-        name,
-        small=0.75,
-        cap=CAPS[key],
-        step=1.25,
-        fixed=lambda scene: key if key in scene.told else "",
-    )
+    return Size(name, low=0.75, fixed=lambda scene: key if key in scene.told else "")
 
 
 SIZES = Sizing(

@@ -6,11 +6,13 @@ from graphic_tmm.board import roles
 from graphic_tmm.chapters.cycle.task import CYCLE
 from graphic_tmm.chapters.flywheel.task import SKETCH, VIEWS
 from graphic_tmm.fitting.scales import ScaleFactors
-from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Size, Sizing
+from graphic_tmm.fitting.sizes import Size, Sizing, graph_size
 
+GRAPHS = graph_size(CYCLE)
 SIZES = Sizing(
-    sizes=(GRAPH, Size("cycle sketch", small=0.6, cap=0.4, step=1.6, seen=False)),
-    depends={CYCLE: lambda scene, role: ("cycle sketch" if role == SKETCH else GRAPHS,)},
+    graphs=GRAPHS.name,
+    sizes=(GRAPHS, Size("cycle sketch", first=True)),
+    depends={CYCLE: lambda scene, role: ("cycle sketch" if role == SKETCH else GRAPHS.name,)},
 )
 
 
@@ -22,8 +24,8 @@ SCALE_KEYS = {
 """What the scale factors are called where machines read them."""
 
 SCALES = ScaleFactors(
-    scales=lambda fitting: fitting.shorter(
-        GRAPHS,
+    scales=lambda fitting: fitting.stretched(
+        CYCLE,
         [
             ("cycle.base", VIEWS["moment"], roles.BASE),
             ("cycle.H", VIEWS["work"], roles.POLE_DISTANCE),

@@ -15,10 +15,13 @@ from graphic_tmm.chapters.diagrams.task import ASKED, BASE_VIEW, DIAGRAMS, VIEWS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Choice, Ledger, value_of
 from graphic_tmm.fitting.scales import ScaleFactors, scale_of
-from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Sizing
+from graphic_tmm.fitting.sizes import Sizing, graph_size
 from graphic_tmm.project import Project
 
-SIZES = Sizing(sizes=(GRAPH,), depends={DIAGRAMS: lambda scene, role: (GRAPHS,)})
+GRAPHS = graph_size(DIAGRAMS)
+SIZES = Sizing(
+    graphs=GRAPHS.name, sizes=(GRAPHS,), depends={DIAGRAMS: lambda scene, role: (GRAPHS.name,)}
+)
 
 
 def _named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
@@ -28,8 +31,8 @@ def _named(project: Project, reading: Reading, given: Container[Mark]) -> dict[s
 
 
 SCALES = ScaleFactors(
-    scales=lambda fitting: fitting.shorter(
-        GRAPHS, [("diagrams.base", view, roles.BASE) for view in (VIEWS["S"], VIEWS["V"])]
+    scales=lambda fitting: fitting.stretched(
+        DIAGRAMS, [("diagrams.base", view, roles.BASE) for view in (VIEWS["S"], VIEWS["V"])]
     ),
     named=_named,
 )

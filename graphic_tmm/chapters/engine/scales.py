@@ -13,26 +13,28 @@ from graphic_tmm.chapters.engine.record import BESIDE
 from graphic_tmm.chapters.engine.task import ENGINE, HARMONICS, TRANSFER, TRANSFER_PLACE, VIEW
 from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors, Sized, unscaled
-from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Size, Sizing
+from graphic_tmm.fitting.sizes import Size, Sizing, graph_size
 from graphic_tmm.paper.drawing import GRAPH as GRAPH_VIEW
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
 
 def _plan(scene: Scene, role: str) -> tuple[str, ...]:
-    return (GRAPHS,) if role == GRAPH_VIEW else ("engine", POSITIONS)
+    return (GRAPHS.name,) if role == GRAPH_VIEW else ("engine", POSITIONS)
 
 
+GRAPHS = graph_size(ENGINE)
 SIZES = Sizing(
+    graphs=GRAPHS.name,
     sizes=(
-        GRAPH,
-        Size("engine", least=0.5, small=0.7, cap=0.4),
-        Size(TRANSFER, least=0.5, small=0.7),
+        GRAPHS,
+        Size("engine", least=0.5),
+        Size(TRANSFER, least=0.5),
     ),
     depends={
         "engine": _plan,
         TRANSFER_PLACE: lambda scene, role: (TRANSFER, POSITIONS),
-        "engine diagrams": lambda scene, role: (GRAPHS,),
+        "engine diagrams": lambda scene, role: (GRAPHS.name,),
     },
 )
 
@@ -75,6 +77,6 @@ def factors(sized: Sized) -> Iterator[ScaleFactor]:
 SCALES = ScaleFactors(
     reach=reach,
     factors=factors,
-    scales=lambda fitting: fitting.shorter(GRAPHS, [("engine.base", VIEW, roles.BASE)]),
+    scales=lambda fitting: fitting.stretched(ENGINE, [("engine.base", VIEW, roles.BASE)]),
     keys=lambda project: SCALE_KEYS,
 )

@@ -5,11 +5,13 @@ from __future__ import annotations
 from graphic_tmm.board import roles
 from graphic_tmm.chapters.flywheel.task import ENERGY_MASS, FLYWHEEL, SKETCH, VIEWS
 from graphic_tmm.fitting.scales import ScaleFactors
-from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Size, Sizing
+from graphic_tmm.fitting.sizes import Size, Sizing, graph_size
 
+GRAPHS = graph_size(FLYWHEEL)
 SIZES = Sizing(
-    sizes=(GRAPH, Size(SKETCH, small=0.6, cap=0.4, step=1.6, seen=False)),
-    depends={FLYWHEEL: lambda scene, role: (SKETCH if role == SKETCH else GRAPHS,)},
+    graphs=GRAPHS.name,
+    sizes=(GRAPHS, Size(SKETCH, first=True)),
+    depends={FLYWHEEL: lambda scene, role: (SKETCH if role == SKETCH else GRAPHS.name,)},
 )
 
 
@@ -22,8 +24,8 @@ SCALE_KEYS = {
 """What the scale factors are called where machines read them."""
 
 SCALES = ScaleFactors(
-    scales=lambda fitting: fitting.shorter(
-        GRAPHS,
+    scales=lambda fitting: fitting.stretched(
+        FLYWHEEL,
         [
             ("flywheel.base", VIEWS["moment"], roles.BASE),
             ("flywheel.H", VIEWS["work"], roles.POLE_DISTANCE),

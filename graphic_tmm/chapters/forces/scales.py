@@ -14,8 +14,10 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import (
     ENLARGED,
+    LENGTHS,
     Scale,
     next_ratio,
+    standard_length,
     times_larger,
 )
 from graphic_tmm.board.values import Length, Point
@@ -35,10 +37,9 @@ from graphic_tmm.fitting.scales import (
     scale_of,
     unscaled,
 )
-from graphic_tmm.fitting.sizes import GRAPH, GRAPHS, Size, Sizing
+from graphic_tmm.fitting.sizes import Size, Sizing, graph_size
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import GRAPH as GRAPH_VIEW
-from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
@@ -49,29 +50,27 @@ def _fixed(scene: Scene) -> str:
 
 
 def _polygons(scene: Scene, role: str) -> tuple[str, ...]:
-    return {GRAPH_VIEW: (GRAPHS,), roles.DETACHED: ("groups",)}.get(role, ("forces",))
+    return {GRAPH_VIEW: (GRAPHS.name,), roles.DETACHED: ("groups",)}.get(role, ("forces",))
 
 
+GRAPHS = graph_size(FORCES)
 SIZES = Sizing(
+    graphs=GRAPHS.name,
     sizes=(
-        GRAPH,
-        Size("forces", least=0.1, small=0.5, cap=0.42, fixed=_fixed),
-        Size("groups", least=0.05, small=0.6, cap=0.42),
-        Size("lever", least=0.05, small=0.6, cap=0.45),
+        GRAPHS,
+        Size("forces", 180.0, in_mm=True, least=0.1, first=True, fixed=_fixed),
+        Size("groups", 170.0, in_mm=True, least=0.05),
+        Size("lever", 210.0, in_mm=True, least=0.05),
     ),
     depends={"forces": _polygons, "lever": lambda scene, role: ("lever",)},
 )
-"""Of polygons, of detached groups, of the lever: shares of the usual room."""
+"""Of polygons, of the links of a detached group, of the lever, mm on an A1."""
 
 
-LEVER = 150.0
-"""Room for the lever, mm."""
-DETACHED = 0.6
-"""Room for the links of a detached group: a share of that for a plan of positions. About them go the arrows."""
+LINK_1 = 0.5
+"""What link 1 alone takes of the room for a group."""
 ROUNDED = 1e-9
 """Points no farther apart than this share of how far out they lie are one: a nanometre on the largest sheet."""
-POLYGON = 200.0
-"""Room for a polygon of forces, mm."""
 
 
 def polygon_scales(project: Project) -> list[Mark]:
@@ -119,20 +118,38 @@ def _apart(figure: Detached, reading: Reading, places: tuple[int, ...]) -> float
 def factors(sized: Sized) -> Iterator[ScaleFactor]:
     """Yield μ_l of what is detached and μ_F of every polygon of forces.
 
-    The links of a figure take their room in all positions; the largest side of a polygon in any position whose
-    forces are asked for takes its share of `POLYGON` mm at most. A polygon whose forces are all nothing has no
-    μ but the scene's.
+    The links of a group take their room in all positions, and are no smaller than on the plan of positions;
+    link 1 is no larger than the groups. A polygon takes its room in any position whose forces are asked for;
+    one whose forces are all nothing has no μ but the scene's.
     """
     made, known, project = FORCES_PLAN.on(sized), sized.reach[FORCES], sized.project
-    room = narrowest(sheet.format for sheet in project.scene.sheets).room
-    room *= DETACHED * sized.sizes["groups"]
+    room, plan = sized.sizes["groups"], _plan_scale(sized)
+    groups = [one for one in made.figures if len(one.of.links) > 1 and known.detached[one.view]]
+    largest = min((_group(known.detached[one.view], room, plan) for one in groups), default=0.0)
     for figure in made.figures:
-        if far := known.detached[figure.view]:
-            yield ScaleFactor(figure.mu, "l_{max}", far, room, lengths=True)
-    high, mu_F = POLYGON * sized.sizes["forces"], made.order.mu
+        if not (far := known.detached[figure.view]):
+            continue
+        if figure in groups:
+            wide = far / _group(far, room, plan)
+        else:
+            # the crank alone is never larger than the groups that turn it
+            wide = max(min(LINK_1 * room, far / largest if largest else math.inf), far / plan)
+        yield ScaleFactor(figure.mu, "l_{max}", far, wide * (1 + ROUNDED), lengths=True)
+    high, mu_F = sized.sizes["forces"], made.order.mu
     for mu in polygon_scales(project):
         if mu_F or known.polygons[mu.view] > 0.0:
             yield ScaleFactor(mu, "F_{max}", known.polygons[mu.view], high, mu_F)
+
+
+def _group(far: float, room: float, plan: float) -> float:
+    """Return μ_l of a group that reaches so far (m): by its room (mm), but never smaller than the plan."""
+    larger = max((mu for mu in LENGTHS if mu <= plan * (1 + ROUNDED)), default=plan)
+    return min(standard_length(far, room), larger)
+
+
+def _plan_scale(sized: Sized) -> float:
+    """Return μ_l of the plan of positions."""
+    return float(np.ravel(np.asarray(sized.given[sized.project.scale(POSITIONS)]))[0])
 
 
 def force_scales(fitting: Fitting) -> dict[Mark, object]:
@@ -143,7 +160,7 @@ def force_scales(fitting: Fitting) -> dict[Mark, object]:
     project, made = fitting.project, FORCES_PLAN.on(fitting)
     known: Reaches = fitting.reach[FORCES]
     plan = np.ravel(np.asarray(fitting.given[project.scale(VELOCITIES)]))[0]
-    room = LEVER * fitting.sizes["lever"] * float(plan)
+    room = fitting.sizes["lever"] * float(plan)
     times = next((k for k in ENLARGED if k * known.lever <= room), ENLARGED[-1])
     mu_l = fitting.given[project.scale(POSITIONS)]
     points = {figure.mu: mu_l for figure in made.figures if not known.detached[figure.view]}

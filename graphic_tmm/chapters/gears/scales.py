@@ -18,7 +18,7 @@ def _fixed(scene: Scene) -> str:
 
 
 SIZES = Sizing(
-    sizes=(Size(GEARS, small=0.75, cap=0.9, step=1.25, fixed=_fixed),),
+    sizes=(Size(GEARS, low=0.75, fixed=_fixed),),
     depends={"gears": lambda scene, role: (GEARS,)},
 )
 

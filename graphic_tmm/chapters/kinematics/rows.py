@@ -15,6 +15,7 @@ from graphic_tmm.board.operations.instruments import (
     parallel,
     square,
 )
+from graphic_tmm.board.operations.statics import STANDS
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.kinematics import words as why
@@ -49,7 +50,7 @@ def rubbing_on_fixed(radius: Number, omega: Number) -> Number:
 
 
 @formula(
-    holds="{normal} ≠ 0",
+    holds=f"|{{normal}}| > {STANDS:.9f}·|{{segment}}|",
     fails="the normal acceleration reads 0: the path is straight there, ρ infinite or too large to read",
     why=said(
         "A point that goes along a curve at v has the normal acceleration v²/ρ towards its centre of "

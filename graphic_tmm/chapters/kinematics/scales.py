@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -33,14 +33,21 @@ from graphic_tmm.fitting.sizes import Size, Sizing
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit_name
-from graphic_tmm.paper.formats import narrowest
 from graphic_tmm.project import Project
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scales, Scene
 
-SMALL, VECTORS, UNSEEN = 50.0, 80.0, 150.0
-"""Room for the longest vector of a plan, mm, to begin with, and where no sheet shows it. Below 50 mm the half
-division of a ruler, 0.25 mm, is more than 0.5 %."""
+PLAN, VELOCITY, ACCELERATION, MANY = 290.0, 110.0, 150.0, 110.0
+"""The most that a plan of positions takes on an A1, mm, the longest vector of a plan of velocities, of
+accelerations, and of many of these. Half a division of the ruler, 0.25 mm, is 0.5 % of 50 mm."""
+FEW = 4
+"""So many plans of accelerations are few."""
+FLAT = 0.7
+"""What a plan's width counts against its height: sheets are so much wider than high."""
+CRANK = 20.0
+"""A crank is no shorter, mm on an A1, as far as its plan takes no more than `LARGEST`."""
+LARGEST = 360.0
+"""The most that a plan of positions takes on an A1 for its crank's sake, mm."""
 KEYS = {POSITIONS: ("mu_l", "OA"), VELOCITIES: ("mu_v", "pa"), ACCELERATIONS: ("mu_a", "pi_a")}
 """The keys of [scales] that fix the size of a plan."""
 UNITS = {"mu_l": "m/mm", "mu_v": "(m/s)/mm", "mu_a": "(m/s²)/mm"}
@@ -77,7 +84,7 @@ def extents(project: Project, doubts: Doubts) -> Extents:
     spots += [reading[m].knots if m.kind is Curve else reading[m] for m in marks]
     told = project.told.get(ACCELERATIONS, frozenset())
     places = made.accelerated or tuple(sorted(told)) or _sheet_positions(project)
-    longest = {POSITIONS: extent(spots), VELOCITIES: 0.0, ACCELERATIONS: 0.0}
+    longest = {POSITIONS: extent(spots, FLAT), VELOCITIES: 0.0, ACCELERATIONS: 0.0}
     outliers = {}
     for plan, motion, at in (
         (VELOCITIES, made.velocities, tuple(range(len(project.names)))),
@@ -126,10 +133,11 @@ def plan_scales(fitting: Fitting) -> dict[str, Scale]:
     A segment fixed in mm (OA, pa, πa) gives its μ.
     """
     made, wanted, sizes = KINEMATICS_PLAN.on(fitting), fitting.scene.scales, fitting.sizes
+    many = 1.0 if len(made.accelerated) <= FEW else MANY / ACCELERATION
     reach: Extents = fitting.reach[KINEMATICS]
     arm, pin_speed, pin_acceleration = crank_sizes(made)
     mu_l = wanted.mu_l or (
-        arm / wanted.OA if wanted.OA else standard_length(reach.positions, sizes[POSITIONS])
+        arm / wanted.OA if wanted.OA else standard_length(reach.positions, _room(fitting, arm))
     )
     scales = {POSITIONS: Scale("μ_l", mu_l, UNITS["mu_l"])}
     if made.velocities is not None:
@@ -143,10 +151,16 @@ def plan_scales(fitting: Fitting) -> dict[str, Scale]:
         mu_a = wanted.mu_a or (
             pin_acceleration / wanted.pi_a
             if wanted.pi_a
-            else standard(reach.accelerations, sizes[ACCELERATIONS])
+            else standard(reach.accelerations, many * sizes[ACCELERATIONS])
         )
         scales[ACCELERATIONS] = Scale("μ_a", mu_a, UNITS["mu_a"])
     return scales
+
+
+def _room(fitting: Fitting, arm: float) -> float:
+    """Return the room for the plan of positions, mm: more than usual where its crank would be short."""
+    reach: Extents = fitting.reach[KINEMATICS]
+    return fitting.sizes[POSITIONS] * max(1.0, min(CRANK * reach.positions / arm, LARGEST) / PLAN)
 
 
 def _longest(project: Project, plan: str, at: Sequence[int], doubts: Doubts) -> np.ndarray:
@@ -203,13 +217,7 @@ def reaches_at(
 SCALES = ScaleFactors(reach=extents, plan_scales=plan_scales, keys=lambda project: SCALE_KEYS)
 
 
-def _narrow(scene: Scene) -> float:
-    """Return the room for the plan of positions on the formats of its sheets, mm."""
-    orders = [order for order in scene.sheets if POSITIONS in order.place] or scene.sheets
-    return narrowest(order.format for order in orders).room
-
-
-def _size(plan: str, usual: Callable[[Scene], float], cap: float, small: float = 0.0) -> Size:
+def _size(plan: str, natural: float, *, first: bool = True) -> Size:
     keys = KEYS[plan]
 
     def fixed(scene: Scene) -> str:
@@ -234,11 +242,10 @@ def _size(plan: str, usual: Callable[[Scene], float], cap: float, small: float =
 
     return Size(
         plan,
-        usual,
+        natural,
         in_mm=True,
-        small=small,
-        unseen=UNSEEN if small else 0.0,
-        cap=cap,
+        first=first,
+        plan=True,
         extent=own,
         fixed=fixed,
         freed=freed,
@@ -248,9 +255,9 @@ def _size(plan: str, usual: Callable[[Scene], float], cap: float, small: float =
 
 
 _SIZES = (
-    _size(POSITIONS, _narrow, 0.6),
-    _size(VELOCITIES, lambda scene: VECTORS, 0.4, SMALL),
-    _size(ACCELERATIONS, lambda scene: VECTORS, 0.4, SMALL),
+    _size(POSITIONS, PLAN, first=False),
+    _size(VELOCITIES, VELOCITY),
+    _size(ACCELERATIONS, ACCELERATION),
 )
 """Room for the plan of positions, and for the longest vectors of the others."""
 

@@ -18,7 +18,7 @@ def _fixed(scene: Scene) -> str:
 
 
 SIZES = Sizing(
-    sizes=(Size(PLANETARY_TRAIN, small=0.75, cap=0.65, step=1.25, fixed=_fixed),),
+    sizes=(Size(PLANETARY_TRAIN, low=0.75, fixed=_fixed),),
     depends={"planetary": lambda scene, role: (PLANETARY_TRAIN,)},
 )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from itertools import chain
@@ -12,16 +13,16 @@ from graphic_tmm.board.hand import EXACT
 from graphic_tmm.classroom.variants.ranges import Good, Ranges
 from graphic_tmm.classroom.variants.variant import Base, Variant, scene_of
 from graphic_tmm.drawn import Drawn, DrawnScene
-from graphic_tmm.errors import SceneError, SheetError, TmmError
+from graphic_tmm.errors import SceneError, SheetError, TmmError, ViewError
+from graphic_tmm.fitting.compose import sheet_count
 from graphic_tmm.fitting.composition import Composition
-from graphic_tmm.fitting.fit import sheets_taken
 from graphic_tmm.language.said import Said, joined, said
-from graphic_tmm.project import Project, own_boards
+from graphic_tmm.project import Project
 from graphic_tmm.readers.any_angles.turn import Turning
 from graphic_tmm.readers.columns import Column, Readings, is_called
 from graphic_tmm.readers.findings import SILENT
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import draws_mechanism, make
+from graphic_tmm.studio import make
 
 NOTHING, SEEN = 1e-3, 0.5
 """A vector shorter than this, mm, is nothing if the hand is exact, a point on every sheet; by a hand that reads
@@ -129,10 +130,11 @@ def _vectors(drawn: Drawn) -> list[Column]:
 
 
 def _taken(made: DrawnScene) -> float:
-    """Return how many sheets a drawing takes, no fewer than are ordered."""
-    mechanism = draws_mechanism(made.scene, own_boards(made.scene))
-    taken = sheets_taken(made.scene, mechanism=mechanism)
-    return max(float(len(made.scene.sheets)), taken)
+    """Return how many sheets a drawing takes, no fewer than are ordered; inf: a view fits none."""
+    try:
+        return max(len(made.scene.sheets), sheet_count(made.scene, made.boards))
+    except ViewError:
+        return math.inf
 
 
 IN_A_ROW = 200

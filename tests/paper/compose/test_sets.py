@@ -14,7 +14,8 @@ from support.gallery import SHEETS
 from support.order import gap
 from support.sheets_of_random import scenes
 
-from graphic_tmm.fitting.formats import formatted, oversized, room_on
+from graphic_tmm.fitting.auto import formatted
+from graphic_tmm.fitting.formats import oversized, room_on
 from graphic_tmm.paper.compose import search
 from graphic_tmm.paper.compose.sheets import Order, composed, shared
 from graphic_tmm.paper.compose.units import Outline

@@ -1,0 +1,182 @@
+"""The room that views take: measured once in natural sizes, without letters, and reckoned for all others.
+
+Of a view drawn r times larger the lines are r times larger, not what goes around: signs, letters, captions.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence, Set
+from typing import NamedTuple
+
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.compose import orders
+from graphic_tmm.fitting.formats import views_of
+from graphic_tmm.fitting.sizes import Sizes, all_sizes, sizes_of
+from graphic_tmm.fitting.tried import Board
+from graphic_tmm.paper.compose.search import fits
+from graphic_tmm.paper.compose.units import Outline
+from graphic_tmm.paper.drawing import EQUATIONS, GRAPH, TABLE, Drawing, Label, Within
+from graphic_tmm.paper.packing import GAP, Room, bounds, holds, in_pieces, share
+from graphic_tmm.paper.shapes import corners
+from graphic_tmm.scene.chapter import places
+from graphic_tmm.scene.records import Scene
+
+SIGNS = 10.0
+"""What is as large in all sizes of the lines of a view, mm: pairs, arrows, hatching."""
+AROUND = 12.0
+"""What letters take on both sides of lines where a caption is wider than these, mm."""
+LETTERS = 2.0
+"""How much larger, mm, a view may come out with its letters: 9 in 10 of those of the gallery."""
+LESS = 0.95
+"""By how much at least a size gives way at a time."""
+FULL = 0.7
+"""What share of its free room a full sheet shows as boxes of views."""
+FIXED = (TABLE, EQUATIONS)
+"""What is as large in all sizes."""
+
+
+class ViewBox(NamedTuple):
+    """A view on a sheet: its place, its role, its box in natural sizes, the free sizes that it depends on.
+
+    ``lines``: the width and the height of its lines, ``caption``: the width of its widest lettering, mm.
+    """
+
+    place: str
+    role: str
+    outline: Outline
+    sizes: tuple[str, ...]
+    lines: tuple[float, float] = (0.0, 0.0)
+    caption: float = 0.0
+
+    @classmethod
+    def of(cls, place: str, view: Drawing, sizes: tuple[str, ...]) -> ViewBox:
+        """Return the box of a view as drawn."""
+        found = Outline.of(view)
+        if view.role in FIXED or not view.strokes:
+            return cls(place, view.role, found, ())
+        left, low, right, top = bounds(view._replace(labels=(), cell=None))
+        caption = max((_width(label) for label in view.labels), default=0.0)
+        box = found._replace(width=found.width + LETTERS, height=found.height + LETTERS)
+        return cls(place, view.role, box, sizes, (right - left, top - low), caption)
+
+    def times(self, wide: float, high: float) -> Outline:
+        """Return the box of it drawn so many times wider and higher."""
+        box, (across, up) = self.outline, self.lines
+        ruled = box.width - LETTERS <= self.caption + 1.0
+        beside = min(box.width - across, AROUND) if ruled else box.width - across
+        width = max(self.caption + LETTERS, _larger(across, wide) + beside)
+        return box._replace(width=width, height=_larger(up, high) + box.height - up)
+
+
+class Rooms:
+    """The views of a scene's sheets as boxes; ``natural``: the sizes in which they were measured."""
+
+    def __init__(self, scene: Scene, boards: Sequence[Board], natural: Sizes) -> None:
+        self.scene, self.natural = scene, natural
+        self.boards = {board.name: board for board in boards}
+        self.sheets = [rooms for _, rooms in orders(scene)]
+        drawn = {board.name: board.draw(natural) for board in boards}
+        self.views = [
+            list(self._boxes(order.place, drawn, rooms[0].within))
+            for order, rooms in zip(scene.sheets, self.sheets, strict=True)
+        ]
+
+    def _boxes(
+        self, ordered: Sequence[str], drawn: Mapping[str, Drawn], within: Within
+    ) -> Iterator[ViewBox]:
+        known = all_sizes()
+        single = (one for name in ordered for one in places()[name][1].together or (name,))
+        for place in single:
+            for whole in views_of(place, self.scene, list(drawn.values()), False):
+                own = sizes_of(place, whole.role, self.scene) if whole.role not in FIXED else ()
+                free = tuple(name for name in own if not known[name].fixed(self.scene))
+                if free and not holds(within, whole):
+                    # it is made smaller before it comes apart
+                    yield ViewBox.of(place, whole, free)
+                    continue
+                for view in in_pieces(whole, within):
+                    yield ViewBox.of(place, view, free)
+
+    def outlines(self, order: int, sizes: Sizes) -> list[Outline]:
+        """Return the boxes of an order's views in some sizes."""
+        return [self.outline(view, sizes) for view in self.views[order]]
+
+    def outline(self, view: ViewBox, sizes: Sizes) -> Outline:
+        """Return the box of a view in some sizes."""
+        wide, high = self._times(view, sizes)
+        return view.outline if wide == high == 1.0 else view.times(wide, high)
+
+    def _times(self, view: ViewBox, sizes: Sizes) -> tuple[float, float]:
+        """Return how many times wider and higher what a view shows is than in natural sizes."""
+        if not view.sizes:
+            return 1.0, 1.0
+        board = self.boards.get(places()[view.place][0].board)
+        shown = view.outline.shows
+        times = board.times(shown, self.natural, sizes) if board is not None else None
+        share = sizes[view.sizes[0]] / self.natural[view.sizes[0]]
+        if times is None:
+            return share, share
+        base, larger = times
+        return base or (share if view.role == GRAPH else larger), larger
+
+    def fits(self, order: int, sizes: Sizes) -> bool:
+        """Whether the first sheet of an order holds all its views."""
+        return fits(self.outlines(order, sizes), self.sheets[order][0]) is not None
+
+    def share(self, order: int, sizes: Sizes) -> float:
+        """Return what share of a sheet's free room the views of an order take, each with its gap."""
+        taken = sum((b.width + GAP) * (b.height + GAP) for b in self.outlines(order, sizes))
+        return taken / self.sheets[order][0].area
+
+    def too_large(self, sizes: Sizes) -> Iterator[tuple[ViewBox, float]]:
+        """Yield the views that no sheet of their format holds, and what share of their size one would."""
+        for boxes, rooms in zip(self.views, self.sheets, strict=True):
+            for view in boxes:
+                found = self.outline(view, sizes)
+                share = rooms[0].within.share(found.width, found.height)
+                if share < 1.0 and view.sizes:
+                    yield view, share
+
+    def over(self, sizes: Sizes) -> list[int]:
+        """Return the orders (indices) of which a view fits no sheet."""
+        return [
+            k
+            for k, (boxes, rooms) in enumerate(zip(self.views, self.sheets, strict=True))
+            if any(_share(self.outline(v, sizes), rooms[0]) < 1.0 for v in boxes)
+        ]
+
+    def fill(self, size: str, sizes: Sizes) -> float:
+        """Return how full the emptiest order is that shows something of a size: boxes by free room."""
+        found = [1.0]
+        for k, (views, rooms) in enumerate(zip(self.views, self.sheets, strict=True)):
+            if any(size in sizes_of(view.place, view.role, self.scene) for view in views):
+                boxes = self.outlines(k, sizes)
+                taken = sum(box.width * box.height for box in boxes) / rooms[0].area
+                found.append(taken / math.ceil(taken / FULL))
+        return min(found)
+
+    def by_hand(self, drawn: Drawn, free: Set[str]) -> dict[str, float]:
+        """Return, by plan, the share of its size at which a sheet holds what a hand drew, if it does not."""
+        way: dict[str, float] = {}
+        for order, rooms in zip(self.scene.sheets, self.sheets, strict=True):
+            for place in free & set(order.place):
+                for view in views_of(place, self.scene, [drawn], False):
+                    name = sizes_of(place, view.role, self.scene)[:1]
+                    held = share(view, rooms[0].within)
+                    if held < 1.0 and name and name[0] in free:
+                        way[name[0]] = min(way.get(name[0], LESS), held)
+        return way
+
+
+def _share(box: Outline, room: Room) -> float:
+    return room.within.share(box.width, box.height) * (1 + 1e-12)
+
+
+def _larger(length: float, times: float) -> float:
+    return length + max(length - SIGNS, 0.0) * (times - 1.0)
+
+
+def _width(label: Label) -> float:
+    across = [spot.real for spot in corners(label)]
+    return max(across) - min(across)

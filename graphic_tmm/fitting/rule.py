@@ -1,0 +1,106 @@
+"""Sizes by rule, as a teacher tells them; one step a sheet where its views take more than it has, or far less.
+
+Everything has a natural size, see `Size`: no larger is drawn what is measured on a sheet of that format. Then
+each sheet ordered takes one step: up while it has room, down where that saves a sheet. Velocities, polygons and
+diagrams give way before positions, groups and wheels do. A size that several sheets show takes the least step.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from graphic_tmm.fitting.rooms import LESS, Rooms
+from graphic_tmm.fitting.sizes import Size, Sizes, usual
+from graphic_tmm.fitting.tried import Board
+from graphic_tmm.scene.records import Scene
+
+STEPS: Mapping[int, tuple[float, float]] = {
+    2: (1.4, 1.4),
+    1: (1.2, 1.2),
+    0: (1.0, 1.0),
+    -1: (0.85, 1.0),
+    -2: (0.7, 1.0),
+    -3: (0.7, 0.85),
+    -4: (0.6, 0.85),
+    -5: (0.6, 0.72),
+}
+"""By step: the share of their natural size that those take which give way first, and all others."""
+FULL, EMPTY = 0.92, 0.5
+"""What takes a larger share of a sheet, gaps among it, fits never; what takes less always. In between it is
+tried. Of the sheets of the gallery."""
+PACKED = 0.8
+"""What share of a row of sheets is taken where views are spread over several."""
+THIRD = 1 / 3
+"""No sheet is opened for less than this share of it."""
+TRIALS = 30
+"""How often what no sheet holds gives way."""
+
+
+def by_rule(scene: Scene, boards: Sequence[Board]) -> tuple[Sizes, Rooms]:
+    """Return the sizes in which boards are drawn, and the room that their views take."""
+    found: Sizes = usual(scene)
+    rooms = Rooms(scene, boards, found)
+    own = {name: size for board in boards for name, size in board.sizes.items()}
+    free = {name: size for name, size in own.items() if not size.fixed(scene)}
+    held = _held(rooms, found, free)
+    steps = [_step(rooms, k, held, free) for k in range(len(scene.sheets))]
+    return _held(rooms, _stepped(rooms, steps, held, free), free), rooms
+
+
+def _stepped(
+    rooms: Rooms, steps: Sequence[int | None], sizes: Sizes, free: Mapping[str, Size]
+) -> Sizes:
+    """Return sizes of which each takes the least step of the sheets (None: of no views) that show it."""
+    least: dict[str, int] = {}
+    for step, views in zip(steps, rooms.views, strict=True):
+        for name in {name for view in views for name in view.sizes}:
+            if step is not None:
+                least[name] = min(step, least.get(name, step))
+    return {**sizes, **{n: _size(free[n], sizes[n], rooms.natural[n], k) for n, k in least.items()}}
+
+
+def _size(size: Size, held: float, usual: float, step: int) -> float:
+    share = STEPS[step][0 if size.first else 1]
+    if step > 0 and held < usual:
+        return held
+    return min(held, usual) * min(max(share, size.low), size.high)
+
+
+def _step(rooms: Rooms, order: int, sizes: Sizes, free: Mapping[str, Size]) -> int | None:
+    """Return the largest step at which the views of an order take no more sheets than they have to."""
+    names = {name for view in rooms.views[order] for name in view.sizes}
+    if not names:
+        return None
+
+    def at(step: int) -> Sizes:
+        return {
+            **sizes,
+            **{n: _size(free[n], sizes[n], rooms.natural[n], step) for n in names},
+        }
+
+    if rooms.share(order, at(min(STEPS))) <= FULL:
+        for step in sorted(STEPS, reverse=True):
+            share = rooms.share(order, at(step))
+            if share <= EMPTY or (share <= FULL and rooms.fits(order, at(step))):
+                return step
+    sheets = {step: math.ceil(rooms.share(order, at(step)) / PACKED) for step in STEPS}
+    most = max(sheets[0], 2)
+    if rooms.share(order, at(0)) / PACKED - (most - 1) < THIRD:
+        most = max(min(most, sheets[-2]), 2)
+    return max((step for step in STEPS if sheets[step] <= most), default=-1)
+
+
+def _held(rooms: Rooms, sizes: Sizes, free: Mapping[str, Size]) -> Sizes:
+    """Return sizes at which a sheet holds every view, as far as the scene leaves them free."""
+    for _ in range(TRIALS):
+        way: dict[str, float] = {}
+        for view, share in rooms.too_large(sizes):
+            least = {n: free[n].least * rooms.natural[n] for n in view.sizes}
+            name = next((n for n in view.sizes if sizes[n] > least[n]), None)
+            if name is not None:
+                way[name] = min(way.get(name, LESS), share)
+        if not way:
+            break
+        sizes = {**sizes, **{name: sizes[name] * share for name, share in way.items()}}
+    return sizes
