@@ -43,7 +43,7 @@ def test_a_guide_is_told_at_the_angle_that_the_author_gives(
     written: str, told: float, tmp_path: Path
 ) -> None:
     """135° is no -45°: the sense of a guide is the author's."""
-    text = slider_crank('speed = "100 rpm"').replace("angle = 0", f'angle = "{written} deg"')
+    text = slider_crank('speed = "100 rpm"\n').replace("angle = 0", f'angle = "{written} deg"')
     path = tmp_path / "scene.toml"
     path.write_text(text + TAIL, encoding="utf-8")
     assert {row.symbol: row.value for row in given_rows(read(path))}["α_{x}"] == told
