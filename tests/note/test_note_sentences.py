@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import pytest
 from support.gallery import scene
-from support.laid_out import drawn_case
+from support.laid_out import drawn_case, note_of_case
 
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Side
 from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.note.document import Formula, Once, Paragraph, Ref, Runs, Table, Text
 from graphic_tmm.readers.sentences import phrase
 from graphic_tmm.studio import make
 
@@ -44,3 +45,29 @@ def test_no_sentence_calls_two_things_by_one_name() -> None:
 @pytest.mark.parametrize("name", ["engine", "project", "slider-diagrams"])
 def test_no_sentence_of_the_package_does(name: str) -> None:
     assert _namesakes(make(scene(name))) == []
+
+
+def test_why_a_scale_factor_is_chosen_stands_beside_its_calculation() -> None:
+    """No paragraph of reasons: the first words of a cell give the reason of what follows in it."""
+    blocks = note_of_case(CASE).blocks
+    table = next(one for one in blocks if isinstance(one, Table) and one.id == "table-scales")
+    above = blocks[blocks.index(table) - 1]
+    assert isinstance(above, Paragraph)
+    assert sum(isinstance(run, Ref) for run in above.runs) == 1
+    assert len(_words(above.runs)) < LINE
+    reasoned = [cell for _, cell, _ in table.rows if _words(cell).count(".") > _formulas(cell)]
+    assert len(reasoned) >= 4
+
+
+LINE = 120
+"""Letters of a line or two."""
+
+
+def _words(runs: Runs) -> str:
+    """The plain words of runs."""
+    inside = (run.runs if isinstance(run, Once) else (run,) for run in runs)
+    return "".join(run.text for some in inside for run in some if isinstance(run, Text))
+
+
+def _formulas(cell: Runs) -> int:
+    return sum(isinstance(run, Formula) for run in cell)
