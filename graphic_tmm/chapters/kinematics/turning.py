@@ -12,8 +12,8 @@ from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.operations.instruments import stand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
 from graphic_tmm.chapters.kinematics.ink_numbers import Letters
+from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
 from graphic_tmm.chapters.kinematics.ink_positions import FULL, PositionsInk, path_stays
 from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN, KinematicPlans, sides_at
 from graphic_tmm.chapters.kinematics.positions import side_record, side_values

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import random
 
+import numpy as np
 import pytest
 from support.arc_cams import FLANKS, KINDS, drawn, random_order
 from support.figures import assert_pictures_make_the_view, without_ink, without_source
@@ -42,6 +43,37 @@ def test_steps_of_random_cams_are_their_ink(kind: str) -> None:
     assert_pictures_make_the_view(log, view)
     contours = [stroke for stroke in view.strokes if stroke.part == "contour"]
     assert len(contours) == (3 if flank == "sharp" else 4)
+
+
+def leaders(view: Drawing) -> list[tuple[complex, complex]]:
+    """The ends of the leaders of radii: off the arc, on it."""
+    lines = [s for s in view.strokes if isinstance(s, Stroke) and s.part == "dimension"]
+    ends = [
+        [complex(x, y) for x, y, _ in s.path] for s in lines if len(s.path) == 2 and not s.filled
+    ]
+    return [(one[0], one[1]) for one in ends]
+
+
+@pytest.mark.parametrize("flank", ["convex", "hollow"])
+def test_every_radius_has_a_leader_that_points_at_its_arc_square_to_it(flank: str) -> None:
+    made, log, reading = drawn(random_order(random.Random(f"led {flank}"), KINDS[0], flank))
+    contour = made.contour
+    arcs = [one for one in contour.arcs.values() if one.centre is not None]
+    radii = {one.name: f"r_{{{n}}}" for n, one in enumerate(arcs, 1) if one.radius is not None}
+    names = ArcNames([str(k) for k in range(len(made.angles))], radii)
+    view = draw_contour_ink(Subject(log, reading, "T"), made, names)
+    found = leaders(view)
+    assert len(found) == len(radii)
+    for tail, spot in found:
+        due = [
+            (abs(spot - c) - r, ((spot - tail) / (spot - c)).imag)
+            for one in arcs
+            if one.name in radii
+            for c in [complex(np.ravel(reading[one.centre])[0])]
+            for r in [float(np.ravel(reading[one.radius])[0])]
+        ]
+        assert min(abs(off) + abs(aslant) for off, aslant in due) < 1e-6
+    assert "ω_{1}" in [one.text for one in view.wanted]
 
 
 def bows(view: Drawing, part: str) -> list[tuple[complex, complex, float]]:
