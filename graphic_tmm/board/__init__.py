@@ -1,1 +1,1 @@
-"""The drawing board: numpy only; knows no mechanisms and no paper."""
+"""The drawing board: of packages numpy, llvmlite in `compile`; knows no mechanism, scene or paper."""

@@ -13,7 +13,6 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.composition import Composition, Placed, distinct_names
 from graphic_tmm.fitting.formats import oversized, room_on, views_of
 from graphic_tmm.fitting.given import restored_sheets
-from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import millimetres, unit_name
@@ -24,6 +23,7 @@ from graphic_tmm.paper.formats import size_of
 from graphic_tmm.paper.packing import Room, in_pieces
 from graphic_tmm.paper.sheet_frame import frame
 from graphic_tmm.scene.chapter import MECHANISM
+from graphic_tmm.scene.designations import designation, documents
 from graphic_tmm.scene.records import Scene, SheetOrder
 
 if TYPE_CHECKING:
@@ -134,19 +134,6 @@ def orders(scene: Scene) -> list[tuple[SheetOrder, tuple[Room, Room]]]:
     ]
 
 
-def documents(scene: Scene) -> list[int]:
-    """Return, by order, of which document its sheets are, from 0.
-
-    Sheets follow each other in one, with one designation, but where one of them is named: it begins a document
-    of its own, with the form of a first sheet.
-    """
-    found = list[int]()
-    for order in scene.sheets:
-        own = order.name or order.designation
-        found.append(found[-1] + bool(own) if found else 0)
-    return found
-
-
 def _wanted(scene: Scene, boards: Sequence[Drawn]) -> tuple[list[sheets.Order], list[Drawing]]:
     """Return the orders of a scene's sheets as boxes, and the views of all of them in the same order."""
     found, there = list[sheets.Order](), list[Drawing]()
@@ -184,11 +171,9 @@ def _fields(
 
     ``views``: that stand on it.
     """
-    fields, order, _ = dict(scene.title_block), scene.sheets[k], speaking(scene.language)
-    paper = documents(scene)[k] + 1
-    series = _("TMM.01.{sheet}.000", context="designation").format(sheet=f"{paper:02d}")
-    fields["name"] = order.name or fields.get("name") or scene.title
-    fields["designation"] = order.designation or fields.get("designation") or series
+    fields = dict(scene.title_block)
+    fields["name"] = scene.sheets[k].name or fields.get("name") or scene.title
+    fields["designation"] = designation(scene, k)
     reduction = _reduction(boards, views)
     if reduction is not None:
         fields.setdefault("scale", _ratio(reduction, scene.language))

@@ -16,7 +16,7 @@ from graphic_tmm.paper.drawing import Drawing, Ink, Label, Sheet, shifted
 from graphic_tmm.paper.formats import size_of
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.ruled import PITCH
-from graphic_tmm.paper.sheet_frame import drawing_area, frame
+from graphic_tmm.paper.sheet_frame import drawing_area, frame, standard
 
 EDGE = 5.0
 """White within the frame, mm."""
@@ -91,9 +91,13 @@ class Paper(NamedTuple):
     head: complex
 
 
-def paper(language: str) -> Paper:
-    """Return the room of a sheet; its head stands beside what the frame has at the upper edge."""
-    inner, occupied = drawing_area(FORMAT, language, first=False)
+def paper(language: str, *, opens: bool = False) -> Paper:
+    """Return the room of a sheet; its head stands beside what the frame has at the upper edge.
+
+    ``opens``: whether it is the first of a text, for which ГОСТ 2.104 has a form of its own.
+    """
+    opens = opens and standard(language) == "GOST"
+    inner, occupied = drawing_area(FORMAT, language, opens, text=True)
     above = [box for box in occupied if box.top >= inner.top - 1e-9]
     below = [box.top for box in occupied if box not in above]
     return Paper(
@@ -260,18 +264,21 @@ def framed(
     *,
     check: bool,
     stem: str = "steps",
+    opens: bool = False,
 ) -> list[Sheet]:
     """Return sheets in their frames; each is told by what it is called and what stands on it.
 
-    ``stem``: what they are called besides their numbers.
+    ``stem``: what they are called besides their numbers; ``opens``: whether the first bears the form of one.
     """
     width, height = size_of(FORMAT)
+    opens = opens and standard(language) == "GOST"
     found = []
     for n, (called, drawings) in enumerate(made, 1):
         edge = frame(
             FORMAT,
             language=language,
-            first=False,
+            first=opens and n == 1,
+            text=True,
             number=n,
             count=len(made),
             fields={**fields, "name": called},

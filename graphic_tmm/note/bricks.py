@@ -179,7 +179,7 @@ def _block(
     wide = (lead, lead - 0.01, *[each] * len(shown))
     id = f"table-{plan}-{shown[0]}".replace(" ", "-")
     align = "lc" + "c" * len(shown)
-    made = Table(id, text(title), heads, tuple(rows), align, wide, apart=True)
+    made = Table(id, text(title), heads, tuple(rows), align, wide)
     return in_columns(made._replace(widths=())) if len(shown) <= NARROW else made
 
 
@@ -256,7 +256,7 @@ def results(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
     names = ["value", "figure", "unit", *(("finer row", "off") if fine is not None else ())]
     heads = tuple(text(words[name]) for name in names)
     id, title = f"table-results-{chapter.name}", text(words["results"])
-    yield in_columns(Table(id, title, heads, tuple(rows), "lcccc"[: len(heads)], apart=True))
+    yield in_columns(Table(id, title, heads, tuple(rows), "lcccc"[: len(heads)]))
     if off := told_off(drawn, language) if curved else ():
         yield Paragraph(lettered("; ".join(off) + "."))
     if curved and sampled(drawn):

@@ -136,7 +136,7 @@ class Table(NamedTuple):
     """A ruled table: its id, its caption, heads, rows of cells; ``align``: "l", "c", "r" of each column.
 
     ``widths``: shares of the text's width, () for as wide as needed. ``ruled``: with lines and a number.
-    ``long``: it may go on over pages, its heads above it on each; ``apart``: it may stand where there is room.
+    ``long``: it may go on over pages however few its rows are.
     """
 
     id: str
@@ -147,7 +147,6 @@ class Table(NamedTuple):
     widths: tuple[float, ...] = ()
     ruled: bool = True
     long: bool = False
-    apart: bool = False
 
 
 class Picture(NamedTuple):

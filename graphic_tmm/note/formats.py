@@ -13,9 +13,20 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.note import pandoc, word
 from graphic_tmm.note.document import Document, Picture, Table
 from graphic_tmm.note.figures import DrawnFigure, drawn_figures
-from graphic_tmm.note.pandoc import CONTENTS, Outline, Target, Tree, raw
 from graphic_tmm.note.pdf import pdf, typesetter
 from graphic_tmm.note.styles import CSS
+from graphic_tmm.note.target import (
+    CONTENTS,
+    LEADING,
+    NONE,
+    RAGGED,
+    Outline,
+    Target,
+    Tree,
+    classed,
+    escaped,
+    raw,
+)
 from graphic_tmm.paper.write.svg import svg
 
 FORMATS = ("pdf", "html", "docx", "md")
@@ -151,7 +162,7 @@ def _listed_contents(language: str, *, linked: bool = True) -> Callable[[Outline
             if entry.level > 2:
                 continue
             words = [{"t": "Str", "c": entry.text}]
-            link = {"t": "Link", "c": [pandoc.NONE, words, [f"#{entry.id}", ""]]}
+            link = {"t": "Link", "c": [NONE, words, [f"#{entry.id}", ""]]}
             plain = {"t": "Plain", "c": [link] if linked else words}
             if entry.level == 1 or not items:
                 items.append([plain])
@@ -179,7 +190,7 @@ def markdown(
     def picture(block: Picture) -> Tree:
         one = shown[block.id]
         words = [{"t": "Str", "c": one.alt}]
-        return {"t": "Image", "c": [pandoc.NONE, words, [f"{stem}-{one.name}.svg", ""]]}
+        return {"t": "Image", "c": [NONE, words, [f"{stem}-{one.name}.svg", ""]]}
 
     target = Target(
         pandoc.MARKDOWN[0],
@@ -190,7 +201,7 @@ def markdown(
         _emphasised,
         captioned=False,
         linked=False,
-        word=pandoc.escaped(pandoc.MARKDOWN[0].partition("+")[0], _MARKED),
+        word=escaped(pandoc.MARKDOWN[0].partition("+")[0], _MARKED),
     )
     found: dict[str, str | bytes] = {f"{stem}.md": pandoc.written(document, target).decode("utf-8")}
     for one in shown.values():
@@ -202,7 +213,7 @@ def _emphasised(block: Tree, style: str) -> list[Tree]:
     """Return a paragraph of the title page as Markdown has it."""
     if style == "space":
         return []
-    if style in (pandoc.RAGGED, pandoc.LEADING):
+    if style in (RAGGED, LEADING):
         return [block]
     strong = {"t": "Strong", "c": block["c"]}
     return [{"t": "Para", "c": [strong]}] if style == "title" else [block]
@@ -224,7 +235,7 @@ def docx(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dic
     def styled(block: Tree, style: str) -> list[Tree]:
         if style == "space":
             return [raw("openxml", word.empty(document), block=True)]
-        return [pandoc.classed(block, style)]
+        return [classed(block, style)]
 
     with TemporaryDirectory() as folder:
         home = Path(folder)

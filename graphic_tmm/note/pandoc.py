@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import subprocess
-from collections.abc import Callable, Iterator, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Iterator, Sequence
+from typing import Any
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import code_of, speaking
@@ -41,59 +40,29 @@ from graphic_tmm.note.document import (
     runs_of,
     walk,
 )
+from graphic_tmm.note.target import (
+    LEADING,
+    NONE,
+    RAGGED,
+    ContentsEntry,
+    Outline,
+    Target,
+    Tree,
+    as_words,
+    classed,
+    of,
+)
 from graphic_tmm.note.tex import one_word, spelt, tex
-from graphic_tmm.note.widths import packed
+from graphic_tmm.note.widths import packed, wholes
 
 API = [1, 23, 1]
 """The version of pandoc's tree that is written."""
-NONE: list[Any] = ["", [], []]
-"""An element without id, classes and attributes."""
+UNSEEN: list[Any] = ["", [], [["typst:stroke", "none"], ["typst:inset", "0pt"]]]
+"""A cell without lines and white (typst)."""
 ALIGN = {"l": "AlignLeft", "c": "AlignCenter", "r": "AlignRight"}
 FIGURE, TABLE = said("Figure {number} — "), said("Table {number} — ")
+CONTINUED = said("Table {number}, continued")
 FIGURE_AT, TABLE_AT = said("figure {number}"), said("table {number}")
-
-Tree = dict[str, Any]
-
-
-class ContentsEntry(NamedTuple):
-    """A heading in the contents: its level, its id, what it says."""
-
-    level: int
-    id: str
-    text: str
-
-
-Outline = tuple[ContentsEntry, ...]
-
-CONTENTS = said("Contents")
-"""The heading of the outline."""
-
-
-class Target(NamedTuple):
-    """A format as pandoc is asked for it: its name there, options, and what it has of its own.
-
-    ``picture``: the inline that shows a figure, ``contents`` and ``break_page``: blocks; ``styled``: a
-    paragraph of the title page, ``tabled``: a table as it stands,
-    ``part``: a heading without a number. ``captioned``: a figure and its caption
-    are one; ``figure``: what they are instead. ``styled_rows``: parts beside one another and their caption are
-    paragraphs of the styles of a figure. ``linked``: places in it have names. ``word``: a word of plain text,
-    with what pandoc does not escape. ``headed``: the first cell of a row is its head.
-    """
-
-    name: str
-    picture: Callable[[Picture], Tree]
-    contents: Callable[[Outline], list[Tree]]
-    break_page: Callable[[], list[Tree]]
-    options: tuple[str, ...] = ()
-    styled: Callable[[Tree, str], list[Tree]] = lambda block, style: styled(block, style)
-    tabled: Callable[[Tree, Table], list[Tree]] = lambda made, table: [made]
-    part: Callable[[Tree], list[Tree]] = lambda heading: [heading]
-    captioned: bool = True
-    linked: bool = True
-    headed: bool = False
-    figure: Callable[[Picture | SideBySide, Tree], list[Tree]] | None = None
-    styled_rows: bool = False
-    word: Callable[[str], list[Tree]] = lambda word: _plain(word)
 
 
 class _Writer:
@@ -107,7 +76,7 @@ class _Writer:
 
     def tree(self) -> Tree:
         meta = {
-            "title": {"t": "MetaInlines", "c": _words(self.document.title)},
+            "title": {"t": "MetaInlines", "c": as_words(self.document.title)},
             "lang": {"t": "MetaString", "c": code_of(self.document.language)},
         }
         blocks = [one for k, b in enumerate(self.document.blocks) for one in self.block(b, k)]
@@ -129,11 +98,11 @@ class _Writer:
             made = self.heading(block, k)
             return [made] if block.numbered else self.target.part(made)
         if isinstance(block, Paragraph):
-            told = _of("Para", self.inlines(block.runs))
+            told = of("Para", self.inlines(block.runs))
             style = block.style or _set_as(block)
             return self.target.styled(told, style) if style else [told]
         if isinstance(block, Display):
-            return [_of("Para", [self.row(one)]) for one in packed(block.formulas)]
+            return [one for rows in wholes(packed(block.formulas)) for one in self.whole(rows)]
         if isinstance(block, Listed):
             return list(self.listed(block))
         if isinstance(block, Table):
@@ -146,11 +115,16 @@ class _Writer:
         assert isinstance(block, Break)
         return self.target.break_page()
 
+    def whole(self, rows: Sequence[Sequence[Formula]]) -> list[Tree]:
+        """Return a formula line by line, or some beside one another."""
+        told = [of("Para", [self.row(one)]) for one in rows]
+        return self.target.whole(told) if len(told) > 1 else told
+
     def heading(self, block: Heading, k: int) -> Tree:
         number = self.numbers.headings.get(k)
-        told = _words(f"{number} ") if number else []
+        told = as_words(f"{number} ") if number else []
         classes = [] if block.numbered else ["unnumbered"]
-        return _of(
+        return of(
             "Header",
             [block.level, [_section(k), classes, []], [*told, *self.inlines(block.runs)]],
         )
@@ -161,27 +135,31 @@ class _Writer:
         if all(labels):
             start = int(labels[0].partition("–")[0])
             style = [start, {"t": "Decimal"}, {"t": "OneParen"}]
-            yield _of("OrderedList", [style, items])
+            yield of("OrderedList", [style, items])
         else:
-            yield _of("BulletList", items)
+            yield of("BulletList", items)
 
     def table(self, block: Table) -> Tree:
         aligned = [
-            [{"t": ALIGN[a]}, _of("ColWidth", w) if w else {"t": "ColWidthDefault"}]
+            [{"t": ALIGN[a]}, of("ColWidth", w) if w else {"t": "ColWidthDefault"}]
             for a, w in zip(block.align, block.widths or [0.0] * len(block.align), strict=True)
         ]
         caption = []
         if block.ruled:
             number = self.speech(TABLE, number=self.numbers.tables[block.id])
-            caption = [_of("Plain", [*_words(number), *self.inlines(block.caption)])]
+            caption = [of("Plain", [*as_words(number), *self.inlines(block.caption)])]
         rows = [[self.cell(cell) for cell in row] for row in block.rows]
         heads = [_row([self.cell(cell) for cell in block.heads])] if any(block.heads) else []
+        if heads and block.ruled and self.target.continued is not None:
+            words = self.speech(CONTINUED, number=self.numbers.tables[block.id])
+            inside = [of("Plain", [self.target.continued(block.id, words)])]
+            heads.insert(0, _row([[UNSEEN, {"t": "AlignLeft"}, 1, len(block.heads), inside]]))
         attributes = [
             block.id if self.target.linked else "",
             [] if block.ruled else ["unruled"],
             [],
         ]
-        return _of(
+        return of(
             "Table",
             [
                 attributes,
@@ -200,23 +178,23 @@ class _Writer:
         return int(self.target.headed and any(block.heads) and not folded)
 
     def cell(self, runs: Sequence[Run]) -> list[Any]:
-        inside = [_of("Plain", self.inlines(runs))] if runs else []
+        inside = [of("Plain", self.inlines(runs))] if runs else []
         return [NONE, {"t": "AlignDefault"}, 1, 1, inside]
 
     def figure(self, block: Picture | SideBySide) -> list[Tree]:
         number = self.speech(FIGURE, number=self.numbers.figures[block.id])
-        caption = [*_words(number), *self.inlines(block.caption)]
+        caption = [*as_words(number), *self.inlines(block.caption)]
         parts = block.parts if isinstance(block, SideBySide) else (block,)
         shown = [one for part in parts for one in (self.target.picture(part), {"t": "Space"})][:-1]
         if not self.target.captioned:
-            return [_of("Para", shown), _of("Para", caption)]
+            return [of("Para", shown), of("Para", caption)]
         if self.target.figure is not None:
-            return self.target.figure(block, _of("Plain", caption))
+            return self.target.figure(block, of("Plain", caption))
         if isinstance(block, SideBySide) and self.target.styled_rows:
-            row = classed(_of("Para", shown), "Captioned Figure", block.id)
-            return [row, classed(_of("Para", caption), "Image Caption")]
-        whole = [[block.id, [], []], [None, [_of("Plain", caption)]], [_of("Plain", shown)]]
-        return [_of("Figure", whole)]
+            row = classed(of("Para", shown), "Captioned Figure", block.id)
+            return [row, classed(of("Para", caption), "Image Caption")]
+        whole = [[block.id, [], []], [None, [of("Plain", caption)]], [of("Plain", shown)]]
+        return [of("Figure", whole)]
 
     # ------------------------------------------------------------ runs
 
@@ -227,19 +205,19 @@ class _Writer:
         if isinstance(run, Formula | Symbol):
             return [self.math(run)]
         if isinstance(run, Number):
-            return [_of("Str", self.plain(run))]
+            return [of("Str", self.plain(run))]
         if isinstance(run, Letter):
-            return [_of("Str", letter_of(run.of, self.document.language))]
+            return [of("Str", letter_of(run.of, self.document.language))]
         if isinstance(run, Ref):
-            words = _words(self.plain(run))
+            words = as_words(self.plain(run))
             to = self.numbers.wholes.get(run.to, run.to)
-            return [_of("Link", [NONE, words, [f"#{to}", ""]])] if self.target.linked else words
+            return [of("Link", [NONE, words, [f"#{to}", ""]])] if self.target.linked else words
         if not isinstance(run, Text):
             return []
-        inside = _words(run.text, self.target.word)
+        inside = as_words(run.text, self.target.word)
         if run.style == "strong":
-            return [_of("Strong", inside)]
-        return [_of("Emph", inside)] if run.style else inside
+            return [of("Strong", inside)]
+        return [of("Emph", inside)] if run.style else inside
 
     def plain(self, run: Run) -> str:
         """Return a run as plain words."""
@@ -255,11 +233,11 @@ class _Writer:
     def row(self, beside: Sequence[Formula]) -> Tree:
         """Return formulas beside one another on a line of their own."""
         told = [tex(one, self.document.language, self.put) for one in beside]
-        return _of("Math", [{"t": "DisplayMath"}, r";\qquad ".join(told)])
+        return of("Math", [{"t": "DisplayMath"}, r";\qquad ".join(told)])
 
     def math(self, one: Formula | Symbol) -> Tree:
         """Return a formula among words."""
-        return _of("Math", [{"t": "InlineMath"}, tex(one, self.document.language, self.put)])
+        return of("Math", [{"t": "InlineMath"}, tex(one, self.document.language, self.put)])
 
 
 def _set_as(block: Paragraph) -> str:
@@ -293,67 +271,12 @@ def formulas(document: Document) -> int:
 MARKDOWN = ("gfm+tex_math_dollars", "markdown")
 
 
-def _of(kind: str, content: object) -> Tree:
-    return {"t": kind, "c": content}
-
-
 def _section(k: int) -> str:
     return f"section-{k}"
 
 
 def _row(cells: list[Any]) -> list[Any]:
     return [NONE, cells]
-
-
-def styled(block: Tree, style: str) -> list[Tree]:
-    """Return a paragraph of a style; how it is set is of no account but on pages."""
-    return [block] if style in (RAGGED, LEADING) else [classed(block, style)]
-
-
-RAGGED, LEADING = "ragged", "leading"
-"""How a paragraph is set whose lines are not spread; one that stays with what follows it."""
-
-
-def classed(block: Tree, style: str, id: str = "") -> Tree:
-    """Return a block as one of a class, which is a style to a word processor."""
-    return _of("Div", [[id, [style], [["custom-style", style]]], [block]])
-
-
-def _plain(word: str) -> list[Tree]:
-    return [_of("Str", word)]
-
-
-def _words(text: str, word: Callable[[str], list[Tree]] = _plain) -> list[Tree]:
-    """Return plain text as words and spaces; lines that are broken stay so."""
-    found: list[Tree] = []
-    for k, line in enumerate(text.split("\n")):
-        if k:
-            found.append({"t": "LineBreak"})
-        for j, one in enumerate(line.split(" ")):
-            if j:
-                found.append({"t": "Space"})
-            found += word(one) if one else []
-    return found
-
-
-def escaped(form: str, strange: re.Pattern[str]) -> Callable[[str], list[Tree]]:
-    """Return how words are written in a format with a backslash before what would mean something there."""
-
-    def word(text: str) -> list[Tree]:
-        found: list[Tree] = []
-        done = 0
-        for match in strange.finditer(text):
-            found += [_of("Str", text[done : match.start()])] if match.start() > done else []
-            found.append(raw(form, f"\\{match[0]}"))
-            done = match.end()
-        return [*found, _of("Str", text[done:])] if done < len(text) else found
-
-    return word
-
-
-def raw(form: str, text: str, *, block: bool = False) -> Tree:
-    """Return what a format takes as it is written."""
-    return _of("RawBlock" if block else "RawInline", [form, text])
 
 
 def written(

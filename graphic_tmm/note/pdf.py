@@ -14,16 +14,12 @@ from graphic_tmm.language.said import said
 from graphic_tmm.note import pandoc
 from graphic_tmm.note.document import Document, Picture, SideBySide, Table
 from graphic_tmm.note.figures import DrawnFigure
-from graphic_tmm.note.pandoc import CONTENTS, Target, Tree, raw
 from graphic_tmm.note.styles import APART, NEARER, TYPST
+from graphic_tmm.note.target import CONTENTS, LEADING, RAGGED, Target, Tree, escaped, raw
 from graphic_tmm.paper.write.svg import svg
 
-TALL = 30.0
-"""A figure higher than this, mm, may stand at the foot of a page, so that none is left half empty."""
-SHORT = 14
+SHORT = 8
 """A table of so many rows stands on one page."""
-FAULT = "internal error"
-"""How the typesetter calls a fault of its own."""
 
 _SHORT = re.compile(r"(?<=\.\.)\.")
 """Three points, for which typst has a sign of its own."""
@@ -42,8 +38,7 @@ def pdf(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dict
             for one in parts
         ]
         image = told[0] if len(told) == 1 else f"beside({', '.join(told)})"
-        where = "floating" if max(one.height for one in parts) > TALL else "none"
-        opening = f"#figure(placement: {where}, kind: image, supplement: none, {image}, caption: ["
+        opening = f"#figure(kind: image, supplement: none, {image}, caption: ["
         closing = raw("typst", f"]) <{block.id}>", block=True)
         return [raw("typst", opening, block=True), caption, closing]
 
@@ -58,7 +53,9 @@ def pdf(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dict
         _tabled,
         _part,
         figure=figure,
-        word=pandoc.escaped("typst", _SHORT),
+        word=escaped("typst", _SHORT),
+        whole=_whole,
+        continued=lambda id, words: raw("typst", f"#continued(<{id}>)[{words}]"),
     )
     body = pandoc.written(document, target).decode("utf-8")
     head = (
@@ -70,37 +67,26 @@ def pdf(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dict
         home = Path(folder)
         for one in shown.values():
             (home / f"{one.name}.svg").write_text(svg(one.sheet), encoding="utf-8")
-        return {f"{stem}.pdf": _compiled(typst, home, f"{head}{TYPST}{body}")}
-
-
-def _compiled(typst: Any, home: Path, source: str) -> bytes:
-    """Return what is set; high figures go where there is room for them, or stand where they are told of.
-
-    The typesetter fails to tag some pages with figures that move (typst, issue 8487): then none does.
-    """
-    for floating in ("auto", "none"):
-        told = f"#let floating = {floating}\n{source}"
-        (home / "note.typ").write_text(told, encoding="utf-8")
-        try:
-            made: bytes = typst.compile(
-                str(home / "note.typ"), root=str(home), format="pdf", ignore_system_fonts=True
-            )
-        except typst.TypstError as error:
-            if floating == "none" or FAULT not in str(error):
-                raise
-        else:
-            return made
-    raise AssertionError(source)
+        (home / "note.typ").write_text(f"{head}{TYPST}{body}", encoding="utf-8")
+        made: bytes = typst.compile(
+            str(home / "note.typ"), root=folder, format="pdf", ignore_system_fonts=True
+        )
+    return {f"{stem}.pdf": made}
 
 
 def _set(block: Tree, style: str) -> list[Tree]:
     """Return a paragraph of the title page as typst sets it."""
     if style == "space":
         return [raw("typst", "#v(1fr)", block=True)]
-    if style in (pandoc.RAGGED, pandoc.LEADING):
+    if style in (RAGGED, LEADING):
         return [raw("typst", f"#{style}[", block=True), block, raw("typst", "]", block=True)]
     opening = "#great[" if style == "title" else "#centred["
     return [raw("typst", opening, block=True), block, raw("typst", "]", block=True)]
+
+
+def _whole(lines: list[Tree]) -> list[Tree]:
+    """Return the lines of one formula as typst keeps them together."""
+    return [raw("typst", "#together[", block=True), *lines, raw("typst", "]", block=True)]
 
 
 def _part(heading: Tree) -> list[Tree]:
@@ -110,12 +96,9 @@ def _part(heading: Tree) -> list[Tree]:
 
 def _tabled(made: Tree, table: Table) -> list[Tree]:
     """Return a table as typst sets it: without lines if it has none, on one page if it is short."""
-    if table.long:
-        return [raw("typst", "#long[", block=True), made, raw("typst", "]", block=True)]
-    if table.ruled and not table.apart and len(table.rows) > SHORT:
+    if table.long or (table.ruled and len(table.rows) > SHORT):
         return [made]
-    kind = "bare" if not table.ruled else "apart-whole" if table.apart else "whole"
-    opening = raw("typst", f"#{kind}[", block=True)
+    opening = raw("typst", "#whole[" if table.ruled else "#bare[", block=True)
     return [opening, made, raw("typst", "]", block=True)]
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from graphic_tmm.board import scales as choice
 from graphic_tmm.board.execute import execute
@@ -14,13 +13,12 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain, symbol
-from graphic_tmm.note.bricks import heading
+from graphic_tmm.note.bricks import heading, referred
 from graphic_tmm.note.document import (
     Block,
     Formula,
     Number,
     Once,
-    Paragraph,
     Run,
     Runs,
     Source,
@@ -34,7 +32,7 @@ from graphic_tmm.readers.protocol import title_of
 from graphic_tmm.scene.captions import captions, view_name
 
 PLAN, FOUND, TAKEN = said("Drawing"), said("Calculation"), said("Scale factor")
-GIVEN = said("taken from the task")
+GIVEN = said("Taken from the task")
 SHARES = (0.25, 0.55, 0.2)
 """What the columns take of a page's width."""
 OWN = frozenset({op.name for op in (choice.accepted, choice.next_standard, choice.next_ratio)})
@@ -44,49 +42,43 @@ OWN |= {choice.scale_by_turning.name}
 """Operations of the choice alone: their reasons are told here, others where their formulas are used."""
 
 
-class ScaleReasons(NamedTuple):
-    """What is told of the choice on a board: its reasons, by view the formulas."""
-
-    reasons: list[Once]
-    formulas: dict[str, list[Run]]
-
-
 def scales(made: DrawnScene, language: str) -> Iterator[Block]:
     """Yield the section of the scale factors; none where nothing is drawn to scale."""
-    found = [(drawn, _scale_reasons(drawn, language)) for drawn in made.boards]
-    rows = [row for drawn, one in found for row in _rows(drawn, one.formulas, language)]
+    rows = [
+        row
+        for drawn in made.boards
+        for row in _rows(drawn, _calculations(drawn, language), language)
+    ]
     if not rows:
         return
     _, words = speaking(language), captions(language)
     yield heading(words[SCALES], 1)
-    told: list[Run] = []
-    for reason in (reason for _, one in found for reason in one.reasons):
-        told += [Text(" "), reason] if told else [reason]
-    if told:
-        yield Paragraph(tuple(told))
     heads = text(_(PLAN)), text(_(FOUND)), text(_(TAKEN))
-    yield Table("table-scales", text(words[SCALES]), heads, tuple(rows), "lll", SHARES, long=True)
+    caption = text(words[SCALES])
+    table = Table("table-scales", caption, heads, tuple(rows), "lll", SHARES, long=True)
+    yield referred((), language, tables=[table])
+    yield table
 
 
-def _scale_reasons(drawn: Drawn, language: str) -> ScaleReasons:
-    """Return how the scale factors of a board were chosen."""
+def _calculations(drawn: Drawn, language: str) -> dict[str, list[Run]]:
+    """Return how the scale factors of a board were chosen, by view: each formula behind its reason."""
     chosen = choices(drawn)
     log, given = chosen.construction, chosen.given
-    found = ScaleReasons([], {})
+    found: dict[str, list[Run]] = {}
     if not log.steps:
         return found
     told = NumberSource(_aside(drawn), log, execute(log, given), SCALES, 0, language)
     view = ""
     for step in log.steps:
         view = _view(step) or view
+        some = found.setdefault(view, [])
         if step.reason and (step.op.name in OWN or step.why):
-            found.reasons.append(Once(step.reason, reason_runs(told, step)))
+            some += [Text(" "), Once(step.reason, reason_runs(told, step))]
         formula = calculated(told, step)
-        some = found.formulas.setdefault(view, [])
         if formula is not None and (step.op.formula or step.op is choice.next_ratio):
-            some.append(formula._replace(flat=True))
+            some += [Text(" "), formula._replace(flat=True), Text(".")]
         elif step.op is choice.accepted and not step.why:
-            some.append(Text(speaking(language)(GIVEN)))
+            some += [Text(" "), Text(f"{speaking(language)(GIVEN)}.")]
     return found
 
 
@@ -105,25 +97,25 @@ def _rows(drawn: Drawn, found: dict[str, list[Run]], language: str) -> Iterator[
     for view, scale in drawn.scales.items():
         source = Source("scale", drawn.board, view)
         told = Number(number(scale.value, language), scale.unit, source, scale.value)
-        taken = Formula((Symbol(symbol(scale.symbol, language)), told))
         name = title_of(drawn.project, view, language)
-        yield text(name), _listed(found.get(view, ())), (taken,)
+        factor = Formula((Symbol(symbol(scale.symbol, language)), told))
+        yield text(name), _runs(found.get(view, ())), (factor,)
     chosen = choices(drawn)
-    for view, letter in chosen.beside:
-        slot = str(chosen.beside[view, letter].slot)
-        scale, source = chosen.scale(view, letter), Source("mark", _aside(drawn), slot)
-        told = Number(number(scale.value, language), scale.unit, source, scale.value)
-        taken = Formula((Symbol(symbol(letter, language)), told))
+    for view in dict.fromkeys(view for view, _letter in chosen.beside):
+        taken: list[Run] = []
+        for letter in (letter for other, letter in chosen.beside if other == view):
+            slot = str(chosen.beside[view, letter].slot)
+            scale, source = chosen.scale(view, letter), Source("mark", _aside(drawn), slot)
+            told = Number(number(scale.value, language), scale.unit, source, scale.value)
+            taken += [Text("; ")] if taken else []
+            taken.append(Formula((Symbol(symbol(letter, language)), told)))
         formulas = () if view in drawn.scales else found.get(view, ())
-        yield text(view_name(view, language)), _listed(formulas), (taken,)
+        yield text(view_name(view, language)), _runs(formulas), tuple(taken)
     beside = {view for view, _letter in chosen.beside}
     for view, formulas in found.items():
         if formulas and view not in drawn.scales and view not in beside:
-            yield text(plain(view_name(view, language))), _listed(formulas), ()
+            yield text(plain(view_name(view, language))), _runs(formulas), ()
 
 
-def _listed(formulas: Sequence[Run]) -> Runs:
-    runs: list[Run] = []
-    for one in formulas:
-        runs += [Text("; "), one] if runs else [one]
-    return tuple(runs) or text("—")
+def _runs(calculations: Sequence[Run]) -> Runs:
+    return tuple(calculations[1:]) or text("—")

@@ -51,14 +51,20 @@ TYPST = """\
 #set table(stroke: 0.5pt, inset: (x: 3pt, y: 1.3pt))
 #set table.hline(stroke: 0.5pt)
 #show table: set text(size: 10pt, hyphenate: false)
+#set table.cell(breakable: false)
 #show table: it => {
   let wide = type(it.columns) == array and it.columns.len() > 10
-  set text(size: 9pt) if wide
   set table(inset: (x: 1.5pt, y: 1.5pt)) if wide
   it
 }
 #show table: set par(justify: false, leading: 0.1em, spacing: 0.1em, first-line-indent: 0mm)
 #show figure: set block(breakable: true, above: 0.8em, below: 0.8em)
+#let continued(to, told) = context {
+  let (first,) = query(to)
+  if here().page() > first.location().page() {
+    pad(bottom: 3pt, text(size: 12pt, told))
+  }
+}
 #show figure.where(kind: table): set figure.caption(position: top)
 #show figure.where(kind: table): set align(left)
 #show figure.where(kind: image): set block(breakable: false)
@@ -105,20 +111,15 @@ TYPST = """\
 }
 #let leading(told) = block(sticky: true, above: apart, below: apart, told)
 #let part(told) = align(center, told)
-#let long(told) = {
-  show table: set text(size: 9pt)
-  told
-}
-#let apart-whole(told) = {
-  set figure(placement: auto)
-  show figure: set block(breakable: false)
-  told
-}
+#let together(told) = block(breakable: false, above: apart, below: apart, told)
 #let whole(told) = {
   show figure: set block(breakable: false)
   told
 }
-#show enum: it => { show math.equation.where(block: true): set align(left); it }
+#show enum: it => block(breakable: false, {
+  show math.equation.where(block: true): set align(left)
+  it
+})
 #let great(told) = centred(text(size: 18pt, weight: "bold", told))
 """
 """Of PDF: what pandoc writes for typst is set by it; `apart` is the white between two lines of text."""

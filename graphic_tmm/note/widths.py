@@ -140,6 +140,20 @@ def packed(formulas: Sequence[Formula]) -> tuple[tuple[Formula, ...], ...]:
     return tuple(rows)
 
 
+def wholes(
+    rows: Sequence[tuple[Formula, ...]],
+) -> Iterator[Sequence[tuple[Formula, ...]]]:
+    """Yield lines of formulas, those together that are one formula."""
+    held: list[tuple[Formula, ...]] = []
+    for row in rows:
+        if held and not row[0].follows:
+            yield held
+            held = []
+        held.append(row)
+    if held:
+        yield held
+
+
 def _whole(formulas: Sequence[Formula], k: int) -> bool:
     """Whether a formula stands alone: it follows none, none follows it."""
     one = formulas[k]

@@ -17,7 +17,7 @@ from xml.sax.saxutils import escape
 
 from graphic_tmm.language.catalogue import code_of, speaking
 from graphic_tmm.note.document import Break, Document, Paragraph, Table, Text
-from graphic_tmm.note.pandoc import CONTENTS, Outline
+from graphic_tmm.note.target import CONTENTS, Outline
 
 EPOCH = (1980, 1, 1, 0, 0, 0)
 """When everything in the file was made: it does not tell."""

@@ -120,13 +120,14 @@ class Stand(NamedTuple):
 
     Views of one ``block`` stand together; ``below``: the block that stands above it. ``kind``: "lead" at the
     upper left, first of its sheet; "row" in rows with its block, "pair" no farther than 25 mm from the view
-    before it; "note" behind the rows of its block, "table" wherever there is room for it, both on any sheet of
-    a set; "" in its order.
+    before it, all of a ``position`` (an index) before the next; "note" behind the rows of its block, "table"
+    behind all of its sheet, both on any sheet of a set; "" in its order.
     """
 
     block: str = ""
     kind: str = ""
     below: str = ""
+    position: int = 0
 
 
 class Drawing(NamedTuple):

@@ -77,7 +77,8 @@ def in_pieces(view: Drawing, within: Within) -> list[Drawing]:
     """Return a view as it is where an empty sheet holds it, else what it comes apart into."""
     if view.apart is None or holds(within, view):
         return [view]
-    return [part for one in view.apart(within) for part in in_pieces(one, within)]
+    parts = [part for one in view.apart(within) for part in in_pieces(one, within)]
+    return [one if one.stand.kind else one._replace(stand=view.stand) for one in parts]
 
 
 def free(room: Room) -> list[Box]:

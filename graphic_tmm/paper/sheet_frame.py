@@ -23,6 +23,7 @@ from graphic_tmm.paper.title_block import (
     COLUMN_26,
     COLUMN_26_UPRIGHT,
     FORM_1,
+    FORM_2,
     FORM_2A,
     ISO_FIRST,
     ISO_NEXT,
@@ -69,10 +70,13 @@ class Area(NamedTuple):
     occupied: tuple[Box, ...]
 
 
-def drawing_area(format: str, language: str, first: bool) -> Area:
-    """Return the rectangle inside the frame and what title block and column 26 take of it."""
+def drawing_area(format: str, language: str, first: bool, *, text: bool = False) -> Area:
+    """Return the rectangle inside the frame and what title block and column 26 take of it.
+
+    ``text``: whether the sheet is one of a text, whose first has a form of its own.
+    """
     inner = _inner(format, language)
-    blocks = _blocks(format, language, first)
+    blocks = _blocks(format, language, first, text)
     taken = (
         Box(at.real, at.imag, at.real + block.width, at.imag + block.height)
         for block, at in blocks
@@ -90,11 +94,13 @@ def frame(
     count: int,
     fields: Mapping[str, str],
     check: bool = True,
+    text: bool = False,
 ) -> Drawing:
     """Return the frame of sheet ``number`` of ``count``, its title block filled from plain text.
 
     ``fields`` holds any of `FIELDS`; what a form has no place for is left out. A single sheet bears
-    no number (ГОСТ 2.104). ``check``: the check line stands above it.
+    no number (ГОСТ 2.104). ``check``: the check line stands above it. ``text``: it is one of a text. What is
+    not told of the letter is that of a document made for study.
     Raises SheetError for an unknown format, language or field.
     """
     unknown = sorted(set(fields) - set(FIELDS))
@@ -108,12 +114,13 @@ def frame(
             )
         )
     inner = _inner(format, language)
-    entries = {**fields, **_numbers(language, number, count)}
     gost, _ = standard(language) == "GOST", speaking(language)
+    letter = {"letter": _("S", context="letter of a document made for study")}
+    entries = {**letter, **fields, **_numbers(language, number, count)}
     if gost and "date" in fields:
         entries["date"] = _short(fields["date"])
     strokes, labels = _edges(format, inner), list[Label]()
-    for block, at in _blocks(format, language, first):
+    for block, at in _blocks(format, language, first, text):
         strokes += ruled(block, at)
         labels += lettered(block, at, entries, _)
     if gost:
@@ -165,14 +172,16 @@ def _inner(format: str, language: str) -> Box:
     return Box(binding, other, width - other, height - other)
 
 
-def _blocks(format: str, language: str, first: bool) -> tuple[tuple[Block, complex], ...]:
+def _blocks(
+    format: str, language: str, first: bool, text: bool
+) -> tuple[tuple[Block, complex], ...]:
     """Return the blocks of a sheet, each with the place of its lower left corner."""
     inner = _inner(format, language)
     corner = complex(inner.right, inner.bottom)
     if standard(language) == "ISO":
         block = ISO_FIRST if first else ISO_NEXT
         return ((block, corner - block.width),)
-    block = FORM_1 if first else FORM_2A
+    block = FORM_2A if not first else FORM_2 if text else FORM_1
     margin = complex(inner.left - MARGIN_19_23.width, inner.bottom)
     again = (COLUMN_26, complex(inner.left, inner.top - COLUMN_26.height))
     if format.endswith("portrait"):

@@ -1,6 +1,6 @@
 """Title blocks as tables: lines, captions and entries.
 
-Forms 1 and 2a of ГОСТ 2.104 with the columns in the margin, and a block with the data fields of ISO
+Forms 1, 2 and 2a of ГОСТ 2.104 with the columns in the margin, and a block with the data fields of ISO
 7200. All figures are millimetres from the lower left corner of the block, x to the right, y upward.
 """
 
@@ -48,6 +48,8 @@ CHANGES = (
     said("Sign.", context="title block"),
     said("Date", context="title block"),
 )
+LETTER, SHEET = said("Letter", context="title block"), CHANGES[1]
+SHEETS = said("Sheets", context="title block")
 EDGES = (0, 7, 17, 40, 55, 65)
 """Edges of the columns of changes, mm from the left (ГОСТ 2.104, form 1)."""
 ROLES = (
@@ -66,9 +68,16 @@ def _changes(bottom: float) -> tuple[Slot, ...]:
     return tuple(Slot(t, Box(a, bottom, b, bottom + 5), SMALL) for t, a, b in spans)
 
 
-def _roles() -> tuple[tuple[Slot, ...], tuple[Slot, ...]]:
-    """Return the captions and the entries of the six rows of signatures of form 1."""
-    rows = [(text, key, 25 - 5 * k) for k, (text, key) in enumerate(ROLES) if text]
+PEOPLE = (*ROLES[:2], *ROLES[3:])
+"""Who signs a text (form 2): nobody checks its techniques."""
+
+
+def _roles(
+    signed: Sequence[tuple[str, str]] = ROLES,
+) -> tuple[tuple[Slot, ...], tuple[Slot, ...]]:
+    """Return the captions and the entries of the rows of signatures at the foot of a form."""
+    top = 5 * len(signed) - 5
+    rows = [(text, key, top - 5 * k) for k, (text, key) in enumerate(signed) if text]
     captions = tuple(
         Slot(t, Box(0, y, 17, y + 5), SMALL, anchor="start", pad=1) for t, _, y in rows
     )
@@ -97,23 +106,11 @@ FORM_1 = Block(
     (
         *_changes(30),
         *_roles()[0],
-        Slot(said("Letter", context="title block"), Box(135, 35, 150, 40), SMALL),
+        Slot(LETTER, Box(135, 35, 150, 40), SMALL),
         Slot(said("Mass", context="title block"), Box(150, 35, 167, 40), SMALL),
         Slot(said("Scale", context="title block"), Box(167, 35, 185, 40), SMALL),
-        Slot(
-            said("Sheet", context="title block"),
-            Box(135, 15, 146, 20),
-            SMALL,
-            anchor="start",
-            pad=1,
-        ),
-        Slot(
-            said("Sheets", context="title block"),
-            Box(155, 15, 171, 20),
-            SMALL,
-            anchor="start",
-            pad=1,
-        ),
+        Slot(SHEET, Box(135, 15, 146, 20), SMALL, anchor="start", pad=1),
+        Slot(SHEETS, Box(155, 15, 171, 20), SMALL, anchor="start", pad=1),
     ),
     (
         Slot("designation", Box(65, 40, 185, 55), (7, 5, 3.5, 2.5), 2, pad=2),
@@ -131,6 +128,40 @@ FORM_1 = Block(
 )
 """The first sheet of a drawing: 185 × 55 (ГОСТ 2.104, form 1)."""
 
+FORM_2 = Block(
+    185,
+    40,
+    (
+        *_level("main", 0, 185, 40, 25),
+        *_level("main", 0, 65, 30),
+        *_level("main", 135, 185, 20, 15),
+        *_level("thin", 0, 65, 35, 20, 15, 10, 5),
+        *_upright("main", 0, 40, 0, 17, 40, 55, 65),
+        *_upright("main", 25, 40, 7),
+        *_upright("main", 0, 25, 135),
+        *_upright("thin", 15, 20, 140, 145),
+        *_upright("main", 15, 25, 150, 165),
+    ),
+    (
+        *_changes(25),
+        *_roles(PEOPLE)[0],
+        Slot(LETTER, Box(135, 20, 150, 25), SMALL),
+        Slot(SHEET, Box(150, 20, 165, 25), SMALL),
+        Slot(SHEETS, Box(165, 20, 185, 25), SMALL),
+    ),
+    (
+        Slot("designation", Box(65, 25, 185, 40), (7, 5, 3.5, 2.5), 2, pad=2),
+        Slot("name", Box(65, 0, 135, 25), (7, 5, 3.5, 2.5), 3, pad=2),
+        Slot("organisation", Box(135, 0, 185, 15), (5, 3.5, 2.5), 2, pad=1.5),
+        Slot("letter", Box(135, 15, 140, 20), TEXT),
+        Slot("sheet", Box(150, 15, 165, 20)),
+        Slot("sheets", Box(165, 15, 185, 20)),
+        *_roles(PEOPLE)[1],
+        Slot("date", Box(55, 20, 65, 25), SMALL),
+    ),
+)
+"""The first sheet of a text: 185 × 40 (ГОСТ 2.104, form 2)."""
+
 FORM_2A = Block(
     185,
     15,
@@ -141,7 +172,7 @@ FORM_2A = Block(
         *_level("main", 175, 185, 8),
         *_upright("main", 0, 15, 0, 7, 17, 40, 55, 65, 175),
     ),
-    (*_changes(0), Slot(said("Sheet", context="title block"), Box(175, 8, 185, 15), SMALL)),
+    (*_changes(0), Slot(SHEET, Box(175, 8, 185, 15), SMALL)),
     (
         Slot("designation", Box(65, 6.5, 175, 15), (5, 3.5, 2.5), pad=2),
         Slot("name", Box(65, 0, 175, 6.5), (3.5, 2.5), pad=2),
@@ -326,6 +357,7 @@ ISO_NEXT = Block(
 
 BLOCKS = (
     FORM_1,
+    FORM_2,
     FORM_2A,
     COLUMN_26,
     COLUMN_26_UPRIGHT,

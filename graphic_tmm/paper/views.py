@@ -54,8 +54,9 @@ def noted(views: Sequence[Drawing], block: str) -> list[Drawing]:
 
 
 def paired(views: Sequence[Drawing]) -> list[Drawing]:
-    """Return views that stand side by side: a figure and what belongs to it."""
-    return [view._replace(stand=Stand(views[0].name, "pair")) for view in views]
+    """Return views that stand side by side, in order of positions: a figure and what belongs to it."""
+    stand = Stand(views[0].name, "pair", position=views[0].position or 0)
+    return [view._replace(stand=stand) for view in views]
 
 
 def captioned(

@@ -204,10 +204,15 @@ _SAMPLED = said(
 )
 
 
-def told_off(drawn: Drawn, language: str) -> tuple[str, ...]:
-    """Return, as lettered, a line each, which results are far off for want of positions; none if none is."""
+def told_off(drawn: Drawn, language: str, *, remedies: bool = True) -> tuple[str, ...]:
+    """Return, as lettered, a line each, which results are far off for want of positions; none if none is.
+
+    ``remedies``: with how many positions would do, which helps whoever draws and nobody who reads the sheet.
+    """
     found = finer(drawn)
-    return tuple(_lines(drawn, found, language)) if found is not None and found.far else ()
+    if found is None or not found.far:
+        return ()
+    return (*_lines(drawn, found, language), *([_remedy(found, language)] if remedies else ()))
 
 
 def is_sampled(language: str) -> str:
@@ -230,11 +235,14 @@ def _lines(drawn: Drawn, found: Finer, language: str) -> Iterator[str]:
     )
     if side := _side(drawn, first, found.off[first]):
         yield _(_SIDES[side])
-    share = number(100 * SHARE, language)
+
+
+def _remedy(found: Finer, language: str) -> str:
+    """Return how many positions would do."""
+    _, share = speaking(language), number(100 * SHARE, language)
     if found.enough is None:
-        yield _("no usual number of positions keeps within {share} %", share=share)
-    else:
-        yield _("within {share} % with {enough} positions", share=share, enough=found.enough)
+        return _("no usual number of positions keeps within {share} %", share=share)
+    return _("within {share} % with {enough} positions", share=share, enough=found.enough)
 
 
 def _apart(found: Finer) -> list[str]:

@@ -163,7 +163,9 @@ class SheetOrder:
 class TitleBlock:
     """What is written into the title block."""
 
-    designation: str = key(v.TEXT, "of all sheets that have none of their own", default="")
+    designation: str = key(
+        v.TEXT, "of the project; of several documents each bears its number, 01 for 00", default=""
+    )
     name: str = key(v.TEXT, "of all sheets that have none of their own", default="")
     organisation: str = key(v.TEXT, "", default="")
     drawn_by: str = key(v.TEXT, "", default="")

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import ast
 import importlib
 import inspect
 import math
 import pkgutil
+import re
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 import pytest
@@ -108,6 +112,50 @@ def test_a_formula_computes_what_it_says(made: Formula) -> None:
         compared, wrong = _apart(made)
     assert not wrong
     assert compared >= ENOUGH
+
+
+BODIES = [made for made in FORMULAS.values() if made.has_body]
+
+
+def _texts_with_a_sign_changed(text: str) -> Iterator[str]:
+    for sign in re.finditer("[+−]", text):
+        other = "−" if sign[0] == "+" else "+" if text[: sign.start()].strip() else ""
+        yield text[: sign.start()] + other + text[sign.end() :]
+
+
+def _bodies_with_a_sign_changed(op: Operation) -> Iterator[Callable[..., Any]]:
+    """Yield the body with each + as −, each − as +, one at a time; a nought that is added has no sign."""
+    tree = ast.parse(inspect.getsource(op.run))
+    tree.body[0].decorator_list = []  # type: ignore[attr-defined]
+    for node in ast.walk(tree):
+        was = getattr(node, "op", None)
+        nought = ast.unparse(node).endswith((" + 0.0", " - 0.0"))
+        if nought or not isinstance(was, ast.Add | ast.Sub | ast.USub):
+            continue
+        node.op = {ast.Add: ast.Sub(), ast.Sub: ast.Add(), ast.USub: ast.UAdd()}[type(was)]  # type: ignore[attr-defined]
+        space = dict(op.run.__globals__)
+        exec(compile(ast.fix_missing_locations(tree), op.name, "exec"), space)
+        yield space[op.name]
+        node.op = was  # type: ignore[attr-defined]
+
+
+def test_a_sign_changed_in_a_text_or_in_its_body_alone_would_be_found(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Each sign of each formula that has a body of its own: where only one of the two is changed they part."""
+    planted = 0
+    with mp.workdps(DIGITS):
+        for made in BODIES:
+            op = OPERATIONS[made.name]
+            for text in _texts_with_a_sign_changed(made.text):
+                assert _apart(made._replace(text=text))[1], text
+                planted += 1
+            for run in _bodies_with_a_sign_changed(op):
+                monkeypatch.setitem(OPERATIONS, made.name, op._replace(run=run))
+                assert _apart(made)[1], made.name
+                planted += 1
+            monkeypatch.undo()
+    assert planted > len(BODIES)
 
 
 @pytest.mark.slow

@@ -163,6 +163,15 @@ def test_a_smooth_graph_of_a_sine_is_its_spline_and_rises_between_two_equal_ordi
     )
 
 
+@pytest.mark.parametrize("turned", [False, True])
+def test_a_smooth_graph_of_three_points_is_their_parabola(turned: bool) -> None:
+    u = np.array([1.0, 2.0, 3.0])
+    y = u[::-1] ** 2 if turned else u**2
+    due = [(1.0 + U) ** 2, (2.0 + U) ** 2]
+    drawn = arcs(opened(y))
+    np.testing.assert_allclose(drawn[::-1, ::-1] if turned else drawn, due, rtol=1e-14)
+
+
 def test_a_spike_does_not_ring() -> None:
     y = np.zeros(12)
     y[5] = -100.0

@@ -17,12 +17,14 @@ from support.parts import PARTS, part_of
 from support.scenes import edited
 
 from graphic_tmm.accuracy.cost import count
+from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import PREFERRED, Scale, nearest, next_standard, scale_of, standard
+from graphic_tmm.board.values import Number
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
-from graphic_tmm.fitting.choice import SCALES, Choices, choices
+from graphic_tmm.fitting.choice import SCALES, Choices, Ledger, choices
 from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.language.numbers import number
 from graphic_tmm.readers.narration import protocol
@@ -141,6 +143,19 @@ def test_a_pole_that_is_wished_for_needs_the_scale_before_it(tmp_path: Path) -> 
     edit = ('mu_V  = "0.075 (m/s)/mm"\n', "")
     with pytest.raises(StructureError, match="write mu_V"):
         make(read(edited(tmp_path, edit, name="slider-diagrams")))
+
+
+@each("length, told", [(61.3, 70.0), (40.0, 40.0), (0.37, 0.4), (0.012, 0.012)])
+def test_a_length_that_no_round_one_stands_for_is_told_as_it_is(length: float, told: float) -> None:
+    """Less than a tenth of a mm is not made one: the largest over its length is the scale that was due."""
+    due, ledger = 0.02, Ledger()
+    mu = Draft().take(Number, "μ_v", due, "(m/s)/mm")
+    ledger.of("velocities")
+    ledger.fitting(mu, ledger.quantity("v_A", due * length, "m/s"), due)
+    found = ledger.choices()
+    assert math.isclose(found.value(mu), due, rel_tol=SAME)
+    (wanted,) = (step.uses[1] for step in found.construction.steps if step.op is scale_of)
+    assert value(found, wanted) == pytest.approx(told)
 
 
 @given(st.floats(1e-9, 1e9))

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from graphic_tmm.language.numbers import fixed, number
+from graphic_tmm.language.numbers import decimals_of, fixed, number
 
 
 @pytest.mark.parametrize("language", ["en", "ru"])
@@ -27,3 +27,23 @@ def test_what_is_not_zero_keeps_its_sign_and_size() -> None:
     assert number(-2.5e-7, "ru") == "−2,5·10⁻⁷"
     assert number(-123456.0, "en") == "−123456"
     assert (number(math.nan, "en"), fixed(None, 2, "en"), fixed(math.inf, 2, "en")) == ("—",) * 3
+
+
+@pytest.mark.parametrize(
+    ("division", "places"),
+    [
+        (20.0, 0),
+        (1.0, 0),
+        (0.5, 1),
+        (0.25, 1),
+        (0.1, 1),
+        (0.05, 2),
+        (0.01, 2),
+        (0.001, 3),
+        (1e-4, 4),
+    ],
+)
+def test_a_figure_has_the_decimal_of_its_division_and_none_behind(
+    division: float, places: int
+) -> None:
+    assert decimals_of(division) == places

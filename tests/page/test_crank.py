@@ -6,6 +6,7 @@ import json
 
 import numpy as np
 from support import gallery
+from support.scripts import run
 
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.page.crank import crank
@@ -72,3 +73,23 @@ def test_rows_of_figures_are_kept_folded() -> None:
             assert row.size == drawn
             whole = unfolded(row, found.data["whole"], figure["refined"])
             assert np.abs(whole).max() < 2_000_000
+
+
+BEARING = """
+import { bearing } from "./crank-values.js";
+tell(asked.map(([zero, sense, k]) => bearing({ zero, sense, whole: 360, more: [40.125], decimal: "," }, k)));
+"""
+
+
+def test_the_direction_of_the_crank_is_within_a_turn_whichever_way_it_turns() -> None:
+    """From 30 degrees a quarter of a turn and more, there and back; the angle behind the whole degrees."""
+    due = {
+        (30, 1, 90): "120",
+        (30, -1, 90): "300",
+        (-30, -1, 350): "340",
+        (300, 1, 60): "0",
+        (0.004, -1, 0): "0",
+        (-0.001, 1, 0): "0",
+        (30, -1, 360): "349,9",
+    }
+    assert run(BEARING, list(due)) == list(due.values())

@@ -72,6 +72,9 @@ def test_a_view_comes_apart_only_where_no_sheet_holds_it() -> None:
     assert in_pieces(whole, ROOM.within) == [whole]
     wider = view("table", 810, 20)._replace(apart=lambda within: halves)
     assert in_pieces(wider, ROOM.within) == halves
+    stand = Stand("group-2-3-1", "pair", position=1)
+    parts = in_pieces(wider._replace(stand=stand), ROOM.within)
+    assert [part.stand for part in parts] == [stand, stand]
 
 
 def test_a_sheet_offers_its_largest_free_rectangles() -> None:

@@ -18,7 +18,7 @@ from graphic_tmm.paper.formats import FORMATS, size_of
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.pens import pens
 from graphic_tmm.paper.sheet_frame import FIELDS, drawing_area, frame
-from graphic_tmm.paper.title_block import BLOCKS, FORM_1, FORM_2A, Block
+from graphic_tmm.paper.title_block import BLOCKS, FORM_1, FORM_2, FORM_2A, Block
 
 FILLED = {
     "designation": "ТММ 12.04.00.000",
@@ -102,6 +102,47 @@ def test_form_1_is_ruled_as_the_standard_rules_it() -> None:
         ("x", 140): [(20, 35)],
         ("x", 145): [(20, 35)],
     }
+
+
+def test_form_2_is_ruled_as_the_standard_rules_it() -> None:
+    uprights = {0: (0, 40), 17: (0, 40), 40: (0, 40), 55: (0, 40), 65: (0, 40), 7: (25, 40)}
+    uprights |= {135: (0, 25), 150: (15, 25), 165: (15, 25)}
+    assert lines(FORM_2) == {
+        *(("main", 0, y, 185, y) for y in (40, 25)),
+        ("main", 0, 30, 65, 30),
+        *(("main", 135, y, 185, y) for y in (20, 15)),
+        *(("thin", 0, y, 65, y) for y in (35, 20, 15, 10, 5)),
+        *(("main", x, low, x, high) for x, (low, high) in uprights.items()),
+        *(("thin", x, 15, x, 20) for x in (140, 145)),
+    }
+
+
+def test_the_first_sheet_of_a_text_bears_form_2() -> None:
+    """Its room ends 40 mm above the frame's lower edge, its signatures begin a row lower."""
+    area = drawing_area("A4", "ru", True, text=True)
+    assert area.occupied[0].top - area.inner.bottom == 40
+    assert drawing_area("A4", "ru", False, text=True) == drawing_area("A4", "ru", False)
+    drawing = frame("A4", language="ru", first=True, number=1, count=2, fields=FILLED, text=True)
+    told = words(drawing)
+    assert "Т. контр." not in told
+    assert {"Разраб.", "Пров.", "Н. контр.", "Утв.", "Листов", "2", "1"} <= set(told)
+    rulings = inked(drawing, "A4")
+    places = [box(*bounds(label)) for label in drawing.labels]
+    assert not any(place.intersects(ruling) for place in places for ruling in rulings)
+
+
+def test_a_document_is_one_of_study_unless_the_scene_says_otherwise() -> None:
+    fields = {key: text for key, text in FILLED.items() if key != "letter"}
+    for text in (False, True):
+        (own, others) = (
+            frame(
+                "A4", language="ru", first=True, number=1, count=1, fields=fields | more, text=text
+            )
+            for more in ({}, {"letter": "О"})
+        )
+        assert words(own).count("У") == 1
+        assert "У" not in words(others)
+        assert "О" in words(others)
 
 
 def test_form_2a_is_ruled_as_the_standard_rules_it() -> None:

@@ -66,6 +66,42 @@ def test_the_title_block_tells_what_a_sheet_does_not() -> None:
     assert "Проект" not in told[-1]
 
 
+@pytest.mark.parametrize(
+    ("whole", "own"),
+    [
+        ("ТММ.08.00.000", ["ТММ.08.01.000", "ТММ.08.02.000"]),
+        ("КП 00.00.00", ["КП 00.00.01", "КП 00.00.02"]),
+        ("М2100.7", ["М2100.7.01", "М2100.7.02"]),
+    ],
+)
+def test_each_document_of_a_project_has_its_number_in_the_designation(
+    whole: str, own: list[str]
+) -> None:
+    """Two named sheets are two documents of one project; alone, a sheet is the project."""
+    named = tuple(
+        replace(order, name=name) for order, name in zip(ORDERS, ("Шрифт", "Знаки"), strict=True)
+    )
+    block = {"designation": whole}
+    told = [texts(sheet) for sheet in sheets(scene(sheets=named, title_block=block))[1]]
+    assert own[0] in told[0]
+    assert own[1] in told[-1]
+    assert own[1] not in told[0]
+    (single, *_) = sheets(scene(sheets=named[:1], title_block=block))[1]
+    assert whole in texts(single)
+    assert own[0] not in texts(single)
+
+
+def test_sheets_of_one_designation_are_counted_together() -> None:
+    """Whatever they are called, and those behind them that say nothing bear it, too."""
+    one = replace(ORDERS[1], designation="К.1", name="Шрифт")
+    two = replace(ORDERS[1], designation="К.1", name="Знаки")
+    found = sheets(scene(sheets=(one, two, ORDERS[1]), title_block={"designation": "К.0"}))[1]
+    blocks = [[plain(label.text) for label in sheet.drawings[0].labels] for sheet in found]
+    assert all("К.1" in block for block in blocks)
+    assert str(len(found)) in blocks[0]
+    assert [str(k + 1) in block for k, block in enumerate(blocks)] == [True] * len(found)
+
+
 def scales(found: tuple[Sheet, ...]) -> list[str]:
     """What the title blocks of sheets tell of a scale."""
     told = [texts(sheet).split() for sheet in found]

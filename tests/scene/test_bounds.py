@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
+from support.each import each
 
 from graphic_tmm.board.bounds import Bound, TaskError
 from graphic_tmm.chapters.cam.refusals import refuse
@@ -20,6 +21,7 @@ from graphic_tmm.errors import SceneError
 from graphic_tmm.scene.declare import Kind, keys_of
 from graphic_tmm.scene.new import schema
 from graphic_tmm.scene.read import read
+from graphic_tmm.scene.values import follows
 
 GOOD: Mapping[str, dict[str, Any]] = {
     "cam": {"stroke": "20 mm", "rise": 90, "fall": 100, "upper_dwell": 30, "pressure": 30},
@@ -229,3 +231,20 @@ def test_a_refusal_of_the_plan_has_its_key_and_line_in_the_scene(tmp_path: Path)
         assert fault.key == key
         assert says in fault.message
         assert fault.line > 5
+
+
+@each(
+    "places, in_order",
+    [
+        ((0.0, 0.4, 1.0), True),
+        ((0.0, 0.4, 0.4, 1.0), True),
+        ((0.0, 0.0, 1.0, 1.0), True),
+        ((0.0, 0.4, 0.4, 0.4, 1.0), False),
+        ((0.0, 0.4, 0.3), False),
+        ((0.4, 0.3), False),
+    ],
+)
+def test_places_of_a_table_ascend_and_two_alike_are_a_jump(
+    places: tuple[float, ...], in_order: bool
+) -> None:
+    assert follows(places) is in_order

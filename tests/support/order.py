@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
+from typing import NamedTuple
 
 Box = tuple[float, float, float, float]
 NEAR = 25.0
@@ -72,3 +73,70 @@ def gap(one: Box, other: Box) -> float:
     across = max(one[0] - other[2], other[0] - one[2], 0.0)
     down = max(one[1] - other[3], other[1] - one[3], 0.0)
     return max(across, down)
+
+
+class Part(NamedTuple):
+    """A figure, a polygon or equations of a force sheet: their unit, name, sheet and box."""
+
+    unit: str
+    name: str
+    sheet: int
+    box: Box
+
+
+PARTS = ("group", "lever", "forces", "equations")
+"""What a unit consists of, in order."""
+GAP = 7.0
+"""Views stand no nearer to one another and to the frame than this, mm."""
+
+
+def parts_of(sheets: Sequence[Mapping[str, Box]], names: Sequence[str]) -> list[Part]:
+    """Return what stands on force sheets as it should be read: by positions, by groups from the last put on.
+
+    ``names``: positions in their order. After the groups the crank, then the lever; of each its figure,
+    polygon, equations.
+    """
+    found: list[tuple[tuple[int, ...], Part]] = []
+    for n, boxes in enumerate(sheets):
+        for name, box in boxes.items():
+            told = re.fullmatch(r"(group|forces|equations)-([\d-]+|lever)-([^-]+)", name)
+            told = told or re.fullmatch(r"(lever)()-([^-]+)", name)
+            if told is None or told[3] not in names:
+                continue
+            links = [int(k) for k in re.findall(r"\d+", told[2])]
+            last = -max(links) if links else 0
+            key = (names.index(told[3]), last, PARTS.index(told[1]))
+            found.append((key, Part(f"{told[2] or 'lever'}-{told[3]}", name, n, box)))
+    return [part for _, part in sorted(found)]
+
+
+def forward(one: Part, two: Part) -> bool:
+    """Whether of two parts the second is read after the first: on a later sheet, or right of or below it."""
+    if one.sheet != two.sheet:
+        return two.sheet > one.sheet
+    return two.box[0] >= one.box[2] - LINE or two.box[3] <= one.box[1] + LINE
+
+
+def kept_apart(parts: Sequence[Part], rooms: Sequence[Box]) -> list[str]:
+    """Return the equations, and polygons, that stand on another sheet than their figure though it holds both.
+
+    ``rooms``: the inner frame of each sheet, mm. A polygon may leave where a sheet does not hold all three.
+    """
+    found = []
+    for name in dict.fromkeys(part.unit for part in parts):
+        unit = [part for part in parts if part.unit == name]
+        figure, *others = unit
+        for part in others:
+            there = [figure, part] if "equations" in part.name else unit
+            if part.sheet != figure.sheet and _held(there, rooms[figure.sheet]):
+                found.append(part.name)
+    return found
+
+
+def _held(parts: Sequence[Part], room: Box) -> bool:
+    """Whether a sheet holds parts one below the other or beside one another."""
+    wide = [part.box[2] - part.box[0] + GAP for part in parts]
+    high = [part.box[3] - part.box[1] + GAP for part in parts]
+    across, down = room[2] - room[0] - GAP, room[3] - room[1] - GAP
+    below = max(wide) <= across and sum(high) <= down
+    return below or (sum(wide) <= across and max(high) <= down)

@@ -17,13 +17,14 @@ from graphic_tmm.chapters.arc_cam.contour import VIEW, Arc
 from graphic_tmm.chapters.arc_cam.formulas import line_on_arc, on_arc, turn_between
 from graphic_tmm.chapters.arc_cam.plan import ArcCam
 from graphic_tmm.chapters.arc_cam.task import FLAT
-from graphic_tmm.chapters.cam.ink import shaft
+from graphic_tmm.chapters.cam.ink import TURN, shaft
 from graphic_tmm.chapters.cam.operations import slant
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import body, figure, showing
 from graphic_tmm.paper.labels import Named, shared
 from graphic_tmm.paper.seen import Seen, Subject, finite
-from graphic_tmm.paper.symbols.kinematic import channel, fixed_pivot
+from graphic_tmm.paper.symbols.dimensions import ARROW
+from graphic_tmm.paper.symbols.kinematic import arrowhead, channel, fixed_pivot
 
 TRACELESS = frozenset({on_arc.name, line_on_arc.name, slant.name, turn_between.name})
 """Operations that leave no trace: what only chooses, angles measured with the protractor."""
@@ -33,6 +34,9 @@ ROD, GUIDE, WIDTH = 30.0, 14.0, 5.0
 """Length of the rod above its roller, of its guide, width of the rod, mm."""
 CROSS = 5.0
 """How far centre lines go on behind the contour, mm."""
+LED, ROOMY, AT = 12.0, 30.0, 0.65
+"""How long the leader of a radius is, mm; about what radius, mm, it has room inside; where on its arc it ends:
+no ray of a position leads there along it. In the middle on the base, where there are none."""
 LEAST = 0.02
 """What is shorter is no arc, mm."""
 
@@ -42,7 +46,7 @@ class ArcNames(NamedTuple):
 
     positions: Sequence[str]
     radii: dict[str, str]
-    omega: str = "ω"
+    omega: str = "ω_{1}"
 
 
 class _Ink(Seen):
@@ -75,7 +79,10 @@ def draw_contour_ink(on: Subject, made: ArcCam, names: ArcNames) -> Drawing:
     strokes = [*traces.staying, *_contour(ink), *_ways(ink), *_inverted(ink), *_lowest(ink)]
     reach = float(np.nanmax(np.abs(ink.points))) + CROSS
     strokes += shaft(made.contour.origin, reach, made.sense)
-    wanted = [*_letters(ink, names), *_numbers(ink, names.positions)]
+    radii = {name: _radius(ink, name) for name in names.radii}
+    strokes += [stroke for one in radii.values() for stroke in one.strokes]
+    told = [Wanted(names.radii[name], *one.text) for name, one in radii.items()]
+    wanted = [*_letters(ink, names), *told, *_numbers(ink, names.positions)]
     return traces.drawing(on, strokes, wanted, (), enumerate(names.positions))
 
 
@@ -232,18 +239,38 @@ def _letters(ink: _Ink, names: ArcNames) -> Iterator[Wanted]:
         if one.name in ("rise", "return") and one.centre is not None and ink.near(one.centre):
             spot = ink.fixed_place(one.centre)
             yield Wanted(one.centre.name, spot, high.point, 1.0, spot, (one.centre.slot,))
-    spots = [ink.fixed_place(mark) for mark in contour.touches]
-    middles = {"rise": (spots[0] + spots[1]) / 2, "return": (spots[2] + spots[3]) / 2}
-    base = contour.arcs["base"]
-    assert base.radius is not None
-    middles["base"] = ink.fixed_number(base.radius) * cmath.rect(1.0, math.radians(90 + 30))
-    nose = ink.fixed_place(contour.nose)
-    middles["nose"] = nose - 1j * ink.length(contour.arcs["nose"].radius)
-    for name, told in names.radii.items():
-        spot = middles[name]
-        of = contour.arcs[name].radius
-        slots = (of.slot,) if of is not None else ()
-        yield Wanted(told, spot, high.number, 1.0, -spot, slots)
+    out = cmath.rect(1.0, math.radians(90.0 - ink.made.sense * 145.0))
+    yield Wanted(names.omega, TURN * out, high.point, 1.0, out, (contour.origin.slot,))
+
+
+class _Radius(NamedTuple):
+    """The leader of a radius; what its text names, as `Wanted` has it: point, height, clear, way, marks."""
+
+    strokes: tuple[Ink, ...]
+    text: tuple[complex, float, float, complex, tuple[int, ...]]
+
+
+def _radius(ink: _Ink, name: str) -> _Radius:
+    """Return the leader of an arc's radius: towards its centre, or from outside where that is too near."""
+    contour = ink.made.contour
+    one, spots = contour.arcs[name], [ink.fixed_place(mark) for mark in contour.touches]
+    assert one.centre is not None
+    assert one.radius is not None
+    ends = {"base": (3, 0), "rise": (0, 1), "nose": (1, 2), "return": (2, 3)}[name]
+    start, end = (spots[k] - ink.fixed_place(one.centre) for k in ends)
+    radius, turned = abs(start), ink.made.sense if one.hollow else -ink.made.sense
+    whole = (turned * cmath.phase(end / start)) % (2 * math.pi)
+    share = 0.5 if name == "base" else AT
+    out = start / radius * cmath.exp(1j * turned * share * whole)
+    spot, inside = ink.fixed_place(one.centre) + radius * out, radius >= ROOMY
+    tail = spot + LED * (-out if inside else out)
+    way = spot - tail
+    strokes = body(
+        [line("thin", tail, spot), *arrowhead(spot, way, pen="thin", length=ARROW)],
+        "dimension",
+        [one.radius, one.centre],
+    )
+    return _Radius(tuple(strokes), (tail, ink.heights.number, 0.8, -way, (one.radius.slot,)))
 
 
 def _numbers(ink: _Ink, names: Sequence[str]) -> Iterator[Wanted]:

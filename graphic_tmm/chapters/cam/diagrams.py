@@ -29,7 +29,6 @@ from graphic_tmm.chapters.cam.phases import Phase, Turn
 from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CamTask, RockerFollower
 
 VIEWS = {"S": "cam S", "V": "cam dS", "A": "cam ddS"}
-LETTERS = {"S": "S", "V": "S′", "A": "S″"}
 ROOM = 50.0
 """Room for the largest ordinate of d²S/dφ², mm."""
 
@@ -94,6 +93,7 @@ def draw_diagrams(draft: Draft, order: CamTask, turn: Turn) -> Diagrams:
     that of d²S/dφ² is free unless the order says.
     """
     draft.open(VIEWS["S"])
+    letters = order.letters
     length = draft.take(Length, "L", order.base, "mm")
     mu_phi = draft.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
     angle = draft.take(Angle, "φ", np.array(turn.angles)[None, :], "°")
@@ -109,9 +109,9 @@ def draw_diagrams(draft: Draft, order: CamTask, turn: Turn) -> Diagrams:
     mu_V = mu_S
     if order.mu_V is not None:
         draft.open(VIEWS["V"])
-        mu_V = draft.take(Number, "μ_{S′}", order.mu_V, f"{unit}/mm")
+        mu_V = draft.take(Number, f"μ_{{{letters['V']}}}", order.mu_V, f"{unit}/mm")
     draft.open(VIEWS["A"])
-    mu_A = draft.scale("μ_{S″}", f"{unit}/mm")
+    mu_A = draft.scale(f"μ_{{{letters['A']}}}", f"{unit}/mm")
     scales = (("S", mu_S), ("V", mu_V), ("A", mu_A))
     S, V, A = (_diagram(draft, common, which, mu, height, unit) for which, mu in scales)
     drawn = tuple(i for i in integrals if i is not None)
@@ -120,11 +120,12 @@ def draw_diagrams(draft: Draft, order: CamTask, turn: Turn) -> Diagrams:
 
 def _scale_of_S(draft: Draft, order: CamTask, stroke: Mark, unit: str) -> tuple[Mark, Mark]:
     """Return the scale of S and the height of the stroke on its diagram (Length)."""
+    scale, high = f"μ_{order.letters['S']}", f"h_{order.letters['S']}"
     if order.mu_S is not None:
-        mu = draft.take(Number, "μ_S", order.mu_S, f"{unit}/mm")
-        return mu, draft.draw(to_board, "h_S", stroke, mu)
-    height = draft.take(Length, "h_S", order.height, "mm")
-    return draft.draw(f.scale_of_stroke, "μ_S", stroke, height, unit=f"{unit}/mm"), height
+        mu = draft.take(Number, scale, order.mu_S, f"{unit}/mm")
+        return mu, draft.draw(to_board, high, stroke, mu)
+    height = draft.take(Length, high, order.height, "mm")
+    return draft.draw(f.scale_of_stroke, scale, stroke, height, unit=f"{unit}/mm"), height
 
 
 def _divided(
@@ -153,7 +154,7 @@ def _integrals(draft: Draft, common: _Common) -> tuple[Integral | None, ...]:
     found: list[Integral | None] = []
     for phase in common.turn.phases:
         if phase.law.name == BY_DIAGRAM:
-            rest = (common.turn, phase, common.stroke, common.order.poles)
+            rest = (common.turn, phase, common.stroke, common.order)
             found.append(draw_integral(draft, common.base, *rest))
         else:
             found.append(None)
@@ -164,7 +165,7 @@ def _diagram(
     draft: Draft, common: _Common, which: str, mu: Mark, height: Mark, unit: str
 ) -> Diagram:
     """Draw one diagram over the turn: both phases, the dwells between them, the readings."""
-    letter = LETTERS[which]
+    letter = common.order.letters[which]
     draft.open(VIEWS[which])
     axes = graphs.draw_axes(draft, VIEWS[which], common.base, mu)
     points: list[Mark] = []

@@ -35,6 +35,7 @@ from graphic_tmm.chapters.cam.laws.ground import Ground, uprights
 from graphic_tmm.chapters.cam.operations import in_turn
 from graphic_tmm.chapters.cam.phases import Phase, Turn
 from graphic_tmm.chapters.cam.refusals import HIGH, SLACK
+from graphic_tmm.chapters.cam.task import CamTask
 
 NAMES = {"A": "acceleration", "V": "velocity", "S": "displacement"}
 
@@ -67,9 +68,10 @@ def draw_integral(
     turn: Turn,
     phase: Phase,
     stroke: Mark,
-    poles: tuple[float, float],
+    order: CamTask,
 ) -> Integral:
-    """Integrate the acceleration diagram of a phase twice; ``poles``: H of the first and the second, mm."""
+    """Integrate the acceleration diagram of a phase twice, about the poles of the order."""
+    poles, letters = order.poles, order.letters
     row = _Row(turn, phase, base)
     views = {which: f"cam {phase.name} {name}" for which, name in NAMES.items()}
     draft.open(views["A"])
@@ -82,16 +84,16 @@ def draw_integral(
     middles = _on_curves(draft, row, speeds, points, last)
     spots, end, pole_V = _succession(draft, row, (speeds, ways), middles, poles[1], "d")
     draft.open(views["S"])
-    displacement = draft.draw(measure_along, "S", ways.feet, spots, ways.up)
+    displacement = draft.draw(measure_along, letters["S"], ways.feet, spots, ways.up)
     for ends in phase.stretches:
         draft.draw(graph_of_stretch, "(s–s)", spots, first=ends[0], last=ends[1])
     high = draft.draw(measure_along, "h", ways.end, end, ways.up)
     unit = stroke.unit
-    mu_S = draft.draw(f.scale_of_stroke, "μ_S", stroke, high, unit=f"{unit}/mm")
+    mu_S = draft.draw(f.scale_of_stroke, f"μ_{letters['S']}", stroke, high, unit=f"{unit}/mm")
     scale_V = (mu_S, base.mu, pole_V.distance)
-    mu_V = draft.draw(scale_of_derivative, "μ_{S′}", *scale_V, unit=f"{unit}/mm")
+    mu_V = draft.draw(scale_of_derivative, f"μ_{{{letters['V']}}}", *scale_V, unit=f"{unit}/mm")
     scale_A = (mu_V, base.mu, pole_A.distance)
-    mu_A = draft.draw(scale_of_derivative, "μ_{S″}", *scale_A, unit=f"{unit}/mm")
+    mu_A = draft.draw(scale_of_derivative, f"μ_{{{letters['A']}}}", *scale_A, unit=f"{unit}/mm")
     scales = {"S": mu_S, "V": mu_V, "A": mu_A}
     for which, axes in (("S", ways), ("V", speeds), ("A", first)):
         _settle(draft, axes, scales[which])

@@ -17,6 +17,7 @@ from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
 from graphic_tmm.chapters.cam.record import BESIDE
 from graphic_tmm.chapters.cam.record import VIEW as CALCULATED
+from graphic_tmm.chapters.cam.task import RockerFollower
 from graphic_tmm.chapters.cam.turn import CURVATURE
 from graphic_tmm.chapters.cam.views import cam_views, scheme_views
 from graphic_tmm.language.numbers import number
@@ -81,6 +82,8 @@ class CamPage(Page[Cam]):
 
     def _law(self) -> Iterator[Block]:
         order, diagrams = self.recorded.order, self.recorded.diagrams
+        if isinstance(order.follower, RockerFollower):
+            yield self.says(words.ROCKS)
         yield self.says(words.BASE)
         yield from self.formulas(VIEWS["S"], f.scale_of_stroke, to_board, f.angle_of_part)
         yield self.says(words.RADIANS)

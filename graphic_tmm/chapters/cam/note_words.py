@@ -37,6 +37,7 @@ LAWS = {
         "follows from the stroke."
     ),
 }
+ROCKS = said("S stands for the angle ψ of the rocker, in radians.")
 READ = said(
     "At φ = {angle} (position {position}) the ordinates are S = {S}, dS/dφ = {dS}, d²S/dφ² = {ddS}, that is "
     "{travel}, {speed} and {rate}."

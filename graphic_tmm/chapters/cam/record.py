@@ -55,11 +55,12 @@ def record_beside(bench: Bench) -> Aside:
 def _peaks(draft: Draft, cam: Cam) -> dict[str, Mark]:
     """Calculate the largest dS/dφ and d²S/dφ² of both phases by their laws: no position need stand there."""
     found, diagrams = {}, cam.diagrams
+    letters = (cam.order.letters["V"], cam.order.letters["A"])
     unit = "rad" if isinstance(cam.order.follower, RockerFollower) else "m"
     for phase, extent in zip(diagrams.turn.phases, diagrams.phases, strict=True):
         ops = (f.peak_velocity, f.peak_acceleration)
         for op, name, letter, factor in zip(
-            ops, ("dS", "ddS"), ("S′", "S″"), _factors(phase), strict=True
+            ops, ("dS", "ddS"), letters, _factors(phase), strict=True
         ):
             own = draft.take(Number, f"k_{letter}", factor)
             largest = f"{letter}_{{max}}"

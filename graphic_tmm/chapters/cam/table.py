@@ -30,7 +30,8 @@ def cam_columns(drawn: Drawn) -> tuple[Column, ...]:
         ("ddS", made.diagrams.A),
     ):
         mm, value = (reading.figure(diagram.reading, by) for by in (None, diagram.chart.mu))
-        found.append(_column(segment, motion, value, count, mm))
+        called = f"rocker cam {segment}" if rocks else ""
+        found.append(_column(segment, motion, value, count, mm, called))
     found += _moving(drawn, rocks, count)
     if isinstance(made.centre, Centre):
         found.append(_column("pressure", "°", reading.figure(made.centre.pressure), count))
@@ -51,12 +52,14 @@ def _moving(drawn: Drawn, rocks: bool, count: int) -> list[Column]:
     return [_column(k, m.unit, drawn.reading.figure(m), count) for k, m in marks.items()]
 
 
-def _column(segment: str, unit: str, value: Reals, count: int, mm: Reals | None = None) -> Column:
+def _column(
+    segment: str, unit: str, value: Reals, count: int, mm: Reals | None = None, called: str = ""
+) -> Column:
     def row(values: Reals) -> Reals:
         return row_of(values[:, :count], range(count), count)
 
     lengths = row(mm) if mm is not None else empty(count)
-    return Column(PLAN, segment, f"symbol cam {segment}", unit, lengths, row(value))
+    return Column(PLAN, segment, f"symbol {called or f'cam {segment}'}", unit, lengths, row(value))
 
 
 def results(drawn: Drawn) -> Results:

@@ -312,6 +312,12 @@ class CamTask:
     )
     poles: tuple[float, float] = (30.0, 30.0)
 
+    @property
+    def letters(self) -> dict[str, str]:
+        """The letters of the follower's displacement and its derivatives: S, or ψ where it rocks."""
+        letter = "ψ" if isinstance(self.follower, RockerFollower) else "S"
+        return {"S": letter, "V": f"{letter}′", "A": f"{letter}″"}
+
 
 ASKED: SectionKey[CamTask] = SectionKey("cam")
 

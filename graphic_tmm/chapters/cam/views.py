@@ -8,7 +8,7 @@ from itertools import accumulate
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapters.cam.centre import Convexity
-from graphic_tmm.chapters.cam.diagrams import LETTERS, VIEWS
+from graphic_tmm.chapters.cam.diagrams import VIEWS
 from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
 from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink, draw_rocker_ink
 from graphic_tmm.chapters.cam.ink_flat import draw_convexity_ink
@@ -18,6 +18,7 @@ from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
 from graphic_tmm.chapters.cam.record import BESIDE
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.table import PLAN, cam_columns, cam_marks
+from graphic_tmm.chapters.cam.task import RockerFollower
 from graphic_tmm.chapters.cam.turn import CURVATURE
 from graphic_tmm.drawn import Drawn, results_of, single
 from graphic_tmm.fitting.subjects import subject, with_caption
@@ -76,6 +77,12 @@ def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> 
     second: list[Drawing] = []
     for view in dict.fromkeys(f.view for f in log.figures if f.kind == "axes"):
         called = RADII if view == CURVATURE and made.pressure is None else view
+        if isinstance(made.order.follower, RockerFollower) and view in (
+            "cam S",
+            "cam dS",
+            "cam ddS",
+        ):
+            called = f"rocker {view}"
         symbol = words.get(f"symbol {called}", words["symbol cam"])
         on = subject(drawn, _title(called, language), PLAN)
         of = charts[view].unit if view in charts else ""
@@ -140,7 +147,7 @@ def _scale(drawn: Drawn, made: Cam, view: str) -> str:
         return base
     if view == VIEWS["V"]:
         # of a quantity of its own, though it may be the same number as that of S
-        scale = scale._replace(symbol=f"μ_{{{LETTERS['V']}}}")
+        scale = scale._replace(symbol=f"μ_{{{made.order.letters['V']}}}")
     return f"{mu_text(scale, language)}, {base}"
 
 

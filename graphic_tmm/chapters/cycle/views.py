@@ -7,7 +7,6 @@ import math
 from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN
 from graphic_tmm.chapters.cycle.table import cycle_columns, cycle_results
 from graphic_tmm.chapters.cycle.task import CYCLE
-from graphic_tmm.chapters.flywheel.table import too_wide
 from graphic_tmm.chapters.flywheel.views import graphs, results_of, sketch
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.views import Views
@@ -27,7 +26,7 @@ def cycle_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     views = [stacked("cycle-graphs", graphs(drawn, made.flywheel, lettered, CYCLE))]
     rim = made.flywheel.rim
     if rim is not None and math.isfinite(found.get("rim_width", (math.nan, ""))[0]):
-        views.append(sketch(drawn, rim, too_wide(found, language), CYCLE, "cycle sketch"))
+        views.append(sketch(drawn, rim, CYCLE, "cycle sketch"))
     rows, high = tuple(cycle_columns(drawn)), heights(drawn.scene, CYCLE)
     views.append(result_table(CYCLE, rows, drawn.names, language, heights=high))
     return [*views, results_of(drawn, found, CYCLE)]

@@ -169,7 +169,7 @@ def draw_harmonics(
     draft.lay_out(origin)
     crank = machine.positions.bodies[machine.mechanism.drive.link].axis
     axis = draft.draw(
-        parallel, "(x)", origin, legs.slider.line, sense=1 if outward > 0 else -1, why=why.AXIS
+        parallel, "(Ox)", origin, legs.slider.line, sense=1 if outward > 0 else -1, why=why.AXIS
     )
     once = draft.draw(parallel, "(I)", origin, crank, sense=1, why=why.ONCE)
     twice = draft.draw(doubled, "(II)", origin, axis, once)

@@ -13,13 +13,15 @@ from graphic_tmm.chapters.flywheel.rim import wanted_outer
 from graphic_tmm.chapters.flywheel.task import CALCULATED, FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.words import graph_title
 from graphic_tmm.chapters.indicator.task import CALCULATED as STROKE
-from graphic_tmm.drawn import Drawn, Results, results_of, single
+from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
+from graphic_tmm.language.symbols import plain
 from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, Tabled, ordinates
 from graphic_tmm.readers.protocol import Protocols
+from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.chapter import Holder
 
 PLAN = FLYWHEEL
@@ -80,13 +82,8 @@ def results_for(drawn: Drawn, made: Flywheel, beside: Aside) -> Results:
     return {name: result for name, result in found.items() if np.isfinite(result[0]).any()}
 
 
-def rim_too_wide(drawn: Drawn, language: str) -> str:
-    """Return, as lettered on a sheet, that the rim is too wide and what to do; empty where it is not."""
-    return too_wide(single(flywheel_results(drawn)), language)
-
-
-def too_wide(results: Mapping[str, tuple[float, str]], language: str) -> str:
-    """Return the same of results."""
+def rim_too_wide(results: Mapping[str, tuple[float, str]], language: str) -> str:
+    """Return, of results, that the rim is too wide and what to do; empty where it is not."""
     if not {"D_max", "D_e", "rim_width"} <= set(results):
         return ""
     most, outer, width = (results[name][0] for name in ("D_max", "D_e", "rim_width"))
@@ -96,7 +93,8 @@ def too_wide(results: Mapping[str, tuple[float, str]], language: str) -> str:
     text = _TOO_WIDE if least <= most else _TOO_WIDE_AND_SLOW
     sizes = {"outer": outer, "width": width, "least": least, "most": most}
     told = {name: number(size, language, 3) for name, size in sizes.items()}
-    return speaking(language)(text, **told)
+    advice = plain(speaking(language)(text, **told))
+    return f"{captions(language)['flywheel']}: {advice}"
 
 
 TABLE = Tabled(columns=flywheel_columns, results=flywheel_results)

@@ -18,7 +18,6 @@ from graphic_tmm.chapters.flywheel.table import (
     PLAN,
     flywheel_columns,
     flywheel_results,
-    rim_too_wide,
 )
 from graphic_tmm.chapters.flywheel.task import FLYWHEEL, VIEWS
 from graphic_tmm.chapters.flywheel.words import graph_title
@@ -61,7 +60,7 @@ def _sketch_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     made = FLYWHEEL_PLAN.of(drawn)
     if made is None or made.rim is None or not math.isfinite(drawn.value(made.rim.width)):
         return []
-    return [sketch(drawn, made.rim, rim_too_wide(drawn, drawn.scene.language))]
+    return [sketch(drawn, made.rim)]
 
 
 def _tables(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -144,12 +143,10 @@ def _angle(drawn: Drawn, mark: Mark) -> str:
     return f"{mark.name} = {number(drawn.value(mark), drawn.scene.language)}°"
 
 
-def sketch(
-    drawn: Drawn, rim: DrawnRim, told: str, place: str = PLAN, size: str = "sketch"
-) -> Drawing:
+def sketch(drawn: Drawn, rim: DrawnRim, place: str = PLAN, size: str = "sketch") -> Drawing:
     """Return the sketch of the flywheel to the largest standard scale that has room.
 
-    ``told``: below it; ``size``: by what name its room goes.
+    ``size``: by what name its room goes.
     """
     language = drawn.scene.language
     _ = speaking(language)
@@ -166,8 +163,7 @@ def sketch(
     marks = (rim.outer, rim.inner, rim.width)
     drawing = draw_flywheel(sizes, reduction, title, language, marks)
     scale = f"1:{number(reduction, language)}"
-    lines, high = told.split(": ") if told else (), heights(drawn.scene, place)
-    return captioned(drawing, title, scale, *lines, heights=high)
+    return captioned(drawing, title, scale, heights=heights(drawn.scene, place))
 
 
 def results_of(drawn: Drawn, found: Mapping[str, tuple[float, str]], place: str = PLAN) -> Drawing:
@@ -181,7 +177,8 @@ def results_of(drawn: Drawn, found: Mapping[str, tuple[float, str]], place: str 
     ]
     high = heights(drawn.scene, place)
     made = results("table-results", words["flywheel"], rows, language, high)
-    return captioned(made, *off, heights=high) if (off := told_off(drawn, language)) else made
+    off = told_off(drawn, language, remedies=False)
+    return captioned(made, *off, heights=high) if off else made
 
 
 SHOWN = Views(draw={FLYWHEEL: flywheel_views})

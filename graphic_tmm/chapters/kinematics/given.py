@@ -97,7 +97,11 @@ def _sides(spots: Sequence[complex]) -> tuple[float, float]:
 
 
 def _direction(guide: Guide, base: float) -> Given:
-    return Given(f"α_{{{guide.name}}}", math.remainder(guide.angle - base, 180.0), "°")
+    """From the line that it is measured from, to the side that the author draws it."""
+    angle = guide.angle - base
+    if abs(angle) >= 360.0 or base:
+        angle = math.remainder(angle, 360.0)
+    return Given(f"α_{{{guide.name}}}", angle, "°")
 
 
 def stated(scene: Scene, language: str) -> Iterator[str]:

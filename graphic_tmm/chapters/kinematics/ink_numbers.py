@@ -11,7 +11,7 @@ import cmath
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from itertools import pairwise
+from itertools import combinations, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -38,6 +38,8 @@ PIN = 1.2
 """How far a pin of a thin position reaches, with some room, mm."""
 CLOSE = 2.4
 """A position nearer than twice this to its crank pin, mm, bears no number beside that of the pin."""
+FIELD = 1.5
+"""Rows of numbers stand in one field where what their points enclose comes so near, in heights of a number."""
 TICK, RIVAL = 6.0, 40.0
 """Half of the line across a path where a number stands, mm; of those farther off, mm, none is taken for it."""
 MOST, RANGE = 2, "…"
@@ -76,13 +78,14 @@ def path_numbers(
     names: Sequence[str],
     places: Sequence[int],
     first: Sequence[int],
-    size: float,
+    letters: Letters,
 ) -> Iterator[Wanted]:
     """Yield the numbers of positions along the paths of sliders and rocker ends.
 
     ``first``: the positions numbered before all others, the main one at their head. What stands on the crank
     pin of its own position bears no number.
     """
+    size = letters.small
     order = [*first, *(k for k in places if k not in first)]
     for path in _paths(ink, crank):
         ticks = {k: path.aside(k) for k in order}
@@ -94,8 +97,48 @@ def path_numbers(
             spots = [ticks[k][0] for k in found]
             middle, away = sum(spots) / len(spots), ticks[found[0]][1]
             others = tuple(one for one in drawn if one is not own and abs(one[0] - own[0]) < RIVAL)
-            told, of = _listed(names, found), (path.mark.slot,)
-            yield Wanted(told, middle, size, path.reach, away, of, max(found), own, others)
+            told, high = letters.of(path.mark, _listed(names, found))
+            of = (path.mark.slot,)
+            yield Wanted(told, middle, high, path.reach, away, of, max(found), own, others)
+
+
+class Letters(NamedTuple):
+    """How numbers of positions are lettered: bare, or behind the letters of their points, A₀, A₁, … C₀.
+
+    ``small``, ``large``: heights of bare numbers and of letters whose indices are as high, mm.
+    """
+
+    small: float
+    large: float
+    behind: bool = False
+
+    def of(self, mark: Mark, number: str) -> tuple[str, float]:
+        """Return the number of a mark as it is lettered, and how high."""
+        letter = markup(mark.name)
+        if not self.behind or "_" in letter:
+            return number, self.small
+        return f"{letter}_{{{number}}}", self.large
+
+
+def letters_apart(
+    ink: LinksInk,
+    crank: tuple[Mark, Mark],
+    places: Sequence[int],
+    heights: tuple[float, float],
+) -> Letters:
+    """Return how numbers are lettered: behind letters where two rows of them stand in one field.
+
+    ``heights``: of numbers and of letters of points, mm.
+    """
+    small, large = heights
+    fields = [[ink.at(crank[1], k) for k in places]]
+    fields += [[path.aside(k)[0] for k in places] for path in _paths(ink, crank)]
+    hulls = [
+        shapely.MultiPoint([(z.real, z.imag) for z in spots if cmath.isfinite(z)]).convex_hull
+        for spots in fields
+    ]
+    near = any(one.dwithin(other, FIELD * small) for one, other in combinations(hulls, 2))
+    return Letters(small, large, near)
 
 
 def together(spots: Sequence[complex], within: float) -> list[list[int]]:

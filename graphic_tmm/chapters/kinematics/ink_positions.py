@@ -20,7 +20,9 @@ from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
 from graphic_tmm.chapters.kinematics.ink_numbers import (
     PIN,
+    Letters,
     guide_names,
+    letters_apart,
     link_numbers,
     path_numbers,
 )
@@ -87,7 +89,8 @@ def draw_positions_ink(
             round_arrow(bow.centre, bow.radius, bow.start, way * SWEEP), "turning", crank, main
         )
     letters = ink.letters((ink.frame.name, *ink.names), main, point)
-    pins = ink.numbers(crank, names, small)
+    apart = letters_apart(ink, crank, places, (small, point))
+    pins = ink.numbers(crank, names, apart)
     of = tuple(mark.slot for mark in crank)
     speeds = [Wanted(n, b.middle, point, 1.0, b.out, of, main) for n, b, _ in turns]
     wanted = [
@@ -95,7 +98,7 @@ def draw_positions_ink(
         *speeds,
         *pins,
         *guide_names(ink, main, small),
-        *path_numbers(ink, crank, names, places, [main, *full], small),
+        *path_numbers(ink, crank, names, places, [main, *full], apart),
     ]
     circled = link_numbers(ink, main, strokes, [*letters, *speeds, *pins], small)
     strokes += [stroke for one in circled for stroke in one.strokes]
@@ -219,12 +222,13 @@ class PositionsInk(LinksInk):
         return lettered(shared(spots), size, PAIR)
 
     def numbers(
-        self, crank: tuple[Mark, Mark], names: Sequence[str], size: float = 3.5
+        self, crank: tuple[Mark, Mark], names: Sequence[str], letters: Letters
     ) -> list[Wanted]:
         """The numbers of the positions, outside the circle of the crank pin."""
         wanted = []
         for index in self.places:
             pivot, pin = (self.at(mark, index) for mark in crank)
             of = (crank[1].slot,)
-            wanted.append(Wanted(names[index], pin, size, PIN, pin - pivot, of, index))
+            told, size = letters.of(crank[1], names[index])
+            wanted.append(Wanted(told, pin, size, PIN, pin - pivot, of, index))
         return wanted

@@ -53,14 +53,25 @@ def draw_frame(draft: Draft, mechanism: records.Mechanism, structure: Structure)
     origin = draft.take(Point, pivot, 0j)
     draft.lay_out(origin)
 
+    name = _axis_name(mechanism, pivot)
+
     def axis() -> Mark:
-        return draft.draw(ray, "(x)", origin, draft.direction(0.0), why=why.FRAME_AXIS)
+        return draft.draw(ray, name, origin, draft.direction(0.0), why=why.FRAME_AXIS)
 
     body = Body(frame, frame.points[pivot], 0.0, axis)
     stand(body, pivot, origin, frame.points[pivot])
     draw_points(draft, body, pivot)
     draft.figure("frame", str(frame.number), *body.marks.values())
     return body
+
+
+def _axis_name(mechanism: records.Mechanism, pivot: str) -> str:
+    """Return what the x axis of the plan is called: not as a guide that does not lie on it."""
+    start = mechanism.frame.points[pivot]
+    slides = (slide for link in mechanism.by_number.values() for slide in link.slides)
+    others = (slide.guide for slide in slides if slide.guide.name == "x")
+    apart = any(one.angle % 360.0 or one.through.imag != start.imag for one in others)
+    return f"({pivot}x)" if apart else "(x)"
 
 
 def draw_positions(

@@ -12,6 +12,7 @@ from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.operations.instruments import stand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
+from graphic_tmm.chapters.kinematics.ink_numbers import Letters
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
 from graphic_tmm.chapters.kinematics.ink_positions import FULL, PositionsInk, path_stays
 from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN, KinematicPlans, sides_at
@@ -143,8 +144,8 @@ def _about(drawn: Drawn, made: KinematicPlans) -> Drawing:
     strokes: list[Ink] = [*ink.crank_circle(made.crank), *traces.staying]
     for k in made.extremes:
         strokes += ink.thin(k, FULL) if k in places else []
-    size = heights(drawn.scene, POSITIONS).number
-    wanted = tuple(ink.numbers(made.crank, drawn.names, size))
+    high = heights(drawn.scene, POSITIONS)
+    wanted = tuple(ink.numbers(made.crank, drawn.names, Letters(high.number, high.point)))
     return Drawing(POSITIONS, "", tuple(strokes), wanted=wanted)
 
 

@@ -1,4 +1,4 @@
-"""Hypotheses weighed: the hand, an instrument, a mistake of a family, a table written down amiss, the unknown.
+"""Hypotheses: the hand, an instrument, a mistake of a family, a table written down amiss, the unknown.
 
 Which of them is told: the gate that it must pass, how sure it is, which of those alike comes first.
 """

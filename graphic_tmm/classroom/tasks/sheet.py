@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from graphic_tmm.handout.sheets import CAPTION, TITLE, advance, framed, paper, set_rows
 from graphic_tmm.handout.words import LetteringRow, broken
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.packing import bounds
@@ -206,9 +207,9 @@ def columned(columns: Sequence[tuple[Sequence[Block], float]]) -> Band:
 
 def laid(head: Sequence[str], bands: Sequence[Band], scene: Scene, between: float) -> Paged:
     """Return bands as they stand on sheets, the head on the first."""
-    room = paper(scene.language)
-    whole = room.top - room.bottom
-    return paged(bands, whole - _taken(_head(head, scene)), whole - HEAD, between)
+    begins, others = paper(scene.language, opens=True), paper(scene.language)
+    first = begins.top - begins.bottom - _taken(_head(head, scene))
+    return paged(bands, first, others.top - others.bottom - HEAD, between)
 
 
 def _head(head: Sequence[str], scene: Scene) -> list[LetteringRow]:
@@ -227,12 +228,13 @@ def pages(
     head: Sequence[str], bands: Sequence[Band], scene: Scene, between: float
 ) -> list[list[Drawing]]:
     """Return what stands on the sheets: the head (mark-up) on the first, bands one below the other."""
-    room, told = paper(scene.language), _head(head, scene)
+    room, told = paper(scene.language, opens=True), _head(head, scene)
     found = [[Drawing("task head", scene.title, (), tuple(set_rows(told, room.head)))]]
     for k, some in enumerate(laid(head, bands, scene, between).sheets):
-        top = room.top - (HEAD if k else _taken(told))
         if k:
+            room = paper(scene.language)
             found.append([])
+        top = room.top - (HEAD if k else _taken(told))
         clear = [between if k and not n else one.above for n, one in enumerate(some)]
         left = top - room.bottom - sum(clear) - sum(one.height for one in some)
         looser = min(1.0 + max(left, 0.0) / sum(clear), LOOSER)
@@ -265,5 +267,8 @@ def sheets(
 ) -> list[Sheet]:
     """Return the sheets of a task, ``called`` so in their title block."""
     made = [(called, drawings) for drawings in pages(head, bands, scene, setting.between)]
-    fields = {**scene.title_block}
-    return framed(made, fields, scene.title, scene.language, check=scene.print_check, stem=stem)
+    fields, _ = {**scene.title_block}, speaking(scene.language)
+    if designation := fields.get("designation"):
+        fields["designation"] = _("{designation}", context="task", designation=designation)
+    check, language = scene.print_check, scene.language
+    return framed(made, fields, scene.title, language, check=check, stem=stem, opens=True)

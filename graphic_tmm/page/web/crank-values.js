@@ -1,3 +1,4 @@
+import { turnAt } from "./dense.js";
 import { element, typeset } from "./dom.js";
 
 /**
@@ -56,6 +57,17 @@ export class Values {
  */
 function isThere(there, k) {
   return there === 0 || there.filter((end) => end <= k).length % 2 === 1;
+}
+
+/**
+ * Return the direction of the crank, degrees from the x axis, as sheets write it.
+ * @param {Dense} dense
+ * @param {number} k
+ */
+export function bearing(dense, k) {
+  const angle = dense.zero + dense.sense * turnAt(dense, k);
+  const within = (((angle % 360) + 360) % 360).toFixed(2);
+  return fourFigures(Number(within) % 360, dense.decimal);
 }
 
 /**

@@ -6,7 +6,7 @@ import { putHandle } from "./handle.js";
 import { listenToKeys } from "./keys.js";
 import { unpackedRows } from "./pack.js";
 import { choices, LEAP, positionButtons, runner, turningRange } from "./controls.js";
-import { fourFigures } from "./crank-values.js";
+import { bearing } from "./crank-values.js";
 
 /**
  * @typedef {import("./types.js").Data} Data
@@ -135,15 +135,4 @@ function watched(cards, show) {
   });
   for (const card of cards) observer.observe(card.figure);
   return seen;
-}
-
-/**
- * Return the direction of the crank, degrees from the x axis, as sheets write it.
- * @param {Dense} dense
- * @param {number} k
- */
-function bearing(dense, k) {
-  const angle = dense.zero + dense.sense * turnAt(dense, k);
-  const within = (((angle % 360) + 360) % 360).toFixed(2);
-  return fourFigures(Number(within) % 360, dense.decimal);
 }

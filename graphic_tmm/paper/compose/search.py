@@ -1,9 +1,9 @@
-"""Orders tried for a sheet: rows broken next to the leading view, tables moved to where they close a block.
+"""Orders tried for a sheet: rows broken next to the leading view, tables moved among those that come last.
 
-Reading order is kept: what leads comes first, rows come in order and below each other; tables stand below what
-leads or behind the rows, and single views may change places with their neighbours. Each order is composed and
-judged by the boxes alone (`judged`); a better one is the start of the next moves. The number of tries is fixed,
-so the same boxes always make the same sheet.
+Reading order is a law: what leads comes first, then rows, then all other views in their order. Tables stand
+behind rows and pairs, or under what leads; notes behind the rows. Each order is composed and judged by the
+boxes alone (`judged`); a better one is the start of the next moves. The number of tries is fixed, so the same
+boxes always make the same sheet.
 """
 
 from __future__ import annotations
@@ -43,9 +43,14 @@ Order = tuple[Unit, ...]
 
 
 def first_order(outlines: Sequence[Outline]) -> Order:
-    """Return the units of boxes in the order in which they came, what leads first."""
+    """Return the units of boxes in the order in which they are read: what leads, rows, all others.
+
+    Tables come last where there are pairs, elsewhere where they came.
+    """
     units = units_of(outlines, range(len(outlines)))
-    units.sort(key=lambda unit: unit.stand.kind != "lead")
+    last = any(unit.stand.kind == "pair" for unit in units)
+    ranks = {"lead": 0, "row": 1, "table": 3 if last else 2}
+    units.sort(key=lambda unit: ranks.get(unit.stand.kind, 2))
     return tuple(
         unit._replace(stand=Stand(LEAD, "lead")) if unit.stand.kind == "lead" else unit
         for unit in units
@@ -140,22 +145,20 @@ def _widest(
 
 
 def moves(order: Order) -> Iterator[Order]:
-    """Yield the orders one move away: a table elsewhere, rows broken elsewhere, neighbours exchanged."""
+    """Yield the orders one move away: a table elsewhere, rows broken elsewhere."""
     yield from _tables(order)
     yield from _broken(order)
-    yield from _exchanged(order)
 
 
 def _tables(order: Order) -> Iterator[Order]:
-    """Yield orders with a table below what leads, or elsewhere behind the last of the rows."""
-    rows = [k for k, unit in enumerate(order) if unit.stand.kind in ("lead", "row")]
-    behind = rows[-1] + 1 if rows else 0
+    """Yield orders with a table below what leads or elsewhere behind pairs and rows, a note behind rows."""
     leads = order[0].stand.kind == "lead"
     for k, unit in enumerate(order):
         if unit.stand.kind not in LOOSE:
             continue
         others = (*order[:k], *order[k + 1 :])
-        first = behind - (k < behind)
+        ahead = ("lead", "row") if unit.stand.kind == "note" else ("lead", "row", "pair")
+        first = max((n + 1 for n, one in enumerate(others) if one.stand.kind in ahead), default=0)
         if leads and unit.stand.below != LEAD:
             under = unit._replace(stand=Stand(kind=unit.stand.kind, below=LEAD))
             yield (order[0], under, *others[1:])
@@ -188,12 +191,3 @@ def _part(unit: Unit, first: int, end: int | None) -> Unit:
 
 def _joined(one: Unit, other: Unit) -> Unit:
     return one._replace(members=one.members + other.members, sizes=one.sizes + other.sizes)
-
-
-def _exchanged(order: Order) -> Iterator[Order]:
-    """Yield orders in which two neighbours have changed places that need not come in order."""
-    for k in range(len(order) - 1):
-        one, other = order[k : k + 2]
-        kinds = {one.stand.kind, other.stand.kind}
-        if "lead" not in kinds and kinds != {"row"} and not ("row" in kinds and kinds & LOOSE):
-            yield (*order[:k], other, one, *order[k + 2 :])

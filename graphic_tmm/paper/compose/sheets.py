@@ -1,6 +1,7 @@
 """Several sheets: what one does not hold goes to the next, in order; a set is put right afterwards.
 
-A row of plans is broken between any two of them; a polygon stays with its group as long as a sheet holds both.
+A row of plans is broken between any two of them; a group, its polygon and its equations stay together as long
+as a sheet holds them, else the equations stay with the group.
 What is left over of an order stands on a sheet of its own only if no other sheet of the set has room for it,
 first of all one where the rest of its block stands; an order that takes several sheets fills them evenly.
 """
@@ -157,15 +158,15 @@ def _taken(
     boxes: Sequence[Outline], waiting: Sequence[int], room: Room, tries: int, most: float | None
 ) -> list[int]:
     """Return which of the waiting boxes a sheet holds: as many in order as fit, and tables behind them."""
+    ends = _ends([boxes[k] for k in waiting])
 
     def held(chosen: Sequence[int], tried: int = FEW) -> bool:
-        if most is not None and len(chosen) > 1 and _area(boxes, chosen) > most:
+        if most is not None and len(chosen) > ends[0] and _area(boxes, chosen) > most:
             return False
         return fits([boxes[k] for k in chosen], room, tried) is not None
 
     if held(waiting, tries):
         return list(waiting)
-    ends = _ends([boxes[k] for k in waiting])
     low, high = 0, len(ends) - 1
     while low < high:
         middle = (low + high + 1) // 2
@@ -175,12 +176,13 @@ def _taken(
             high = middle - 1
     while low < len(ends) - 1 and held(waiting[: ends[low]], tries):
         low += 1
-    taken = list(waiting[: ends[low - 1]]) if low else []
-    if not taken and ends[0] > 1 and held(waiting[:1]):
-        taken = list(waiting[:1])
-    for k in waiting[len(taken) :]:
-        if taken and boxes[k].stand.kind == "table" and held([*taken, k]):
-            taken.append(k)
+    if not low and not held(waiting[:1]):
+        return []
+    taken = list(waiting[: ends[low - 1] if low else 1])
+    tables = [k for k in waiting[len(taken) :] if boxes[k].stand.kind == "table"]
+    # of a unit that is too large the equations go with the group sooner than the polygon
+    for k in (*(() if low else reversed(waiting[1 : ends[0]])), *tables):
+        taken += [k] if held([*taken, k]) else []
     return taken
 
 
@@ -208,26 +210,30 @@ def _gathered(boxes: Sequence[Outline], sheets: list[Shared], tries: int) -> lis
         follows = any(sheet.order == one.order for sheet in sheets[: sheets.index(one)])
         if not follows or _area(boxes, one.boxes) > SMALL * one.room.area:
             continue
-        others = _moved(boxes, one, [sheet for sheet in sheets if sheet is not one], tries)
+        others = _moved(boxes, sheets, sheets.index(one), tries)
         sheets = sheets if others is None else others
     return sheets
 
 
 def _moved(
-    boxes: Sequence[Outline], one: Shared, others: list[Shared], tries: int
+    boxes: Sequence[Outline], sheets: list[Shared], here: int, tries: int
 ) -> list[Shared] | None:
-    """Return other sheets that have taken up the boxes of one; None if they have no room for all of them."""
+    """Return the other sheets that have taken up the boxes of one; None if they have no room for all of them.
+
+    Tables and notes go wherever there is room, all others to the sheet before: they stay in order.
+    """
+    one, others = sheets[here], [*sheets[:here], *sheets[here + 1 :]]
     for unit in units_of(boxes, one.boxes):
-        for place in sorted(
+        near = sorted(
             range(len(others)), key=lambda n: _strange(boxes, unit.members, one, others[n])
-        ):
+        )
+        for place in near if unit.stand.kind in search.LOOSE else [here - 1]:
             sheet = others[place]
             more = (*sheet.boxes, *unit.members)
             more = tuple(sorted(more)) if sheet.order == one.order else more
-            if sheet.alone or (sheet.order != one.order and unit.stand.kind not in search.LOOSE):
-                continue
-            if fits([boxes[k] for k in more], sheet.room, tries) is not None:
-                others = [*others[:place], sheet._replace(boxes=more), *others[place + 1 :]]
+            held = not sheet.alone and fits([boxes[k] for k in more], sheet.room, tries)
+            if held:
+                others[place] = sheet._replace(boxes=more)
                 break
         else:
             return None

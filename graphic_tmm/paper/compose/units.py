@@ -62,11 +62,14 @@ class Shape(NamedTuple):
 
 
 def units_of(outlines: Sequence[Outline], chosen: Iterable[int]) -> list[Unit]:
-    """Return the units that some of the outlines make: a block stands where its first view does."""
+    """Return the units that some of the outlines make: a block stands where its first view does.
+
+    What is drawn position by position comes so: all of one before the next.
+    """
     blocks: dict[str, list[int]] = {}
     for k in chosen:
         blocks.setdefault(outlines[k].stand.block or f"\0{k}", []).append(k)
-    return [
+    units = [
         Unit(
             tuple(members),
             tuple((o.width, o.height, o.foot) for o in (outlines[k] for k in members)),
@@ -74,6 +77,9 @@ def units_of(outlines: Sequence[Outline], chosen: Iterable[int]) -> list[Unit]:
         )
         for members in blocks.values()
     ]
+    pairs = [unit for unit in units if unit.stand.kind == "pair"]
+    turns = iter(sorted(pairs, key=lambda unit: unit.stand.position))
+    return [next(turns) if unit.stand.kind == "pair" else unit for unit in units]
 
 
 @lru_cache(maxsize=4096)

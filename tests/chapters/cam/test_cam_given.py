@@ -8,8 +8,10 @@ import pytest
 from support.gallery import paper, scene
 from support.scenes import written
 
+from graphic_tmm.chapters.cam.views import cam_views
 from graphic_tmm.readers.task_sheet import given_rows, given_table
 from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
 
 HEAD = 'title = "T"\n[cam]\nrise = 100\nupper_dwell = 20\nfall = 90\n'
 
@@ -39,6 +41,21 @@ def test_a_rocker_swings_and_a_flat_face_has_a_least_radius(tmp_path: Path) -> N
     found = told(tmp_path, 'stroke = "20 mm"\nfollower = "flat"\nleast_curvature = "5 mm"\n')
     assert found["[ρ]"] == (pytest.approx(5.0), "mm")
     assert "[α]" not in found
+
+
+def test_the_diagrams_of_a_rocker_are_those_of_its_angle(tmp_path: Path) -> None:
+    """Axes, titles, scale factors and the table say ψ, of a roller on a rod S."""
+    rocker = 'stroke = "20 deg"\nfollower = "rocker"\nlever = "0.1 m"\ncentres = "0.13 m"\n'
+    for text, own, other in ((rocker, "ψ", "S"), ('stroke = "28 mm"\n', "S", "ψ")):
+        sheet = '[[sheet]]\nformat = "A1"\nplace = ["cam"]\n'
+        (part,) = make(read(written(tmp_path, HEAD + text + sheet))).boards
+        views = cam_views(part, True)
+        lettered = {label.text.partition(",")[0] for view in views for label in view.labels}
+        assert {own, f"{own}′", f"{own}″"} <= lettered
+        assert not {other, f"{other}′", f"{other}″"} & lettered
+        scales = [label for label in lettered if label.startswith("μ_")]
+        assert any(f"μ_{own}" in label or f"μ_{{{own}" in label for label in scales)
+        assert not any(f"μ_{other}" in label or f"μ_{{{other}" in label for label in scales)
 
 
 def test_it_is_told_in_russian_and_stands_on_the_sheet_of_the_cam() -> None:

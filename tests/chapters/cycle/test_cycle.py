@@ -21,6 +21,7 @@ from graphic_tmm.chapters.cycle.views import cycle_views
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.errors import SceneError
 from graphic_tmm.paper.labels import finished
+from graphic_tmm.readers.findings import warnings
 from graphic_tmm.readers.protocol import protocol
 from graphic_tmm.scene.read import read
 
@@ -169,3 +170,12 @@ def test_what_does_not_fit_is_told(
 def test_a_scene_of_a_cycle_needs_no_mechanism(tmp_path: Path) -> None:
     made = in_usual_size(read(written(tmp_path, text_of(STROKES, 2, 24))))
     assert [one.board for one in made.boards] == ["cycle"]
+
+
+def test_a_rim_that_is_a_drum_is_told_on_the_terminal_and_on_no_sheet(tmp_path: Path) -> None:
+    more = 'delta = 0.02\nD_e = "0.9 m"'
+    made = drawn_from(tmp_path, text_of([(0, 0), (90, 600), (720, 0)], 2, 24, more=more))
+    assert [text for text in warnings(made) if "choose D_e" in text]
+    labels = [label.text for view in cycle_views(made, True) for label in view.labels]
+    assert "Sketch of the flywheel" in labels
+    assert not [text for text in labels if "choose" in text]

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import shapely
 from support.boards import drawn_of
 from support.each import each
 from support.engines import SCENE
@@ -135,6 +136,26 @@ def test_the_piston_stands_in_its_cylinder() -> None:
     assert gaps.argmin() == 0
     assert gaps[0] == pytest.approx(12.0)
     assert gaps[6] - gaps[0] == pytest.approx(2 * R / made.scales["positions"].value)
+
+
+def ink_of(view: Drawing, part: str) -> list[shapely.LineString]:
+    """The straight strokes of a part of the machine."""
+    strokes = [s for s in view.strokes if isinstance(s, Stroke) and s.part == part]
+    paths = [[(x, y) for x, y, _ in (*s.path, *s.path[: s.closed])] for s in strokes]
+    return [shapely.LineString(path) for path in paths]
+
+
+def test_the_piston_rod_ends_at_the_piston_and_does_not_enter_it() -> None:
+    """From the crosshead to the middle of the piston's face on that side."""
+    made = exact()
+    *_, crosshead, piston, _ = (made.reading[mark][0] for mark in BESIDE.on(made).transfer.points)
+    for k, view in enumerate(pictures(made)[:7:3]):
+        (head,) = ink_of(view, "piston")
+        rod = ink_of(view, "link")[-1]
+        reach = abs(piston[3 * k] - crosshead[3 * k])
+        assert rod.length == pytest.approx(reach - np.ptp(np.array(head.coords)[:, 0]), abs=1e-9)
+        assert rod.intersection(shapely.Polygon(head.coords)).length < 1e-9
+        assert rod.distance(head) < 1e-9
 
 
 def pictures(work: Drawn) -> list[Drawing]:

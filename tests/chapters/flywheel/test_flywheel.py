@@ -17,10 +17,12 @@ from graphic_tmm.board.charts import ScaleOrder
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
 from graphic_tmm.chapters.flywheel.task import FlywheelTask
+from graphic_tmm.chapters.flywheel.views import flywheel_views
 from graphic_tmm.chapters.indicator.task import Gas
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.readers.findings import warnings
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
@@ -231,8 +233,25 @@ def test_a_rim_that_is_a_drum_is_told_with_what_to_choose(outer: float, drum: bo
     assert (width > outer / 2) == drum
     says = f"the rim of D_e = {outer} m is {width:.3g} m wide: choose D_e = 0.4 m or more"
     assert [text for text in warnings(made) if "wide" in text] == (
-        [f"flywheel: {says}"] if drum else []
+        [f"Flywheel: {says}"] if drum else []
     )
+
+
+def test_no_sheet_advises_whoever_draws_it() -> None:
+    """A drum's other diameter, a better number of positions are for the terminal; how far off it is stays."""
+    order = read(SHEETS / "windrower").tasks["flywheel"]
+    wide = replace(order, rim=replace(order.rim, outer=0.3, inner=None))
+    scene = replace(read(SHEETS / "windrower"), language="en").asking(flywheel=wide)
+    made = drawn_of(scene, exact=True)
+    told = "\n".join(warnings(made))
+    assert "choose D_e" in told
+    assert "within 1 %" in told
+    views = flywheel_views(made, True)
+    lettered = "\n".join(plain(label.text) for view in views for label in view.labels)
+    assert "Sketch of the flywheel" in lettered
+    assert "With 12 positions" in lettered
+    assert "choose D_e" not in lettered
+    assert "within 1 %" not in lettered
 
 
 @given(outer=st.floats(0.1, 2.0), width=st.floats(0.001, 50.0))

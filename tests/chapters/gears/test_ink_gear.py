@@ -12,9 +12,11 @@ from support import gallery
 from support.each import each
 from support.teeth import Pair, dense, pair, profile
 
+from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.gears.ink import draw_gear_ink
 from graphic_tmm.chapters.gears.ink_rolling import draw_rolling_ink
 from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
+from graphic_tmm.chapters.gears.rolling import along_arc
 from graphic_tmm.chapters.gears.table import dimension_table, sliding_table
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.paper.drawing import Bezier, Drawing, Sheet, Stroke
@@ -188,6 +190,30 @@ def test_each_rolled_tangent_touches_the_base_circle_and_ends_on_the_involute(k:
         assert abs(foot - centre) == pytest.approx(base)
         assert abs(((foot - centre).conjugate() * (end - foot)).real) < 1e-9 * base**2
         assert np.abs(curve - end).min() < 1e-9
+
+
+def place(of: Pair, mark: Mark, k: int) -> complex:
+    """Where a mark is, or what a length is, at one place of its row."""
+    row = of.reading[mark][0]
+    return complex(row[k if row.size > 1 else 0])
+
+
+def test_an_arc_that_dividers_step_off_is_as_long_as_they_are_open() -> None:
+    """It begins at the point that is known and ends at the mark; so the string is as long as its arc."""
+    of, made = drawn(), view("gear", lettered=False)
+    stepped = {step.it.slot: step for step in of.log.steps if step.op is along_arc}
+    bows = [s for s in made.rubbed if len(s.of) == 1 and s.of[0] in stepped]
+    for bow in bows:
+        assert isinstance(bow, Stroke)
+        step, k, length = stepped[bow.of[0]], bow.position or 0, 0.0
+        for (x, y, bulge), (u, v, _) in pairwise(bow.path):
+            half = 2 * np.arctan(bulge)
+            length += abs(complex(u - x, v - y)) * half / np.sin(half)
+        start, opening, end = (place(of, mark, k) for mark in (*step.uses[::2], step.it))
+        ends = [complex(x, y) for x, y, _ in (bow.path[0], bow.path[-1])]
+        assert ends == pytest.approx([start, end])
+        assert length == pytest.approx(abs(opening))
+    assert len(bows) == 2 * (3 + 15 + 13)
 
 
 def test_the_curves_of_sliding_go_to_one_over_the_limits() -> None:

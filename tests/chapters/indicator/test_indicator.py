@@ -13,6 +13,7 @@ from support.gallery import SHEETS
 
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
+from graphic_tmm.chapters.indicator.accuracy import at_count
 from graphic_tmm.chapters.indicator.plan import Indicator
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask
 from graphic_tmm.drawn import Drawn
@@ -116,3 +117,21 @@ def test_a_scale_that_is_not_given_is_standard_and_has_room() -> None:
     )
     assert free.scales["indicator"].value == 2500.0
     assert Row().count == 12
+
+
+@pytest.mark.parametrize(
+    ("strokes", "due"),
+    [
+        (2, (10.0, 15.0, 20.0, 40.0, 60.0, 35.0)),
+        (4, (10, 12.5, 15, 17.5, 20, 30, 40, 50, 60, 47.5, 35, 22.5)),
+    ],
+)
+def test_more_positions_in_a_turn_keep_the_pressures_of_the_whole_cycle(
+    strokes: int, due: tuple[float, ...]
+) -> None:
+    """Three pressures are given; at six positions a turn two strokes have six of them, four strokes twelve."""
+    sides = Gas((10.0, 20.0, 60.0), BORE), Gas((20.0, 40.0, 120.0), BORE, ROD)
+    finer = at_count(IndicatorTask("B", *sides, strokes=strokes), 6)
+    assert finer.cover.pressures == pytest.approx(due)
+    assert finer.shaft is not None
+    assert finer.shaft.pressures == pytest.approx([2 * p for p in due])

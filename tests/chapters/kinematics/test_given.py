@@ -11,6 +11,7 @@ from support.each import each
 from support.gallery import NAMES, SHEETS, paper, scene
 from support.mechanisms import sample
 from support.rewritten import relettered, text_of
+from support.scenes import slider_crank
 
 from graphic_tmm.readers.task_sheet import Given, given_rows, given_table
 from graphic_tmm.scene.read import read
@@ -35,6 +36,17 @@ def test_a_task_sheet_is_told_as_its_author_wrote_it() -> None:
     assert rows("scotch-yoke")["ω_1"] == (20.0, "1/s")
     assert rows("accelerating-crank")["ε_1"] == (30.0, "1/s²")
     assert (rows("project")["δ"], rows("project")["D_e"]) == ((0.04, ""), (600.0, "mm"))
+
+
+@pytest.mark.parametrize(("written", "told"), [("135", 135.0), ("-45", -45.0), ("495", 135.0)])
+def test_a_guide_is_told_at_the_angle_that_the_author_gives(
+    written: str, told: float, tmp_path: Path
+) -> None:
+    """135° is no -45°: the sense of a guide is the author's."""
+    text = slider_crank('speed = "100 rpm"\n').replace("angle = 0", f'angle = "{written} deg"')
+    path = tmp_path / "scene.toml"
+    path.write_text(text + TAIL, encoding="utf-8")
+    assert {row.symbol: row.value for row in given_rows(read(path))}["α_{x}"] == told
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -11,6 +11,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 import pytest
 from support import gallery
+from support.each import each
 from support.gallery import CASES
 from support.mechanisms import Sampled, sample
 from support.oracle import OracleError
@@ -18,7 +19,7 @@ from support.rewritten import relettered, text_of
 from support.scenes import written
 from support.seen import CLOSE, Seen, judge
 
-from graphic_tmm.chapters.kinematics.ink_links import HELD, THROUGH, LinksInk
+from graphic_tmm.chapters.kinematics.ink_links import HELD, THROUGH, WIDTHS, LinksInk
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.errors import SheetError
@@ -219,6 +220,24 @@ def test_a_small_offset_has_no_filled_corner_over_its_pivot() -> None:
     offs = [abs(bar.holder - bar.foot) for name in ink.names for bar in ink.bars(name, 0)]
     corners = [one for name in ink.names for one in ink.corners(name, 0)]
     assert len(corners) == sum(off >= HELD for off in offs)
+
+
+@each("name", ["shaper", "oscillating-cylinder"])
+def test_a_notch_is_as_wide_as_what_slides(name: str) -> None:
+    """A slider, a stone, a piston: in thin positions a line across the guide, through its middle."""
+    work = gallery.drawn(name, exact=True)
+    ink, widths = LinksInk(work.project.construction, work.reading, reaches(work)), []
+    for number in ink.names:
+        signs = [s for s in ink.symbols([number], 2) if isinstance(s, Stroke)]
+        boxes = [s for s in signs if s.part in WIDTHS and s.closed and len(s.path) == 4]
+        for notch, box in zip(ink.notches(number, 2), boxes, strict=True):
+            assert isinstance(notch, Stroke)
+            start, end = (complex(x, y) for x, y, _ in notch.path)
+            own = [(complex(x, y) - start) / (end - start) for x, y, _ in box.path]
+            assert [min(z.real for z in own), max(z.real for z in own)] == pytest.approx([0.0, 1.0])
+            assert min(z.imag for z in own) == pytest.approx(-max(z.imag for z in own))
+            widths.append(abs(end - start))
+    assert widths
 
 
 @pytest.mark.parametrize("index", [0, 3, 7])

@@ -102,7 +102,8 @@ def test_every_position_has_its_number_outside_the_crank_circle(name: str) -> No
     for index, number in enumerate(names):
         pin = shapely.Point(at(name, a, index).real, at(name, a, index).imag)
         # the same number stands at sliders and at ends of rockers
-        told = [one for one in view.labels if one.text == number and one.size == 3.5]
+        due = (number, f"{a.name}_{{{number}}}")
+        told = [one for one in view.labels if one.text in due and one.size in (3.5, 5.0)]
         found = min((box(one) for one in told if not circled(one, view)), key=pin.distance)
         assert found.distance(pin) < 14.0
         mid = found.centroid

@@ -13,7 +13,7 @@ import pytest
 import shapely
 from hypothesis import given
 from hypothesis import strategies as st
-from support.boards import drawn_of
+from support.boards import drawn_of, in_usual_size
 from support.gallery import NAMES, SHEETS, drawn
 
 from graphic_tmm.board.record import Mark
@@ -151,9 +151,14 @@ def test_extreme_positions_are_drawn_in_full_line_and_no_others(name: str) -> No
     assert full == due
 
 
+def bare(text: str) -> str:
+    """Numbers that stand behind the letter of their point, without it."""
+    return re.sub(r"^[A-Z]_\{(\d.*)\}$", r"\1", text)
+
+
 def told_by(text: str) -> list[str]:
-    """The numbers on a label: "3…5, 9" tells of 3, 4, 5 and 9."""
-    ends = (part.split("…") for part in text.split(", "))
+    """The numbers on a label: "3…5, 9", bare or as the index of a letter, tells of 3, 4, 5 and 9."""
+    ends = (part.split("…") for part in bare(text).split(", "))
     return [
         number
         for first, *last in ends
@@ -167,7 +172,9 @@ def test_every_slider_bears_the_numbers_of_its_positions_where_it_stands(name: s
     main = work.main
     for one in (f for f in work.construction.figures if f.kind == "slider"):
         mark = one.marks[0]
-        told = [one for one in view.labels if one.of == (mark.slot,) and one.text[0].isdigit()]
+        told = [
+            one for one in view.labels if one.of == (mark.slot,) and bare(one.text)[0].isdigit()
+        ]
         numbers = [part for label in told for part in told_by(label.text)]
         assert len(numbers) == len(set(numbers))
         pin = KINEMATICS_PLAN.on(work).crank[1]
@@ -195,7 +202,9 @@ def test_a_number_beside_a_path_stands_at_its_own_tick(name: str) -> None:
         ends = [*spots.values()]
         way = max((b - a for a in ends for b in ends), key=abs)
         way /= abs(way)
-        told = [one for one in view.labels if one.of == (mark.slot,) and one.text[0].isdigit()]
+        told = [
+            one for one in view.labels if one.of == (mark.slot,) and bare(one.text)[0].isdigit()
+        ]
         numbered = {part for label in told for part in told_by(label.text)}
         for label in told:
             own = told_by(label.text)
@@ -205,6 +214,31 @@ def test_a_number_beside_a_path_stands_at_its_own_tick(name: str) -> None:
                 assert min(off[n] for n in own) <= min(off.values()) + 0.5, label.text
             high = max(abs(spots[a] - spots[b]) for a in own for b in own)
             assert high <= label.size, label.text
+
+
+CASES = Path(__file__).parents[2] / "cases" / "sheets"
+
+
+@pytest.mark.parametrize(
+    ("file", "behind"),
+    [
+        (CASES / "whitworth-pin-S.toml", True),
+        (SHEETS / "shaper" / "scene.toml", True),
+        (SHEETS / "engine" / "scene.toml", False),
+        (SHEETS / "windrower" / "scene.toml", False),
+    ],
+)
+def test_numbers_stand_behind_letters_where_two_rows_share_a_field(
+    file: Path, *, behind: bool
+) -> None:
+    """A₃ and C₃ in one circle: two rows of 0 … 11 within each other say nothing."""
+    work = in_usual_size(read(file), exact=True).mechanism
+    assert work is not None
+    (view,) = views.position_views(work, True)
+    pin = KINEMATICS_PLAN.on(work).crank[1]
+    told = [one.text for one in view.labels if pin.slot in one.of and re.search(r"\d", one.text)]
+    numbered = [text for text in told if text.startswith(f"{pin.name}_{{")]
+    assert len(numbered) == (len(work.names) if behind else 0)
 
 
 @given(st.lists(st.complex_numbers(max_magnitude=30.0), min_size=1, max_size=14))

@@ -139,10 +139,9 @@ def test_a_segment_that_is_a_little_off_everywhere_is_told(tmp_path: Path) -> No
     assert either >= 0.85 * count
 
 
-@pytest.mark.slow
 def test_a_group_says_where_to_look_and_names_no_mistake() -> None:
     """Three lengths of one position, each by three times what a hand is off, one of them the other way."""
-    scene = exact("engine")
+    scene = made("sc")
     kept = Yardsticks(scene, HANDS["student"]._replace(trials=200), Limits())
     due = cells(scene)
     rows = [row for row in readings(due, due) if row.plan == V]

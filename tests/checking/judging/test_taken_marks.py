@@ -81,25 +81,6 @@ def test_a_row_keeps_the_digits_that_were_written(tmp_path: Path) -> None:
     assert second.last == Last(x=0.05, y=0.05)
 
 
-@pytest.mark.parametrize(
-    ("written", "halves"),
-    [
-        (["1.762", "2", "0.35"], [0.0005, 0.0005, 0.0005]),  # 2.000 and 0.350
-        (["78.4", "245", "373"], [0.05, 0.5, 0.5]),  # three digits each
-        (["54.5", "54", "5"], [0.05, 0.05, 0.05]),  # a ruler of half a mm
-        (["2"], [0.5]),
-        (["0", "12.5"], [0.05, 0.05]),
-    ],
-)
-def test_noughts_that_were_left_out_were_meant(
-    written: list[str], halves: list[float], tmp_path: Path
-) -> None:
-    rows = "".join(f"v,{k},pb,,{figure},m/s,,\n" for k, figure in enumerate(written))
-    path = tmp_path / "r.csv"
-    path.write_text(HEAD + rows, "utf-8")
-    assert [one.last.value for one in read_readings(path)] == pytest.approx(halves, rel=1e-9)
-
-
 @pytest.mark.slow
 def test_every_way_a_ruler_gives_a_calculated_length_is_fine() -> None:
     """pa is 54.348 mm: on a ruler of 0.1 mm it is 54.3 or 54.4, for the surest hand."""

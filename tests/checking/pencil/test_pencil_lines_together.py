@@ -37,6 +37,15 @@ def view(
     )
 
 
+def test_a_foot_is_told_as_a_share_of_its_line() -> None:
+    """A line of 3, 4, 5: what stands 2 mm along it and 7 mm aside has its foot at two fifths."""
+    line = ExpectedLine(1 + 1j, 4 + 5j, (0, 1))
+    way = 0.6 + 0.8j
+    spots = np.array([1 + 1j + (2 + 7j) * way, 1 + 1j + (-5 - 3j) * way])
+    assert [line.share(at) for at in spots] == pytest.approx([0.4, -1.0])
+    assert line.shares(spots) == pytest.approx([0.4, -1.0])
+
+
 def fitted(one: View, tracks: list[Track]) -> Fit:
     count = len(one.places)
     return Fit(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image, ImageDraw
 
-from graphic_tmm.checking.photo.long_lines import long_lines, smaller
+from graphic_tmm.checking.photo.long_lines import Small, long_lines, smaller
 from graphic_tmm.checking.photo.perspective import homography, through, vertices
 from graphic_tmm.checking.photo.quadrilaterals import Ruled, guesses
 from graphic_tmm.paper.ruled import Box
@@ -37,6 +37,14 @@ def test_the_frame_is_the_best_guess_whichever_way_up(turn: int) -> None:
         upright, size = np.array([150 + 1400j, 1060 + 1450j, 1020 + 180j, 200 + 150j]), (1200, 1600)
         upright = np.roll(upright, 1)
     corners = np.roll(upright, 2 * (turn // 2))
+    small = photographed(size, corners)
+    found = guesses(small, long_lines(small, 5.0), Ruled(FRAME, PAPER, BLOCK), 5.0)
+    assert abs(found[0].corners - corners).max() < 4
+    assert found[0].score > 0.9
+
+
+def photographed(size: tuple[int, int], corners: np.ndarray) -> Small:
+    """Return a photograph, made small, of what is ruled on a sheet whose frame's corners are seen there."""
     matrix = homography(FRAME, corners)
     made = Image.new("RGB", size, (240, 240, 240))
     draw = ImageDraw.Draw(made)
@@ -44,12 +52,24 @@ def test_the_frame_is_the_best_guess_whichever_way_up(turn: int) -> None:
     frame = np.stack([feet, np.roll(feet, -1)], axis=1)
     for line in (*frame, *BLOCK, *np.array(TABLE)):
         draw.line([(z.real, z.imag) for z in through(matrix, line)], fill=(70, 70, 70), width=4)
-    small = smaller(np.asarray(made))
-    found = guesses(small, long_lines(small, 5.0), Ruled(FRAME, PAPER, BLOCK), 5.0)
-    assert abs(found[0].corners - corners).max() < 4
-    assert found[0].score > 0.9
+    return smaller(np.asarray(made))
 
 
 def test_no_lines_make_no_guess() -> None:
     small = smaller(np.full((600, 800, 3), 230, np.uint8))
     assert guesses(small, long_lines(small, 3.0), Ruled(FRAME, PAPER, BLOCK), 3.0) == []
+
+
+@pytest.mark.parametrize("paler", range(4))
+def test_the_frame_is_the_best_guess_whichever_side_is_seen_the_worst(paler: int) -> None:
+    """Sides are combined in the order in which they are seen: the frame goes round either way then."""
+    corners = np.array([180 + 1050j, 1450 + 1000j, 1380 + 130j, 260 + 90j])
+    small = photographed((1600, 1200), corners)
+    lines = long_lines(small, 5.0)
+    start, end = corners[paler], corners[(paler + 1) % 4]
+    off = [abs(((z - start) / (end - start)).imag) for z in (lines.feet, lines.heads)]
+    side = np.maximum(*off) * abs(end - start) < 5.0
+    assert side.any()
+    seen = np.where(side, 1.0, lines.seen)
+    found = guesses(small, lines._replace(seen=seen), Ruled(FRAME, PAPER, BLOCK), 5.0)
+    assert abs(found[0].corners - corners).max() < 4

@@ -8,7 +8,14 @@ import numpy as np
 import pytest
 from support.each import each
 
-from graphic_tmm.classroom.marks.copies import alike, rareness, rounded_alike
+from graphic_tmm.classroom.marks.copies import (
+    FEWEST_TELLING,
+    Other,
+    alike,
+    looks_like,
+    rareness,
+    rounded_alike,
+)
 from graphic_tmm.classroom.marks.row import MM, SPOT, Figure, Row
 
 SLIP = 0.8
@@ -84,3 +91,17 @@ def test_what_was_calculated_is_not_counted() -> None:
     given = row(due, due)
     given = given._replace(figures=tuple(f._replace(grain=0.0, slip=0.0) for f in given.figures))
     assert alike([given, given]) == ()
+
+
+@each("telling, fits", [(FEWEST_TELLING - 1, False), (FEWEST_TELLING, True), (9, True)])
+def test_a_hand_in_looks_like_the_variant_that_so_many_readings_tell_and_fit(
+    telling: int, fits: bool
+) -> None:
+    """Of twelve readings so many are due 10 mm farther in the other variant, where they were read."""
+    due = np.linspace(20.0, 80.0, 12)
+    other = due + np.where(np.arange(12) < telling, 10.0, 0.0)
+    handed = row(other, due)
+    keys = ((one.key, one.kind) for one in handed.figures)
+    dues = dict(zip(keys, ((float(d),) for d in other), strict=True))
+    assert looks_like(handed, {"07": dues}) == (Other("07", telling, telling) if fits else None)
+    assert looks_like(row(due, due), {"07": dues}) is None

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from support.gallery import SHEETS
+from support.linkages import four_bar
 
 import graphic_tmm
 from graphic_tmm.board import execute
@@ -20,6 +21,7 @@ from graphic_tmm.errors import ConstructionError, SceneError
 from graphic_tmm.readers.any_angles import motion, ready
 from graphic_tmm.readers.any_angles.results import Motion
 from graphic_tmm.scene.read import read
+from graphic_tmm.scene.records import Scene
 
 ANGLES = np.linspace(-30.0, 400.0, 1001)
 OMEGA, CRANK, ROD = 50.0, 0.3, 0.64
@@ -51,6 +53,19 @@ def test_what_is_read_with_the_ruler_is_off_by_half_a_division_at_most() -> None
     off = np.abs(read_.omega[2] - exact.omega[2])
     # ω2 = ab·μ_v / l, and μ_v = μ_l·ω1 with pa = OA = 60 mm
     assert 0.0 < off.max() <= 0.05 * (CRANK / 60.0) * OMEGA / ROD * (1 + 1e-6)
+
+
+def test_places_are_those_of_the_frames_axes_wherever_the_crank_turns() -> None:
+    """A four-bar whose shaft is not the origin, drawn to a scale: lengths and places are those given."""
+    r, rod, rocker, shaft, pivot = 0.1, 0.3, 0.25, 0.5 + 0.2j, 0.85 + 0.3j
+    mechanism = four_bar(r, rod, rocker, 0j)
+    frame = replace(mechanism.frame, points={"O": shaft, "C": pivot})
+    scene = Scene("moved", "", "en", replace(mechanism, frame=frame))
+    found = graphic_tmm.motion(scene, ANGLES[::50])
+    a, b = (found.places[at] for at in (("A", 1), ("B", 2)))
+    np.testing.assert_allclose(a - shaft, r * np.exp(1j * np.radians(ANGLES[::50])), atol=1e-9)
+    np.testing.assert_allclose(np.abs(b - a), rod, atol=1e-9)
+    np.testing.assert_allclose(np.abs(b - pivot), rocker, atol=1e-9)
 
 
 def test_only_the_points_asked_for_are_found() -> None:

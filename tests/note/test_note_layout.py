@@ -1,0 +1,113 @@
+"""The pages of a note: figures and tables in their sections, what goes on says so, nothing stands alone."""
+
+from __future__ import annotations
+
+import io
+import re
+
+import pdfplumber
+import pytest
+from support.laid_out import PageLine, bytes_of, note_of_case, pages_of
+
+from graphic_tmm.board.formula_text import tree_of
+from graphic_tmm.note.document import (
+    Display,
+    Document,
+    Formula,
+    Heading,
+    Picture,
+    SideBySide,
+    Symbol,
+    Table,
+    Text,
+    Tree,
+    numbered,
+    paragraph,
+)
+from graphic_tmm.note.widths import broken
+
+CASE = "slotting"
+CAPTION = re.compile(r"^(Рисунок|Таблица) (\d+) —")
+GOES_ON = re.compile(r"^Продолжение таблицы (\d+)$")
+HEADS = ("№ Построение", "Величина", "Чертёж")
+"""How the heads of a table begin."""
+WORD = re.compile("[А-Яа-я]{5}")
+"""What no index of a formula is."""
+TABLE, TEXT = 10.0, 12.0
+"""The least sizes of letters, pt."""
+FEW = 3
+"""No page has fewer lines than these, but the first."""
+
+
+def _due() -> list[str]:
+    """What stands in the note in this order: numbers of headings, figures, tables."""
+    document = note_of_case(CASE)
+    counted = numbered(document)
+    due = []
+    for k, block in enumerate(document.blocks):
+        if isinstance(block, Heading) and k in counted.headings:
+            words = "".join(run.text for run in block.runs if isinstance(run, Text))
+            due.append(f"{counted.headings[k]} {words[:20]}")
+        elif isinstance(block, Picture | SideBySide):
+            due.append(f"Рисунок {counted.figures[block.id]}")
+        elif isinstance(block, Table) and block.ruled:
+            due.append(f"Таблица {counted.tables[block.id]}")
+    return due
+
+
+def test_figures_and_tables_stand_in_their_sections() -> None:
+    """Each where it is told of, one behind the other, whatever page that is."""
+    due = _due()
+    heads = [one for one in due if one[0].isdigit()]
+    seen = []
+    for line in (line for page in pages_of(CASE)[2:] for line in page):
+        if caption := CAPTION.match(line.words):
+            seen.append(f"{caption[1]} {caption[2]}")
+        seen += [head for head in heads if line.words.startswith(head)]
+    assert seen == due
+
+
+def test_a_table_that_goes_on_says_so() -> None:
+    """A page that begins in a table begins with its number; one that begins otherwise does not."""
+    told = [bool(GOES_ON.match(page[0].words)) for page in pages_of(CASE)]
+    assert told == [_begins_in_a_table(page) for page in pages_of(CASE)]
+    assert sum(told) >= 3
+    inside = [line.words for page in pages_of(CASE) for line in page[1:]]
+    assert not any(GOES_ON.match(words) for words in inside)
+
+
+def _begins_in_a_table(page: tuple[PageLine, ...]) -> bool:
+    first, second = (line.words for line in page[:2])
+    return first.startswith(HEADS) or (second.startswith(HEADS) and not CAPTION.match(first))
+
+
+def test_no_page_has_a_line_or_two() -> None:
+    assert min(len(page) for page in pages_of(CASE)[1:]) >= FEW
+
+
+def test_letters_are_no_smaller_than_is_due() -> None:
+    """Words of a table may have 10 pt, others 12."""
+    sizes = {line.size for page in pages_of(CASE) for line in page if WORD.search(line.words)}
+    assert min(sizes) == pytest.approx(TABLE, abs=0.1)
+    assert not {size for size in sizes if TABLE + 0.1 < size < TEXT - 0.1}
+
+
+def test_what_stands_above_a_table_has_the_size_of_text() -> None:
+    for page in pages_of(CASE):
+        for line in page:
+            if CAPTION.match(line.words) or GOES_ON.match(line.words):
+                assert line.size == pytest.approx(TEXT, abs=0.1)
+
+
+@pytest.mark.parametrize("above", [36, 37, 38, 39])
+def test_a_formula_over_several_lines_stands_on_one_page(above: int) -> None:
+    """However many lines stand above it."""
+    names = "abcdefghijklmnopqrstuvw"
+    total = Tree(tree_of("+".join(names), {}), {one: Symbol(f"{one}_{{12345}}") for one in names})
+    sums = Display(broken(Formula((Symbol("M"), total, Symbol("0")))))
+    assert len(sums.formulas) >= 3
+    lines = [paragraph("слово")] * above
+    document = Document("title", "ru", (*lines, sums, *lines))
+    with pdfplumber.open(io.BytesIO(bytes_of(document, "pdf"))) as pdf:
+        inside = [k for k, page in enumerate(pdf.pages) if "12345" in page.extract_text()]
+    assert len(inside) == 1
