@@ -1,9 +1,9 @@
 """How every scale factor was chosen, as a construction of its own: calculated steps, told and costed as others.
 
-The search tries sizes; what it came to is recorded here as a person chooses: so long is the longest to be
-drawn, so many mm are meant for it, therefore the scale factor is at least so much; the next standard value; the
-lengths that follow. A scale factor that the scene gives is taken as it is. Chapters record their own choices
-(`Choice`); the log of the drawing knows nothing of it.
+What `rule` came to is recorded here as a person chooses: so long is the longest to be drawn, so many mm are
+meant for it, therefore the scale factor is at least so much; the next standard value; the lengths that follow.
+A scale factor that the scene gives is taken as it is. Chapters record their own choices (`Choice`); the log of
+the drawing knows nothing of it.
 """
 
 from __future__ import annotations
@@ -121,16 +121,18 @@ class Ledger:
             self._known[letter] = self.draft.draw(op, letter, *uses, unit=unit)
         return self._known[letter]
 
-    def fitting(self, mu: Mark, largest: Mark, due: float, *, lengths: bool = False) -> Mark:
+    def fitting(
+        self, mu: Mark, largest: Mark, due: float, *, lengths: bool = False, why: str = ""
+    ) -> Mark:
         """Record that ``due`` was chosen, the next standard value at which ``largest`` takes its room.
 
-        ``lengths``: standard is what ГОСТ 2.302 has. What is told to be meant for it is a round number of mm
-        from which the same follows. Where there is nothing to draw any scale factor will do.
+        ``lengths``: standard is what ГОСТ 2.302 has; ``why``: the rule by which so much is meant for it, a
+        round number of mm from which the same follows. Where there is nothing to draw any scale factor will do.
         """
         if not self._value(largest) > 0.0:
             return self.given(mu, due, why=_NOTHING)
         rules = (standard_length, next_standard_length) if lengths else (standard, next_standard)
-        return self.enter(mu, self._standard(mu.letter, mu.unit, largest, due, *rules))
+        return self.enter(mu, self._standard(mu.letter, mu.unit, largest, due, *rules, why=why))
 
     def ruled(self, drawn: Drawn, one: ScaleFactor) -> Mark:
         """Record the choice of a scale factor that the scene gives, or that the largest rules."""
@@ -141,7 +143,7 @@ class Ledger:
         most = self.quantity(one.letter, one.largest, one.unit)
         if mm:
             return self.by_length(mu, most, segment, mm)
-        return self.fitting(mu, most, value_of(drawn, mu), lengths=one.lengths)
+        return self.fitting(mu, most, value_of(drawn, mu), lengths=one.lengths, why=one.why)
 
     def pictured(self, letter: str, unit: str, largest: Mark, room: float) -> None:
         """Record the choice for the picture of what is given: ``largest`` takes ``room`` (mm) at most."""
@@ -157,12 +159,13 @@ class Ledger:
         due: float,
         rule: Callable[[float, float], float],
         op: Operation,
+        why: str = "",
     ) -> Mark:
         """Record the way from the largest to be drawn, over the length meant for it, to a standard value."""
         wanted = self.draft.take(
             Length, f"[{largest.name.strip('()')}]", _round(self._value(largest), due, rule)
         )
-        exact = self.draft.draw(scale_of, f"{letter}′", largest, wanted, unit=unit)
+        exact = self.draft.draw(scale_of, f"{letter}′", largest, wanted, unit=unit, why=why)
         return self.draft.draw(op, letter, exact, unit=unit)
 
     def given(self, mu: Mark, value: float, *, why: str = "") -> Mark:

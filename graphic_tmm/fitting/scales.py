@@ -82,7 +82,7 @@ class ScaleFactor:
 
     ``room``: mm for that; 0: its value is found elsewhere. ``fixed``: what the scene gives instead, SI a mm;
     ``length``: what the scene calls the segment that shows the largest, and how long it wants it, mm.
-    ``lengths``: standard is what ГОСТ 2.302 has.
+    ``lengths``: standard is what ГОСТ 2.302 has; ``why``: the rule by which it has that room.
     """
 
     mu: Mark
@@ -92,6 +92,7 @@ class ScaleFactor:
     fixed: float | None = None
     length: tuple[str, float | None] = ("", None)
     lengths: bool = False
+    why: str = ""
 
     @property
     def value(self) -> float:

@@ -69,6 +69,15 @@ SIZES = Sizing(
 
 LINK_1 = 0.5
 """What link 1 alone takes of the room for a group."""
+_GROUP = said(
+    "A group takes up to 170 mm of an A1, of smaller formats less in proportion, and is no smaller than on the "
+    "plan of positions: the arms of forces are measured on it."
+)
+_ALONE = said("Of link 1 one arm is measured: it is drawn no larger than the groups.")
+_POLYGON = said(
+    "A polygon of forces takes up to 180 mm of an A1, of smaller formats less in proportion: the forces that "
+    "close it are measured."
+)
 ROUNDED = 1e-9
 """Points no farther apart than this share of how far out they lie are one: a nanometre on the largest sheet."""
 
@@ -129,16 +138,17 @@ def factors(sized: Sized) -> Iterator[ScaleFactor]:
     for figure in made.figures:
         if not (far := known.detached[figure.view]):
             continue
+        why = _GROUP if figure in groups else _ALONE
         if figure in groups:
             wide = far / _group(far, room, plan)
         else:
             # the crank alone is never larger than the groups that turn it
             wide = max(min(LINK_1 * room, far / largest if largest else math.inf), far / plan)
-        yield ScaleFactor(figure.mu, "l_{max}", far, wide * (1 + ROUNDED), lengths=True)
+        yield ScaleFactor(figure.mu, "l_{max}", far, wide * (1 + ROUNDED), lengths=True, why=why)
     high, mu_F = sized.sizes["forces"], made.order.mu
     for mu in polygon_scales(project):
         if mu_F or known.polygons[mu.view] > 0.0:
-            yield ScaleFactor(mu, "F_{max}", known.polygons[mu.view], high, mu_F)
+            yield ScaleFactor(mu, "F_{max}", known.polygons[mu.view], high, mu_F, why=_POLYGON)
 
 
 def _group(far: float, room: float, plan: float) -> float:

@@ -32,6 +32,7 @@ from graphic_tmm.fitting.scales import Fitting, ScaleFactors, extent, unscaled
 from graphic_tmm.fitting.sizes import Size, Sizing
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
+from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit_name
 from graphic_tmm.project import Project
 from graphic_tmm.scene.captions import captions
@@ -48,6 +49,20 @@ CRANK = 20.0
 """A crank is no shorter, mm on an A1, as far as its plan takes no more than `LARGEST`."""
 LARGEST = 360.0
 """The most that a plan of positions takes on an A1 for its crank's sake, mm."""
+_POSITIONS = said(
+    "The plan of positions takes 150 to 290 mm of an A1, of smaller formats less in proportion, and its crank "
+    "no less than 20 mm where the sheet allows: shorter lengths are read to no better than 1 %."
+)
+_VECTORS = {
+    VELOCITIES: said(
+        "The longest vector takes 60 to 110 mm of an A1, of smaller formats less in proportion: half a "
+        "division of the ruler is less than 0.5 % of it."
+    ),
+    ACCELERATIONS: said(
+        "The longest vector takes 80 to 150 mm of an A1, of smaller formats less in proportion, and no more "
+        "than 110 mm where there are more than four plans."
+    ),
+}
 KEYS = {POSITIONS: ("mu_l", "OA"), VELOCITIES: ("mu_v", "pa"), ACCELERATIONS: ("mu_a", "pi_a")}
 """The keys of [scales] that fix the size of a plan."""
 UNITS = {"mu_l": "m/mm", "mu_v": "(m/s)/mm", "mu_a": "(m/s²)/mm"}
@@ -291,7 +306,7 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
         mu_l = ledger.by_length(mu, arm, f"{pivot}{pin}", wanted.OA)
     else:
         most = ledger.quantity("l_{max}", reach.positions, "m")
-        mu_l = ledger.fitting(mu, most, value_of(drawn, mu), lengths=True)
+        mu_l = ledger.fitting(mu, most, value_of(drawn, mu), lengths=True, why=_POSITIONS)
     if not wanted.OA or wanted.mu_l:
         ledger.follows(f"{pivot}{pin}", arm, mu_l)
     if made.velocities is None:
@@ -336,7 +351,7 @@ def _plan(
         return
     else:
         most = ledger.quantity(f"{quantity.letter[0]}_{{max}}", longest, quantity.unit)
-        found = ledger.fitting(mu, most, value_of(drawn, mu))
+        found = ledger.fitting(mu, most, value_of(drawn, mu), why=_VECTORS[plan])
     ledger.follows(letter, quantity, found)
 
 
