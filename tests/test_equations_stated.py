@@ -23,8 +23,8 @@ from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.views import EXACTLY
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.auto import formatted
+from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.note.document import Table, walk
 from graphic_tmm.note.note import note, wanted

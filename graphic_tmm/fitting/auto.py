@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import suppress
+from collections.abc import Mapping
 from dataclasses import replace
-from functools import partial
 
 from graphic_tmm.errors import TmmError
 from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.formats import room_on
 from graphic_tmm.fitting.rooms import Rooms
 from graphic_tmm.fitting.sizes import usual
-from graphic_tmm.fitting.tried import Board, Mechanism, PartBoard
+from graphic_tmm.fitting.tried import Board, boards_of, pass_on
 from graphic_tmm.paper.compose.search import fits
 from graphic_tmm.paper.formats import AUTO, SENSIBLE, USUAL, growing, turned
-from graphic_tmm.project import own_boards
 from graphic_tmm.scene.records import Scene
 
 TRIED = {"A4": "A4", "A3": "A3", "A2": "A2", "A1": "A2"}
@@ -46,6 +43,7 @@ def formatted(scene: Scene, given: Composition | None = None) -> Scene:
         for k, order in enumerate(scene.sheets)
     ]
     made = replace(scene, sheets=tuple(found))
+    pass_on(scene, made)
     if given is None:
         scene.cache[FORMATTED] = made
     return made
@@ -81,19 +79,14 @@ def _measured(scene: Scene, format: str, measured: dict[str, Rooms]) -> Rooms:
     """Return the room of a scene's views in the sizes usual on a format."""
     if format not in measured:
         tried = replace(scene, sheets=tuple(replace(one, format=format) for one in scene.sheets))
-        measured[format] = Rooms(tried, list(_boards(tried)), usual(tried))
+        boards = (board.of(tried) for board in _boards(scene))
+        measured[format] = Rooms(tried, list(boards), usual(tried))
     return measured[format]
 
 
-def _boards(scene: Scene) -> Iterator[Board]:
-    """Yield the boards of a scene; what cannot be drawn is refused later."""
-    made: list[Callable[[], Board]] = [
-        partial(PartBoard, scene, board) for board in own_boards(scene)
-    ]
-    if scene.mechanism is not None:
-        made.append(partial(Mechanism, scene))
-    for make in made:
-        with suppress(TmmError):
-            board = make()
-            board.draw(usual(scene))
-            yield board
+def _boards(scene: Scene) -> list[Board]:
+    """Return the boards of a scene; none if one of them cannot be made, which is refused later."""
+    try:
+        return boards_of(scene, mechanism=scene.mechanism is not None)
+    except TmmError:
+        return []

@@ -10,10 +10,9 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.rooms import Rooms
 from graphic_tmm.fitting.rule import TRIALS, by_rule
 from graphic_tmm.fitting.sizes import Sizes
-from graphic_tmm.fitting.tried import Board, Mechanism, PartBoard
+from graphic_tmm.fitting.tried import Board, Mechanism, boards_of, pass_on
 from graphic_tmm.language.said import Said, said
 from graphic_tmm.paper.formats import turned as other_way
-from graphic_tmm.project import own_boards
 from graphic_tmm.scene.chapter import MECHANISM
 from graphic_tmm.scene.records import Scene
 
@@ -30,7 +29,7 @@ def half_white(rooms: Rooms, own: Mechanism, sizes: Sizes) -> Iterator[Said]:
         key, now = size.fixed(scene), own.mm(name, sizes)
         if not (key and size.plan and now and rooms.fill(name, sizes) < WHITE):
             continue
-        free = own.freed(size.freed(scene))
+        free = own.of(size.freed(scene))
         large = free.mm(name, sizes)
         if large < WORTH * now:
             continue
@@ -77,9 +76,11 @@ def fitted_boards(
     StructureError
         If one of them cannot be made, even if nobody wants it.
     """
-    own, parts, rooms, sizes = _fitted(scene, mechanism)
+    boards, rooms, sizes = _fitted(scene, mechanism)
+    own = boards[0] if mechanism else None
+    parts = boards[1:] if mechanism else boards
     found = [board.final(sizes, wanted, exact=exact) for board in parts]
-    if own is not None:
+    if isinstance(own, Mechanism):
         of = (FITTED, mechanism, None if wanted is None else frozenset(wanted))
         if of not in scene.cache:
             scene.cache[of] = _by_hand(own, rooms, sizes, wanted)
@@ -137,17 +138,17 @@ def _turned(scene: Scene, mechanism: bool) -> Scene:
         for k in over
     )
     tried = replace(scene, sheets=tuple(other), remarks=(*scene.remarks, *told))
+    pass_on(scene, tried)
     *_, rooms, sizes = _fitted(tried, mechanism)
     return scene if rooms.over(sizes) else tried
 
 
-def _fitted(scene: Scene, mechanism: bool) -> tuple[Mechanism | None, list[Board], Rooms, Sizes]:
+def _fitted(scene: Scene, mechanism: bool) -> tuple[list[Board], Rooms, Sizes]:
     """Return the boards of a scene, their room, their sizes: they hang on no hand, nor on what is wanted."""
     key = (FITTED, mechanism)
     if key not in scene.cache:
-        parts: list[Board] = [PartBoard(scene, board) for board in own_boards(scene)]
-        own = Mechanism(scene) if mechanism else None
-        sizes, rooms = by_rule(scene, [*([own] if own is not None else []), *parts])
-        scene.cache[key] = own, parts, rooms, sizes
-    found: tuple[Mechanism | None, list[Board], Rooms, Sizes] = scene.cache[key]
+        boards = boards_of(scene, mechanism=mechanism)
+        sizes, rooms = by_rule(scene, boards)
+        scene.cache[key] = boards, rooms, sizes
+    found: tuple[list[Board], Rooms, Sizes] = scene.cache[key]
     return found

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.composition import FILE, Composition
 from graphic_tmm.fitting.sizes import usual
-from graphic_tmm.fitting.tried import Board, Mechanism, PartBoard
+from graphic_tmm.fitting.tried import boards_of
 from graphic_tmm.language.said import said
-from graphic_tmm.project import own_boards
 from graphic_tmm.scene.records import Scene
 
 if TYPE_CHECKING:
@@ -21,8 +20,6 @@ if TYPE_CHECKING:
 
 LEAST = 0.5
 """A composition that names less of the views than this share is of something else."""
-BOARDS = "boards"
-"""What is kept beside a scene: its boards, recorded once whatever sizes they are drawn in."""
 LARGER, SMALL = 1.25, 0.85
 """So much larger a plan may be than in the scene that its composition is from, where it leaves so much of its
 size. The next standard μ is 1.25 to 2 times as large; a size is found in steps of 1.1."""
@@ -41,7 +38,7 @@ def drawn_as(
     mechanism: bool,
 ) -> tuple[Drawn, ...]:
     """Return the boards of a scene drawn in sizes that were found before: nothing is tried."""
-    boards, found = _boards(scene, mechanism), _known(scene, sizes)
+    boards, found = boards_of(scene, mechanism=mechanism), _known(scene, sizes)
     drawn = (board.final(found, wanted, exact=exact) for board in boards)
     return tuple(one for one in drawn if one is not None)
 
@@ -51,19 +48,12 @@ def _known(scene: Scene, sizes: Mapping[str, float]) -> dict[str, float]:
     return {**known, **{name: size for name, size in sizes.items() if name in known}}
 
 
-def _boards(scene: Scene, mechanism: bool) -> list[Board]:
-    key = (BOARDS, mechanism)
-    if key not in scene.cache:
-        own: list[Board] = [Mechanism(scene)] if mechanism else []
-        scene.cache[key] = [*own, *(PartBoard(scene, board) for board in own_boards(scene))]
-    boards: list[Board] = scene.cache[key]
-    return boards
-
-
 def all_fixed(scene: Scene, *, mechanism: bool) -> bool:
     """Whether a scene fixes all that it is drawn by: in whatever sizes, every figure is the same."""
     return all(
-        size.fixed(scene) for board in _boards(scene, mechanism) for size in board.sizes.values()
+        size.fixed(scene)
+        for board in boards_of(scene, mechanism=mechanism)
+        for size in board.sizes.values()
     )
 
 
@@ -76,7 +66,7 @@ def larger(scene: Scene, sizes: Mapping[str, float], *, mechanism: bool) -> dict
     found = _known(scene, sizes)
     small = {
         name: LARGER * found[name]
-        for board in _boards(scene, mechanism)
+        for board in boards_of(scene, mechanism=mechanism)
         for name, size in board.sizes.items()
         if size.plan and not size.fixed(scene) and 0.0 < board.mm(name, found) < SMALL * found[name]
     }

@@ -111,14 +111,19 @@ class Rooms:
         """Return how many times wider and higher what a view shows is than in natural sizes."""
         if not view.sizes:
             return 1.0, 1.0
-        board = self.boards.get(places()[view.place][0].board)
-        shown = view.outline.shows
-        times = board.times(shown, self.natural, sizes) if board is not None else None
         share = sizes[view.sizes[0]] / self.natural[view.sizes[0]]
-        if times is None:
+        board = self.boards.get(places()[view.place][0].board)
+        if board is None:
             return share, share
-        base, larger = times
-        return base or (share if view.role == GRAPH else larger), larger
+        was, now = board.lengths(self.natural), board.lengths(sizes)
+        shown = [name for name in view.outline.shows if name in was and name in now]
+        if not shown:
+            return share, share
+        larger = [now[name][0] / was[name][0] for name in shown]
+        if view.role != GRAPH:
+            return larger[0], larger[0]
+        bases = (now[name][1] / was[name][1] for name in shown if was[name][1])
+        return next(bases, share), sum(larger) / len(larger)
 
     def fits(self, order: int, sizes: Sizes) -> bool:
         """Whether the first sheet of an order holds all its views."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence, Set
+from collections.abc import Callable, Mapping, Set
 from dataclasses import replace
 from typing import Any, Protocol
 
@@ -14,12 +14,14 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.drawn import Drawn, doubted
 from graphic_tmm.fitting.scales import chosen, executed, reach_of
 from graphic_tmm.fitting.sizes import Size, Sizes, Sizing
-from graphic_tmm.project import Project, record
+from graphic_tmm.project import Project, own_boards, record
 from graphic_tmm.scene.chapter import MECHANISM, chapters
 from graphic_tmm.scene.records import Scene
 
 Lengths = Mapping[str, tuple[float, float]]
 """By view: how long 1 SI unit is drawn, and the base of a graph, mm."""
+BOARDS = "boards"
+"""What is kept beside a scene: its boards."""
 NO_DOUBTS = Doubts((), {})
 """Nobody asks what rounding does to a part drawn with the exact hand."""
 
@@ -34,13 +36,14 @@ class Board(Protocol):
     def sizes(self) -> dict[str, Size]:
         """The sizes on which what is drawn on it depends, by name."""
 
-    def times(
-        self, views: Sequence[str], before: Sizes, sizes: Sizes
-    ) -> tuple[float | None, float] | None:
-        """Return how many times longer the base (None: none) and how many times larger views are."""
+    def lengths(self, sizes: Sizes) -> Lengths:
+        """Return how long 1 SI unit is drawn by view, mm, and the base of a graph."""
 
     def mm(self, size: str, sizes: Sizes) -> float:
         """Return how long the longest is that is drawn of a plan, mm; 0 if there is none."""
+
+    def of(self, scene: Scene) -> Board:
+        """Return the board of a scene that differs in its formats."""
 
     def draw(self, sizes: Sizes) -> Drawn:
         """Return the board drawn with the exact hand."""
@@ -65,15 +68,18 @@ class Mechanism:
         self._drawn: dict[object, Drawn] = {}
         self._known: dict[object, Lengths] = {}
 
-    def freed(self, scene: Scene) -> Mechanism:
-        """Return the board for a scene that fixes other scale factors."""
+    def of(self, scene: Scene) -> Mechanism:
+        """Return the board of a scene that differs in its formats, or fixes other scale factors."""
         other: Mechanism = object.__new__(type(self))
         other.__dict__ |= self.__dict__
         other.scene, other.project = scene, replace(self.project, scene=scene)
+        same = self.whole is self.project
+        other.whole = other.project if same else replace(self.whole, scene=scene)
         other._drawn, other._known = {}, {}
         return other
 
-    def _lengths(self, sizes: Sizes) -> Lengths:
+    def lengths(self, sizes: Sizes) -> Lengths:
+        """Return how long 1 SI unit is drawn by view, mm, and the base of a graph."""
         key = self._key(sizes)
         if key not in self._known:
             self._known[key] = _lengths(self.project, sizes, self.reach)
@@ -82,15 +88,9 @@ class Mechanism:
     def _key(self, sizes: Sizes) -> object:
         return tuple(sizes[name] for name in self.sizes)
 
-    def times(
-        self, views: Sequence[str], before: Sizes, sizes: Sizes
-    ) -> tuple[float | None, float] | None:
-        """Return how many times longer the base and how many times larger views are than before."""
-        return _times(views, self._lengths(before), self._lengths(sizes))
-
     def mm(self, size: str, sizes: Sizes) -> float:
         """Return how long the longest is that is drawn of a plan, mm; 0 if there is none."""
-        known = self._lengths(sizes)
+        known = self.lengths(sizes)
         return self.sizes[size].extent(self.reach) * known[size][0] if size in known else 0.0
 
     def draw(self, sizes: Sizes) -> Drawn:
@@ -126,21 +126,27 @@ class PartBoard:
         self.sizes = _sizes(self.project)
         self._projects: dict[object, tuple[Project, Mapping[str, Any]]] = {}
         self._drawn: dict[object, Drawn] = {}
+        self._known: dict[object, Lengths] = {}
 
-    def times(
-        self, views: Sequence[str], before: Sizes, sizes: Sizes
-    ) -> tuple[float | None, float] | None:
-        """Return how many times longer the base and how many times larger views are than before."""
-        was, now = (
-            _lengths(project, some, reach)
-            for some in (before, sizes)
-            for project, reach in (self._recorded(some),)
-        )
-        return _times(views, was, now)
+    def lengths(self, sizes: Sizes) -> Lengths:
+        """Return how long 1 SI unit is drawn by view, mm, and the base of a graph."""
+        key = self._key(sizes)
+        if key not in self._known:
+            project, reach = self._recorded(sizes)
+            self._known[key] = _lengths(project, sizes, reach)
+        return self._known[key]
 
     def mm(self, size: str, sizes: Sizes) -> float:
         """Return that it has no plan."""
         return 0.0
+
+    def of(self, scene: Scene) -> PartBoard:
+        """Return the board of a scene that differs in its formats."""
+        other: PartBoard = object.__new__(type(self))
+        other.__dict__ |= self.__dict__
+        other.scene, other.project = scene, replace(self.project, scene=scene)
+        other._projects, other._drawn, other._known = {}, {}, {}
+        return other
 
     def _recorded(self, sizes: Sizes) -> tuple[Project, Mapping[str, Any]]:
         """Return the log in these sizes, and what its scale factors go by."""
@@ -190,17 +196,26 @@ def _lengths(project: Project, sizes: Sizes, reach: Mapping[str, Any]) -> Length
     }
 
 
-def _times(views: Sequence[str], was: Lengths, now: Lengths) -> tuple[float | None, float] | None:
-    there = [view for view in views if view in was and view in now]
-    if not there:
-        return None
-    up = sum(now[view][0] / was[view][0] for view in there) / len(there)
-    bases = (now[view][1] / was[view][1] for view in there if was[view][1])
-    return next(bases, None), up
-
-
 def _first(values: Any) -> float:
     return float(np.ravel(np.asarray(values))[0])
+
+
+def boards_of(scene: Scene, *, mechanism: bool) -> list[Board]:
+    """Return the boards of a scene, that of its ``mechanism`` first if it has one; recorded once."""
+    key = (BOARDS, mechanism)
+    if key not in scene.cache:
+        parts: list[Board] = [PartBoard(scene, board) for board in own_boards(scene)]
+        scene.cache[key] = [*([Mechanism(scene)] if mechanism else []), *parts]
+    found: list[Board] = scene.cache[key]
+    return found
+
+
+def pass_on(scene: Scene, other: Scene) -> None:
+    """Let a scene that differs in its formats have the boards that were recorded for it."""
+    for mechanism in (True, False):
+        if (BOARDS, mechanism) in scene.cache:
+            boards = scene.cache[BOARDS, mechanism]
+            other.cache[BOARDS, mechanism] = [board.of(other) for board in boards]
 
 
 def _sizes(project: Project) -> dict[str, Size]:

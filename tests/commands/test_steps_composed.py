@@ -10,11 +10,11 @@ from click.testing import CliRunner
 from support.gallery import SHEETS
 
 from graphic_tmm.__main__ import main
-from graphic_tmm.fitting.search import Search
+from graphic_tmm.fitting import fit
 
 
 @pytest.mark.slow
-def test_no_size_is_searched_where_a_composition_stands_beside(
+def test_no_size_is_chosen_where_a_composition_stands_beside(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     shutil.copy(SHEETS / "crank-rocker" / "scene.toml", tmp_path)
@@ -24,10 +24,10 @@ def test_no_size_is_searched_where_a_composition_stands_beside(
     assert done.exit_code == 0, done.output
     searched = runner.invoke(main, ["steps", str(tmp_path / "alone")])
 
-    def refused(self: object) -> None:
-        raise AssertionError("sizes are searched")
+    def refused(*args: object) -> None:
+        raise AssertionError("sizes are chosen")
 
-    monkeypatch.setattr(Search, "sizes", refused)
+    monkeypatch.setattr(fit, "by_rule", refused)
     for command in ("steps", "table", "draw"):
         where = ["-o", str(tmp_path)] if command == "draw" else []
         told = runner.invoke(main, [command, str(tmp_path), *where])

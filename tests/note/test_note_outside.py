@@ -19,8 +19,8 @@ from support.tex_sums import Unread, sides_of, worked_out
 
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import TmmError
-from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.auto import formatted
+from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.note.note import note, wanted
 from graphic_tmm.scene.read import read

@@ -9,8 +9,8 @@ from support.gallery import SHEETS
 from support.notes import looked_up, stands_for, worth_of_a_last_digit
 
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.auto import formatted
+from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.note.document import Document, Heading, Number, Picture, Table, Text, numbers, walk
 from graphic_tmm.note.note import note, wanted

@@ -21,7 +21,6 @@ from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.errors import SheetError
-from graphic_tmm.fitting.search import MEASURABLE, SAVING
 from graphic_tmm.fitting.sizes import sizes_of, usual
 from graphic_tmm.fitting.tried import Mechanism
 from graphic_tmm.fitting.views import drawing_of
@@ -36,6 +35,9 @@ from graphic_tmm.studio import composed_sheets, make, sheets
 FORMATS = ("A4", "A1")
 ROWS = (1, 6, 8, 12, 24, 48)
 LEAST = {"A4": 60.0, "A1": 100.0}
+MEASURABLE = {"A4": 16.0, "A1": 30.0}
+"""The longest vector of a plan is no shorter, mm: the usual 58 and 110 mm, the least step of a sheet and the
+widest gap between standard scale factors, 0.6 and a half."""
 """The plan of positions is no smaller, mm."""
 ROUNDING = 1e-6
 
@@ -87,8 +89,7 @@ def measurable(made: DrawnScene, format: str) -> None:
         return
     placed = made.scene.shown_places
     for plan in {"velocities", "accelerations"} & placed:
-        # a plan that a sheet does not hold at 40 mm is as large as it does
-        assert asked.longest(work, plan) >= SAVING * MEASURABLE - 0.1
+        assert asked.longest(work, plan) >= MEASURABLE[format]
     if "positions" in placed:
         log = work.project.construction
         marks = [s.it for s in log.steps if s.it.view == "positions" and s.it.kind is Point]

@@ -15,9 +15,9 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.drawn import Drawn, DrawnScene
+from graphic_tmm.fitting.auto import formatted
 from graphic_tmm.fitting.choice import SCALES, choices
 from graphic_tmm.fitting.composition import Composition
-from graphic_tmm.fitting.auto import formatted
 from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.note.document import Document, Number, Source, Text
 from graphic_tmm.note.formats import files
