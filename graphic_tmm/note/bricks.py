@@ -15,6 +15,7 @@ from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import result_symbol, symbol
 from graphic_tmm.language.units import unit
+from graphic_tmm.note.columns import fits
 from graphic_tmm.note.document import (
     Block,
     Heading,
@@ -50,12 +51,6 @@ ACROSS = 13
 
 NARROW = 3
 """A table of no more positions than these is narrow."""
-
-MANY = 8
-"""With more positions than these the first columns of a table are narrower."""
-
-WIDEST = 0.12
-"""What share of a page's width the column of a position takes at most."""
 
 
 SEE = said("The construction is shown in {}.")
@@ -145,9 +140,18 @@ def columns(drawn: Drawn, some: Iterable[Column], language: str) -> Iterator[Tab
         names = [name for name, _ in at] or list(drawn.names)
         shown = known_at(cells)
         title = words.get(f"table {plan}", words.get(plan, plan))
-        for k in range(0, len(shown), ACROSS):
-            head = title if k == 0 else f"{title} ({words['continued']})"
-            yield _block(drawn, plan, cells, names, shown[k : k + ACROSS], head, language)
+        count = -(-len(shown) // ACROSS)
+        while True:
+            across = -(-len(shown) // count)
+            tables = []
+            for k in range(0, len(shown), across):
+                head = f"{title} ({words['continued']})" if k else title
+                part = shown[k : k + across]
+                tables.append(_block(drawn, plan, cells, names, part, head, language))
+            if across < 2 or all(fits(one, language) for one in tables):
+                break
+            count += 1
+        yield from tables
 
 
 def _block(
@@ -174,26 +178,28 @@ def _block(
             name = symbol(column.quantity, language) if column.quantity else name
         values = _cells(drawn, column, figures, shown, language, mm=False)
         rows.append((_lettered(name), _unit(column.unit, language), *values))
-    lead = 0.1 if len(shown) > MANY else 0.13
-    each = min((1.01 - 2 * lead) / len(shown), WIDEST)
-    wide = (lead, lead - 0.01, *[each] * len(shown))
     id = f"table-{plan}-{shown[0]}".replace(" ", "-")
     align = "lc" + "c" * len(shown)
-    made = Table(id, text(title), heads, tuple(rows), align, wide)
-    return in_columns(made._replace(widths=())) if len(shown) <= NARROW else made
+    made = Table(id, text(title), heads, tuple(rows), align)
+    return in_columns(made, language) if len(shown) <= NARROW else made
 
 
 TALL = 5
 """A narrow table of more rows than these stands in parts beside one another."""
-ABREAST = 10
-"""So many columns stand beside one another then at most, in three parts at most."""
 
 
-def in_columns(one: Table, most: int = 3) -> Table:
+def in_columns(one: Table, language: str, most: int = 3) -> Table:
     """Return a narrow table in two or three parts, ``most``, beside one another if it has many rows."""
-    count, times = len(one.rows), min(ABREAST // len(one.heads), most)
-    if count <= TALL or times < 2:
-        return one
+    if len(one.rows) > TALL:
+        for times in range(most, 1, -1):
+            if fits(several := _beside(one, times), language):
+                return several
+    return one
+
+
+def _beside(one: Table, times: int) -> Table:
+    """Return a table in parts beside one another."""
+    count = len(one.rows)
     each = -(-count // times)
     none: tuple[Runs, ...] = ((),) * len(one.heads)
     filled = (*one.rows, *[none] * (each * times - count))
@@ -201,9 +207,7 @@ def in_columns(one: Table, most: int = 3) -> Table:
         tuple(cell for part in range(times) for cell in filled[part * each + k])
         for k in range(each)
     )
-    return one._replace(
-        heads=one.heads * times, rows=rows, align=one.align * times, widths=one.widths * times
-    )
+    return one._replace(heads=one.heads * times, rows=rows, align=one.align * times)
 
 
 def _lettered(name: str) -> Runs:
@@ -256,7 +260,7 @@ def results(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
     names = ["value", "figure", "unit", *(("finer row", "off") if fine is not None else ())]
     heads = tuple(text(words[name]) for name in names)
     id, title = f"table-results-{chapter.name}", text(words["results"])
-    yield in_columns(Table(id, title, heads, tuple(rows), "lcccc"[: len(heads)]))
+    yield in_columns(Table(id, title, heads, tuple(rows), "lcccc"[: len(heads)]), language)
     if off := told_off(drawn, language) if curved else ():
         yield Paragraph(lettered("; ".join(off) + "."))
     if curved and sampled(drawn):
