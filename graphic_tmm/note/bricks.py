@@ -11,7 +11,7 @@ from itertools import groupby, pairwise
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.numbers import fixed, number
+from graphic_tmm.language.numbers import decimals_of, fixed, number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import result_symbol, symbol
 from graphic_tmm.language.units import unit
@@ -39,7 +39,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.columns import Column, Tabled, known_at
 from graphic_tmm.readers.position_count import Finer, FinerRow, finer, is_sampled, sampled, told_off
-from graphic_tmm.readers.rounding import Figures, rounded_figures
+from graphic_tmm.readers.rounding import ROUGH, Figures, rounded, rounded_figures
 from graphic_tmm.readers.text import column_name
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.chapter import Chapter, Place
@@ -64,6 +64,11 @@ def worked(drawn: Drawn) -> int:
     counts = {k: sum(k in row for row in rows) for k in there}
     most = max(counts.values())
     return next(k for k in (drawn.main, *there) if counts.get(k) == most)
+
+
+def by_ruler(drawn: Drawn) -> int:
+    """Return how many decimals of a length (mm) the ruler of a drawing tells."""
+    return ROUGH if drawn.hand.ruler is None else max(ROUGH, decimals_of(drawn.hand.ruler))
 
 
 def heading(words: str, level: int = 2) -> Heading:
@@ -192,12 +197,12 @@ def in_columns(one: Table, language: str, most: int = 3) -> Table:
     """Return a narrow table in two or three parts, ``most``, beside one another if it has many rows."""
     if len(one.rows) > TALL:
         for times in range(most, 1, -1):
-            if fits(several := _beside(one, times), language):
+            if fits(several := _in_parts(one, times), language):
                 return several
     return one
 
 
-def _beside(one: Table, times: int) -> Table:
+def _in_parts(one: Table, times: int) -> Table:
     """Return a table in parts beside one another."""
     count = len(one.rows)
     each = -(-count // times)
@@ -230,14 +235,23 @@ def _cells(
     """Yield the cells of a row: figures as the sheet's table tells them, each with where it stands."""
     lengths, values = column.first_figures
     row = lengths if mm else values
-    written, places = (figures.mm, figures.mm_places) if mm else (figures.value, figures.places)
     for k in shown:
         value = row[k]
         if value is None:
             yield text("—")
             continue
         source = column_source(drawn, column, k, mm=mm)
-        yield (Number(fixed(written[k], places, language), "", source, value),)
+        yield (Number(written(drawn, figures, value, k, language, mm=mm), "", source, value),)
+
+
+def written(
+    drawn: Drawn, figures: Figures, value: float, k: int, language: str, *, mm: bool
+) -> str:
+    """Return a figure of a column in a position (index): a quantity as tables tell it, mm as a ruler does."""
+    if not mm:
+        return fixed(figures.value[k], figures.places, language)
+    places = by_ruler(drawn)
+    return fixed(rounded(value, places), places, language)
 
 
 def column_source(drawn: Drawn, column: Column, k: int, *, mm: bool = False) -> Source:

@@ -28,7 +28,7 @@ from graphic_tmm.note.widths import width
 READ = "read"
 """The kind of what was read off the drawing."""
 LABELS = {
-    READ: said("Read off the drawing"),
+    READ: said("Read off the drawing, with signs"),
     "to_board": said("Lengths on the drawing"),
     "rescaled": said("Lengths in another scale"),
     "in_si": said("Values of lengths by their scale"),
