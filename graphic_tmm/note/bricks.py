@@ -11,10 +11,11 @@ from itertools import groupby, pairwise
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.views import drawing_of
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.numbers import fixed, number
+from graphic_tmm.language.numbers import decimals_of, fixed, number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import result_symbol, symbol
 from graphic_tmm.language.units import unit
+from graphic_tmm.note.columns import fits
 from graphic_tmm.note.document import (
     Block,
     Heading,
@@ -38,7 +39,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.columns import Column, Tabled, known_at
 from graphic_tmm.readers.position_count import Finer, FinerRow, finer, is_sampled, sampled, told_off
-from graphic_tmm.readers.rounding import Figures, rounded_figures
+from graphic_tmm.readers.rounding import ROUGH, Figures, rounded, rounded_figures
 from graphic_tmm.readers.text import column_name
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.chapter import Chapter, Place
@@ -50,12 +51,6 @@ ACROSS = 13
 
 NARROW = 3
 """A table of no more positions than these is narrow."""
-
-MANY = 8
-"""With more positions than these the first columns of a table are narrower."""
-
-WIDEST = 0.12
-"""What share of a page's width the column of a position takes at most."""
 
 
 SEE = said("The construction is shown in {}.")
@@ -69,6 +64,11 @@ def worked(drawn: Drawn) -> int:
     counts = {k: sum(k in row for row in rows) for k in there}
     most = max(counts.values())
     return next(k for k in (drawn.main, *there) if counts.get(k) == most)
+
+
+def by_ruler(drawn: Drawn) -> int:
+    """Return how many decimals of a length (mm) the ruler of a drawing tells."""
+    return ROUGH if drawn.hand.ruler is None else max(ROUGH, decimals_of(drawn.hand.ruler))
 
 
 def heading(words: str, level: int = 2) -> Heading:
@@ -145,9 +145,18 @@ def columns(drawn: Drawn, some: Iterable[Column], language: str) -> Iterator[Tab
         names = [name for name, _ in at] or list(drawn.names)
         shown = known_at(cells)
         title = words.get(f"table {plan}", words.get(plan, plan))
-        for k in range(0, len(shown), ACROSS):
-            head = title if k == 0 else f"{title} ({words['continued']})"
-            yield _block(drawn, plan, cells, names, shown[k : k + ACROSS], head, language)
+        count = -(-len(shown) // ACROSS)
+        while True:
+            across = -(-len(shown) // count)
+            tables = []
+            for k in range(0, len(shown), across):
+                head = f"{title} ({words['continued']})" if k else title
+                part = shown[k : k + across]
+                tables.append(_block(drawn, plan, cells, names, part, head, language))
+            if across < 2 or all(fits(one, language) for one in tables):
+                break
+            count += 1
+        yield from tables
 
 
 def _block(
@@ -174,26 +183,28 @@ def _block(
             name = symbol(column.quantity, language) if column.quantity else name
         values = _cells(drawn, column, figures, shown, language, mm=False)
         rows.append((_lettered(name), _unit(column.unit, language), *values))
-    lead = 0.1 if len(shown) > MANY else 0.13
-    each = min((1.01 - 2 * lead) / len(shown), WIDEST)
-    wide = (lead, lead - 0.01, *[each] * len(shown))
     id = f"table-{plan}-{shown[0]}".replace(" ", "-")
     align = "lc" + "c" * len(shown)
-    made = Table(id, text(title), heads, tuple(rows), align, wide)
-    return in_columns(made._replace(widths=())) if len(shown) <= NARROW else made
+    made = Table(id, text(title), heads, tuple(rows), align)
+    return in_columns(made, language) if len(shown) <= NARROW else made
 
 
 TALL = 5
 """A narrow table of more rows than these stands in parts beside one another."""
-ABREAST = 10
-"""So many columns stand beside one another then at most, in three parts at most."""
 
 
-def in_columns(one: Table, most: int = 3) -> Table:
+def in_columns(one: Table, language: str, most: int = 3) -> Table:
     """Return a narrow table in two or three parts, ``most``, beside one another if it has many rows."""
-    count, times = len(one.rows), min(ABREAST // len(one.heads), most)
-    if count <= TALL or times < 2:
-        return one
+    if len(one.rows) > TALL:
+        for times in range(most, 1, -1):
+            if fits(several := _in_parts(one, times), language):
+                return several
+    return one
+
+
+def _in_parts(one: Table, times: int) -> Table:
+    """Return a table in parts beside one another."""
+    count = len(one.rows)
     each = -(-count // times)
     none: tuple[Runs, ...] = ((),) * len(one.heads)
     filled = (*one.rows, *[none] * (each * times - count))
@@ -201,9 +212,7 @@ def in_columns(one: Table, most: int = 3) -> Table:
         tuple(cell for part in range(times) for cell in filled[part * each + k])
         for k in range(each)
     )
-    return one._replace(
-        heads=one.heads * times, rows=rows, align=one.align * times, widths=one.widths * times
-    )
+    return one._replace(heads=one.heads * times, rows=rows, align=one.align * times)
 
 
 def _lettered(name: str) -> Runs:
@@ -226,14 +235,23 @@ def _cells(
     """Yield the cells of a row: figures as the sheet's table tells them, each with where it stands."""
     lengths, values = column.first_figures
     row = lengths if mm else values
-    written, places = (figures.mm, figures.mm_places) if mm else (figures.value, figures.places)
     for k in shown:
         value = row[k]
         if value is None:
             yield text("—")
             continue
         source = column_source(drawn, column, k, mm=mm)
-        yield (Number(fixed(written[k], places, language), "", source, value),)
+        yield (Number(written(drawn, figures, value, k, language, mm=mm), "", source, value),)
+
+
+def written(
+    drawn: Drawn, figures: Figures, value: float, k: int, language: str, *, mm: bool
+) -> str:
+    """Return a figure of a column in a position (index): a quantity as tables tell it, mm as a ruler does."""
+    if not mm:
+        return fixed(figures.value[k], figures.places, language)
+    places = by_ruler(drawn)
+    return fixed(rounded(value, places), places, language)
 
 
 def column_source(drawn: Drawn, column: Column, k: int, *, mm: bool = False) -> Source:
@@ -256,7 +274,7 @@ def results(drawn: Drawn, chapter: Chapter, language: str) -> Iterator[Block]:
     names = ["value", "figure", "unit", *(("finer row", "off") if fine is not None else ())]
     heads = tuple(text(words[name]) for name in names)
     id, title = f"table-results-{chapter.name}", text(words["results"])
-    yield in_columns(Table(id, title, heads, tuple(rows), "lcccc"[: len(heads)]))
+    yield in_columns(Table(id, title, heads, tuple(rows), "lcccc"[: len(heads)]), language)
     if off := told_off(drawn, language) if curved else ():
         yield Paragraph(lettered("; ".join(off) + "."))
     if curved and sampled(drawn):

@@ -28,7 +28,7 @@ from graphic_tmm.note.widths import width
 READ = "read"
 """The kind of what was read off the drawing."""
 LABELS = {
-    READ: said("Read off the drawing"),
+    READ: said("Read off the drawing, with signs"),
     "to_board": said("Lengths on the drawing"),
     "rescaled": said("Lengths in another scale"),
     "in_si": said("Values of lengths by their scale"),
@@ -42,8 +42,6 @@ WHOLE = 4
 """Sides of a formula that stands whole: what is found, its letters, its figures, its value."""
 LONG, SHORT, SIGN = 400, 260, 4
 """So many letters of a construction stand in one row of a table, of calculations; what a symbol counts."""
-STEPS = (0.05, 0.95)
-"""What numbers, and what is done, take of a page's width."""
 
 
 class CalculationRow(NamedTuple):
@@ -97,7 +95,7 @@ def as_table(sections: Sequence[Section], id: str, title: str, language: str) ->
     _ = speaking(language)
     heads = text(_(NUMBER)), text(_(DONE))
     caption = text(_(BOTH, title=title))
-    yield Table(id.replace(" ", "-"), caption, heads, tuple(rows), "cl", STEPS, long=True)
+    yield Table(id.replace(" ", "-"), caption, heads, tuple(rows), "cl", long=True)
 
 
 def _run_together(parts: Sequence[Runs]) -> Iterator[Runs]:
@@ -153,14 +151,17 @@ def _sentences(rows: Sequence[CalculationRow], language: str) -> Iterator[Runs]:
             found.append(Text(f"{speaking(language)(label)}: "))
         elif reasons:
             found += [*reasons, Text(" ")]
-        found += [*_formulas(some), Text(".")]
+        found += [*_formulas(some, goes_on=bool(label)), Text(".")]
         if label and reasons:
             found += [Text(" "), *reasons]
         yield tuple(found)
 
 
-def _formulas(rows: Sequence[CalculationRow]) -> Runs:
-    """Return formulas of one kind one after another, each behind the name of its group where there are two."""
+def _formulas(rows: Sequence[CalculationRow], *, goes_on: bool) -> Runs:
+    """Return formulas of one kind one after another, each behind the name of its group where there are two.
+
+    ``goes_on``: words of the same sentence stand before them.
+    """
     groups = {row.group for row in rows}
     found: list[Run] = []
     group, known = "", set[str]()
@@ -169,7 +170,7 @@ def _formulas(rows: Sequence[CalculationRow]) -> Runs:
         if begun:
             found.append(Text("; "))
         if row.group != group and row.group and len(groups) > 1:
-            name = f"{row.group[:1].lower()}{row.group[1:]}" if begun else row.group
+            name = f"{row.group[:1].lower()}{row.group[1:]}" if begun or goes_on else row.group
             found.append(Text(f"{name}: "))
         group, stem = row.group, "" if row.kind in LABELS else _stem(row.formula)
         found.append(without_letters(row.formula) if stem in known else row.formula)

@@ -135,8 +135,8 @@ class Listed(NamedTuple):
 class Table(NamedTuple):
     """A ruled table: its id, its caption, heads, rows of cells; ``align``: "l", "c", "r" of each column.
 
-    ``widths``: shares of the text's width, () for as wide as needed. ``ruled``: with lines and a number.
-    ``long``: it may go on over pages however few its rows are.
+    ``widths``: shares of the text's width, () for as wide as its words need.
+    ``ruled``: with lines and a number. ``long``: it may go on over pages however few its rows are.
     """
 
     id: str

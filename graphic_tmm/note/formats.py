@@ -250,6 +250,9 @@ def docx(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dic
             styled,
             _bare,
             styled_rows=True,
+            piece=lambda one: [one],
+            measured=True,
+            whole=lambda lines: [*(classed(one, "whole") for one in lines[:-1]), lines[-1]],
         )
         pandoc.written(document, target, out="note.docx", folder=folder)
         made = word.without_title((home / "note.docx").read_bytes(), pandoc.parts(document))

@@ -195,7 +195,14 @@ def _next(one: DrawingStep) -> Runs:
     """Return a step as a clause that goes on with a sentence."""
     if _namesake(one.step):
         return _clause(one, THERE)
-    return _clause(one, NEXT[one.step.op.name]) if one.step.op.name in NEXT else _first(one)
+    if one.step.op.name in NEXT:
+        return _clause(one, NEXT[one.step.op.name])
+    begun, *rest = _first(one)
+    return (
+        (Text(begun.text[:1].lower() + begun.text[1:]), *rest)
+        if isinstance(begun, Text)
+        else (begun, *rest)
+    )
 
 
 def _clause(one: DrawingStep, template: str) -> Runs:

@@ -25,6 +25,7 @@ from graphic_tmm.note.bricks import (
     heading,
     referred,
     results,
+    written,
 )
 from graphic_tmm.note.document import (
     Block,
@@ -235,9 +236,8 @@ class Page(LogPage, Generic[T]):
         column, figures = self.columns[segment], self.rounded[segment]
         value = column.first_figures[0 if mm else 1][self.at]
         assert value is not None
-        row, places = (figures.mm, figures.mm_places) if mm else (figures.value, figures.places)
         source = column_source(self.drawn, column, self.at, mm=mm)
-        digits = fixed(row[self.at], places, self.language)
+        digits = written(self.drawn, figures, value, self.at, self.language, mm=mm)
         return Number(digits, "mm" if mm else column.unit, source, value)
 
     def greatest(self, segment: str) -> tuple[Number, str] | None:

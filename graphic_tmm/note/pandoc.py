@@ -16,6 +16,7 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import code_of, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
+from graphic_tmm.note.columns import shares
 from graphic_tmm.note.document import (
     Block,
     Break,
@@ -53,13 +54,15 @@ from graphic_tmm.note.target import (
     of,
 )
 from graphic_tmm.note.tex import one_word, spelt, tex
-from graphic_tmm.note.widths import packed, wholes
+from graphic_tmm.note.widths import packed, pieces, wholes, width
 
 API = [1, 23, 1]
 """The version of pandoc's tree that is written."""
 UNSEEN: list[Any] = ["", [], [["typst:stroke", "none"], ["typst:inset", "0pt"]]]
 """A cell without lines and white (typst)."""
 ALIGN = {"l": "AlignLeft", "c": "AlignCenter", "r": "AlignRight"}
+BOXED = 55.0
+"""Pieces of a formula wider than this, letters, may be parted anywhere."""
 FIGURE, TABLE = said("Figure {number} — "), said("Table {number} — ")
 CONTINUED = said("Table {number}, continued")
 FIGURE_AT, TABLE_AT = said("figure {number}"), said("table {number}")
@@ -142,7 +145,7 @@ class _Writer:
     def table(self, block: Table) -> Tree:
         aligned = [
             [{"t": ALIGN[a]}, of("ColWidth", w) if w else {"t": "ColWidthDefault"}]
-            for a, w in zip(block.align, block.widths or [0.0] * len(block.align), strict=True)
+            for a, w in zip(block.align, self.widths(block), strict=True)
         ]
         caption = []
         if block.ruled:
@@ -170,6 +173,14 @@ class _Writer:
                 [NONE, []],
             ],
         )
+
+    def widths(self, block: Table) -> tuple[float, ...]:
+        """Return what the columns take of the text's width, 0 where the format finds that."""
+        if block.widths:
+            return block.widths
+        if self.target.measured:
+            return shares(block, self.document.language)
+        return (0.0,) * len(block.align)
 
     def row_heads(self, block: Table) -> int:
         """Return how many cells of a row are its head: none where two rows stand beside one another."""
@@ -202,8 +213,10 @@ class _Writer:
         return [one for run in runs for one in self.inline(run)]
 
     def inline(self, run: Run) -> list[Tree]:
-        if isinstance(run, Formula | Symbol):
+        if isinstance(run, Symbol):
             return [self.math(run)]
+        if isinstance(run, Formula):
+            return list(self.formula(run))
         if isinstance(run, Number):
             return [of("Str", self.plain(run))]
         if isinstance(run, Letter):
@@ -235,6 +248,17 @@ class _Writer:
         told = [tex(one, self.document.language, self.put) for one in beside]
         return of("Math", [{"t": "DisplayMath"}, r";\qquad ".join(told)])
 
+    def formula(self, one: Formula) -> Iterator[Tree]:
+        """Yield a formula among words, in pieces if the format parts it where it likes."""
+        if self.target.piece is None:
+            yield self.math(one)
+            return
+        for k, piece in enumerate(pieces(one)):
+            if k:
+                yield {"t": "Space"}
+            short = sum(map(width, piece.sides)) < BOXED
+            yield from self.target.piece(self.math(piece)) if short else [self.math(piece)]
+
     def math(self, one: Formula | Symbol) -> Tree:
         """Return a formula among words."""
         return of("Math", [{"t": "InlineMath"}, tex(one, self.document.language, self.put)])
@@ -257,14 +281,20 @@ def parts(document: Document) -> list[str]:
     ]
 
 
-def formulas(document: Document) -> int:
-    """Return how many formulas a note has as it is written: beside one another they are one."""
+def formulas(document: Document, *, parted: bool = False) -> int:
+    """Return how many formulas a note has as it is written: beside one another they are one.
+
+    ``parted``: those among words are counted in pieces.
+    """
     found = 0
     for block in walk(document.blocks):
         if isinstance(block, Display):
             found += len(packed(block.formulas))
         else:
-            found += sum(isinstance(run, Formula | Symbol) for run in runs_of(block))
+            runs = [run for run in runs_of(block) if isinstance(run, Formula | Symbol)]
+            found += len(runs)
+            if parted:
+                found += sum(len(pieces(run)) - 1 for run in runs if isinstance(run, Formula))
     return found
 
 

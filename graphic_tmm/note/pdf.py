@@ -24,6 +24,9 @@ SHORT = 8
 _SHORT = re.compile(r"(?<=\.\.)\.")
 """Three points, for which typst has a sign of its own."""
 
+_STROKE = re.compile(r'(?<="\)) \\/ ?| \\/ (?=upright\()')
+"""The stroke of a fraction beside digits, which has no white about it."""
+
 
 def pdf(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dict[str, str | bytes]:
     """Return the note as PDF: tagged, with bookmarks, its title and its language."""
@@ -54,10 +57,12 @@ def pdf(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dict
         _part,
         figure=figure,
         word=escaped("typst", _SHORT),
+        piece=lambda one: [raw("typst", "#box["), one, raw("typst", "]")],
+        measured=True,
         whole=_whole,
         continued=lambda id, words: raw("typst", f"#continued(<{id}>)[{words}]"),
     )
-    body = pandoc.written(document, target).decode("utf-8")
+    body = _STROKE.sub(r"\\/", pandoc.written(document, target).decode("utf-8"))
     head = (
         f"#set document(title: {quoted(document.title)}, date: none)\n"
         f"#set text(lang: {quoted(code_of(document.language))})\n"

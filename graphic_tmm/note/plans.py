@@ -12,7 +12,7 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.note.bricks import Figure, heading, referred, worked
+from graphic_tmm.note.bricks import Figure, by_ruler, heading, referred, worked
 from graphic_tmm.note.calculations import Section, as_table
 from graphic_tmm.note.document import (
     Block,
@@ -43,7 +43,9 @@ def at_position(drawn: Drawn, view: str, place: int, language: str) -> NumberSou
         if place not in row:
             place = row[0]
         place = row.index(place)
-    return NumberSource(drawn.board, drawn.construction, reading, view, place, language)
+    return NumberSource(
+        drawn.board, drawn.construction, reading, view, place, language, by_ruler(drawn)
+    )
 
 
 def shown_and_listed(

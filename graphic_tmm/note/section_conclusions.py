@@ -37,8 +37,6 @@ from graphic_tmm.scene.captions import Named, captions
 
 CONCLUSIONS = said("Conclusions")
 EXACTNESS = said("Largest errors of the drawing against the same without error of the ruler")
-SHARES = (0.38, 0.12)
-"""What the columns take of a page's width, twice."""
 PLAN, ERROR = said("Plan or result"), said("Error, %")
 
 
@@ -72,7 +70,7 @@ def _exactness(made: DrawnScene, language: str) -> Iterator[Block]:
     if rows:
         heads = text(speaking(language)(PLAN)), text(speaking(language)(ERROR))
         title = text(speaking(language)(EXACTNESS))
-        yield in_columns(Table("table-exactness", title, heads, tuple(rows), "lc", SHARES), 2)
+        yield in_columns(Table("table-exactness", title, heads, tuple(rows), "lc"), language, 2)
 
 
 def _sentence(told: str) -> str:
@@ -81,8 +79,6 @@ def _sentence(told: str) -> str:
 
 SYMBOLS, MEANING = said("Symbols"), said("Meaning")
 SYMBOL, UNIT = said("Symbol"), said("Unit")
-SYMBOL_SHARES = (0.1, 0.31, 0.09)
-"""What the columns take of a page's width, twice."""
 _STEM = re.compile(r"[^\W\d_]+")
 
 
@@ -103,10 +99,8 @@ def symbol_list(made: DrawnScene, blocks: Sequence[Block], language: str) -> Ite
     if rows:
         yield Heading(1, text(_(SYMBOLS)), numbered=False)
         heads = text(_(SYMBOL)), text(_(MEANING)), text(_(UNIT))
-        table = Table(
-            "table-symbols", text(_(SYMBOLS)), heads, tuple(rows.values()), "clc", SYMBOL_SHARES
-        )
-        yield in_columns(table, 2)
+        table = Table("table-symbols", text(_(SYMBOLS)), heads, tuple(rows.values()), "clc")
+        yield in_columns(table, language, 2)
 
 
 LITERATURE = said("Literature")

@@ -33,8 +33,6 @@ from graphic_tmm.scene.captions import captions, view_name
 
 PLAN, FOUND, TAKEN = said("Drawing"), said("Calculation"), said("Scale factor")
 GIVEN = said("Taken from the task")
-SHARES = (0.25, 0.55, 0.2)
-"""What the columns take of a page's width."""
 OWN = frozenset({op.name for op in (choice.accepted, choice.next_standard, choice.next_ratio)})
 OWN |= {op.name for op in (choice.scale_of, choice.of_turns, choice.times_larger)}
 OWN |= {choice.next_standard_length.name, choice.nearest_standard.name}
@@ -55,7 +53,7 @@ def scales(made: DrawnScene, language: str) -> Iterator[Block]:
     yield heading(words[SCALES], 1)
     heads = text(_(PLAN)), text(_(FOUND)), text(_(TAKEN))
     caption = text(words[SCALES])
-    table = Table("table-scales", caption, heads, tuple(rows), "lll", SHARES, long=True)
+    table = Table("table-scales", caption, heads, tuple(rows), "lll", long=True)
     yield referred((), language, tables=[table])
     yield table
 

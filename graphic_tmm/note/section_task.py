@@ -118,7 +118,9 @@ def given_table(drawn: Drawn, language: str) -> Table | None:
         return None
     title = given_title(drawn.board, language)
     heads = text(words["letter"]), text(words["figure"]), text(words["unit"])
-    return in_columns(Table(f"table-given-{drawn.board}", text(title), heads, tuple(told), "lcc"))
+    return in_columns(
+        Table(f"table-given-{drawn.board}", text(title), heads, tuple(told), "lcc"), language
+    )
 
 
 def synthesis(made: DrawnScene, language: str) -> Iterator[Block]:

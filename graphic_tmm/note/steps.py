@@ -12,7 +12,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.formula_text import FUNCTIONS, Node, tree_of
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Length
-from graphic_tmm.language.numbers import EXACTLY, number
+from graphic_tmm.language.numbers import EXACTLY, fixed, number
 from graphic_tmm.language.symbols import spoken, symbol
 from graphic_tmm.note.document import (
     Formula,
@@ -25,6 +25,7 @@ from graphic_tmm.note.document import (
     Text,
     Tree,
 )
+from graphic_tmm.readers.rounding import ROUGH, rounded
 from graphic_tmm.readers.sentences import NOTHING, Phrase, grounds, phrase, worth
 
 LEAST = 3
@@ -33,7 +34,10 @@ _INDEX = re.compile(r"_(\w[\w–-]+)")
 
 
 class NumberSource(NamedTuple):
-    """Where the numbers of a view are read: the board's name, the log, the reading, the view, a position."""
+    """Where the numbers of a view are read: the board's name, the log, the reading, the view, a position.
+
+    ``ruler``: the decimals of a length, mm.
+    """
 
     board: str
     log: Construction
@@ -41,6 +45,7 @@ class NumberSource(NamedTuple):
     view: str
     place: int
     language: str
+    ruler: int = ROUGH
 
     def value(self, mark: Mark) -> float:
         """Return the value of a mark, as it may be told."""
@@ -52,8 +57,20 @@ class NumberSource(NamedTuple):
         value = self.value(mark)
         of = "°" if mark.kind is Angle else "mm" if mark.kind is Length else mark.unit
         source = Source("mark", self.board, str(mark.slot), self.place, self.view)
-        told = number(round(value, EXACTLY) if of == "%" else value, self.language)
+        if mark.kind is Length:
+            told = self.length(value)
+        else:
+            told = number(round(value, EXACTLY) if of == "%" else value, self.language)
         return Number(told, of if unit or of == "°" else "", source, value)
+
+    def length(self, value: float) -> str:
+        """Return a length (mm) as a ruler tells it; one that is less than it can tell, as it is."""
+        read = rounded(value, self.ruler)
+        return (
+            fixed(read, self.ruler, self.language)
+            if read or not value
+            else number(value, self.language)
+        )
 
     def symbol(self, mark: Mark) -> Symbol:
         """Return the letter of a mark; an index of several signs is one."""
@@ -189,7 +206,7 @@ def _segment(told: NumberSource, first: Mark, second: Mark) -> Number:
     start, end = (row[told.place if row.size > 1 else 0] for row in rows)
     value = float(abs(end - start))
     source = Source("segment", told.board, f"{first.slot} {second.slot}", told.place, told.view)
-    return Number(number(value, told.language), "", source, value)
+    return Number(told.length(value), "", source, value)
 
 
 def _between(told: NumberSource, first: Mark, second: Mark) -> Symbol:

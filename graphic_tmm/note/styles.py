@@ -48,15 +48,10 @@ TYPST = """\
 #set par(leading: apart, spacing: apart, justify: true, first-line-indent: (amount: 12.5mm, all: true))
 #set enum(indent: 6mm, body-indent: 2mm)
 #set list(marker: [–], indent: 6mm, body-indent: 2mm)
-#set table(stroke: 0.5pt, inset: (x: 3pt, y: 1.3pt))
+#set table(stroke: 0.5pt, inset: (x: 2pt, y: 1.3pt))
 #set table.hline(stroke: 0.5pt)
 #show table: set text(size: 10pt, hyphenate: false)
 #set table.cell(breakable: false)
-#show table: it => {
-  let wide = type(it.columns) == array and it.columns.len() > 10
-  set table(inset: (x: 1.5pt, y: 1.5pt)) if wide
-  it
-}
 #show table: set par(justify: false, leading: 0.1em, spacing: 0.1em, first-line-indent: 0mm)
 #show figure: set block(breakable: true, above: 0.8em, below: 0.8em)
 #let continued(to, told) = context {

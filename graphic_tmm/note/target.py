@@ -40,6 +40,8 @@ class Target(NamedTuple):
     with what pandoc does not escape. ``headed``: the first cell of a row is its head.
     ``continued``: what stands above the heads of a table (its id, "Table 3, continued") on the pages that it
     goes on over. ``whole``: the lines of one formula, which no page parts.
+    ``piece``: a piece of a formula among words, which no line parts; None where a formula is one.
+    ``measured``: it is told how wide columns are.
     """
 
     name: str
@@ -57,6 +59,8 @@ class Target(NamedTuple):
     styled_rows: bool = False
     word: Callable[[str], list[Tree]] = lambda word: one_string(word)
     continued: Callable[[str, str], Tree] | None = None
+    piece: Callable[[Tree], list[Tree]] | None = None
+    measured: bool = False
     whole: Callable[[list[Tree]], list[Tree]] = lambda lines: lines
 
 

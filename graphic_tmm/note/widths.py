@@ -9,8 +9,8 @@ from graphic_tmm.board.formula_text import Node
 from graphic_tmm.note.document import Formula, Leaf, Number, Symbol, Tree
 from graphic_tmm.paper.lettering.markup import plain
 
-WIDE = 66.0
-"""So many figures stand on a line of a page, signs among them: 165 mm of 14 pt, a figure half as wide."""
+WIDE = 76.0
+"""So many figures stand on a line of a page, signs among them: 165 mm of 12 pt, a figure half as wide."""
 CAPITAL = 1.35
 """What a capital takes."""
 TIMES, APART = 1.6, 5.0
@@ -138,6 +138,16 @@ def packed(formulas: Sequence[Formula]) -> tuple[tuple[Formula, ...], ...]:
         else:
             rows.append((one,))
     return tuple(rows)
+
+
+def pieces(one: Formula) -> tuple[Formula, ...]:
+    """Return a formula among words in pieces that no line parts: it goes on before a sign between sides."""
+    first, rest = one.sides[:2], one.sides[2:]
+    begun = one._replace(sides=first, behind=() if rest else one.behind)
+    more = [one._replace(sides=(side,), follows=True, lead="", behind=()) for side in rest]
+    if more:
+        more[-1] = more[-1]._replace(behind=one.behind)
+    return (begun, *more)
 
 
 def wholes(

@@ -16,6 +16,7 @@ from typing import NamedTuple
 from xml.sax.saxutils import escape
 
 from graphic_tmm.language.catalogue import code_of, speaking
+from graphic_tmm.note.columns import PAGE
 from graphic_tmm.note.document import Break, Document, Paragraph, Table, Text
 from graphic_tmm.note.target import CONTENTS, Outline
 
@@ -70,6 +71,9 @@ def _styles(lines: float) -> tuple[Style, ...]:
         Style("Image Caption", 12, "center", 3, 12, line=1.0),
         Style("Figure", 12, "center", 10, 0, line=1.0, kept=True),
         Style("Captioned Figure", 12, "center", 10, 0, line=1.0, kept=True),
+        Style("ragged", 12, "left", first=12.5, line=lines),
+        Style("leading", 12, first=12.5, line=lines, kept=True),
+        Style("whole", 12, "center", line=lines, kept=True),
         Style("title", 18, "center", 12, 12, line=1.15, bold=True),
         Style("centre", 12, "center", 0, 6, line=1.15),
         Style("signed", 12, "left", 0, 4, line=1.0),
@@ -181,7 +185,7 @@ def _style_sheet(language: str, lines: float) -> str:
     lang = {"ru": "ru-RU", "en": "en-GB"}.get(code, code)
     fonts = f'<w:rFonts w:ascii="{FONT}" w:hAnsi="{FONT}" w:eastAsia="{FONT}" w:cs="{FONT}"/>'
     defaults = (
-        f'<w:docDefaults><w:rPrDefault><w:rPr>{fonts}<w:sz w:val="28"/><w:szCs w:val="28"/>'
+        f'<w:docDefaults><w:rPrDefault><w:rPr>{fonts}<w:sz w:val="24"/><w:szCs w:val="24"/>'
         f'<w:lang w:val="{lang}" w:eastAsia="{lang}" w:bidi="ar-SA"/></w:rPr></w:rPrDefault>'
         "<w:pPrDefault/></w:docDefaults>"
     )
@@ -270,6 +274,22 @@ def contents(outline: Outline, language: str) -> str:
 
 _TITLE = re.compile(r'<w:p>\s*<w:pPr>\s*<w:pStyle w:val="Title" />\s*</w:pPr>.*?</w:p>', re.DOTALL)
 _SIGNED = re.compile(rf'<w:tblStyle w:val="{UNRULED}" />.*?</w:tbl>', re.DOTALL)
+_TABLES = re.compile(r"<w:tbl>.*?</w:tbl>", re.DOTALL)
+_GRID = re.compile(r'<w:gridCol w:w="(\d+)" />')
+_WIDE = re.compile(r"<w:tblW [^>]*/>")
+_MATHS = re.compile(r"(<m:r>(?:\s*<m:rPr>.*?</m:rPr>)?)", re.DOTALL)
+SMALL = '<w:rPr><w:rFonts w:ascii="Cambria Math" w:hAnsi="Cambria Math"/><w:sz w:val="20"/></w:rPr>'
+"""How a formula in a table is set: as small as its words."""
+_ROWS = re.compile(r"<w:tr>\s*(?:<w:trPr>(.*?)</w:trPr>)?", re.DOTALL)
+_INLINE = "<wp:inline>"
+_CLOSE = '<wp:inline distT="0" distB="0" distL="0" distR="0">'
+"""A picture without white about it, which some word processors else put there."""
+PANDOC = 7920
+"""The width of the text that pandoc divides among columns, twentieths of a point."""
+_SIGN = r'<m:r>\s*<m:rPr>\s*(<m:sty m:val="p" />)\s*</m:rPr>\s*<m:t[^>]*>({signs})</m:t>'
+_LOOSE = re.compile(_SIGN.format(signs=r"[][()|∗*]"))
+_LEADING = re.compile(r"(<m:oMath>\s*)" + _SIGN.format(signs="[=≠≤≥<>]"))
+"""Brackets that no other answers, and signs at the beginning of a line: they are letters, not operators."""
 _DATES = re.compile(r"<dcterms:(created|modified).*?</dcterms:\1>", re.DOTALL)
 
 
@@ -288,8 +308,22 @@ def without_title(made: bytes, centred: Sequence[str] = ()) -> bytes:
             text,
         )
     text = _SIGNED.sub(lambda found: found[0].replace('"Compact"', '"Signed"'), text)
+    text = _LEADING.sub(r"\1<m:r><m:rPr><m:nor />\2</m:rPr><m:t>\3 </m:t>", text)
+    text = _LOOSE.sub(r"<m:r><m:rPr><m:nor />\1</m:rPr><m:t>\2</m:t>", text)
+    text = _TABLES.sub(_fixed, text).replace(_INLINE, _CLOSE)
     parts["word/document.xml"] = text.encode("utf-8")
     core = "docProps/core.xml"
     if core in parts:
         parts[core] = _DATES.sub("", parts[core].decode("utf-8")).encode("utf-8")
     return zipped(list(parts.items()))
+
+
+def _fixed(found: re.Match[str]) -> str:
+    """Return a table whose columns are as wide as is told, whatever they hold; its rows are whole."""
+    page = round(PAGE * TWIP)
+    widths = [round(int(one) * page / PANDOC) for one in _GRID.findall(found[0])]
+    grid = iter(widths)
+    text = _GRID.sub(lambda _: f'<w:gridCol w:w="{next(grid)}" />', found[0])
+    text = _WIDE.sub(f'<w:tblW w:type="dxa" w:w="{sum(widths)}" />', text, count=1)
+    text = _MATHS.sub(rf"\1{SMALL}", text)
+    return _ROWS.sub(lambda row: f"<w:tr><w:trPr><w:cantSplit/>{row[1] or ''}</w:trPr>", text)

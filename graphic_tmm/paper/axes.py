@@ -25,12 +25,12 @@ BETWEEN = 1.6
 """Clear width between two numbers at least, mm."""
 EVERY = (1, 2, 5, 10, 20, 50, 100)
 """Of positions that stand too close for their numbers every second, fifth … bears one."""
-_HEAVY, _LIGHT, _LABEL, _FOOT, _FAR = 20.0, 0.3, 500.0, 1.0, 0.1
+_HEAVY, _LIGHT, _LABEL, _FOOT, _FAR = 20.0, 0.3, 500.0, 12.0, 0.1
 """What it costs to stand on a main line, on a thin one, on the number before, past another position; a mm away
 from its own."""
-_OTHER_SIDE, _LOWER = 10.0, 12.0
+_OTHER_SIDE, _LOWER, _ALONE = 10.0, 12.0, 14.0
 """What it costs that the numbers stand above the axis, or one of them on the other side of it than those
-before; that all stand on the next level below."""
+before; that all stand on the next level below; that one stands a level farther out than the others."""
 _LEVEL, _STAYS = 15.0, 2.0
 """What it costs to stand on a level line, read as a minus between numbers; to stay on the other side."""
 DEEPER = (4.5, 9.0)
@@ -61,15 +61,16 @@ def position_numbers(
 
     ``row``: the positions that divide the base, with their feet; ``others``: the end of the base, positions
     outside the row. A number stands next to the perpendicular of its position, clear of curves. Numbers move
-    lower, or above the axis, only where curves are in the way; a single number changes sides only where a
-    curve crosses all its places. Where there is no room, every second, fifth … position of the row is
-    numbered; of others that stand too close, the first.
+    lower, or above the axis, only where curves are in the way; a single number changes sides, or stands farther
+    out, only where a curve crosses all its places or it would be read as that of another position. Where there
+    is no room, every second, fifth … position of the row is numbered; of others that stand too close, the
+    first.
     """
     there = [one for one in (*_thinned(row, size), *others) if np.isfinite(one.at)]
     if not there:
         return ()
     low, high = -TICK - CLEAR - size, TICK + CLEAR
-    ink = _Inked(strokes, (low - DEEPER[-1] - size, high + 3 * size))
+    ink = _Inked(strokes, (low - DEEPER[-1] - DEEPER[0] - size, high + DEEPER[0] + 3 * size))
     rows = [_level(there, (low, high), size, ink)]
     if rows[0].cost > _OTHER_SIDE:
         rows += [
@@ -189,6 +190,8 @@ def _level(
     """
     if not named:
         return _Row((), cost)
+    levels = (*bases, min(bases) - DEEPER[0], max(bases) + DEEPER[0])
+    moved = np.array([0.0, _OTHER_SIDE, _ALONE, _ALONE + _OTHER_SIDE])
     ordered = sorted(named, key=lambda one: one.at.real)
     made = [letter(one.text, size=size) for one in ordered]
     feet, wide = np.array([one.at.real for one in ordered]), np.array([one.width for one in made])
@@ -197,24 +200,26 @@ def _level(
     left = (feet - BESIDE - wide)[:, None] - far, (feet + BESIDE)[:, None] + far
     starts = np.concatenate(left, axis=1)
     ends = starts + wide[:, None]
-    passed = (feet > starts[..., None]) & (feet < ends[..., None])
+    first, last = np.minimum(starts, feet[:, None]), np.maximum(ends, feet[:, None])
+    passed = (feet > first[..., None]) & (feet < last[..., None])
     own = _FOOT * passed.sum(axis=2) + _FAR * np.tile(far, 2)
     whole = [
         own + ink.costs(starts, base - down + 0 * starts, ends, base + up + 0 * starts)
-        for base in bases
+        for base in levels
     ]
     tried = np.round(np.concatenate(whole, axis=1), 6)
-    sides = np.repeat([0, 1], starts.shape[1])
+    sides = np.repeat(range(len(levels)), starts.shape[1])
     labels: list[Label] = []
-    taken, side = np.full(2, -math.inf), 0
+    taken, side = np.full(len(levels), -math.inf), 0
     for k, one in enumerate(ordered):
-        costs = tried[k] + _LABEL * (np.tile(starts[k], 2) < taken[sides] + BETWEEN)
-        costs = costs + sides * (_STAYS if side else _OTHER_SIDE)
+        again = np.tile(starts[k], len(levels))
+        costs = tried[k] + _LABEL * (again < taken[sides] + BETWEEN)
+        costs = costs + np.where((sides == 1) & (side == 1), _STAYS, moved[sides])
         best = int(np.argmin(costs))
         if costs[best] >= _LABEL:
             continue
         side = int(sides[best])
-        at = complex(starts[k, best % starts.shape[1]], bases[best // starts.shape[1]])
+        at = complex(starts[k, best % starts.shape[1]], levels[best // starts.shape[1]])
         labels.append(Label(one.text, at, size, of=one.of, position=one.position))
         taken[side], cost = at.real + float(wide[k]), cost + float(costs[best])
     return _Row(tuple(labels), cost)

@@ -100,6 +100,6 @@ def test_a_slider_is_told_as_the_worked_example_tells_it(tmp_path: Path) -> None
     made, document = told(tmp_path, text.replace('language = "ru"', 'language = "en"'))
     assert not wrong(made, document)
     figures = {(one.text, one.unit) for one in numbers(document)}
-    due = {("0.24", "s"), ("96", "mm"), ("12", "mm"), ("15", "mm"), ("2", "(m/s²)/mm")}
+    due = {("0.24", "s"), ("96.0", "mm"), ("12.0", "mm"), ("15.0", "mm"), ("2", "(m/s²)/mm")}
     due |= {("0.003", "s/mm"), ("1.5", "(m/s²)/mm"), ("0.0025", "s/mm")}
     assert due <= figures

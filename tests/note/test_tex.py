@@ -85,5 +85,5 @@ def test_a_long_sum_is_broken_at_its_terms_and_keeps_all_of_them() -> None:
 
 def test_short_formulas_stand_beside_one_another() -> None:
     short = Formula((Symbol("a"), Symbol("b"), Symbol("c")))
-    long = Formula((Symbol("a"), Symbol("b" * 50)))
+    long = Formula((Symbol("a"), Symbol("b" * 60)))
     assert [len(row) for row in packed((short, short, long, short))] == [2, 1, 1]

@@ -43,7 +43,7 @@ def levels(labels: tuple[Label, ...]) -> set[float]:
 def test_numbers_stand_apart_and_in_their_order(
     count: int, high: float, turns: float, late: float
 ) -> None:
-    """A curve leaves at most two levels: that of nearly all, and the other side of the axis."""
+    """A curve leaves few levels: that of nearly all, the other side of the axis, one farther out."""
     feet, others = row(count, 120.0)
     curve = line("main", *wave(120.0, high, turns, late))
     labels = position_numbers(feet, others, [curve], SIZE)
@@ -53,9 +53,35 @@ def test_numbers_stand_apart_and_in_their_order(
     assert numbers == sorted(numbers)
     boxes = [box(label) for label in labels]
     assert all(one.disjoint(other) for one, other in pairwise(boxes))
-    assert len(levels(labels)) <= 2
+    assert len(levels(labels)) <= 3
     assert [label.position for label in labels[:-1]] == numbers
     assert {label.of for label in labels} == {(7,), (8,)}
+
+
+@pytest.mark.parametrize("extra", [40.3, 40.6, 41.0, 41.6, 43.1])
+def test_a_number_does_not_stand_past_the_foot_of_another_position(extra: float) -> None:
+    """5* a millimetre before 6 is not read as one behind it."""
+    feet, others = row(12, 84.0)
+    star = Named(complex(extra), "5*", (9,), 12)
+    ink = [line("thin", one.at, one.at - 10j) for one in (*feet, star)]
+    labels = position_numbers(feet, [star, *others], ink, SIZE)
+    at = {one.text: one.at.real for one in feet} | {"5*": extra}
+    assert {label.text for label in labels} >= {"5", "5*", "6"}
+    for label in labels[:-1]:
+        left, _, right, _ = box(label).bounds
+        own = at[label.text]
+        between = [x for x in at.values() if min(left, own) < x < max(right, own) and x != own]
+        assert not between, label.text
+
+
+def test_a_number_stands_on_no_curve_where_there_is_room_farther_out() -> None:
+    """Two steep curves leave it no place next to its foot."""
+    feet, others = row(12, 120.0)
+    ink = [line("main", complex(60 + by, -5.2), complex(60 + by, 5.2)) for by in (-1.6, 1.6)]
+    ink += [line("main", complex(0, y), complex(48, y)) for y in (4.0, -9.0, -13.0)]
+    labels = position_numbers(feet, others, ink, SIZE)
+    assert len(labels) == 13
+    assert all(box(label).disjoint(shape(one)) for label in labels for one in ink)
 
 
 @pytest.mark.parametrize("sign", [1, -1])

@@ -92,11 +92,14 @@ def worked_out(side: str) -> Worked:
 
 
 def half_of(told: str) -> float:
-    """Return half of the last digit that a figure carries: noughts behind four digits are left out."""
+    """Return half of the last digit that a figure carries: noughts behind four digits are left out.
+
+    One with one decimal may be a length as a ruler of 0.1 mm reads it.
+    """
     plain = told.replace("{,}", ".")
     value = abs(float(plain))
     whole, _, rest = plain.partition(".")
-    if rest.endswith("0") or (not value and rest):
+    if len(rest) == 1 or rest.endswith("0") or (not value and rest):
         return 0.5 * 10.0 ** -len(rest)
     if not value:
         return 0.0

@@ -116,8 +116,6 @@ EXTREME = {
 
 ACROSS = 12
 """How many intervals stand in one table beside one another."""
-LEAD, WIDEST = 0.12, 0.1
-"""Shares of the text's width: of each head of a row, and of a column at most."""
 
 
 class DiagramPage(Page[Kinematic]):
@@ -246,8 +244,7 @@ class DiagramPage(Page[Kinematic]):
             )
             title = self.speech(MIDDLES) + (f" ({names['continued']})" if start else "")
             id, align = f"table-middles-{chart.symbol}-{start}", "lc" + "c" * len(part)
-            wide = (LEAD, LEAD, *[min((1.0 - 2 * LEAD) / len(part), WIDEST)] * len(part))
-            yield Table(id, text(title), heads, rows, align, wide)
+            yield Table(id, text(title), heads, rows, align)
 
     def _middle(self, mark: Mark, k: int, places: int) -> Runs:
         value = self.number(mark, k)

@@ -15,6 +15,7 @@ from graphic_tmm.chapters.forces.task import ASKED, Load
 from graphic_tmm.chapters.forces.task import LOADS as PLACE
 from graphic_tmm.chapters.forces.words import LOAD
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import choices
 from graphic_tmm.language.catalogue import speaking
@@ -154,8 +155,8 @@ class Pictured(NamedTuple):
 
     @property
     def scales(self) -> tuple[str, str]:
-        """The letters of the scale factors of the base ("" where it has none) and of the height."""
-        along = {"m/mm": "μ_S", "°/mm": "μ_φ"}.get(self.base, "")
+        """The letters of the scale factors of the base and of the height; "" of one without: travel has μ_l."""
+        along = "μ_φ" if self.base == "°/mm" else ""
         return along, f"μ_{self.letter[0]}"
 
 
@@ -171,6 +172,16 @@ def pictured(drawn: Drawn) -> Iterator[Pictured]:
             reach, base = _reach(drawn, load, size)
             unit = "N·m/mm" if load.point is None else "N/mm"
             yield Pictured(k, braced(letter), load, size, reach, largest, base, unit)
+
+
+def on_plan(scene: Scene) -> bool:
+    """Tell whether loads by travel stand on the plan of positions: on a sheet that shows both."""
+    return any({PLACE, POSITIONS} <= set(sheet.place) for sheet in scene.sheets)
+
+
+def called(one: Pictured, language: str) -> str:
+    """Return the letter of a load in a language."""
+    return symbol(one.letter, language)
 
 
 def _reach(drawn: Drawn, load: Load, size: Mark) -> tuple[float, str]:
@@ -248,11 +259,11 @@ def draw_load(
         spots = [complex(x / mu[0], y / mu[1]) for x, y in part.points]
         strokes += added([line(part.pen, *spots)], "given")
     feet: list[tuple[float, str]] = []
-    for x in _divisions([x for x, _ in points], shown.reach):
+    for x in divisions([x for x, _ in points], shown.reach):
         strokes += added([line("thin", x / mu[0] - TICK * 1j, x / mu[0] + TICK * 1j)], "axis")
         feet += [(x / mu[0], number(x, language, 3))] if x else []
     ticks: list[tuple[float, str]] = []
-    for y in _divisions([0.0, *(y for _, y in points)], shown.largest):
+    for y in divisions([0.0, *(y for _, y in points)], shown.largest):
         at = 1j * y / mu[1]
         far = max((x for x, size in points if size == y), default=0.0) / mu[0]
         strokes += added([line("thin", at - TICK, at + far)] if y else [], "axis")
@@ -276,7 +287,7 @@ def _axes(base: float, lowest: float, top: float) -> Iterator[Stroke]:
         yield from arrowhead(end, end - start, pen="thin")
 
 
-def _divisions(values: Sequence[float], whole: float) -> list[float]:
+def divisions(values: Sequence[float], whole: float) -> list[float]:
     """Return the values that are there, each once, in order."""
     found: list[float] = []
     for value in sorted(values):
@@ -292,14 +303,16 @@ def load_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     language, high = drawn.scene.language, heights(drawn.scene, PLACE)
     views = list[Drawing]()
     for one in pictured(drawn):
-        called = symbol(one.letter, language)
-        title = speaking(language)(LOAD, letter=called)
-        along, up = (
-            choices(drawn).scale(one.view, letter) if letter else None for letter in one.scales
-        )
+        if one.load.travel is not None and on_plan(drawn.scene):
+            continue
+        letter = called(one, language)
+        title = speaking(language)(LOAD, letter=letter)
+        along, up = (choices(drawn).scale(one.view, mu) if mu else None for mu in one.scales)
         assert up is not None
         by = along.value if along is not None else standard(one.reach, ACROSS)
-        shown = _diagram(drawn, one, called)
+        if one.load.travel is not None:
+            by, along = mu_l(drawn), drawn.scales[POSITIONS]
+        shown = diagram_of(drawn, one, letter)
         view = draw_load(shown, f"load-{one.place + 1}", title, (by, up.value), language, high)
         told = ", ".join(mu_text(scale, language) for scale in (along, up) if scale is not None)
         view = finished(view._replace(stand=Stand(kind="table")), lettered)
@@ -307,9 +320,10 @@ def load_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     return views
 
 
-def _diagram(drawn: Drawn, one: Pictured, called: str) -> Diagram:
+def diagram_of(drawn: Drawn, one: Pictured, letter: str) -> Diagram:
+    """Return the diagram of a load as given, and where positions stand on it."""
     language, load = drawn.scene.language, one.load
-    up = f"{called}, {unit(one.unit.removesuffix('/mm'), language)}"
+    up = f"{letter}, {unit(one.unit.removesuffix('/mm'), language)}"
     there = [k for k in range(drawn.scene.row.count) if k not in drawn.undrawn]
     if load.travel is not None:
         parts = tuple(_strokes(load, one.reach))

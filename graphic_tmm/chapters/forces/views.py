@@ -23,6 +23,7 @@ from graphic_tmm.chapters.forces.ink_groups import GroupFigure, Reactive, Rubbed
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
 from graphic_tmm.chapters.forces.load_diagrams import load_views
+from graphic_tmm.chapters.forces.load_strokes import loads_along_guides
 from graphic_tmm.chapters.forces.loads import Couple
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.statics import Solved
@@ -30,6 +31,7 @@ from graphic_tmm.chapters.forces.table import BALANCES, DIFFERENCE, force_column
 from graphic_tmm.chapters.forces.task import FORCES, LOADS
 from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.indicator.views import indicator_views
+from graphic_tmm.chapters.kinematics.along import AlongGuides
 from graphic_tmm.chapters.kinematics.bodies import PinLeg
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
@@ -297,6 +299,7 @@ def _as_printed(drawn: Drawn, column: Column) -> Column:
     return replace(column, value=value)
 
 
+ALONG = AlongGuides(loads_along_guides)
 SHOWN = Views(
     draw={
         "forces": force_views,

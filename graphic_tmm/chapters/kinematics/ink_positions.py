@@ -224,11 +224,27 @@ class PositionsInk(LinksInk):
     def numbers(
         self, crank: tuple[Mark, Mark], names: Sequence[str], letters: Letters
     ) -> list[Wanted]:
-        """The numbers of the positions, outside the circle of the crank pin."""
+        """The numbers of the positions, outside the circle of the crank pin.
+
+        A position besides the row, 6*, shares the label of one whose pin is no farther off than a number is high.
+        """
+        pivot, pin = crank
+        row = [k for k in self.places if _of_row(names[k])]
+        shared = {k: [k] for k in row}
+        for extra in (k for k in self.places if k not in shared):
+            away = {k: abs(self.at(pin, k) - self.at(pin, extra)) for k in row}
+            near = min(away, key=away.__getitem__, default=extra)
+            own = near if away.get(near, 0.0) <= letters.small else extra
+            shared.setdefault(own, []).append(extra)
         wanted = []
-        for index in self.places:
-            pivot, pin = (self.at(mark, index) for mark in crank)
-            of = (crank[1].slot,)
-            told, size = letters.of(crank[1], names[index])
-            wanted.append(Wanted(told, pin, size, PIN, pin - pivot, of, index))
+        for first, those in shared.items():
+            at = self.at(pin, first)
+            told, size = letters.of(pin, ", ".join(names[k] for k in those))
+            out = at - self.at(pivot, first)
+            wanted.append(Wanted(told, at, size, PIN, out, (pin.slot,), max(those)))
         return wanted
+
+
+def _of_row(name: str) -> bool:
+    """Whether a position divides the turn: 6, or 6, 18 where it comes again; and not 6*."""
+    return all(part.isdecimal() for part in name.split(", "))

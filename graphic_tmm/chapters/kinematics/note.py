@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from graphic_tmm.chapters.kinematics import views
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, EXTREMES, POSITIONS, VELOCITIES
+from graphic_tmm.language.said import said
 from graphic_tmm.note.document import Block, Picture
 from graphic_tmm.note.figures import in_hand, picture, readable
 from graphic_tmm.note.page import COLUMNS, Page
@@ -17,6 +18,8 @@ from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.views import captioned, mu_text
 from graphic_tmm.readers.protocol import title_of
 from graphic_tmm.scene.captions import captions
+
+SIZES = said("The tables give sizes; signs, which tell directions, stand in the calculations.")
 
 
 class KinematicPage(Page[KinematicPlans]):
@@ -34,6 +37,8 @@ class KinematicPage(Page[KinematicPlans]):
         yield from self.view(POSITIONS, self.figures(*self.pictures))
         for plan in (VELOCITIES, ACCELERATIONS):
             yield from self.view(plan, self._plan(plan))
+        if self.columns:
+            yield self.says(SIZES)
         yield from self.tabled()
 
     def _plan(self, plan: str) -> tuple[Picture, ...]:

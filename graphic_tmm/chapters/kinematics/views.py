@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from graphic_tmm.chapters.kinematics.along import with_guides
 from graphic_tmm.chapters.kinematics.ink_links import LinksInk
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_equations, draw_plan
 from graphic_tmm.chapters.kinematics.ink_positions import (
@@ -67,7 +68,8 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     )
     on = subject(drawn, words["positions"], POSITIONS)
     view = draw_positions_ink(on, reaches(drawn), shown)._replace(stand=Stand(kind="lead"))
-    return [with_caption(view, on, lettered, mu_text(drawn.scales[POSITIONS], on.language))]
+    view, told = with_guides(drawn, view)
+    return [with_caption(view, on, lettered, mu_text(drawn.scales[POSITIONS], on.language), *told)]
 
 
 def _gaining(drawn: Drawn) -> int:

@@ -53,7 +53,7 @@ class StructurePage(Page[Structure]):
         assert mechanism is not None
         found, words = MOBILITY.of(self.drawn), WORDS[language]
         links = [tuple(map(text, row)) for row in link_rows(mechanism, structure, language)]
-        yield in_columns(self._table("links", LINKS, LINK_HEADS, links, "cll"), 2)
+        yield in_columns(self._table("links", LINKS, LINK_HEADS, links, "cll"), self.language, 2)
         pairs = [
             ((Symbol(letter),), *map(text, cells), (Symbol(index),))
             for letter, *cells, index in pair_rows(mechanism, structure, language)

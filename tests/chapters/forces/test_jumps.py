@@ -134,7 +134,9 @@ def test_the_flywheel_of_a_load_that_jumps(tmp_path: Path) -> None:
 
 
 def test_a_jump_is_an_upright_line_of_the_diagram(tmp_path: Path) -> None:
-    (view,) = load_views(drawn_of(read(scene(tmp_path, CUT))), True)
+    """Where a sheet of its own shows it; beside the guide it is the same."""
+    alone = '[[sheet]]\nformat = "A4"\nplace = ["load diagram"]\n'
+    (view,) = load_views(drawn_of(read(scene(tmp_path, CUT, more=alone))), True)
     (line,) = [s for s in view.strokes if s.part == "given" and isinstance(s, Stroke)]
     upright = [
         (x, y, v) for (x, y, _), (u, v, _) in zip(line.path, line.path[1:], strict=False) if x == u

@@ -6,14 +6,18 @@ import math
 from dataclasses import replace
 
 import pytest
+import shapely
 from support.boards import drawn_of
 from support.gallery import drawn, scene
 
 from graphic_tmm.chapters.forces.load_diagrams import given, load_views
 from graphic_tmm.chapters.forces.task import ASKED, Load
 from graphic_tmm.chapters.forces.task import LOADS as PLACE
+from graphic_tmm.chapters.kinematics.views import position_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.drawing import Drawing, Stroke
+from graphic_tmm.paper.shapes import shape
+from graphic_tmm.scene.drawing import SheetOrder
 from graphic_tmm.scene.registry import attended
 
 
@@ -33,8 +37,14 @@ def told(view: Drawing) -> tuple[float, float]:
     return float(along), float(up)
 
 
+def apart() -> Drawn:
+    """The press whose load has a sheet of its own."""
+    sheets = (SheetOrder("A2", ("positions",)), SheetOrder("A4", (PLACE,)))
+    return drawn_of(replace(scene("crank-press"), sheets=sheets))
+
+
 def test_a_force_over_the_travel_of_a_slider() -> None:
-    view = diagram(drawn("crank-press"))
+    view = diagram(apart())
     (line,) = lines(view)
     along, up = told(view)
     stroke = 2 * 0.06  # a slider in line with the crank travels twice its arm
@@ -53,6 +63,41 @@ def test_a_force_over_the_travel_of_a_slider() -> None:
         share = way / stroke
         due_size = 24000.0 + (share - 0.7) / 0.3 * (9000.0 - 24000.0)
         assert y * up == pytest.approx(due_size, rel=0.02)
+
+
+def test_a_load_stands_beside_the_guide_each_size_under_its_place() -> None:
+    """On the plan, to its scale: by the slider's own places, square to its way, clear of the mechanism."""
+    work = drawn("crank-press")
+    assert not load_views(work, True)
+    (view,) = position_views(work, True)
+    mu, up = (
+        float(one.text.split(" = ")[1].split(" ")[0])
+        for one in view.labels
+        if "μ_" in one.text and " = " in one.text
+    )
+    dots = {}
+    for label in (one for one in view.labels if one.text in ("4", "5", "6")):
+        near = [
+            (abs(z - label.at), z)
+            for s in view.strokes
+            if isinstance(s, Stroke) and s.part == "given" and s.filled and len(s.path) == 2
+            for z in [complex(s.path[0][0] + s.path[1][0], s.path[0][1] + s.path[1][1]) / 2]
+        ]
+        away, spot = min(near, key=lambda one: one[0])
+        if away < 10.0:
+            dots[label.text] = spot
+    assert set(dots) == {"4", "5", "6"}
+    bases = []
+    for name, spot in dots.items():
+        turn = math.radians(30.0 * int(name))
+        way = 0.06 * (1 - math.cos(turn)) + math.sqrt(0.24**2 - (0.06 * math.sin(turn)) ** 2) - 0.24
+        size = 24000.0 + (way / 0.12 - 0.7) / 0.3 * (9000.0 - 24000.0)
+        assert spot.imag == pytest.approx(-(0.24 + 0.06 + way - 0.12) / mu, abs=0.3)
+        bases.append(spot.real - size / up)
+    assert max(bases) - min(bases) < 0.6
+    strip = shapely.box(-999.0, -0.30 / mu, 999.0, -0.18 / mu)  # along the stroke
+    others = [shape(s).intersection(strip) for s in view.strokes if s.part in ("link", "pair")]
+    assert min(bases) > 10.0 + max(one.bounds[2] for one in others if not one.is_empty)
 
 
 def with_loads(*loads: Load) -> Drawn:
