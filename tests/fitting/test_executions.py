@@ -69,8 +69,8 @@ def runs(monkeypatch: pytest.MonkeyPatch) -> Runs:
 def once(runs: Runs) -> None:
     """Every whole log was run once by each hand, and was run at all.
 
-    By the exact hand once more where results of curves are held against those of a finer row, and once more where
-    a scale factor follows from what is drawn: its sheet is measured by it.
+    By the exact hand once more where results of curves are held against those of a finer row, and once more
+    where a scale factor follows from what is drawn: its sheet is measured by it.
     """
     counts = runs.whole()
     assert counts

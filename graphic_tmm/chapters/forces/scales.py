@@ -67,7 +67,7 @@ SIZES = Sizing(
 """Of polygons, of the links of a detached group, of the lever, mm on an A1."""
 
 
-LONGER = 2.5
+LONGER = 3.5
 """So many times its room a group may take so as to be no smaller than the plan."""
 LINK_1 = 0.5
 """What link 1 alone takes of the room for a group."""
@@ -156,8 +156,7 @@ def factors(sized: Sized) -> Iterator[ScaleFactor]:
 def _group(far: float, room: float, plan: float) -> float:
     """Return μ_l of a group that reaches so far (m): by its room (mm), no smaller than the plan if it may."""
     larger = max((mu for mu in LENGTHS if mu <= plan * (1 + ROUNDED)), default=plan)
-    own = standard_length(far, room)
-    return min(own, larger) if far / larger <= LONGER * room else own
+    return max(min(standard_length(far, room), larger), standard_length(far, LONGER * room))
 
 
 def _plan_scale(sized: Sized) -> float:
