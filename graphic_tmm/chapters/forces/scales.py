@@ -58,9 +58,9 @@ SIZES = Sizing(
     graphs=GRAPHS.name,
     sizes=(
         GRAPHS,
-        Size("forces", 180.0, in_mm=True, least=0.1, first=True, fixed=_fixed),
-        Size("groups", 170.0, in_mm=True, least=0.05),
-        Size("lever", 210.0, in_mm=True, least=0.05),
+        Size("forces", 150.0, in_mm=True, least=0.1, first=True, fixed=_fixed),
+        Size("groups", 145.0, in_mm=True, least=0.05),
+        Size("lever", 180.0, in_mm=True, least=0.05),
     ),
     depends={"forces": _polygons, "lever": lambda scene, role: ("lever",)},
 )
@@ -72,12 +72,12 @@ LONGER = 3.5
 LINK_1 = 0.5
 """What link 1 alone takes of the room for a group."""
 _GROUP = said(
-    "A group takes up to 170 mm of an A1, of smaller formats less in proportion, and is no smaller than on the "
+    "A group takes up to 145 mm of an A1, of smaller formats less in proportion, and is no smaller than on the "
     "plan of positions: the arms of forces are measured on it."
 )
 _ALONE = said("Of link 1 one arm is measured: it is drawn no larger than the groups.")
 _POLYGON = said(
-    "A polygon of forces takes up to 180 mm of an A1, of smaller formats less in proportion: the forces that "
+    "A polygon of forces takes up to 150 mm of an A1, of smaller formats less in proportion: the forces that "
     "close it are measured."
 )
 ROUNDED = 1e-9

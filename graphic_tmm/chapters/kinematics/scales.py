@@ -38,7 +38,7 @@ from graphic_tmm.project import Project
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scales, Scene
 
-PLAN, VELOCITY, ACCELERATION, MANY = 290.0, 110.0, 150.0, 110.0
+PLAN, VELOCITY, ACCELERATION, MANY = 270.0, 100.0, 140.0, 100.0
 """The most that a plan of positions takes on an A1, mm, the longest vector of a plan of velocities, of
 accelerations, and of many of these. Half a division of the ruler, 0.25 mm, is 0.5 % of 50 mm."""
 FEW = 4
@@ -50,17 +50,17 @@ CRANK = 20.0
 LARGEST = 360.0
 """The most that a plan of positions takes on an A1 for its crank's sake, mm."""
 _POSITIONS = said(
-    "The plan of positions takes 150 to 290 mm of an A1, of smaller formats less in proportion, and its crank "
+    "The plan of positions takes 140 to 270 mm of an A1, of smaller formats less in proportion, and its crank "
     "no less than 20 mm where the sheet allows: shorter lengths are read to no better than 1 %."
 )
 _VECTORS = {
     VELOCITIES: said(
-        "The longest vector takes 60 to 110 mm of an A1, of smaller formats less in proportion: half a "
-        "division of the ruler is less than 0.5 % of it."
+        "The longest vector takes 50 to 100 mm of an A1, of smaller formats less in proportion: half a "
+        "division of the ruler is no more than 0.5 % of it."
     ),
     ACCELERATIONS: said(
-        "The longest vector takes 80 to 150 mm of an A1, of smaller formats less in proportion, and no more "
-        "than 110 mm where there are more than four plans."
+        "The longest vector takes 70 to 140 mm of an A1, of smaller formats less in proportion, and no more "
+        "than 100 mm where there are more than four plans."
     ),
 }
 KEYS = {POSITIONS: ("mu_l", "OA"), VELOCITIES: ("mu_v", "pa"), ACCELERATIONS: ("mu_a", "pi_a")}
