@@ -34,7 +34,7 @@ from graphic_tmm.note.document import (
     lettered,
     text,
 )
-from graphic_tmm.note.figures import fit, is_figure, picture, readable
+from graphic_tmm.note.figures import LEGIBLE, fit, is_figure, least_letter, picture, readable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.columns import Column, Tabled, known_at
@@ -104,8 +104,8 @@ def paired(blocks: Iterable[Block]) -> Iterator[Block]:
 
 
 def side_by_side(shown: Sequence[Picture]) -> tuple[Figure, ...]:
-    """Return views as one figure, beside one another; one alone, or none, as it is."""
-    if len(shown) < 2:
+    """Return views as one figure, beside one another; apart where their letters were too small to read."""
+    if len(shown) < 2 or least_letter([one.drawing for one in shown]) < LEGIBLE:
         return tuple(shown)
     whole: list[Run] = []
     for k, one in enumerate(shown):
@@ -130,7 +130,8 @@ def drawings(drawn: Drawn, place: Place) -> list[Drawing]:
     """Return the views of a place, lettered for a page; kept beside the drawing."""
     kept: dict[str, list[Drawing]] = drawn.cache.setdefault("note drawings", {})
     if place.name not in kept:
-        kept[place.name] = readable(drawn, drawing_of(place.name))
+        draw = drawing_of(place.name)
+        kept[place.name] = readable(drawn, lambda held: draw(held, True))
     return kept[place.name]
 
 

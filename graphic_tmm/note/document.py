@@ -178,11 +178,12 @@ Block = Heading | Paragraph | Display | Listed | Table | Picture | SideBySide | 
 
 
 class Document(NamedTuple):
-    """A note: its title, its language, the formats of paper its drawings were made for, its blocks."""
+    """A note: its title, its language, its blocks; what title blocks of its pages say, if they have any."""
 
     title: str
     language: str
     blocks: tuple[Block, ...]
+    frame: Mapping[str, str] | None = None
 
 
 def text(words: str, style: str = "") -> Runs:

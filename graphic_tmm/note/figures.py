@@ -2,26 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.note.document import Document, Picture, SideBySide, letter_of, text
 from graphic_tmm.paper.drawing import EQUATIONS, TABLE, Drawing, Label, Sheet
+from graphic_tmm.paper.formats import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.write.svg import clean
 
 FORMAT = "A4"
-"""The format whose pens and letters figures are drawn with: a note is held in the hand."""
-WALL, SMALL = "A1", 0.65
-"""The format whose letters are larger, and below how much of its size a figure is lettered so."""
+"""The format whose pens figures are drawn with: a note is held in the hand."""
+LETTERED = (1.0, 1.4, 1.8, 2.2, 2.8)
+"""How many times larger than on that format letters are drawn, in this order, until they can be read."""
+LEGIBLE, SPARE = 2.5, 1.1
+"""The least letter of a figure on the page, mm; how much larger it is drawn, for what stands beside another."""
 WIDTH, HEIGHT, WHOLE = 165.0, 66.0, 120.0
 """Room for a figure on a page, mm: its width, its usual height, the height of a page."""
-SMALLEST, LEAST = 0.45, 0.38
+SMALLEST, LEAST = 0.45, 0.3
 """A figure takes more of a page than usual before it is made smaller than this, and than the second in any
-case: its letters are those of a wall's sheet. Chosen by eye."""
+case. Chosen by eye."""
 LARGEST = 1.25
 """How many times a figure may be enlarged: its letters would shout else. Chosen by eye."""
 LETTER = 3.5
@@ -36,26 +40,46 @@ EDGE = 1.5
 """White about a figure, mm: half of its thickest line, and a little."""
 
 
-def in_hand(drawn: Drawn, format: str = FORMAT) -> Drawn:
-    """Return a board whose views are lettered as those of a sheet held in the hand, or of another."""
+def in_hand(drawn: Drawn, times: float = 1.0) -> Drawn:
+    """Return a board whose views are lettered as those of a sheet held in the hand, or larger."""
     scene = drawn.scene
-    orders = tuple(replace(order, format=format) for order in scene.sheets)
-    return replace(drawn, project=replace(drawn.project, scene=replace(scene, sheets=orders)))
+    orders = tuple(replace(order, format=FORMAT) for order in scene.sheets)
+    letters = Heights(*scene.letters) if scene.letters else HEIGHTS[FORMAT]
+    scene = replace(scene, sheets=orders, letters=letters.times(times))
+    return replace(drawn, project=replace(drawn.project, scene=scene))
 
 
-def readable(drawn: Drawn, draw: Callable[[Drawn, bool], list[Drawing]]) -> list[Drawing]:
-    """Return lettered views; those that are made much smaller for a page in the letters of a wall's sheet."""
-    far = draw(in_hand(drawn, WALL), True)
-    small = [not is_figure(view) or _scale_of(view) <= SMALL for view in far]
-    if all(small):
-        return far
-    near = draw(in_hand(drawn), True)
-    return [far[k] if one else near[k] for k, one in enumerate(small)]
+def readable(drawn: Drawn, draw: Callable[[Drawn], Iterable[Drawing]]) -> list[Drawing]:
+    """Return views in letters that can be read on the page."""
+    found: dict[str, Drawing] = {}
+    for times in LETTERED:
+        larger = {view.name: view for view in draw(in_hand(drawn, times))}
+        found = {name: found.get(name, view) for name, view in larger.items()}
+        for name, view in found.items():
+            least = least_letter([view])
+            if least < SPARE * LEGIBLE and least < least_letter([larger[name]]):
+                found[name] = larger[name]
+        if all(least_letter([view]) >= SPARE * LEGIBLE for view in found.values()):
+            break
+    return list(found.values())
 
 
-def _scale_of(view: Drawing) -> float:
-    left, low, right, top = bounds(view)
-    return scale(right - left, top - low)
+def least_letter(views: Sequence[Drawing]) -> float:
+    """Return how high the least letter of views beside one another is on the page, mm."""
+    shown = [_untitled(view) for view in views if is_figure(view)]
+    sizes = (
+        times * label.size
+        for view, times in zip(shown, scales_of(shown), strict=True)
+        for label in view.labels
+    )
+    return min(sizes, default=math.inf)
+
+
+def _untitled(view: Drawing) -> Drawing:
+    """Return a view without its title, which stands in the caption of the figure."""
+    titled, _ = _below(view)
+    kept = tuple(label for label in view.labels if label not in titled)
+    return view._replace(labels=kept, cell=None, apart=None)
 
 
 def is_figure(drawing: Drawing) -> bool:
@@ -70,10 +94,10 @@ def picture(drawing: Drawing, language: str, name: str = "") -> Picture:
     """
     titled, told = _below(drawing)
     title = " ".join(clean(plain(label.text)) for label in titled) or clean(plain(drawing.title))
-    kept = tuple(label for label in drawing.labels if label not in titled)
-    bare = drawing._replace(labels=kept, cell=None, apart=None)
     alt = ", ".join([title, *(clean(plain(label.text)).rstrip(",") for label in told)])
-    return Picture(f"fig-{name or drawing.name}".replace(" ", "-"), text(title), bare, alt)
+    return Picture(
+        f"fig-{name or drawing.name}".replace(" ", "-"), text(title), _untitled(drawing), alt
+    )
 
 
 def _below(drawing: Drawing) -> tuple[list[Label], list[Label]]:
@@ -115,26 +139,29 @@ def scale(width: float, height: float) -> float:
     return min(WIDTH / width, max(usual, min(SMALLEST, max(LEAST, WHOLE / height))))
 
 
-def paper_sizes(pictures: Sequence[Picture]) -> list[tuple[float, float]]:
+def paper_sizes(views: Sequence[Drawing]) -> list[tuple[float, float]]:
     """Return how wide and high the papers of views are, mm."""
-    boxes = [bounds(one.drawing._replace(cell=None)) for one in pictures]
+    boxes = [bounds(one._replace(cell=None)) for one in views]
     return [(box[2] - box[0] + 2 * EDGE, box[3] - box[1] + 2 * EDGE) for box in boxes]
 
 
 def fit(pictures: Sequence[Picture]) -> bool:
     """Whether views stand beside one another on a page without being made much smaller."""
-    sizes = paper_sizes(pictures)
+    views = [one.drawing for one in pictures]
+    if least_letter(views) < LEGIBLE:
+        return False
+    sizes = paper_sizes(views)
     heights = [size[1] * scale(*size) for size in sizes]
     if min(heights) < ALIKE * max(heights):
         return False
     return sum(size[0] * scale(*size) for size in sizes) * LESS + GAP <= WIDTH
 
 
-def scales_of(pictures: Sequence[Picture]) -> list[float]:
+def scales_of(views: Sequence[Drawing]) -> list[float]:
     """Return how many times larger views stand on their page, one alone or several beside one another."""
-    sizes = paper_sizes(pictures)
+    sizes = paper_sizes(views)
     times = [scale(*size) for size in sizes]
-    if len(pictures) == 1:
+    if len(views) < 2:
         return times
     times = [min(one, AT_MOST * min(times)) for one in times]
     room = WIDTH - GAP * (len(sizes) - 1)
@@ -168,7 +195,7 @@ def drawn_figures(document: Document) -> dict[str, DrawnFigure]:
 def _draw(block: Picture | SideBySide, language: str, found: dict[str, DrawnFigure]) -> None:
     """Enter a figure, or the parts of one, each with its letter."""
     parts = (block,) if isinstance(block, Picture) else block.parts
-    times = scales_of(parts)
+    times = scales_of([one.drawing for one in parts])
     for k, (one, larger) in enumerate(zip(parts, times, strict=True)):
         letter = f"{letter_of(k, language)})" if len(parts) > 1 else ""
         sheet = sheet_of(one.drawing, language, f"figure-{len(found) + 1}", letter, larger)

@@ -11,7 +11,7 @@ from graphic_tmm.note.formats import files
 from graphic_tmm.note.protocol import Known
 from graphic_tmm.note.section_chapter import Noted, chapter_section, without_result
 from graphic_tmm.note.section_conclusions import conclusions, literature, symbol_list
-from graphic_tmm.note.section_opening import introduction, title_page
+from graphic_tmm.note.section_opening import frame_fields, introduction, title_page
 from graphic_tmm.note.section_scales import scales
 from graphic_tmm.note.section_task import synthesis, task
 from graphic_tmm.scene.chapter import chapters
@@ -49,7 +49,7 @@ def note(made: DrawnScene) -> Document:
     blocks += conclusions(made, language)
     blocks += symbol_list(made, blocks, language)
     blocks += literature(made, language)
-    return Document(made.scene.title, language, once(blocks))
+    return Document(made.scene.title, language, once(blocks), frame_fields(made, language))
 
 
 FIRST = 2

@@ -16,6 +16,9 @@ from graphic_tmm.note.document import Document, Picture, SideBySide, Table
 from graphic_tmm.note.figures import DrawnFigure
 from graphic_tmm.note.styles import APART, NEARER, TYPST
 from graphic_tmm.note.target import CONTENTS, LEADING, RAGGED, Target, Tree, escaped, raw
+from graphic_tmm.paper.drawing import Sheet
+from graphic_tmm.paper.formats import size_of
+from graphic_tmm.paper.sheet_frame import FIELDS, drawing_area, frame
 from graphic_tmm.paper.write.svg import svg
 
 SHORT = 8
@@ -67,16 +70,68 @@ def pdf(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dict
         f"#set document(title: {quoted(document.title)}, date: none)\n"
         f"#set text(lang: {quoted(code_of(document.language))})\n"
         f"#let apart = {APART.get(document.language, NEARER)}\n"
+        f"{_margins(document)}"
     )
     with TemporaryDirectory() as folder:
         home = Path(folder)
         for one in shown.values():
             (home / f"{one.name}.svg").write_text(svg(one.sheet), encoding="utf-8")
-        (home / "note.typ").write_text(f"{head}{TYPST}{body}", encoding="utf-8")
-        made: bytes = typst.compile(
-            str(home / "note.typ"), root=folder, format="pdf", ignore_system_fonts=True
-        )
+        file = home / "note.typ"
+        text = f"{TYPST}{body}"
+        if document.frame is not None:
+            file.write_text(f"{head}#let drawn = false\n{text}{_COUNT}", encoding="utf-8")
+            told = typst.query(
+                str(file), "<pages>", field="value", one=True, root=folder, ignore_system_fonts=True
+            )
+            _frames(document, document.frame, int(told), home)
+        drawn = str(document.frame is not None).lower()
+        file.write_text(f"{head}#let drawn = {drawn}\n{text}", encoding="utf-8")
+        made: bytes = typst.compile(str(file), root=folder, format="pdf", ignore_system_fonts=True)
     return {f"{stem}.pdf": made}
+
+
+_COUNT = "\n#context [#metadata(counter(page).final().first()) <pages>]\n"
+"""What tells how many pages there are."""
+_ASIDE, _ABOVE = (8.0, 5.0), 10.0
+"""Between the frame and the text, left and right; above the text and below it, mm (ГОСТ 2.105)."""
+
+
+def _margins(document: Document) -> str:
+    """Return the margins of the pages, and the lower one of the first page of text."""
+    left, right, top, bottom, low = 30.0, 15.0, 20.0, 20.0, 20.0
+    if document.frame is not None:
+        first, other = (
+            drawing_area(_A4, document.language, one, text=True) for one in (True, False)
+        )
+        width, height = size_of(_A4)
+        left, right = first.inner.left + _ASIDE[0], width - first.inner.right + _ASIDE[1]
+        top = height - first.inner.top + _ABOVE
+        low, bottom = (one.occupied[0].top + _ABOVE for one in (first, other))
+    room = f"(left: {left}mm, right: {right}mm, top: {top}mm, bottom: {bottom}mm)"
+    framed = str(document.frame is not None).lower()
+    return f"#let room = {room}\n#let low = {low}mm\n#let framed = {framed}\n"
+
+
+_A4 = "A4"
+
+
+def _frames(document: Document, fields: Mapping[str, str], count: int, home: Path) -> None:
+    """Write the frames of the pages behind the title page, which is counted."""
+    known = {key: text for key, text in fields.items() if key in FIELDS}
+    for number in range(2, count + 1):
+        edge = frame(
+            _A4,
+            language=document.language,
+            first=number == 2,
+            number=number,
+            count=count,
+            fields=known,
+            check=False,
+            text=True,
+            again=False,
+        )
+        sheet = Sheet("frame", "", _A4, *size_of(_A4), (edge,), document.language)
+        (home / f"frame-{number}.svg").write_text(svg(sheet), encoding="utf-8")
 
 
 def _set(block: Tree, style: str) -> list[Tree]:

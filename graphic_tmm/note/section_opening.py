@@ -55,6 +55,17 @@ def title_page(made: DrawnScene, language: str) -> Iterator[Block]:
     yield Contents()
 
 
+def frame_fields(made: DrawnScene, language: str) -> dict[str, str] | None:
+    """Return what the title blocks of the pages tell; None where the author wants no frames."""
+    author, fields = made.scene.author, made.scene.title_block
+    if not author.frame:
+        return None
+    found = {**fields, "name": author.theme or fields.get("name") or made.scene.title}
+    if designation := fields.get("designation"):
+        found["designation"] = speaking(language)(CODE, designation=designation)
+    return found
+
+
 def _called(made: DrawnScene, language: str) -> Iterator[Block]:
     """Yield what the note is called: to what work it belongs, its theme, its designation."""
     _, author, fields = speaking(language), made.scene.author, made.scene.title_block

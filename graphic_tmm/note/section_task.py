@@ -27,7 +27,7 @@ from graphic_tmm.note.document import (
     paragraph,
     text,
 )
-from graphic_tmm.note.figures import in_hand, picture
+from graphic_tmm.note.figures import picture, readable
 from graphic_tmm.note.protocol import Manner, protocol_blocks
 from graphic_tmm.note.steps import NumberSource
 from graphic_tmm.paper.lettering.markup import markup
@@ -86,13 +86,17 @@ BESIDES = said("Besides:")
 
 def scheme(drawn: Drawn, language: str) -> Picture | None:
     """Return the mechanism in one position, as its first plan that can be drawn alone."""
-    place = worked(drawn)
-    for chapter in drawn.project.chapters:
-        for plan in Readings.of(chapter).pointed:
-            title = speaking(language)(SCHEME)
-            view = Readings.of(chapter).plan_at(in_hand(drawn), plan, place, "scheme", title, ())
-            return picture(view, language)
-    return None
+    place, title = worked(drawn), speaking(language)(SCHEME)
+    plans = [
+        (Readings.of(chapter).plan_at, plan)
+        for chapter in drawn.project.chapters
+        for plan in Readings.of(chapter).pointed
+    ]
+    if not plans:
+        return None
+    plan_at, plan = plans[0]
+    shown = readable(drawn, lambda held: [plan_at(held, plan, place, "scheme", title, ())])
+    return picture(shown[0], language)
 
 
 def given_table(drawn: Drawn, language: str) -> Table | None:

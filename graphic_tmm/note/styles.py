@@ -34,9 +34,12 @@ a { color: #0b4a8f; }
 TYPST = """\
 #set page(
   paper: "a4",
-  margin: (left: 30mm, right: 15mm, top: 20mm, bottom: 20mm),
+  margin: room,
   numbering: "1",
-  footer: context if here().page() > 1 { align(center, counter(page).display("1")) },
+  footer: context if not framed and here().page() > 1 { align(center, counter(page).display("1")) },
+  background: context if drawn and here().page() > 1 {
+    image("frame-" + str(here().page()) + ".svg", width: 210mm, height: 297mm)
+  },
 )
 #set text(
   font: ("Libertinus Serif", "New Computer Modern"),
@@ -79,6 +82,7 @@ TYPST = """\
 #show heading.where(level: 3): set text(size: 12pt, style: "italic", weight: "regular")
 #show link: set text(fill: black)
 #let contents(title) = {
+  set page(margin: (..room, bottom: low))
   align(center, text(size: 16pt, weight: "bold", title))
   set text(size: 12pt)
   set par(leading: 0.2em, spacing: 0.2em)

@@ -95,12 +95,13 @@ def frame(
     fields: Mapping[str, str],
     check: bool = True,
     text: bool = False,
+    again: bool = True,
 ) -> Drawing:
     """Return the frame of sheet ``number`` of ``count``, its title block filled from plain text.
 
     ``fields`` holds any of `FIELDS`; what a form has no place for is left out. A single sheet bears
-    no number (ГОСТ 2.104). ``check``: the check line stands above it. ``text``: it is one of a text. What is
-    not told of the letter is that of a document made for study.
+    no number (ГОСТ 2.104). ``check``: the check line stands above it. ``text``: it is one of a text; ``again``:
+    its designation stands upside down, too. What is not told of the letter is that of documents made for study.
     Raises SheetError for an unknown format, language or field.
     """
     unknown = sorted(set(fields) - set(FIELDS))
@@ -120,7 +121,8 @@ def frame(
     if gost and "date" in fields:
         entries["date"] = _short(fields["date"])
     strokes, labels = _edges(format, inner), list[Label]()
-    for block, at in _blocks(format, language, first, text):
+    blocks = _blocks(format, language, first, text)
+    for block, at in blocks if again else (one for one in blocks if one[0] is not COLUMN_26):
         strokes += ruled(block, at)
         labels += lettered(block, at, entries, _)
     if gost:

@@ -187,6 +187,12 @@ class Author:
         said("The conditions of the task are met."),
         (),
     )
+    frame: bool = key(
+        v.SWITCH,
+        "pages of a PDF have a frame and a title block, forms 2 and 2a (ГОСТ 2.104)",
+        True,
+        False,
+    )
     literature: tuple[str, ...] = key(
         BOOKS,
         "left out: the books that the chapters follow",

@@ -24,6 +24,7 @@ from graphic_tmm.note.document import (
     numbered,
     paragraph,
 )
+from graphic_tmm.note.figures import drawn_figures
 from graphic_tmm.note.widths import broken
 
 CASE = "slotting"
@@ -111,3 +112,16 @@ def test_a_formula_over_several_lines_stands_on_one_page(above: int) -> None:
     with pdfplumber.open(io.BytesIO(bytes_of(document, "pdf"))) as pdf:
         inside = [k for k, page in enumerate(pdf.pages) if "12345" in page.extract_text()]
     assert len(inside) == 1
+
+
+def test_letters_of_figures_can_be_read() -> None:
+    """No letter or number is lower than 2.5 mm on the page, nor a shout."""
+    sizes = [
+        (label.size * figure.width / figure.sheet.width, figure.alt)
+        for figure in drawn_figures(note_of_case(CASE)).values()
+        for view in figure.sheet.drawings
+        for label in view.labels
+    ]
+    assert len(sizes) > 100
+    assert min(sizes)[0] >= 2.45, min(sizes)
+    assert max(sizes)[0] <= 8.0, max(sizes)

@@ -109,7 +109,7 @@ class ArcCamPage(Page[ArcCam]):
 
     def views(self) -> Sequence[Drawing]:
         """Return the contour and the diagrams."""
-        return readable(self.drawn, arc_views)
+        return readable(self.drawn, lambda held: arc_views(held, True))
 
     def concludes(self) -> Iterator[Runs]:
         """Yield the stroke, how far dS/dφ is off, the greatest second derivative."""

@@ -52,7 +52,9 @@ class CamPage(Page[Cam]):
 
     def views(self) -> list[Drawing]:
         """Return the scheme, the diagrams, the profile."""
-        return [*readable(self.drawn, scheme_views), *readable(self.drawn, cam_views)]
+        return readable(
+            self.drawn, lambda held: [*scheme_views(held, True), *cam_views(held, True)]
+        )
 
     def concludes(self) -> Iterator[Runs]:
         """Yield what the limits of the cam come to; those that are passed are warnings."""

@@ -12,7 +12,7 @@ from graphic_tmm.chapters.flywheel.plan import Flywheel
 from graphic_tmm.chapters.flywheel.record import Aside
 from graphic_tmm.language.said import said
 from graphic_tmm.note.document import Block
-from graphic_tmm.note.figures import in_hand
+from graphic_tmm.note.figures import readable
 from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.paper.drawing import Drawing
 
@@ -37,7 +37,7 @@ class CyclePage(SteadyPage[Cycle]):
 
     def views(self) -> list[Drawing]:
         """Return graphs and the rim."""
-        return cycle_views(in_hand(self.drawn), True)
+        return readable(self.drawn, lambda held: cycle_views(held, True))
 
     def blocks(self) -> Iterator[Block]:
         """Yield what is given, then what is told of any flywheel."""

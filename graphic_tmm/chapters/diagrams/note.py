@@ -135,7 +135,7 @@ class DiagramPage(Page[Kinematic]):
 
     def views(self) -> Sequence[Drawing]:
         """Return the diagrams."""
-        return readable(self.drawn, diagram_views)
+        return readable(self.drawn, lambda held: diagram_views(held, True))
 
     def concludes(self) -> Iterator[Runs]:
         """Yield how far what was found is off the plans, and how far an integral is from closing."""

@@ -27,7 +27,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.note.bricks import columns
 from graphic_tmm.note.document import Block, Item, Listed, Runs, Symbol
-from graphic_tmm.note.figures import in_hand, picture, readable
+from graphic_tmm.note.figures import picture, readable
 from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.paper.drawing import GRAPH, Drawing
 
@@ -162,8 +162,9 @@ class EnginePage(GasPage[Engine]):
 
     def views(self) -> list[Drawing]:
         """Return triangles of forces, rotating vectors, the transfer of forces."""
-        views = engine_views(in_hand(self.drawn), True)
-        return [*views, *readable(self.drawn, transfer_views)]
+        return readable(
+            self.drawn, lambda held: [*engine_views(held, True), *transfer_views(held, True)]
+        )
 
     @property
     def inertia(self) -> Symbol:
@@ -266,9 +267,8 @@ class EnginePage(GasPage[Engine]):
         """The graphs over a turn, the table of all positions in the unit of the task, the works of T and P."""
         yield self.head(OVER_A_TURN)
         yield from self.again(self.recorded.turning[0].base.mu)
-        views = [
-            view for view in engine_diagram_views(in_hand(self.drawn), True) if view.role == GRAPH
-        ]
+        drawn = readable(self.drawn, lambda held: engine_diagram_views(held, True))
+        views = [view for view in drawn if view.role == GRAPH]
         charts = [chart.symbol for chart in self.recorded.charts]
         half = (len(charts) + 1) // 2
         shown = []

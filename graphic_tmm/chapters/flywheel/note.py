@@ -17,7 +17,7 @@ from graphic_tmm.chapters.kinematics.task import VELOCITIES
 from graphic_tmm.drawn import single
 from graphic_tmm.language.said import said
 from graphic_tmm.note.document import Block, Runs, Symbol, lettered
-from graphic_tmm.note.figures import in_hand
+from graphic_tmm.note.figures import readable
 from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.readers.position_count import told_off
@@ -253,7 +253,7 @@ class FlywheelPage(SteadyPage[Flywheel]):
 
     def views(self) -> list[Drawing]:
         """Return graphs, the energy-mass diagram, the rim."""
-        return flywheel_views(in_hand(self.drawn), True)
+        return readable(self.drawn, lambda held: flywheel_views(held, True))
 
 
 NOTE = Noted(FlywheelPage)

@@ -38,6 +38,8 @@ _INTEGRATION = v.choice(
     "areas", "middles", "chords", площади="areas", середины="middles", хорды="chords"
 )
 _TANGENTS = v.choice("curve", "points", "none", кривая="curve", точки="points", нет="none")
+APART, PROJECTED = "apart", "projected"
+_LAID = v.choice(APART, PROJECTED, отдельно=APART, проекции=PROJECTED)
 _MATERIAL = v.choice(*MATERIALS, сталь="steel", чугун="cast iron")
 
 
@@ -127,6 +129,12 @@ class FlywheelTask:
         lambda said: None if said.tangents == "none" else said.tangents,
         "curve",
         tangents=key(_TANGENTS, "tangents of the energy–mass curve", "curve", "curve"),
+    )
+    energy_mass: str = key(
+        _LAID,
+        "how the energy–mass curve stands: apart, or projected: level with ΔT and under J turned by 90°",
+        PROJECTED,
+        APART,
     )
     rim: Rim | None = combined_key(
         _rim,

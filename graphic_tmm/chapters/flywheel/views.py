@@ -10,6 +10,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import REDUCTIONS
 from graphic_tmm.chapters.flywheel.energy import EnergyMass
 from graphic_tmm.chapters.flywheel.ink_energy import draw_energy_mass_ink
+from graphic_tmm.chapters.flywheel.ink_projected import draw_projected
 from graphic_tmm.chapters.flywheel.ink_sketch import Sizes, draw_flywheel
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
 from graphic_tmm.chapters.flywheel.rim import DrawnRim
@@ -19,7 +20,7 @@ from graphic_tmm.chapters.flywheel.table import (
     flywheel_columns,
     flywheel_results,
 )
-from graphic_tmm.chapters.flywheel.task import FLYWHEEL, VIEWS
+from graphic_tmm.chapters.flywheel.task import FLYWHEEL, PROJECTED, VIEWS
 from graphic_tmm.chapters.flywheel.words import graph_title
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.drawn import Drawn, single
@@ -49,10 +50,31 @@ def _graph_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     if made is None:
         return []
     views = indicator_views(drawn, lettered, FLYWHEEL)
-    views.append(stacked("flywheel-graphs", graphs(drawn, made, lettered)))
-    if made.energy_mass is not None:
-        views.append(_energy_mass(drawn, made.energy_mass, lettered))
-    return views
+    column = stacked("flywheel-graphs", graphs(drawn, made, lettered))
+    if made.energy_mass is None:
+        return [*views, column]
+    curve = _energy_mass(drawn, made.energy_mass, lettered)
+    if made.order.energy_mass == PROJECTED:
+        return [*views, _projected(drawn, made, made.energy_mass, (column, curve), lettered)]
+    return [*views, column, curve]
+
+
+def _projected(
+    drawn: Drawn,
+    made: Flywheel,
+    second: EnergyMass,
+    views: tuple[Drawing, Drawing],
+    lettered: bool,
+) -> Drawing:
+    """Return the graphs, the curve and J turned by 90° as one view."""
+    language, phi = drawn.scene.language, made.base.mu
+    axes = (
+        on_axis(symbols.symbol("J_r", language), unit("kg·m²", language)),
+        on_axis("φ", unit(phi.unit.removesuffix("/mm"), language)),
+    )
+    names = [escape(name) for name in drawn.names[: drawn.project.count]]
+    on, length = subject(drawn, views[1].title, PLAN), drawn.value(made.base.length)
+    return draw_projected(on, second, views, names, length, axes, lettered)
 
 
 def _sketch_views(drawn: Drawn, lettered: bool) -> list[Drawing]:

@@ -21,7 +21,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain
 from graphic_tmm.note.bricks import heading, side_by_side, worked
 from graphic_tmm.note.document import Block, Display, Formula, Picture, Runs, Symbol, paragraph
-from graphic_tmm.note.figures import WALL, in_hand
+from graphic_tmm.note.figures import readable
 from graphic_tmm.note.page import COLUMNS, Page
 from graphic_tmm.note.plans import section, shown_and_listed
 from graphic_tmm.note.section_chapter import Noted
@@ -66,8 +66,9 @@ class ForcePage(Page[Forces]):
 
     def views(self) -> list[Drawing]:
         """Return groups, polygons, the lever."""
-        held = in_hand(self.drawn, WALL)
-        return [*force_views(held, True), *lever_views(held, True)]
+        return readable(
+            self.drawn, lambda held: [*force_views(held, True), *lever_views(held, True)]
+        )
 
     def blocks(self) -> Iterator[Block]:
         """Yield what is told: loads, group by group, the driving link, friction, the lever."""

@@ -11,7 +11,7 @@ from typing import TypeVar
 from graphic_tmm.chapters.indicator.task import CALCULATED, VIEW
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.note.document import Block
-from graphic_tmm.note.figures import in_hand, picture
+from graphic_tmm.note.figures import picture, readable
 from graphic_tmm.note.page import Page
 
 T = TypeVar("T")
@@ -22,7 +22,8 @@ class GasPage(Page[T]):
 
     def gas(self) -> Iterator[Block]:
         """Yield the indicator diagram: its division, pressures, areas, the force; the scale of the stroke."""
-        views = indicator_views(in_hand(self.drawn), True, self.chapter.name)
+        name = self.chapter.name
+        views = readable(self.drawn, lambda held: indicator_views(held, True, name))
         yield from self.view(VIEW, [picture(view, self.language) for view in views])
         steps = self.drawn.construction.steps
         marks = [step.it for step in steps if step.it.view == CALCULATED]

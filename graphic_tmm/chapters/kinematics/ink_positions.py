@@ -226,7 +226,7 @@ class PositionsInk(LinksInk):
     ) -> list[Wanted]:
         """The numbers of the positions, outside the circle of the crank pin.
 
-        A position besides the row, 6*, shares the label of one whose pin is no farther off than a number is high.
+        A position besides the row, 6*, shares the label of one whose pin is at most a digit off.
         """
         pivot, pin = crank
         row = [k for k in self.places if _of_row(names[k])]

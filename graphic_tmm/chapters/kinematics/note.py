@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from graphic_tmm.chapters.kinematics import views
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, EXTREMES, POSITIONS, VELOCITIES
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.note.document import Block, Picture
-from graphic_tmm.note.figures import in_hand, picture, readable
+from graphic_tmm.note.figures import picture, readable
 from graphic_tmm.note.page import COLUMNS, Page
 from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.paper.drawing import Drawing
@@ -29,7 +30,7 @@ class KinematicPage(Page[KinematicPlans]):
 
     def views(self) -> list[Drawing]:
         """Return the plan of positions."""
-        return readable(self.drawn, views.position_views)
+        return readable(self.drawn, lambda held: views.position_views(held, True))
 
     def blocks(self) -> Iterator[Block]:
         """Yield what is told: extreme positions, plans, columns."""
@@ -44,17 +45,22 @@ class KinematicPage(Page[KinematicPlans]):
     def _plan(self, plan: str) -> tuple[Picture, ...]:
         """Return a plan in one position; velocity plans from a common pole all together."""
         drawn, language = self.drawn, self.language
-        row, held = drawn.row(plan), in_hand(drawn)
+        row = drawn.row(plan)
         if drawn.of(plan) is None or plan not in drawn.scales or not row:
             return ()
         if plan == VELOCITIES and drawn.scene.common_pole and len(row) > 1:
-            return tuple(picture(one, language) for one in views.velocity_views(held, True))
+            found = readable(drawn, lambda held: views.velocity_views(held, True))
+            return tuple(picture(one, language) for one in found)
         place = self.at if self.at in row else row[0]
         title = f"{title_of(drawn.project, plan, language)}, {captions(language)['position']}"
         title = f"{title} {drawn.names[place]}"
-        found = views.plan_at(held, plan, place, f"{plan}-{drawn.names[place]}", title, ())
-        mu, high = mu_text(drawn.scales[plan], language), heights(held.scene, plan)
-        return (picture(captioned(found, escape(title), mu, heights=high), language),)
+        mu, name = mu_text(drawn.scales[plan], language), f"{plan}-{drawn.names[place]}"
+
+        def draw(held: Drawn) -> list[Drawing]:
+            view = views.plan_at(held, plan, place, name, title, ())
+            return [captioned(view, escape(title), mu, heights=heights(held.scene, plan))]
+
+        return tuple(picture(view, language) for view in readable(drawn, draw))
 
 
 NOTE = Noted(KinematicPage)

@@ -31,7 +31,7 @@ from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Stand, Stroke
-from graphic_tmm.paper.formats import heights
+from graphic_tmm.paper.formats import Heights, heights
 from graphic_tmm.paper.labels import TOGETHER, finished
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.seen import Subject
@@ -217,6 +217,8 @@ def plan_at(
     reading = drawn.of(plan)
     assert reading is not None
     on = Subject(drawn.construction, reading, title, name=name)
+    if drawn.scene.letters is not None:
+        on = on._replace(heights=Heights(*drawn.scene.letters))
     if plan == POSITIONS:
         return finished(draw_position_ink(on, reaches(drawn), place, upon))
     at = [Place(drawn.row(plan).index(place))]

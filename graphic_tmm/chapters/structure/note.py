@@ -19,7 +19,7 @@ from graphic_tmm.mechanism.structure import Structure
 from graphic_tmm.note.bricks import in_columns, referred, side_by_side
 from graphic_tmm.note.calculations import without_letters
 from graphic_tmm.note.document import Block, Display, Runs, Symbol, Table, paragraph, text
-from graphic_tmm.note.figures import WALL, in_hand
+from graphic_tmm.note.figures import readable
 from graphic_tmm.note.page import Page
 from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.paper.drawing import Drawing
@@ -45,7 +45,7 @@ class StructurePage(Page[Structure]):
 
     def views(self) -> list[Drawing]:
         """Return the parts, in the order of their attachment."""
-        return part_views(in_hand(self.drawn, WALL), True)
+        return readable(self.drawn, lambda held: part_views(held, True))
 
     def blocks(self) -> Iterator[Block]:
         """Yield links, pairs, the mobility, the formula of structure, the class."""

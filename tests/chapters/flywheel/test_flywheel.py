@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+import shapely
 from hypothesis import given
 from hypothesis import strategies as st
 from support.boards import drawn_of
@@ -22,7 +23,9 @@ from graphic_tmm.chapters.indicator.task import Gas
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.paper.drawing import Bezier, Stroke
 from graphic_tmm.paper.lettering.letters import plain
+from graphic_tmm.paper.shapes import shape
 from graphic_tmm.readers.findings import warnings
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
@@ -361,3 +364,32 @@ def test_orders_are_frozen() -> None:
     assert isinstance(order, FlywheelTask)
     with pytest.raises(AttributeError):
         order.delta = 0.1  # type: ignore[misc]
+
+
+def test_the_curve_stands_level_with_the_surplus_and_under_the_turned_inertia() -> None:
+    """On wish: every point of it is carried over from both, so origins, lines and sizes agree."""
+    whole = drawn()
+    made = drawn(energy_mass="projected")
+    apart = [view.name for view in flywheel_views(whole, True)]
+    views = flywheel_views(made, True)
+    assert len(views) == len(apart) - 1
+    (view,) = [one for one in views if {"energy", "energy-mass"} <= set(one.shows)]
+    left, right = view.origin("energy"), view.origin("energy-mass")
+    assert left.imag == right.imag
+    assert fly(made).energy_mass is not None
+    spots = np.ravel(made.reading[fly(made).energy_mass.points][0])[:12]
+    (chart,) = [one for one in fly(made).charts if one.view == "energy"]
+    ordinates = np.ravel(made.reading[chart.ordinates[0]][0])[:12]
+    np.testing.assert_allclose(spots.imag, ordinates, atol=1e-9)
+    strokes = [one for one in view.strokes if isinstance(one, Stroke) and one.pen == "thin"]
+    for k, spot in enumerate(right + complex(z) for z in spots):
+        ends = [shapely.Point(spot.real, spot.imag)]
+        near = [s for s in strokes if shape(s).distance(ends[0]) < 3.0 and s.part == "axis"]
+        boxes = [shape(s).bounds for s in near]
+        assert any(b[3] - b[1] < 1e-6 and abs(b[1] - spot.imag) < 1e-6 for b in boxes), k
+    inertia = [one for one in view.strokes if isinstance(one, Bezier) and one.part == "axis"]
+    (curve,) = inertia
+    through = [z for k, z in enumerate(curve.controls) if k % 3 == 0]
+    np.testing.assert_allclose([z.real for z in through[:12]], (right + spots).real, atol=1e-9)
+    steps = -np.diff([z.imag for z in through])
+    np.testing.assert_allclose(steps, made.value(fly(made).base.length) / 12, atol=1e-9)
