@@ -143,7 +143,7 @@ def added(
 @pytest.mark.slow
 def test_a_format_is_one_file(tmp_path: Path) -> None:
     line = '        "A1 portrait": Format('
-    new = f'        "A3": Format(420.0, 297.0, 0.6, 160.0, 60.0),\n{line}'
+    new = f'        "A3": Format(420.0, 297.0, 0.6, 0.58, 60.0, 1.0),\n{line}'
     scene = str(SHEETS / "slider-diagrams" / "scene.toml")
     told = added(tmp_path, {"paper/formats.py": (line, new)}, SHEET, scene)
     assert 'width="420mm"' in told

@@ -10,8 +10,6 @@ from support.gallery import SHEETS
 from graphic_tmm.classroom.marks.judging import Task, sizes_of
 from graphic_tmm.classroom.variants.start import begun, start_of
 from graphic_tmm.classroom.variants.variant import Value, Variant, base, scene_of, text_of
-from graphic_tmm.fitting.composition import known_composition
-from graphic_tmm.studio import composed_sheets
 
 
 @pytest.mark.slow
@@ -30,5 +28,3 @@ def test_a_variant_is_as_large_in_another_language() -> None:
     judged = sizes_of(task)
     assert judged is not None
     assert judged.sizes == due.composition.sizes
-    alone = composed_sheets(english, known_composition(start.encode(), of.file), near=True)[1]
-    assert alone.composition.sizes != due.composition.sizes  # what it would be by itself
