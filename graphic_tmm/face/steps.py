@@ -52,7 +52,7 @@ class Steps(Sequence[Step]):
     >>> import graphic_tmm as tmm
     >>> steps = tmm.draw("crank-rocker").steps("accelerations", 2)
     >>> next(one for one in steps if one.letter == "an2").value
-    4.64...
+    5.80...
     """
 
     def __init__(self, parts: Sequence[Part], text: str) -> None:

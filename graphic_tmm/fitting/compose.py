@@ -20,6 +20,7 @@ from graphic_tmm.paper.compose import sheets
 from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.formats import size_of
+from graphic_tmm.paper.headings import headings
 from graphic_tmm.paper.packing import Room, in_pieces
 from graphic_tmm.paper.sheet_frame import frame
 from graphic_tmm.scene.chapter import MECHANISM
@@ -95,7 +96,7 @@ def composed(
         )
         name = f"sheet-{index + 1}" if len(laid) > 1 else "sheet"
         placed = [sheets.moved(there[k], boxes[k], at) for k, at in sorted(places.items())]
-        drawings = (edge, *placed)
+        drawings = (edge, *placed, *headings(placed))
         made.append(Sheet(name, scene.title, format, *size_of(format), drawings, scene.language))
     sizes = next((dict(one.sizes) for one in boards if one.board == MECHANISM), {})
     data = [

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 from graphic_tmm.board.record import Mark
@@ -21,13 +20,8 @@ def subject(drawn: Drawn, title: str, *places: str, name: str = "") -> Subject:
 
 
 def with_caption(
-    view: Drawing,
-    on: Subject,
-    lettered: bool,
-    *lines: str,
-    known: Sequence[Mark] = (),
-    narrowest: float = math.inf,
+    view: Drawing, on: Subject, lettered: bool, *lines: str, known: Sequence[Mark] = ()
 ) -> Drawing:
     """Return a view with its letters placed, its title and more lines below it; see `finished`, `captioned`."""
     placed, high = finished(view, lettered), on.heights
-    return captioned(placed, on.title, *lines, heights=high, known=known, narrowest=narrowest)
+    return captioned(placed, on.title, *lines, heights=high, known=known)

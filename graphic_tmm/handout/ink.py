@@ -12,6 +12,7 @@ from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Label
 from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.paper.packing import bounds
+from graphic_tmm.paper.views import alone
 
 FORMAT = "A4"
 """The format of the sheets: its pens and its heights of letters."""
@@ -60,6 +61,7 @@ def bare(view: Drawing, names: Sequence[str] = ()) -> Bare:
 
     ``names``: what the plans are called that it shows: their captions stand within it.
     """
+    view = alone(view)
     below = _caption(view)
     within = [one for one in view.labels if one not in below and _inner(one, names)]
     caption = [*below, *within]

@@ -13,6 +13,7 @@ from graphic_tmm.paper.drawing import EQUATIONS, TABLE, Drawing, Label, Sheet
 from graphic_tmm.paper.formats import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.paper.packing import bounds
+from graphic_tmm.paper.views import alone
 from graphic_tmm.paper.write.svg import clean
 
 FORMAT = "A4"
@@ -92,6 +93,7 @@ def picture(drawing: Drawing, language: str, name: str = "") -> Picture:
 
     The title below it is the caption of the figure; what else is told below it stays where it is.
     """
+    drawing = alone(drawing)
     titled, told = _below(drawing)
     title = " ".join(clean(plain(label.text)) for label in titled) or clean(plain(drawing.title))
     alt = ", ".join([title, *(clean(plain(label.text)).rstrip(",") for label in told)])

@@ -14,9 +14,9 @@ from typing import NamedTuple
 Vertex = tuple[float, float, float]
 Path = tuple[Vertex, ...]
 Data = tuple[tuple[str, str], ...]
-TABLE, EQUATIONS, GRAPH = "table", "equations", "graph"
-"""What a view is, where code asks: a ruled table, equations line by line, a graph on axes. A chapter's own
-stand in the chapter; of all others, "", nobody asks."""
+TABLE, EQUATIONS, GRAPH, HEADING = "table", "equations", "graph", "heading"
+"""What a view is, where code asks: a ruled table, equations line by line, a graph on axes, a row's heading.
+A chapter's own stand in the chapter; of all others, "", nobody asks."""
 
 
 class Symbol(NamedTuple):
@@ -115,19 +115,28 @@ class Within(NamedTuple):
         return max(min(w / max(width, 1e-9), h / max(height, 1e-9)) for w, h in self.sizes)
 
 
+class Heading(NamedTuple):
+    """What is told once of a row of views: title and shared scale factor ("": they differ), heights in mm."""
+
+    title: str
+    scale: str
+    sizes: tuple[float, float]
+
+
 class Stand(NamedTuple):
     """How a view stands among the others of a sheet.
 
     Views of one ``block`` stand together; ``below``: the block that stands above it. ``kind``: "lead" at the
     upper left, first of its sheet; "row" in rows with its block, "pair" no farther than 25 mm from the view
     before it, all of a ``position`` (an index) before the next; "note" behind the rows of its block, "table"
-    behind all of its sheet, both on any sheet of a set; "" in its order.
+    behind all of its sheet, both on any sheet of a set; "" in its order. ``heading``: of its row.
     """
 
     block: str = ""
     kind: str = ""
     below: str = ""
     position: int = 0
+    heading: Heading | None = None
 
 
 class Drawing(NamedTuple):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
@@ -12,9 +11,9 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.units import unit
-from graphic_tmm.paper.drawing import TABLE, Drawing, Label, Stand, Within
+from graphic_tmm.paper.drawing import TABLE, Drawing, Heading, Label, Stand, Within
 from graphic_tmm.paper.formats import HEIGHTS, Heights
-from graphic_tmm.paper.lettering.letters import letter
+from graphic_tmm.paper.lettering.letters import escape, letter
 from graphic_tmm.paper.packing import bounds, in_pieces
 
 BELOW = 0.7
@@ -23,6 +22,8 @@ COLUMN = 12.0
 """A title wider than its view is broken, but never into lines shorter than this, of its height."""
 NUMERALS = "0123456789*°.,"
 """What the number of a position consists of."""
+TOUCH = 1e-6
+"""What is lower than a view by no more than this, mm, still stands in it."""
 STACK = 4.0
 """Clear height between two diagrams of a stack, mm."""
 
@@ -43,9 +44,49 @@ def pole_figures(log: Construction, reading: Reading, view: str, language: str) 
     return found
 
 
-def in_rows(views: Sequence[Drawing], block: str, below: str = "") -> list[Drawing]:
-    """Return views that stand in rows, in order, each with its own box; ``below``: under another block."""
-    return [view._replace(stand=Stand(block, "row", below)) for view in views]
+def in_rows(
+    views: Sequence[Drawing],
+    block: str,
+    title: str,
+    told: Sequence[tuple[str, str]],
+    heights: Heights,
+    below: str = "",
+) -> list[Drawing]:
+    """Return views that stand in rows, in order, each with its own box; ``below``: under another block.
+
+    ``told``: of each its number and its scale factor. Their heading, the ``title`` with the scale factor that
+    they share, stands above them once, and each has its number below it; one alone has its own title.
+    """
+    if len(views) == 1:
+        own = captioned(views[0], escape(views[0].title), told[0][1], heights=heights)
+        return [own._replace(stand=Stand(block, "row", below))]
+    scales = {scale for _, scale in told}
+    shared = scales.pop() if len(scales) == 1 else ""
+    heading = Heading(title, shared, (heights.title, heights.point))
+    stand = Stand(block, "row", below, heading=heading)
+    return [
+        captioned(view, number, *([] if shared else [scale]), heights=heights)._replace(stand=stand)
+        for view, (number, scale) in zip(views, told, strict=True)
+    ]
+
+
+def alone(view: Drawing) -> Drawing:
+    """Return a view of a row as it stands by itself: with its own title and its scale factor below it."""
+    heading = view.stand.heading
+    if heading is None:
+        return view
+    low = bounds(view)[1] + view.foot - TOUCH
+    below = [label for label in view.labels if label.at.imag < low]
+    bare = view._replace(
+        labels=tuple(label for label in view.labels if label not in below),
+        cell=None,
+        foot=0.0,
+        stand=view.stand._replace(heading=None),
+    )
+    own = [heading.scale] if heading.scale else [label.text for label in below[1:]]
+    title, point = heading.sizes
+    sizes = Heights(point, title, point)
+    return captioned(bare, escape(view.title), *own, heights=sizes)
 
 
 def noted(views: Sequence[Drawing], block: str) -> list[Drawing]:
@@ -63,22 +104,20 @@ def captioned(
     view: Drawing,
     *lines: str,
     heights: Heights = HEIGHTS["A4"],
-    narrowest: float = math.inf,
     known: Sequence[Mark] = (),
 ) -> Drawing:
     """Return a view with lines of lettering below it: in the middle, below a table from its left edge.
 
-    The first of them is the title, broken where it is much wider than its view, or than the ``narrowest`` of a
-    series that it is one of, mm; a table has its own above it. Where a sheet is too narrow, all lines are
-    broken, and the view comes apart if it can. ``known``: the marks that the lines after the second one state:
-    the lines appear with them.
+    The first of them is the title, broken where it is much wider than its view; a table has its own above it.
+    Where a sheet is too narrow, all lines are broken, and the view comes apart if it can. ``known``: the marks
+    that the lines after the second one state: the lines appear with them.
     """
     view, of = view._replace(cell=bounds(view)), tuple(mark.slot for mark in known)
     if view.role == TABLE:
         told = [_Line(text, heights.number) for text in lines]
     else:
-        width = min(narrowest, width_of(view))
-        titles = [_titled(text, heights.title, width) for text in lines[:1]]
+        left, _, right, _ = bounds(view)
+        titles = [_titled(text, heights.title, right - left) for text in lines[:1]]
         told = [_Line(part, heights.title) for parts in titles for part in parts]
         told += [_Line(text, heights.point, of if k else ()) for k, text in enumerate(lines[1:])]
 
@@ -93,12 +132,6 @@ def captioned(
         ]
 
     return _above(told, view)._replace(apart=apart)
-
-
-def width_of(*views: Drawing) -> float:
-    """Return how wide the narrowest of some views is, mm."""
-    boxes = map(bounds, views)
-    return min((right - left for left, _, right, _ in boxes), default=math.inf)
 
 
 def _titled(text: str, size: float, width: float) -> list[str]:

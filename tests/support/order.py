@@ -11,6 +11,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 Box = tuple[float, float, float, float]
+Size = tuple[float, float]
 NEAR = 25.0
 """A polygon stands no farther than this from its group, mm."""
 LINE = 0.05
@@ -117,10 +118,10 @@ def forward(one: Part, two: Part) -> bool:
     return two.box[0] >= one.box[2] - LINE or two.box[3] <= one.box[1] + LINE
 
 
-def kept_apart(parts: Sequence[Part], rooms: Sequence[Box]) -> list[str]:
+def kept_apart(parts: Sequence[Part], rooms: Sequence[Sequence[Size]]) -> list[str]:
     """Return the equations, and polygons, that stand on another sheet than their figure though it holds both.
 
-    ``rooms``: the inner frame of each sheet, mm. A polygon may leave where a sheet does not hold all three.
+    ``rooms``: the free rectangles of each sheet, mm. A polygon may leave where a sheet does not hold all three.
     """
     found = []
     for name in dict.fromkeys(part.unit for part in parts):
@@ -128,15 +129,16 @@ def kept_apart(parts: Sequence[Part], rooms: Sequence[Box]) -> list[str]:
         figure, *others = unit
         for part in others:
             there = [figure, part] if "equations" in part.name else unit
-            if part.sheet != figure.sheet and _held(there, rooms[figure.sheet]):
+            apart = part.sheet != figure.sheet
+            if apart and any(_held(there, size) for size in rooms[figure.sheet]):
                 found.append(part.name)
     return found
 
 
-def _held(parts: Sequence[Part], room: Box) -> bool:
-    """Whether a sheet holds parts one below the other or beside one another."""
+def _held(parts: Sequence[Part], room: Size) -> bool:
+    """Whether a free rectangle holds parts one below the other or beside one another."""
     wide = [part.box[2] - part.box[0] + GAP for part in parts]
     high = [part.box[3] - part.box[1] + GAP for part in parts]
-    across, down = room[2] - room[0] - GAP, room[3] - room[1] - GAP
+    across, down = room[0] + GAP, room[1] + GAP
     below = max(wide) <= across and sum(high) <= down
     return below or (sum(wide) <= across and max(high) <= down)

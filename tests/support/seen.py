@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import cmath
 import math
+import re
 from functools import cached_property
 from itertools import pairwise
 
@@ -40,8 +41,9 @@ class Seen:
         names = work.project.names
         self.places = [k for k in range(len(names)) if k not in work.undrawn]
         self.point = heights(work.scene, "positions").point
-        texts = {label.text for label in self.view.labels if label.size == 3.5}
-        assert texts >= {names[k] for k in self.places}
+        told = (re.sub(r"^[A-Z]_\{(.*)\}$", r"\1", label.text) for label in self.view.labels)
+        texts = {number for text in told for number in text.split(", ")}
+        assert texts >= {part for k in self.places for part in names[k].split(", ")}
         self.poses = {k: self.pose(k) for k in self.places}
 
     def pose(self, place: int) -> dict[int, Pose]:

@@ -27,7 +27,7 @@ from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.graph_rules import axes_of
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import escape
-from graphic_tmm.paper.views import captioned, in_rows, mu_text, stacked, width_of
+from graphic_tmm.paper.views import captioned, in_rows, mu_text, stacked
 from graphic_tmm.readers.result_table import result_table, results
 from graphic_tmm.scene.captions import captions
 
@@ -110,13 +110,9 @@ def _triangles(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
         title = f"{_('Force triangles')}, {words['position']} {project.names[place]}"
         on = subject(drawn, title, ENGINE, name=f"engine-{project.names[place]}")
         views.append(finished(draw_triangles(on, made, pivot, place, scale.value), lettered))
-    titles = [view.title for view in views]
-    told, narrowest = f"{mu_text(scale, language)}; {SUMS}", width_of(*views)
-    shown = [
-        captioned(view, escape(title), told, heights=high, narrowest=narrowest)
-        for view, title in zip(views, titles, strict=True)
-    ]
-    return in_rows(shown, VIEW)
+    mu = f"{mu_text(scale, language)}; {SUMS}"
+    told = [(escape(project.names[place]), mu) for place in _positions_on_sheet(drawn)]
+    return in_rows(views, VIEW, _("Force triangles"), told, high)
 
 
 def _rotating(drawn: Drawn, made: Engine, lettered: bool) -> Drawing:

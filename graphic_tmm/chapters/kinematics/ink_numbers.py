@@ -123,12 +123,13 @@ class Letters(NamedTuple):
 def letters_apart(
     ink: LinksInk,
     crank: tuple[Mark, Mark],
+    names: Sequence[str],
     places: Sequence[int],
     heights: tuple[float, float],
 ) -> Letters:
     """Return how numbers are lettered: behind letters where two rows of them stand in one field.
 
-    ``heights``: of numbers and of letters of points, mm.
+    ``heights``: of numbers and of letters of points, mm. They stay bare where a point is called A1 itself.
     """
     small, large = heights
     fields = [[ink.at(crank[1], k) for k in places]]
@@ -138,7 +139,10 @@ def letters_apart(
         for spots in fields
     ]
     near = any(one.dwithin(other, FIELD * small) for one, other in combinations(hulls, 2))
-    return Letters(small, large, near)
+    points = {markup(mark.name) for figure in ink.figures for mark in figure.marks}
+    rows = (crank[1], *(path.mark for path in _paths(ink, crank)))
+    taken = any(f"{markup(m.name)}_{{{names[k]}}}" in points for m in rows for k in places)
+    return Letters(small, large, near and not taken)
 
 
 def together(spots: Sequence[complex], within: float) -> list[list[int]]:

@@ -89,7 +89,7 @@ def draw_positions_ink(
             round_arrow(bow.centre, bow.radius, bow.start, way * SWEEP), "turning", crank, main
         )
     letters = ink.letters((ink.frame.name, *ink.names), main, point)
-    apart = letters_apart(ink, crank, places, (small, point))
+    apart = letters_apart(ink, crank, names, places, (small, point))
     pins = ink.numbers(crank, names, apart)
     of = tuple(mark.slot for mark in crank)
     speeds = [Wanted(n, b.middle, point, 1.0, b.out, of, main) for n, b, _ in turns]

@@ -35,7 +35,7 @@ from graphic_tmm.paper.formats import Heights, heights
 from graphic_tmm.paper.labels import TOGETHER, finished
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.seen import Subject
-from graphic_tmm.paper.views import captioned, in_rows, mu_text, noted, width_of
+from graphic_tmm.paper.views import in_rows, mu_text, noted
 from graphic_tmm.readers.columns import Readings
 from graphic_tmm.readers.equations import equations
 from graphic_tmm.readers.result_table import result_table
@@ -114,17 +114,21 @@ def given_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 def velocity_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the plan of velocities of each position, or of all of them from a common pole."""
     _, words = speaking(drawn.scene.language), captions(drawn.scene.language)
-    caption = _("Turned velocity plan") if drawn.scene.turned else words[VELOCITIES]
-    return _plans(VELOCITIES, caption, drawn, lettered)
+    if drawn.scene.turned:
+        return _plans(
+            VELOCITIES, _("Turned velocity plan"), _("Turned velocity plans"), drawn, lettered
+        )
+    return _plans(VELOCITIES, words[VELOCITIES], _("Velocity plans"), drawn, lettered)
 
 
 def acceleration_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the plans of accelerations, at the positions that have one."""
-    caption = captions(drawn.scene.language)[ACCELERATIONS]
-    return _plans(ACCELERATIONS, caption, drawn, lettered)
+    _, words = speaking(drawn.scene.language), captions(drawn.scene.language)
+    return _plans(ACCELERATIONS, words[ACCELERATIONS], _("Acceleration plans"), drawn, lettered)
 
 
-def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawing]:
+def _plans(plan: str, caption: str, several: str, drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the plans of a kind; ``caption``, ``several``: what one of them is called, and more of them."""
     _, words = speaking(drawn.scene.language), captions(drawn.scene.language)
     reading = drawn.of(plan)
     if reading is None or plan not in drawn.scales:
@@ -146,12 +150,8 @@ def _plans(plan: str, caption: str, drawn: Drawn, lettered: bool) -> list[Drawin
         view = finished(draw_plan(on, plan, stood, scale.value, UNITS[plan]), lettered)
         views.append(view._replace(position=row[stood[0].at] if len(stood) == 1 else None))
     mu = mu_text(scale, drawn.scene.language)
-    titles, narrowest = [view.title for view in views], width_of(*views)
-    told = [
-        captioned(view, escape(title), mu, heights=size, narrowest=narrowest)
-        for view, title in zip(views, titles, strict=True)
-    ]
-    return in_rows(told, plan, "" if plan == VELOCITIES else VELOCITIES)
+    told = [(escape(name), mu) for _, name in shown][: len(views)]
+    return in_rows(views, plan, several, told, size, "" if plan == VELOCITIES else VELOCITIES)
 
 
 def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:

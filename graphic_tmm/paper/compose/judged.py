@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from graphic_tmm.paper.compose.units import Outline
+from graphic_tmm.paper.compose.units import Outline, boxes_of
 from graphic_tmm.paper.packing import Box, Room
 
 CELL, CLEAR = 8.0, 5.0
@@ -20,10 +20,7 @@ LINED = 0.6
 
 def judged(places: Mapping[int, complex], outlines: Sequence[Outline], room: Room) -> float:
     """Return the largest hole as a share of the sheet, and what quadrants and lines lack to be good."""
-    boxes = [
-        (at.real, at.imag, at.real + outlines[k].width, at.imag + outlines[k].height)
-        for k, at in places.items()
-    ]
+    boxes = boxes_of(places, outlines)
     area = room.area
     lacking = max(0.0, QUADRANT - _emptiest(boxes, room))
     ragged = max(0.0, ALIGNED - lined(boxes))

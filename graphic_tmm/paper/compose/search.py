@@ -1,9 +1,9 @@
 """Orders tried for a sheet: rows broken next to the leading view, tables moved among those that come last.
 
-Reading order is a law: what leads comes first, then rows, then all other views in their order. Tables stand
-behind rows and pairs, or under what leads; notes behind the rows. Each order is composed and judged by the
-boxes alone (`judged`); a better one is the start of the next moves. The number of tries is fixed, so the same
-boxes always make the same sheet.
+Reading order is a law: what leads comes first, then rows, then pairs in their order; only single views may
+change places. Tables stand behind rows and pairs, or under what leads where there are no pairs; notes behind
+rows. Each order is composed and judged by the boxes alone (`judged`); a better one is the start of the next
+moves. The number of tries is fixed, so the same boxes always make the same sheet.
 """
 
 from __future__ import annotations
@@ -145,14 +145,16 @@ def _widest(
 
 
 def moves(order: Order) -> Iterator[Order]:
-    """Yield the orders one move away: a table elsewhere, rows broken elsewhere."""
+    """Yield the orders one move away: a table elsewhere, rows broken elsewhere, single views exchanged."""
     yield from _tables(order)
     yield from _broken(order)
+    yield from _exchanged(order)
 
 
 def _tables(order: Order) -> Iterator[Order]:
     """Yield orders with a table below what leads or elsewhere behind pairs and rows, a note behind rows."""
-    leads = order[0].stand.kind == "lead"
+    kinds = [unit.stand.kind for unit in order]
+    leads = kinds[0] == "lead" and "pair" not in kinds
     for k, unit in enumerate(order):
         if unit.stand.kind not in LOOSE:
             continue
@@ -176,7 +178,7 @@ def _broken(order: Order) -> Iterator[Order]:
         if unit.stand.kind != "row" or len(unit.members) < 3:
             continue
         rest = order[k + 1 :]
-        if rest and rest[0].stand == unit.stand:
+        if rest and rest[0].stand._replace(heading=unit.stand.heading) == unit.stand:
             unit, rest = _joined(unit, rest[0]), rest[1:]
             yield (*order[:k], unit, *rest)
         last = len(unit.members) - 1
@@ -186,8 +188,17 @@ def _broken(order: Order) -> Iterator[Order]:
 
 
 def _part(unit: Unit, first: int, end: int | None) -> Unit:
-    return unit._replace(members=unit.members[first:end], sizes=unit.sizes[first:end])
+    stand = unit.stand._replace(heading=None) if first else unit.stand
+    return Unit(unit.members[first:end], unit.sizes[first:end], stand)
 
 
 def _joined(one: Unit, other: Unit) -> Unit:
     return one._replace(members=one.members + other.members, sizes=one.sizes + other.sizes)
+
+
+def _exchanged(order: Order) -> Iterator[Order]:
+    """Yield orders in which a single view has changed places with the next one or with a table."""
+    for k in range(1, len(order) - 1):
+        one, other = order[k : k + 2]
+        if {one.stand.kind, other.stand.kind} <= {"", "table"}:
+            yield (*order[:k], other, one, *order[k + 2 :])

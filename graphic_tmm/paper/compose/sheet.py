@@ -17,7 +17,7 @@ from graphic_tmm.paper.compose.slicing import (
     tree,
 )
 from graphic_tmm.paper.compose.spread import grown, need, spread
-from graphic_tmm.paper.compose.units import Outline, Shape, Size, Unit, shapes
+from graphic_tmm.paper.compose.units import Outline, Shape, Size, Unit, boxes_of, ways_of
 from graphic_tmm.paper.packing import GAP, Room
 
 GAPS = (25.0, 20.0, 16.0, 13.0, 11.0, 9.0, GAP)
@@ -69,7 +69,7 @@ def cutting(units: Sequence[Unit], room: Room, gap: float) -> Cutting | None:
     head, foot, aside = _corners(room, gap)
     width, height = right - aside - left - 2 * gap, top - bottom - 2 * gap
     there = [*units, Unit((), ((*foot, 0.0),))] if min(foot) > 0.0 else list(units)
-    ways: list[Sequence[Shape]] = [shapes(unit.sizes, gap) for unit in there]
+    ways: list[Sequence[Shape]] = [ways_of(unit, gap) for unit in there]
     ways[0] = _below(ways[0], head, gap)
     found = Cutting(complex(left + gap, top - gap), (width, height), there, ways, gap)
     return found if found.share <= 1.0 else None
@@ -121,14 +121,12 @@ def _balanced(places: Places, outlines: Sequence[Outline], room: Room) -> Places
 
     A corner that is kept free for the title block has a gap of its own, which is not seen as one.
     """
-    boxes = [(z.real, z.real + outlines[k].width) for k, z in places.items()]
-    feet = [z.imag for z in places.values()]
-    tops = [z.imag + outlines[k].height for k, z in places.items()]
+    boxes = boxes_of(places, outlines)
     _, bottom, _, top = room.inner
-    above = min(top - high for high in tops)
-    below = min(low - bottom for low in feet)
+    above = min(top - box[3] for box in boxes)
+    below = min(box[1] - bottom for box in boxes)
     for left, base, right, head in room.occupied:
-        for (first, last), low, high in zip(boxes, feet, tops, strict=True):
+        for first, low, last, high in boxes:
             if first < right + GAP and last > left - GAP:
                 above = min(above, base - high if base >= high else math.inf)
                 below = min(below, low - head if low >= head else math.inf)
@@ -150,8 +148,8 @@ def _below(ways: Sequence[Shape], head: Size, gap: float) -> list[Shape]:
         found
         for s in ways
         for found in (
-            Shape(max(s.width, wide), s.height + high, s.rows, (0.0, high)),
-            Shape(s.width + wide, max(s.height, high), s.rows, (wide, 0.0)),
+            Shape(max(s.width, wide), s.height + high, s.rows, (0.0, s.free[1] + high)),
+            Shape(s.width + wide, max(s.height, high), s.rows, (wide, s.free[1])),
         )
     ]
 

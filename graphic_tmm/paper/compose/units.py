@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from itertools import accumulate, pairwise
 from typing import NamedTuple
 
 from graphic_tmm.paper.drawing import Drawing, Stand
-from graphic_tmm.paper.packing import bounds
+from graphic_tmm.paper.headings import boxes, room
+from graphic_tmm.paper.packing import Box, bounds
 
 WIDEST = 25.0
 """A wider gap than this between views, mm, reads as scattered."""
@@ -64,11 +65,13 @@ class Shape(NamedTuple):
 def units_of(outlines: Sequence[Outline], chosen: Iterable[int]) -> list[Unit]:
     """Return the units that some of the outlines make: a block stands where its first view does.
 
-    What is drawn position by position comes so: all of one before the next.
+    What is drawn position by position comes so, all of one before the next; notes come behind their rows.
     """
     blocks: dict[str, list[int]] = {}
     for k in chosen:
         blocks.setdefault(outlines[k].stand.block or f"\0{k}", []).append(k)
+    for members in blocks.values():
+        members.sort(key=lambda k: outlines[k].stand.kind == "note")
     units = [
         Unit(
             tuple(members),
@@ -80,6 +83,31 @@ def units_of(outlines: Sequence[Outline], chosen: Iterable[int]) -> list[Unit]:
     pairs = [unit for unit in units if unit.stand.kind == "pair"]
     turns = iter(sorted(pairs, key=lambda unit: unit.stand.position))
     return [next(turns) if unit.stand.kind == "pair" else unit for unit in units]
+
+
+def ways_of(unit: Unit, gap: float) -> Sequence[Shape]:
+    """Return the ways to set the boxes of a unit in rows, with room for the heading above the first."""
+    found, heading = shapes(unit.sizes, gap), unit.stand.heading
+    if heading is None:
+        return found
+    made = list[Shape]()
+    for shape in found:
+        first = sum(width for width, _, _ in unit.sizes[: shape.rows[0]]) + gap * (
+            shape.rows[0] - 1
+        )
+        wide, high = room(heading, first)
+        made.append(Shape(max(shape.width, wide), shape.height + high, shape.rows, (0.0, high)))
+    return made
+
+
+def boxes_of(places: Mapping[int, complex], outlines: Sequence[Outline]) -> list[Box]:
+    """Return what outlines take that stand at places, and the headings above their rows."""
+    there = []
+    for k in sorted(places):
+        at, (_, width, height, stand, foot, *_) = places[k], outlines[k]
+        box = (at.real, at.imag, at.real + width, at.imag + height)
+        there.append((stand, box, at.imag + foot))
+    return [box for _, box, _ in there] + [box for _, _, box in boxes(there)]
 
 
 @lru_cache(maxsize=4096)

@@ -241,6 +241,21 @@ def test_numbers_stand_behind_letters_where_two_rows_share_a_field(
     assert len(numbered) == (len(work.names) if behind else 0)
 
 
+def test_a_number_is_never_taken_for_a_point_of_that_name(tmp_path: Path) -> None:
+    """Where a point is called C1 there is no C₁ for position 1."""
+    text = (SHEETS / "shaper" / "scene.toml").read_text(encoding="utf-8")
+    called = re.sub(r"\bS3\b", "C1", text)
+    assert called != text
+    file = tmp_path / "scene.toml"
+    file.write_text(called, encoding="utf-8")
+    work = in_usual_size(read(file), exact=True).mechanism
+    assert work is not None
+    (view,) = views.position_views(work, True)
+    texts = [one.text for one in view.labels]
+    assert texts.count("C_{1}") == 1
+    assert not [text for text in texts if text.startswith("A_{")]
+
+
 @given(st.lists(st.complex_numbers(max_magnitude=30.0), min_size=1, max_size=14))
 def test_positions_share_a_number_only_within_its_height(spots: list[complex]) -> None:
     groups = together(spots, 3.5)
