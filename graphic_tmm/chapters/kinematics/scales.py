@@ -14,7 +14,7 @@ from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.formulas import product, product_of_squares
 from graphic_tmm.board.record import Construction, Figure, Mark
-from graphic_tmm.board.scales import Scale, scale_by_turning, standard, standard_length
+from graphic_tmm.board.scales import LENGTHS, Scale, scale_by_turning, standard, standard_length
 from graphic_tmm.board.values import Curve, Point
 from graphic_tmm.chapters.kinematics.motion import image_letter
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
@@ -152,7 +152,7 @@ def plan_scales(fitting: Fitting) -> dict[str, Scale]:
     reach: Extents = fitting.reach[KINEMATICS]
     arm, pin_speed, pin_acceleration = crank_sizes(made)
     mu_l = wanted.mu_l or (
-        arm / wanted.OA if wanted.OA else standard_length(reach.positions, _room(fitting, arm))
+        arm / wanted.OA if wanted.OA else _by_rule(sizes[POSITIONS], reach.positions, arm)
     )
     scales = {POSITIONS: Scale("μ_l", mu_l, UNITS["mu_l"])}
     if made.velocities is not None:
@@ -172,10 +172,12 @@ def plan_scales(fitting: Fitting) -> dict[str, Scale]:
     return scales
 
 
-def _room(fitting: Fitting, arm: float) -> float:
-    """Return the room for the plan of positions, mm: more than usual where its crank would be short."""
-    reach: Extents = fitting.reach[KINEMATICS]
-    return fitting.sizes[POSITIONS] * max(1.0, min(CRANK * reach.positions / arm, LARGEST) / PLAN)
+def _by_rule(room: float, reach: float, arm: float) -> float:
+    """Return μ_l at which a plan that reaches so far (m) takes its room (mm), or more for its crank's sake."""
+    usual = standard_length(reach, room)
+    most = standard_length(reach, room * LARGEST / PLAN)
+    larger = (mu for mu in reversed(LENGTHS) if most <= mu < usual)
+    return usual if arm / usual >= CRANK else next((mu for mu in larger if arm / mu >= CRANK), most)
 
 
 def _longest(project: Project, plan: str, at: Sequence[int], doubts: Doubts) -> np.ndarray:
