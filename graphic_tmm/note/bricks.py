@@ -146,6 +146,8 @@ def columns(drawn: Drawn, some: Iterable[Column], language: str) -> Iterator[Tab
         names = [name for name, _ in at] or list(drawn.names)
         shown = known_at(cells)
         title = words.get(f"table {plan}", words.get(plan, plan))
+        if not shown:
+            continue
         count = -(-len(shown) // ACROSS)
         while True:
             across = -(-len(shown) // count)

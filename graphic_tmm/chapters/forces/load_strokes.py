@@ -25,6 +25,7 @@ from graphic_tmm.chapters.forces.load_diagrams import (
 )
 from graphic_tmm.chapters.forces.words import LOAD
 from graphic_tmm.chapters.kinematics.along import AlongGuide
+from graphic_tmm.chapters.kinematics.ink_numbers import together
 from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import choices
@@ -163,6 +164,7 @@ def _letters(
     feet = {number(x, language, 3): x for x in divisions(travels, shown.reach)}
     for told, x in feet.items():
         yield Wanted(told, at(x / mu[0], 0.0), high.number, 0.8, -guide.out)
-    for one in shown.positions:
-        spot = at(one.along / mu[0], one.size / mu[1])
-        yield Wanted(one.name, spot, high.number, DOT, guide.out + guide.along)
+    dots = [at(one.along / mu[0], one.size / mu[1]) for one in shown.positions]
+    for group in together(dots, high.number):
+        told = ", ".join(shown.positions[k].name for k in group)
+        yield Wanted(told, dots[group[0]], high.number, DOT, guide.out + guide.along)

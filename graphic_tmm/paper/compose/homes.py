@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from graphic_tmm.paper.compose.search import LOOSE, QUICK, fits
+from graphic_tmm.paper.compose.search import LOOSE, fits
 from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.packing import Room
 
@@ -22,20 +22,18 @@ Held = tuple[Room, tuple[int, ...]]
 """A sheet: its room, and its boxes by their index among all of the set."""
 
 
-def homed(boxes: Sequence[Outline], sheets: Iterable[Held], tries: int = QUICK) -> list[Held]:
+def homed(boxes: Sequence[Outline], sheets: Iterable[Held]) -> list[Held]:
     """Return the sheets of a set, in order, with notes where their blocks stand."""
     found = list(sheets)
     for here, (_, chosen) in enumerate(tuple(found)):
         for k in chosen:
             there = _home(boxes, k, found) if boxes[k].stand.kind == NOTE else here
             if there != here:
-                found = _sent(boxes, found, k, (here, there), tries)
+                found = _sent(boxes, found, k, (here, there))
     return found
 
 
-def spared(
-    boxes: Sequence[Outline], sheets: Iterable[Held], may: Sequence[bool], tries: int = QUICK
-) -> list[Held]:
+def spared(boxes: Sequence[Outline], sheets: Iterable[Held], may: Sequence[bool]) -> list[Held]:
     """Return sheets of which those that ``may`` be spared show nothing if one small table was all of them."""
     found = list(sheets)
     for here, (room, chosen) in enumerate(found):
@@ -45,7 +43,7 @@ def spared(
         for there in sorted(range(len(found)), key=lambda n: abs(n - here)):
             other, taken = found[there]
             more = (*taken, *chosen)
-            if there != here and taken and fits([boxes[k] for k in more], other, tries):
+            if there != here and taken and fits([boxes[k] for k in more], other):
                 found[here], found[there] = (room, ()), (other, more)
                 break
     return found
@@ -62,7 +60,7 @@ def _home(boxes: Sequence[Outline], note: int, sheets: Sequence[Held]) -> int:
 
 
 def _sent(
-    boxes: Sequence[Outline], sheets: list[Held], note: int, way: tuple[int, int], tries: int
+    boxes: Sequence[Outline], sheets: list[Held], note: int, way: tuple[int, int]
 ) -> list[Held]:
     """Return sheets with a note sent from one to another, if that holds it and the emptier becomes fuller."""
     (left, before), (room, taken) = (sheets[n] for n in way)
@@ -70,7 +68,7 @@ def _sent(
     now = min(_fill(boxes, before, left), _fill(boxes, taken, room))
     if min(_fill(boxes, less, left), _fill(boxes, more, room)) <= now:
         return sheets
-    if fits([boxes[k] for k in more], room, tries) is None:
+    if fits([boxes[k] for k in more], room) is None:
         return sheets
     found = list(sheets)
     found[way[0]], found[way[1]] = (left, less), (room, more)

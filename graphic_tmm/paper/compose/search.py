@@ -20,11 +20,8 @@ from graphic_tmm.paper.packing import Room
 
 TRIES = 60
 """How many orders of a sheet are tried."""
-QUICK, FEW = TRIES, 4
-"""How many are tried to find out whether a sheet holds all that is ordered, or a part of it.
-
-For all as many as composing tries: what it would find room for shall not be taken for too large.
-"""
+FEW = 4
+"""How many are tried to find out whether a sheet holds a part of what is ordered."""
 FULLEST, MANY = 0.87, 6
 """No order fits boxes that take more of a sheet than this, each with its gap, where there are many units."""
 HOPELESS, FAR = 1.02, (0.25, 0.11, 0.03)
@@ -57,14 +54,14 @@ def first_order(outlines: Sequence[Outline]) -> Order:
     )
 
 
-def fits(outlines: Sequence[Outline], room: Room, tries: int = QUICK) -> Places | None:
+def fits(outlines: Sequence[Outline], room: Room, tries: int = TRIES) -> Places | None:
     """Return where boxes stand on a sheet at the least gap; None if no order tried fits."""
     found = fitting(outlines, room, tries)
     return found[1] if found is not None else None
 
 
 def fitting(
-    outlines: Sequence[Outline], room: Room, tries: int = QUICK
+    outlines: Sequence[Outline], room: Room, tries: int = TRIES
 ) -> tuple[Order, Places] | None:
     """Return an order in which a sheet holds boxes, and where they stand then; None if none tried fits.
 

@@ -15,7 +15,7 @@ from graphic_tmm.errors import ViewError
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.compose import search
 from graphic_tmm.paper.compose.homes import SMALL, homed, spared
-from graphic_tmm.paper.compose.search import FEW, QUICK, TRIES, fits
+from graphic_tmm.paper.compose.search import FEW, TRIES, fits
 from graphic_tmm.paper.compose.sheet import Places
 from graphic_tmm.paper.compose.units import Outline, units_of
 from graphic_tmm.paper.drawing import Drawing
@@ -53,11 +53,10 @@ class Shared(NamedTuple):
     alone: bool = False
 
 
-def composed(orders: Sequence[Order], *, polished: bool = True) -> list[tuple[Shared, Places]]:
-    """Return the sheets of a set, each with where its boxes stand; fast, or ``polished``: with gaps made equal.
+def composed(orders: Sequence[Order]) -> list[tuple[Shared, Places]]:
+    """Return the sheets of a set, each with where its boxes stand, its gaps made equal.
 
-    A pure function of sizes. Polished, it tries more orders before it gives up a sheet. Boxes are counted
-    through all orders.
+    A pure function of sizes. Boxes are counted through all orders.
 
     Raises
     ------
@@ -66,14 +65,14 @@ def composed(orders: Sequence[Order], *, polished: bool = True) -> list[tuple[Sh
     """
     boxes = [outline for order in orders for outline in order.outlines]
     found = []
-    there = shared(orders, TRIES if polished else QUICK)
+    there = shared(orders)
     homes = homed(boxes, ((sheet.room, sheet.boxes) for sheet in there))
     homes = spared(boxes, homes, [orders[sheet.order].spared for sheet in there])
     for sheet in (one._replace(boxes=own) for one, (_, own) in zip(there, homes, strict=True)):
         if not sheet.boxes:
             continue
         some = [boxes[k] for k in sheet.boxes]
-        places = search.composed(some, sheet.room) if polished else fits(some, sheet.room)
+        places = search.composed(some, sheet.room)
         if sheet.alone or places is None:
             places = {0: _alone(some[0], sheet.room, orders[sheet.order].format)}
         found.append((sheet, {sheet.boxes[k]: _written_place(at) for k, at in places.items()}))
@@ -85,48 +84,48 @@ def _written_place(at: complex) -> complex:
     return complex(round(at.real, 2), round(at.imag, 2))
 
 
-def shared(orders: Sequence[Order], tries: int = QUICK, enough: float = 0.0) -> list[Shared]:
+def shared(orders: Sequence[Order], enough: float = 0.0) -> list[Shared]:
     """Return which boxes stand on which sheet; the number of sheets shows whether sizes fit. See `composed`.
 
     What a sheet leaves to the next may save one: where sheets are not `FULL`, and more than would be
     ``enough``, that is tried too.
     """
-    found = _shared(orders, tries)
+    found = _shared(orders)
     if len(found) <= enough:
         return found
     full = sum(_area(order.outlines, range(len(order.outlines))) for order in orders)
     room = sum(sheet.room.area for sheet in found) - max((s.room.area for s in found), default=0.0)
     if len(found) > len(orders) and full < FULL * room:
-        other = _shared(orders, tries, shy=True)
+        other = _shared(orders, shy=True)
         found = other if len(other) < len(found) else found
     return found
 
 
-def _shared(orders: Sequence[Order], tries: int, shy: bool = False) -> list[Shared]:
+def _shared(orders: Sequence[Order], shy: bool = False) -> list[Shared]:
     """Return what stands on which sheet; ``shy``: on the first of an order one part less than it holds."""
     boxes = [outline for order in orders for outline in order.outlines]
     sheets: list[Shared] = []
     first = 0
     for index, order in enumerate(orders):
         own = range(first, first + len(order.outlines))
-        sheets += _filled(boxes, own, index, order, tries, shy=shy)
+        sheets += _filled(boxes, own, index, order, shy=shy)
         first += len(order.outlines)
-    sheets = _gathered(boxes, sheets, tries)
+    sheets = _gathered(boxes, sheets)
     return [
         sheet
         for index, order in enumerate(orders)
-        for sheet in _evenly(boxes, [s for s in sheets if s.order == index], index, order, tries)
+        for sheet in _evenly(boxes, [s for s in sheets if s.order == index], index, order)
     ]
 
 
 def _evenly(
-    boxes: Sequence[Outline], sheets: list[Shared], index: int, order: Order, tries: int
+    boxes: Sequence[Outline], sheets: list[Shared], index: int, order: Order
 ) -> list[Shared]:
     """Return the sheets of an order, of several all about equally full if that takes no more of them."""
     if len(sheets) < 2:
         return sheets
     most = UNEVEN * sum(_area(boxes, one.boxes) for one in sheets) / len(sheets)
-    even = _filled(boxes, [k for one in sheets for k in one.boxes], index, order, tries, most)
+    even = _filled(boxes, [k for one in sheets for k in one.boxes], index, order, most)
     return even if len(even) == len(sheets) else sheets
 
 
@@ -135,7 +134,6 @@ def _filled(
     own: Sequence[int],
     index: int,
     order: Order,
-    tries: int,
     most: float | None = None,
     shy: bool = False,
 ) -> list[Shared]:
@@ -144,7 +142,7 @@ def _filled(
     found: list[Shared] = []
     while waiting:
         room = order.rooms[1 if found else 0]
-        taken = _taken(boxes, waiting, room, tries, most)
+        taken = _taken(boxes, waiting, room, most)
         if shy and not found and len(taken) < len(waiting):
             taken = _less(boxes, taken)
         if not taken:
@@ -155,7 +153,7 @@ def _filled(
 
 
 def _taken(
-    boxes: Sequence[Outline], waiting: Sequence[int], room: Room, tries: int, most: float | None
+    boxes: Sequence[Outline], waiting: Sequence[int], room: Room, most: float | None
 ) -> list[int]:
     """Return which of the waiting boxes a sheet holds: as many in order as fit, and tables behind them."""
     ends = _ends([boxes[k] for k in waiting])
@@ -165,7 +163,7 @@ def _taken(
             return False
         return fits([boxes[k] for k in chosen], room, tried) is not None
 
-    if held(waiting, tries):
+    if held(waiting, TRIES):
         return list(waiting)
     low, high = 0, len(ends) - 1
     while low < high:
@@ -174,7 +172,7 @@ def _taken(
             low = middle
         else:
             high = middle - 1
-    while low < len(ends) - 1 and held(waiting[: ends[low]], tries):
+    while low < len(ends) - 1 and held(waiting[: ends[low]], TRIES):
         low += 1
     if not low and not held(waiting[:1]):
         return []
@@ -202,7 +200,7 @@ def _ends(waiting: Sequence[Outline]) -> list[int]:
     ]
 
 
-def _gathered(boxes: Sequence[Outline], sheets: list[Shared], tries: int) -> list[Shared]:
+def _gathered(boxes: Sequence[Outline], sheets: list[Shared]) -> list[Shared]:
     """Return the sheets without those that hold little which has room on others."""
     for one in sorted(sheets, key=lambda sheet: _area(boxes, sheet.boxes)):
         if one not in sheets:  # it has taken up what was left over of another one
@@ -210,14 +208,12 @@ def _gathered(boxes: Sequence[Outline], sheets: list[Shared], tries: int) -> lis
         follows = any(sheet.order == one.order for sheet in sheets[: sheets.index(one)])
         if not follows or _area(boxes, one.boxes) > SMALL * one.room.area:
             continue
-        others = _moved(boxes, sheets, sheets.index(one), tries)
+        others = _moved(boxes, sheets, sheets.index(one))
         sheets = sheets if others is None else others
     return sheets
 
 
-def _moved(
-    boxes: Sequence[Outline], sheets: list[Shared], here: int, tries: int
-) -> list[Shared] | None:
+def _moved(boxes: Sequence[Outline], sheets: list[Shared], here: int) -> list[Shared] | None:
     """Return the other sheets that have taken up the boxes of one; None if they have no room for all of them.
 
     Tables and notes go wherever there is room, all others to the sheet before: they stay in order.
@@ -231,7 +227,7 @@ def _moved(
             sheet = others[place]
             more = (*sheet.boxes, *unit.members)
             more = tuple(sorted(more)) if sheet.order == one.order else more
-            held = not sheet.alone and fits([boxes[k] for k in more], sheet.room, tries)
+            held = not sheet.alone and fits([boxes[k] for k in more], sheet.room)
             if held:
                 others[place] = sheet._replace(boxes=more)
                 break

@@ -100,6 +100,22 @@ def test_a_load_stands_beside_the_guide_each_size_under_its_place() -> None:
     assert min(bases) > 10.0 + max(one.bounds[2] for one in others if not one.is_empty)
 
 
+def test_positions_of_one_place_share_their_number_on_it() -> None:
+    """Out and back under one force: 1 and 11 stand under one place, and so do their numbers."""
+    order = ASKED.of(scene("crank-press"))
+    assert order is not None
+    (load,) = order.loads
+    both = replace(load, travel=replace(load.travel, back=((0.0, 9000.0), (1.0, 9000.0))))
+    both = replace(both, travel=replace(both.travel, out=((0.0, 9000.0), (1.0, 9000.0))))
+    asked = replace(order, loads=(both,), friction=None)
+    (view,) = position_views(drawn_of(scene("crank-press").asking(forces=asked)), True)
+    dots = [s for s in view.strokes if isinstance(s, Stroke) and s.part == "given" and s.filled]
+    assert len([s for s in dots if s.pen == "main" and len(s.path) == 2]) == 12
+    texts = [one.text for one in view.labels if not one.of and one.size == 3.5]
+    assert "4, 8" in texts
+    assert "8" not in texts
+
+
 def with_loads(*loads: Load) -> Drawn:
     order = ASKED.of(scene("windrower"))
     assert order is not None
