@@ -29,8 +29,8 @@ STEPS: Mapping[int, tuple[float, float]] = {
 FULL, EMPTY = 0.92, 0.5
 """What takes a larger share of a sheet, gaps among it, fits never; what takes less always. In between it is
 tried. Of the sheets of the gallery."""
-PACKED = 0.8
-"""What share of a row of sheets is taken where views are spread over several."""
+PACKED = 0.66
+"""What share of a row of sheets is taken, gaps among it, where views are spread over several."""
 THIRD = 1 / 3
 """No sheet is opened for less than this share of it."""
 TRIALS = 30
