@@ -17,7 +17,7 @@ from graphic_tmm.fitting.tried import Board
 from graphic_tmm.paper.compose.search import fits
 from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import EQUATIONS, GRAPH, TABLE, Drawing, Label, Within
-from graphic_tmm.paper.packing import GAP, Room, bounds, holds, in_pieces, share
+from graphic_tmm.paper.packing import GAP, Room, bounds, in_pieces, share
 from graphic_tmm.paper.shapes import corners
 from graphic_tmm.scene.chapter import places
 from graphic_tmm.scene.records import Scene
@@ -30,6 +30,8 @@ LETTERS = 2.0
 """How much larger, mm, a view may come out with its letters: 9 in 10 of those of the gallery."""
 LESS = 0.95
 """By how much at least a size gives way at a time."""
+EDGE = 6.0
+"""How much wider, mm, a view may come out with its letters where a sheet is hardly wide enough."""
 FULL = 0.7
 """What share of its free room a full sheet shows as boxes of views."""
 FIXED = (TABLE, EQUATIONS)
@@ -91,10 +93,6 @@ class Rooms:
             for whole in views_of(place, self.scene, list(drawn.values()), False):
                 own = sizes_of(place, whole.role, self.scene) if whole.role not in FIXED else ()
                 free = tuple(name for name in own if not known[name].fixed(self.scene))
-                if free and not holds(within, whole):
-                    # it is made smaller before it comes apart
-                    yield ViewBox.of(place, whole, free)
-                    continue
                 for view in in_pieces(whole, within):
                     yield ViewBox.of(place, view, free)
 
@@ -139,7 +137,7 @@ class Rooms:
         for boxes, rooms in zip(self.views, self.sheets, strict=True):
             for view in boxes:
                 found = self.outline(view, sizes)
-                share = rooms[0].within.share(found.width, found.height)
+                share = rooms[0].within.share(found.width + EDGE, found.height)
                 if share < 1.0 and view.sizes:
                     yield view, share
 

@@ -33,23 +33,32 @@ PACKED = 0.66
 """What share of a row of sheets is taken, gaps among it, where views are spread over several."""
 THIRD = 1 / 3
 """No sheet is opened for less than this share of it."""
-TRIALS = 30
+TRIALS = 20
 """How often what no sheet holds gives way."""
 
 
 def by_rule(scene: Scene, boards: Sequence[Board]) -> tuple[Sizes, Rooms]:
     """Return the sizes in which boards are drawn, and the room that their views take."""
-    found: Sizes = usual(scene)
-    rooms = Rooms(scene, boards, found)
+    natural: Sizes = usual(scene)
     own = {name: size for board in boards for name, size in board.sizes.items()}
     free = {name: size for name, size in own.items() if not size.fixed(scene)}
-    held = _held(rooms, found, free)
-    steps = [_step(rooms, k, held, free) for k in range(len(scene.sheets))]
-    return _held(rooms, _stepped(rooms, steps, held, free), free), rooms
+    sizes, rooms = natural, Rooms(scene, boards, natural)
+    for _ in range(TRIALS):
+        less = _held(rooms, sizes, free)
+        if less == sizes:
+            break
+        # what is much smaller is measured again: not all of it grows with its size
+        sizes, rooms = less, Rooms(scene, boards, less)
+    most = {
+        n: size.high * natural[n] if sizes[n] == natural[n] else sizes[n]
+        for n, size in free.items()
+    }
+    steps = [_step(rooms, k, most, free) for k in range(len(scene.sheets))]
+    return _stepped(rooms, steps, most, free), rooms
 
 
 def _stepped(
-    rooms: Rooms, steps: Sequence[int | None], sizes: Sizes, free: Mapping[str, Size]
+    rooms: Rooms, steps: Sequence[int | None], most: Sizes, free: Mapping[str, Size]
 ) -> Sizes:
     """Return sizes of which each takes the least step of the sheets (None: of no views) that show it."""
     least: dict[str, int] = {}
@@ -57,27 +66,26 @@ def _stepped(
         for name in {name for view in views for name in view.sizes}:
             if step is not None:
                 least[name] = min(step, least.get(name, step))
-    return {**sizes, **{n: _size(free[n], sizes[n], rooms.natural[n], k) for n, k in least.items()}}
+    return {
+        **rooms.natural,
+        **{n: _size(free[n], rooms.natural[n], most[n], k) for n, k in least.items()},
+    }
 
 
-def _size(size: Size, held: float, usual: float, step: int) -> float:
+def _size(size: Size, natural: float, most: float, step: int) -> float:
     share = STEPS[step][0 if size.first else 1]
-    if step > 0 and held < usual:
-        return held
-    return min(held, usual) * min(max(share, size.low), size.high)
+    return min(natural * max(share, size.low), most)
 
 
-def _step(rooms: Rooms, order: int, sizes: Sizes, free: Mapping[str, Size]) -> int | None:
+def _step(rooms: Rooms, order: int, most: Sizes, free: Mapping[str, Size]) -> int | None:
     """Return the largest step at which the views of an order take no more sheets than they have to."""
     names = {name for view in rooms.views[order] for name in view.sizes}
     if not names:
         return None
 
     def at(step: int) -> Sizes:
-        return {
-            **sizes,
-            **{n: _size(free[n], sizes[n], rooms.natural[n], step) for n in names},
-        }
+        natural = rooms.natural
+        return {**natural, **{n: _size(free[n], natural[n], most[n], step) for n in names}}
 
     if rooms.share(order, at(min(STEPS))) <= FULL:
         for step in sorted(STEPS, reverse=True):
@@ -85,10 +93,10 @@ def _step(rooms: Rooms, order: int, sizes: Sizes, free: Mapping[str, Size]) -> i
             if share <= EMPTY or (share <= FULL and rooms.fits(order, at(step))):
                 return step
     sheets = {step: math.ceil(rooms.share(order, at(step)) / PACKED) for step in STEPS}
-    most = max(sheets[0], 2)
-    if rooms.share(order, at(0)) / PACKED - (most - 1) < THIRD:
-        most = max(min(most, sheets[-2]), 2)
-    return max((step for step in STEPS if sheets[step] <= most), default=-1)
+    count = max(sheets[0], 2)
+    if rooms.share(order, at(0)) / PACKED - (count - 1) < THIRD:
+        count = max(min(count, sheets[-2]), 2)
+    return max((step for step in STEPS if sheets[step] <= count), default=-1)
 
 
 def _held(rooms: Rooms, sizes: Sizes, free: Mapping[str, Size]) -> Sizes:
@@ -96,8 +104,7 @@ def _held(rooms: Rooms, sizes: Sizes, free: Mapping[str, Size]) -> Sizes:
     for _ in range(TRIALS):
         way: dict[str, float] = {}
         for view, share in rooms.too_large(sizes):
-            least = {n: free[n].least * rooms.natural[n] for n in view.sizes}
-            name = next((n for n in view.sizes if sizes[n] > least[n]), None)
+            name = next((n for n in view.sizes if sizes[n] > free[n].least), None)
             if name is not None:
                 way[name] = min(way.get(name, LESS), share)
         if not way:

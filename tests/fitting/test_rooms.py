@@ -17,7 +17,7 @@ from graphic_tmm.project import own_boards
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 
-OFF, LESS, MORE = 12.0, 0.08, 0.25
+OFF, LESS, MORE = 16.0, 0.08, 0.25
 """How far a box may be off, mm, and besides by what share of itself it may be too small or too large: digits
 hang a little on the size, forces at a group not at all."""
 TIMES = (0.7, 1.25)

@@ -13,8 +13,8 @@ from typing import NamedTuple
 import pdfplumber
 
 from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.fitting.auto import formatted
 from graphic_tmm.fitting.composition import Composition
-from graphic_tmm.fitting.formats import formatted
 from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.note.document import Document
 from graphic_tmm.note.formats import files

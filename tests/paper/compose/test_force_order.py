@@ -6,17 +6,16 @@ from collections.abc import Callable, Iterator
 from itertools import combinations
 from pathlib import Path
 
-from support.boards import in_usual_size
 from support.gallery import CASES
 from support.mechanisms import sample
 from support.order import Part, forward, kept_apart, parts_of
 from support.rewritten import text_of
 
-from graphic_tmm.fitting.compose import composed
 from graphic_tmm.fitting.formats import room_on
 from graphic_tmm.paper.drawing import Sheet
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.scene.read import read
+from graphic_tmm.studio import composed_sheets
 
 TAIL = """
 [effects]
@@ -42,10 +41,9 @@ def strangers(count: int) -> Iterator[str]:
 def force_parts(text: str, file: Path) -> tuple[list[Part], tuple[Sheet, ...], list[str]]:
     """Return what stands on the force sheets of a scene in the order in which it should be read."""
     file.write_text(text, encoding="utf-8")
-    scene = read(file)
-    made = in_usual_size(scene)
+    made, found = composed_sheets(read(file))
     assert made.mechanism is not None
-    papers = composed(scene, made.boards).sheets
+    papers = found.sheets
     boxes = [{view.name: bounds(view) for view in sheet.drawings[1:]} for sheet in papers]
     return parts_of(boxes, made.mechanism.names), papers, [sheet.format for sheet in papers]
 
@@ -60,7 +58,7 @@ def test_force_sheets_are_read_in_order_and_equations_stand_with_their_group(
             pairs += 1
             if one.unit != other.unit or one.sheet == other.sheet:
                 wrong += [] if forward(one, other) else [f"{k}: {other.name} before {one.name}"]
-        rooms = [room_on(format, "en", False).within.sizes for format in formats]
+        rooms = [room_on(one, "en", n == 0).within.sizes for n, one in enumerate(formats)]
         groups += len({part.unit for part in parts})
         apart += [f"{k}: {name}" for name in kept_apart(parts, rooms)]
     assert pairs > 1000
