@@ -121,8 +121,8 @@ def turned(scene: Scene, *, mechanism: bool) -> Scene:
 
 
 def _turned(scene: Scene, mechanism: bool) -> Scene:
-    *_, rooms, sizes = _fitted(scene, mechanism)
-    if not (over := rooms.over(sizes)):
+    _, rooms, _ = _fitted(scene, mechanism)
+    if not (over := rooms.over()):
         return scene
     other = [
         replace(order, format=other_way(order.format)) if k in over else order
@@ -139,8 +139,8 @@ def _turned(scene: Scene, mechanism: bool) -> Scene:
     )
     tried = replace(scene, sheets=tuple(other), remarks=(*scene.remarks, *told))
     pass_on(scene, tried)
-    *_, rooms, sizes = _fitted(tried, mechanism)
-    return scene if rooms.over(sizes) else tried
+    _, rooms, _ = _fitted(tried, mechanism)
+    return scene if rooms.over() else tried
 
 
 def _fitted(scene: Scene, mechanism: bool) -> tuple[list[Board], Rooms, Sizes]:

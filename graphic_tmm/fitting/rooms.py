@@ -132,21 +132,34 @@ class Rooms:
         taken = sum((b.width + GAP) * (b.height + GAP) for b in self.outlines(order, sizes))
         return taken / self.sheets[order][0].area
 
-    def too_large(self, sizes: Sizes) -> Iterator[tuple[ViewBox, float]]:
-        """Yield the views that no sheet of their format holds, and what share of their size one would."""
+    def too_large(self, sizes: Sizes) -> Iterator[tuple[str, float]]:
+        """Yield, for each view that no sheet of its format holds, the size to give way, and what share fits.
+
+        That is the first that makes the view smaller where it is too large: an author may have fixed lengths.
+        """
+        known = all_sizes()
         for boxes, rooms in zip(self.views, self.sheets, strict=True):
             for view in boxes:
-                found = self.outline(view, sizes)
-                share = rooms[0].within.share(found.width + EDGE, found.height)
-                if share < 1.0 and view.sizes:
-                    yield view, share
+                share = self._share(view, rooms[0], sizes)
+                for name in view.sizes if share < 1.0 else ():
+                    half = {**sizes, name: 0.5 * sizes[name]}
+                    if (
+                        sizes[name] > known[name].least
+                        and self._share(view, rooms[0], half) > share
+                    ):
+                        yield name, share
+                        break
 
-    def over(self, sizes: Sizes) -> list[int]:
-        """Return the orders (indices) of which a view fits no sheet."""
+    def _share(self, view: ViewBox, room: Room, sizes: Sizes) -> float:
+        box = self.outline(view, sizes)
+        return room.within.share(box.width + EDGE, box.height)
+
+    def over(self) -> list[int]:
+        """Return the orders (indices) of which a view fits no sheet in the sizes measured."""
         return [
             k
             for k, (boxes, rooms) in enumerate(zip(self.views, self.sheets, strict=True))
-            if any(_share(self.outline(v, sizes), rooms[0]) < 1.0 for v in boxes)
+            if any(_alone(view.outline, rooms[0]) < 1.0 for view in boxes)
         ]
 
     def fill(self, size: str, sizes: Sizes) -> float:
@@ -172,8 +185,9 @@ class Rooms:
         return way
 
 
-def _share(box: Outline, room: Room) -> float:
-    return room.within.share(box.width, box.height) * (1 + 1e-12)
+def _alone(box: Outline, room: Room) -> float:
+    """Return how many times larger what was measured may be on a sheet of its own."""
+    return room.within.share(box.width - LETTERS, box.height - LETTERS) * (1 + 1e-12)
 
 
 def _larger(length: float, times: float) -> float:

@@ -31,6 +31,8 @@ FULL, EMPTY = 0.92, 0.5
 tried. Of the sheets of the gallery."""
 PACKED = 0.66
 """What share of a row of sheets is taken, gaps among it, where views are spread over several."""
+SPARE = 0.85
+"""Of views that take no more of a sheet, which does not hold them all, a table goes to another sheet."""
 THIRD = 1 / 3
 """No sheet is opened for less than this share of it."""
 TRIALS = 20
@@ -44,7 +46,7 @@ def by_rule(scene: Scene, boards: Sequence[Board]) -> tuple[Sizes, Rooms]:
     free = {name: size for name, size in own.items() if not size.fixed(scene)}
     sizes, rooms = natural, Rooms(scene, boards, natural)
     for _ in range(TRIALS):
-        less = _held(rooms, sizes, free)
+        less = _held(rooms, sizes)
         if less == sizes:
             break
         # what is much smaller is measured again: not all of it grows with its size
@@ -92,6 +94,8 @@ def _step(rooms: Rooms, order: int, most: Sizes, free: Mapping[str, Size]) -> in
             share = rooms.share(order, at(step))
             if share <= EMPTY or (share <= FULL and rooms.fits(order, at(step))):
                 return step
+    if len(rooms.views) > 1 and rooms.share(order, at(0)) <= SPARE:
+        return -2
     sheets = {step: math.ceil(rooms.share(order, at(step)) / PACKED) for step in STEPS}
     count = max(sheets[0], 2)
     if rooms.share(order, at(0)) / PACKED - (count - 1) < THIRD:
@@ -99,14 +103,12 @@ def _step(rooms: Rooms, order: int, most: Sizes, free: Mapping[str, Size]) -> in
     return max((step for step in STEPS if sheets[step] <= count), default=-1)
 
 
-def _held(rooms: Rooms, sizes: Sizes, free: Mapping[str, Size]) -> Sizes:
+def _held(rooms: Rooms, sizes: Sizes) -> Sizes:
     """Return sizes at which a sheet holds every view, as far as the scene leaves them free."""
     for _ in range(TRIALS):
         way: dict[str, float] = {}
-        for view, share in rooms.too_large(sizes):
-            name = next((n for n in view.sizes if sizes[n] > free[n].least), None)
-            if name is not None:
-                way[name] = min(way.get(name, LESS), share)
+        for name, share in rooms.too_large(sizes):
+            way[name] = min(way.get(name, LESS), share)
         if not way:
             break
         sizes = {**sizes, **{name: sizes[name] * share for name, share in way.items()}}

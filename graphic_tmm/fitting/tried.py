@@ -14,7 +14,7 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.drawn import Drawn, doubted
 from graphic_tmm.fitting.scales import chosen, executed, reach_of
 from graphic_tmm.fitting.sizes import Size, Sizes, Sizing
-from graphic_tmm.project import Project, own_boards, record
+from graphic_tmm.project import Plan, Project, own_boards, record
 from graphic_tmm.scene.chapter import MECHANISM, chapters
 from graphic_tmm.scene.records import Scene
 
@@ -188,6 +188,11 @@ def _lengths(project: Project, sizes: Sizes, reach: Mapping[str, Any]) -> Length
     given, _ = chosen(project, sizes, reach)
     views = {view.name: view.scale for view in log.views if view.scale is not None}
     bases = {view: log.roles(view, roles.BASE)[:1] for view in views}
+    for chapter in project.chapters:
+        # graphs of a chapter stand over one base
+        own = [c.view for c in Plan.of(chapter).charts(project.recorded[chapter.name])]
+        common = next((bases[view] for view in own if bases.get(view)), ())
+        bases |= {view: common for view in own if view in bases and not bases[view]}
     marks = [*views.values(), *(mark for base in bases.values() for mark in base)]
     reading = execute(log, {**dict.fromkeys(log.given, 1.0), **given}, marks)
     return {

@@ -29,7 +29,7 @@ from graphic_tmm.chapters.kinematics.task import (
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Choice, Ledger, value_of
 from graphic_tmm.fitting.scales import Fitting, ScaleFactors, extent, unscaled
-from graphic_tmm.fitting.sizes import Size, Sizing
+from graphic_tmm.fitting.sizes import Size, Sizing, usual
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
@@ -46,7 +46,7 @@ FEW = 4
 FLAT = 0.7
 """What a plan's width counts against its height: sheets are so much wider than high."""
 CRANK = 20.0
-"""A crank is no shorter, mm on an A1, as far as its plan takes no more than `LARGEST`."""
+"""A crank is no shorter, mm on an A1, on other formats in proportion, as far as its plan goes on the sheet."""
 LARGEST = 360.0
 """The most that a plan of positions takes on an A1 for its crank's sake, mm."""
 _POSITIONS = said(
@@ -152,7 +152,7 @@ def plan_scales(fitting: Fitting) -> dict[str, Scale]:
     reach: Extents = fitting.reach[KINEMATICS]
     arm, pin_speed, pin_acceleration = crank_sizes(made)
     mu_l = wanted.mu_l or (
-        arm / wanted.OA if wanted.OA else _by_rule(sizes[POSITIONS], reach.positions, arm)
+        arm / wanted.OA if wanted.OA else _by_rule(fitting, reach.positions, arm)
     )
     scales = {POSITIONS: Scale("μ_l", mu_l, UNITS["mu_l"])}
     if made.velocities is not None:
@@ -172,12 +172,12 @@ def plan_scales(fitting: Fitting) -> dict[str, Scale]:
     return scales
 
 
-def _by_rule(room: float, reach: float, arm: float) -> float:
-    """Return μ_l at which a plan that reaches so far (m) takes its room (mm), or more for its crank's sake."""
-    usual = standard_length(reach, room)
-    most = standard_length(reach, room * LARGEST / PLAN)
-    larger = (mu for mu in reversed(LENGTHS) if most <= mu < usual)
-    return usual if arm / usual >= CRANK else next((mu for mu in larger if arm / mu >= CRANK), most)
+def _by_rule(fitting: Fitting, reach: float, arm: float) -> float:
+    """Return μ_l at which a plan that reaches so far (m) takes its room, or more for its crank's sake."""
+    room, crank = fitting.sizes[POSITIONS], CRANK * usual(fitting.scene)[POSITIONS] / PLAN
+    own, most = (standard_length(reach, many * room) for many in (1.0, LARGEST / PLAN))
+    larger = (mu for mu in reversed(LENGTHS) if most <= mu < own)
+    return own if arm / own >= crank else next((mu for mu in larger if arm / mu >= crank), most)
 
 
 def _longest(project: Project, plan: str, at: Sequence[int], doubts: Doubts) -> np.ndarray:

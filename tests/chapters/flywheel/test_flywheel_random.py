@@ -174,7 +174,7 @@ def test_graphs_use_the_room_of_their_format(
 
 def test_a_pole_distance_that_is_given_is_taken(tmp_path: Path) -> None:
     own, told = (drawn_of(scene(tmp_path, 2, more=m), exact=True) for m in ("", 'H = "33 mm"'))
-    mu = told.scales["moment"].value * 2 * np.pi / 120 * 33
+    mu = told.scales["moment"].value * 2 * np.pi / 180 * 33
     assert told.scales["work"].value == pytest.approx(mu)
     free = own.scales["work"].value
     assert float(f"{free:.0e}"[0]) in (1.0, 2.0, 4.0, 5.0) or f"{free:.1e}"[:3] == "2.5"
