@@ -78,7 +78,7 @@ class Check:
     ...     [{"plan": "velocities", "position": 1, "segment": "pa", "mm": 83.0}]
     ... )
     >>> found.ok, found.verdicts[0].verdict, found.verdicts[0].due
-    (False, 'wrong', 62.83...)
+    (False, 'wrong', 50.26...)
     """
 
     def __init__(self, report: Report) -> None:

@@ -30,7 +30,7 @@ from graphic_tmm.note.widths import broken
 CASE = "slotting"
 CAPTION = re.compile(r"^(Рисунок|Таблица) (\d+) —")
 GOES_ON = re.compile(r"^Продолжение таблицы (\d+)$")
-HEADS = ("№ Построение", "Величина", "Чертёж")
+HEADS = ("Обозначение", "№ Построение", "Величина", "Чертёж")
 """How the heads of a table begin."""
 WORD = re.compile("[А-Яа-я]{5}")
 """What no index of a formula is."""

@@ -136,9 +136,9 @@ def kept_apart(parts: Sequence[Part], rooms: Sequence[Sequence[Size]]) -> list[s
 
 
 def _held(parts: Sequence[Part], room: Size) -> bool:
-    """Whether a free rectangle holds parts one below the other or beside one another."""
+    """Whether a free rectangle holds parts, one below the other or beside one another, with 5 mm to spare."""
     wide = [part.box[2] - part.box[0] + GAP for part in parts]
     high = [part.box[3] - part.box[1] + GAP for part in parts]
-    across, down = room[0] + GAP, room[1] + GAP
+    across, down = room[0] + GAP - 5.0, room[1] + GAP - 5.0
     below = max(wide) <= across and sum(high) <= down
     return below or (sum(wide) <= across and max(high) <= down)

@@ -96,7 +96,7 @@ def test_scales_are_told_and_turn_mm_into_values() -> None:
             for mm, value in zip(column["mm"], column["value"], strict=True):
                 assert value == pytest.approx(mm * mu, rel=1e-10, abs=1e-10)
     assert scales["mu_base"]["unit"] == "s/mm"
-    assert scales["mu_base"]["value"] == pytest.approx(2 * np.pi / 50 / 120)
+    assert scales["mu_base"]["value"] == pytest.approx(2 * np.pi / 50 / 180)
 
 
 def test_a_chosen_scale_is_standard_and_a_given_pole_is_kept() -> None:
