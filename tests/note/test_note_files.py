@@ -153,7 +153,7 @@ def test_markdown_names_figures_that_are_written_beside_it() -> None:
 
 @pytest.mark.slow
 def test_the_note_of_the_project_has_the_pages_of_a_course_project() -> None:
-    """ГОСТ 7.32: A4, 12 pt, lines one and a half apart; some 25 to 40 pages are asked for, and it has all chapters."""
+    """ГОСТ 7.32: A4, 12 pt, lines one and a half apart; some 25 to 40 pages are asked for."""
     data = file_of("project", "pdf")
     found = pypdfium2.PdfDocument(data)
     pages = len(found)

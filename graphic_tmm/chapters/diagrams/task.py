@@ -54,7 +54,7 @@ class KinematicTask:
     over: str = key(_OVER, "what the base stands for", "time", "time")
     method: str = key(_METHOD, "how it is differentiated", "chords", "chords")
     base: float | None = key(
-        v.DRAWN, "length of the base", "120 mm", None,
+        v.DRAWN, "length of the base; if none is given, 180 mm on an A1", "120 mm", None,
         fixes="size",
     )  # fmt: skip
     mu_along: float | None = combined_key(

@@ -65,7 +65,7 @@ class EngineTask:
     )
     unit: str = key(v.choice("N", "kgf", Н="N", кгс="kgf"), "the unit of forces", "kgf", "N")
     base: float = key(
-        v.DRAWN, "length of the diagrams' base for a turn", "120 mm", 120.0,
+        v.DRAWN, "length of the diagrams' base; if none is given, 180 mm on an A1", "120 mm", 120.0,
         fixes="size",
     )  # fmt: skip
 

@@ -115,7 +115,7 @@ class FlywheelTask:
         None,
     )
     base: float = key(
-        v.DRAWN, "length of the base for the whole cycle", "120 mm", 120.0,
+        v.DRAWN, "length of the base for the whole cycle; if none is given, 180 mm on an A1", "120 mm", 120.0,
         fixes="size",
     )  # fmt: skip
     mu_M: float | None = key(v.mu("scale of moments"), "(N·m)/mm", "8 N*m/mm", None, fixes="size")
