@@ -35,10 +35,9 @@ from graphic_tmm.studio import composed_sheets, make, sheets
 FORMATS = ("A4", "A1")
 ROWS = (1, 6, 8, 12, 24, 48)
 LEAST = {"A4": 60.0, "A1": 100.0}
-MEASURABLE = {"A4": 15.0, "A1": 29.0}
-"""The longest vector of a plan is no shorter, mm: the usual 53 and 100 mm, the least step of a sheet and the
-widest gap between standard scale factors, 0.6 and a half."""
 """The plan of positions is no smaller, mm."""
+MEASURABLE = {"A4": 15.0, "A1": 29.0}
+"""The longest vector is no shorter, mm: of 53 and 100 the least step, 0.6, and the widest gap of μ, a half."""
 ROUNDING = 1e-6
 
 

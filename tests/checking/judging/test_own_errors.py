@@ -37,10 +37,11 @@ def test_a_perfect_drawing_has_no_error(name: str, pointed: bool) -> None:
 
 @pytest.mark.slow
 def test_a_ray_turned_by_four_degrees_is_blamed() -> None:
-    found = [blamed(name, 2) for name in ("engine", "crank-rocker", "offset-slider")]
+    """Nine in ten over many drawings: of two drawings a scene it is 0.85 to 1."""
+    found = [blamed(name, 5) for name in ("engine", "crank-rocker", "offset-slider")]
     drawings = sum(one.drawings for one in found)
-    assert drawings >= 100
-    assert sum(one.ray for one in found) >= 0.95 * drawings
+    assert drawings >= 400
+    assert sum(one.ray for one in found) >= 0.88 * drawings
 
 
 def test_a_ray_that_slipped_is_blamed() -> None:
