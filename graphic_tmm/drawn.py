@@ -115,6 +115,12 @@ class Drawn:
         return next((k for k in wanted if k not in self.undrawn), wanted[0])
 
     @property
+    def sheet_lengths(self) -> dict[Mark, object]:
+        """What is given on this sheet instead of what the log was recorded with: bases, pole distances, mm."""
+        usual = self.project.given
+        return {m: v for m, v in self.given.items() if m in usual and v is not usual[m]}
+
+    @property
     def percent_decimals(self) -> int:
         """Decimals of a difference in %: as many as the ruler can show."""
         return percent_decimals(self.hand.ruler)

@@ -37,7 +37,7 @@ def pinned(made: DrawnScene) -> dict[tuple[str, str, str], object]:
     for one in made.boards:
         scales = [mark for mark in one.construction.given if mark.unit.endswith(PER_MM)]
         kept = [m for each in one.project.chapters for m in Accuracy.of(each).kept(one.project)]
-        for mark in (*scales, *kept):
+        for mark in (*scales, *kept, *one.sheet_lengths):
             if mark in one.given:
                 found[one.board, *mark.key] = one.given[mark]
     return found

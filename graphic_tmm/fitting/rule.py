@@ -16,6 +16,7 @@ from graphic_tmm.fitting.tried import Board
 from graphic_tmm.scene.records import Scene
 
 STEPS: Mapping[int, tuple[float, float]] = {
+    3: (1.7, 1.7),
     2: (1.4, 1.4),
     1: (1.2, 1.2),
     0: (1.0, 1.0),
@@ -24,14 +25,14 @@ STEPS: Mapping[int, tuple[float, float]] = {
     -3: (0.7, 0.85),
     -4: (0.6, 0.85),
     -5: (0.6, 0.72),
+    -6: (0.5, 0.6),
 }
 """By step: the share of their natural size that those take which give way first, and all others."""
-FULL, EMPTY = 0.92, 0.5
-"""What takes a larger share of a sheet, gaps among it, fits never; what takes less always. In between it is
-tried. Of the sheets of the gallery."""
+FULL = 0.92
+"""What takes a larger share of a sheet, gaps among it, fits never. Of the sheets of the gallery."""
 PACKED = 0.66
 """What share of a row of sheets is taken, gaps among it, where views are spread over several."""
-SPARE = 0.85
+SPARE = 0.72
 """Of views that take no more of a sheet, which does not hold them all, a table goes to another sheet."""
 THIRD = 1 / 3
 """No sheet is opened for less than this share of it."""
@@ -91,8 +92,7 @@ def _step(rooms: Rooms, order: int, most: Sizes, free: Mapping[str, Size]) -> in
 
     if rooms.share(order, at(min(STEPS))) <= FULL:
         for step in sorted(STEPS, reverse=True):
-            share = rooms.share(order, at(step))
-            if share <= EMPTY or (share <= FULL and rooms.fits(order, at(step))):
+            if rooms.share(order, at(step)) <= FULL and rooms.fits(order, at(step)):
                 return step
     if len(rooms.views) > 1 and rooms.share(order, at(0)) <= SPARE:
         return -2

@@ -31,8 +31,8 @@ class Size:
     name: str
     natural: float = 1.0
     in_mm: bool = False
-    low: float = 0.6
-    high: float = 1.4
+    low: float = 0.5
+    high: float = 1.7
     least: float = 0.0
     first: bool = False
     plan: bool = False
@@ -63,7 +63,7 @@ GRAPHS = "graphs"
 
 def graph_size(chapter: str) -> Size:
     """Return the size of a chapter's graphs, a share of their usual base and height."""
-    return Size(f"{chapter} {GRAPHS}", high=1.3, least=0.2, first=True)
+    return Size(f"{chapter} {GRAPHS}", high=1.4, least=0.2, first=True)
 
 
 def all_sizes() -> dict[str, Size]:

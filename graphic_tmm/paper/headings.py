@@ -26,7 +26,7 @@ def _lines(heading: Heading, width: float) -> list[tuple[str, float]]:
     whole = f"{heading.title}, {heading.scale}"
     if letter(whole, size=title).width <= width:
         return [(whole, title)]
-    return [(f"{heading.title},", title), (heading.scale, scale)]
+    return [(heading.title, title), (heading.scale, scale)]
 
 
 def room(heading: Heading, width: float) -> tuple[float, float]:
@@ -72,5 +72,5 @@ def _drawn(name: str, heading: Heading, box: Box) -> Drawing:
         base += CLEAR * size + made.descent
         labels.append(Label(text, complex(middle, base), size, "middle"))
         base += made.ascent
-    title = ", ".join(text.rstrip(",") for text, _ in told)
+    title = ", ".join(text for text, _ in told)
     return Drawing(name, title, labels=tuple(reversed(labels)), role=HEADING)

@@ -177,7 +177,9 @@ def _at(drawn: Drawn, count: int) -> Figures | None:
         return None
     known = {mark.key: value for mark, value in drawn.given.items()}
     given = {mark: known.get(mark.key, 1.0) for mark in project.construction.given}
-    return _results(project, given | project.given)
+    lengths = {mark.key: value for mark, value in drawn.sheet_lengths.items()}
+    own = {m: lengths.get(m.key, value) for m, value in project.given.items()}
+    return _results(project, given | own)
 
 
 def _results(project: Project, given: Mapping[Mark, object]) -> Figures:

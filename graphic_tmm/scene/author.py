@@ -189,7 +189,7 @@ class Author:
     )
     frame: bool = key(
         v.SWITCH,
-        "pages of a PDF have a frame and a title block, forms 2 and 2a (ГОСТ 2.104)",
+        "pages of a PDF have a frame and a title block, forms 2 and 2a",
         True,
         False,
     )

@@ -36,8 +36,8 @@ FORMATS = ("A4", "A1")
 ROWS = (1, 6, 8, 12, 24, 48)
 LEAST = {"A4": 60.0, "A1": 100.0}
 """The plan of positions is no smaller, mm."""
-MEASURABLE = {"A4": 15.0, "A1": 29.0}
-"""The longest vector is no shorter, mm: of 53 and 100 the least step, 0.6, and the widest gap of μ, a half."""
+MEASURABLE = {"A4": 13.0, "A1": 24.0}
+"""The longest vector is no shorter, mm: of 53 and 100 the least step, 0.5, and the widest gap of μ, a half."""
 ROUNDING = 1e-6
 
 

@@ -7,12 +7,10 @@ from itertools import combinations
 from pathlib import Path
 
 import pytest
-from support.boards import in_usual_size
 from support.gallery import CASES
 from support.mechanisms import sample
 from support.rewritten import text_of
 
-from graphic_tmm.fitting.compose import composed
 from graphic_tmm.fitting.formats import room_on
 from graphic_tmm.note.figures import picture
 from graphic_tmm.paper.compose.sheets import Order
@@ -25,6 +23,7 @@ from graphic_tmm.paper.lettering.letters import letter, plain
 from graphic_tmm.paper.packing import GAP, Room, bounds
 from graphic_tmm.paper.views import alone, in_rows
 from graphic_tmm.scene.read import read
+from graphic_tmm.studio import sheets
 
 TAIL = """
 accelerations = [1, 3, 6]
@@ -45,8 +44,7 @@ def strangers(folder: Path) -> Iterator[tuple[Sheet, ...]]:
     for k, text in enumerate(texts):
         file = folder / f"{k}.toml"
         file.write_text(text, encoding="utf-8")
-        scene = read(file)
-        yield composed(scene, in_usual_size(scene).boards).sheets
+        yield sheets(read(file))[1]
 
 
 def rows_of(sheet: Sheet) -> dict[str, list[Drawing]]:
@@ -70,8 +68,8 @@ def clear(a: tuple[float, ...], b: tuple[float, ...]) -> bool:
 
 def test_a_row_has_one_heading_and_every_plan_its_number(tmp_path: Path) -> None:
     plans = larger = 0
-    for sheets in strangers(tmp_path):
-        for sheet in sheets:
+    for papers in strangers(tmp_path):
+        for sheet in papers:
             told = {one.name: one for one in sheet.drawings if one.role == HEADING}
             assert sorted(told) == sorted(f"heading-{kind}" for kind in rows_of(sheet))
             for kind, views in rows_of(sheet).items():
@@ -91,8 +89,8 @@ def test_a_row_has_one_heading_and_every_plan_its_number(tmp_path: Path) -> None
 
 
 def test_a_heading_stands_clear_within_the_frame(tmp_path: Path) -> None:
-    for sheets in strangers(tmp_path):
-        for sheet in sheets:
+    for papers in strangers(tmp_path):
+        for sheet in papers:
             boxes = [bounds(view) for view in sheet.drawings[1:]]
             assert all(clear(a, b) for a, b in combinations(boxes, 2))
             edge = room_on(sheet.format, "en", False).inner

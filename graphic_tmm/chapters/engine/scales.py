@@ -39,7 +39,7 @@ SIZES = Sizing(
 )
 
 
-TRIANGLE, VECTOR, FORCE = 60.0, 70.0, 55.0
+TRIANGLE, VECTOR, FORCE = 80.0, 85.0, 65.0
 """Room for the largest force of an engine's triangles, for its rotating vectors, for the largest force of the
 figure of all, mm."""
 LARGEST = "F_{max}"

@@ -69,13 +69,16 @@ SIZES = Sizing(
 
 LONGER = 3.5
 """So many times its room a group may take so as to be no smaller than the plan."""
-LINK_1 = 0.5
-"""What link 1 alone takes of the room for a group."""
+LINK_1, SHORT = 0.5, 0.2
+"""What link 1 alone takes of the room for a group, and takes where it would be shorter."""
 _GROUP = said(
     "A group takes up to 145 mm of an A1, of smaller formats less in proportion, and is no smaller than on the "
     "plan of positions: the arms of forces are measured on it."
 )
-_ALONE = said("Of link 1 one arm is measured: it is drawn no larger than the groups.")
+_ALONE = said(
+    "Of link 1 one arm is measured: it is drawn no larger than the group that it turns, but no shorter than "
+    "30 mm of an A1."
+)
 _POLYGON = said(
     "A polygon of forces takes up to 150 mm of an A1, of smaller formats less in proportion: the forces that "
     "close it are measured."
@@ -136,7 +139,7 @@ def factors(sized: Sized) -> Iterator[ScaleFactor]:
     made, known, project = FORCES_PLAN.on(sized), sized.reach[FORCES], sized.project
     room, plan = sized.sizes["groups"], _plan_scale(sized)
     groups = [one for one in made.figures if len(one.of.links) > 1 and known.detached[one.view]]
-    largest = min((_group(known.detached[one.view], room, plan) for one in groups), default=0.0)
+    turned = _group(known.detached[groups[-1].view], room, plan) if groups else plan
     for figure in made.figures:
         if not (far := known.detached[figure.view]):
             continue
@@ -144,8 +147,8 @@ def factors(sized: Sized) -> Iterator[ScaleFactor]:
         if figure in groups:
             wide = far / _group(far, room, plan)
         else:
-            # the crank alone is never larger than the groups that turn it
-            wide = max(min(LINK_1 * room, far / largest if largest else math.inf), far / plan)
+            # link 1 is no larger than the group that it turns, but where it would be too short to measure
+            wide = max(min(LINK_1 * room, max(far / turned, SHORT * room)), far / plan)
         yield ScaleFactor(figure.mu, "l_{max}", far, wide * (1 + ROUNDED), lengths=True, why=why)
     high, mu_F = sized.sizes["forces"], made.order.mu
     for mu in polygon_scales(project):

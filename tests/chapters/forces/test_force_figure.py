@@ -10,7 +10,7 @@ import shapely
 from support.each import each
 from support.figures import assert_pictures_make_the_view, without_ink, without_source
 from support.force_views import LOADED, loaded_drawing, views_of
-from support.gallery import drawn, in_usual
+from support.gallery import SHEETS, drawn, in_usual
 from support.loaded import weighed
 from support.mechanisms import sample
 
@@ -20,10 +20,12 @@ from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.forces.views import force_table
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.given import drawn_as
 from graphic_tmm.paper.drawing import Stroke, line
 from graphic_tmm.paper.shapes import shape
 from graphic_tmm.paper.symbols.dimensions import SHAFT
 from graphic_tmm.paper.symbols.kinematic import ARROW_LENGTH
+from graphic_tmm.scene.read import read
 
 
 def held(work: Drawn, place: int) -> None:
@@ -110,8 +112,12 @@ def test_couples_stand_in_the_printed_table_by_their_sizes() -> None:
 
 
 def test_couples_of_friction_stand_about_their_pins_and_forces_touch_the_circles() -> None:
-    """The force that stands for a reaction and its couple lies off the pin by the radius of friction."""
-    work = drawn("crank-press", exact=True)
+    """The force that stands for a reaction and its couple lies off the pin by the radius of friction.
+
+    Groups are drawn so large that the circles are seen: on the sheet they have a radius of less than 1 mm.
+    """
+    scene = read(SHEETS / "crank-press")
+    (work,) = drawn_as(scene, {"groups": 300.0}, exact=True, wanted=None, mechanism=True)
     marks = {
         mark.slot: mark
         for mark in (*work.construction.given, *(s.it for s in work.construction.steps))
