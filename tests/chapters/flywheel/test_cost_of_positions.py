@@ -122,6 +122,22 @@ def test_so_many_positions_are_enough_and_no_usual_number_below_is(tmp_path: Pat
     assert not any("positions:" in text for text in warnings(made.boards[0], "en"))
 
 
+@pytest.mark.parametrize("text", [PRESS, ENGINE])
+@pytest.mark.parametrize("pole", ["", '\nH = "33 mm"'])
+def test_as_many_positions_give_what_the_sheet_gives(text: str, pole: str, tmp_path: Path) -> None:
+    """The base of an A1 is longer than usual: lengths of results are compared over one base."""
+    text = text.replace("[flywheel]", f"[flywheel]{pole}")
+    board = drawn(tmp_path, text).boards[0]
+    assert board.sheet_lengths
+    own = finer_rows._results(board.project, board.given)
+    same = finer_rows._at(board, board.scene.row.count)
+    assert same is not None
+    assert {name: value for name, (value, _) in same.items()} == pytest.approx(
+        {name: value for name, (value, _) in own.items()}, rel=1e-9
+    )
+    assert any(unit == "mm" for _, unit in own.values())
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("language", ["en", "ru"])
 def test_it_is_told_on_sheet_table_note_and_to_machines(tmp_path: Path, language: str) -> None:
