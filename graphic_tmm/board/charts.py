@@ -58,10 +58,6 @@ class Chart(NamedTuple):
         """What its scale is called."""
         return f"μ_{self.symbol}" if len(self.symbol) == 1 else f"μ_{{{self.symbol}}}"
 
-    def shrunk(self, share: float) -> Chart:
-        """Return the graph with a share of its room."""
-        return self if self.room is None else self._replace(room=self.room * share)
-
 
 class Scaled(NamedTuple):
     """A scale, whether it is a given mark, and the distance of the pole that belongs to it (Length)."""

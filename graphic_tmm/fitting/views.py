@@ -17,7 +17,7 @@ Draw = Callable[[Drawn, bool], list[Drawing]]
 
 @dataclass(frozen=True)
 class Pieces:
-    """What draws the views of a place piece by piece, in order: each piece may depend on other sizes."""
+    """What draws the views of a place piece by piece, in order."""
 
     each: tuple[Draw, ...]
 
@@ -42,9 +42,3 @@ class Views(Answer):
 def drawing_of(place: str) -> Draw:
     """Return what draws the views of a place on a board."""
     return Views.of(places()[place][0]).draw.get(place, _nothing)
-
-
-def pieces(place: str) -> tuple[Draw, ...]:
-    """Return the same piece by piece."""
-    draw = drawing_of(place)
-    return draw.each if isinstance(draw, Pieces) else (draw,)

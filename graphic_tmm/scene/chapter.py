@@ -63,17 +63,15 @@ class Place:
 
     ``rank``: where it stands on a sheet that does not say what stands there; 0 where only a sheet that names
     it shows it. ``shows``: the plans of which it shows something, ``beside``: those of which it does so where
-    they are drawn; ``follows``: the plans whose μ its room depends on. ``together``: it is these places, one
-    after the other. ``attends``: it stands behind this one even where no sheet asks for it; ``tells``: a part
-    of another place stands behind this one, on the sheet that shows it. ``asks``: how a task asks for it, a
-    sentence each, where it always does so alike.
+    they are drawn. ``together``: it is these places, one after the other. ``attends``: it stands behind this
+    one even where no sheet asks for it; ``tells``: a part of another place stands behind this one, on the
+    sheet that shows it. ``asks``: how a task asks for it, a sentence each, where it always does so alike.
     """
 
     name: str
     rank: int = 0
     shows: tuple[str, ...] = ()
     beside: tuple[str, ...] = ()
-    follows: tuple[str, ...] = ()
     together: tuple[str, ...] = ()
     attends: str = ""
     tells: str = ""

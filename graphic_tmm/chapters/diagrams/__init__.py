@@ -33,13 +33,13 @@ Sources: Артоболевский И. И., Теория механизмов �
 from __future__ import annotations
 
 from graphic_tmm.chapters.diagrams.task import DIAGRAMS, SECTIONS
-from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, KINEMATICS, POSITIONS
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, KINEMATICS
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
     name=DIAGRAMS,
     number=3,
     builds_on=(KINEMATICS,),
-    places=(Place(DIAGRAMS, 30, beside=(ACCELERATIONS,), follows=(POSITIONS,)),),
+    places=(Place(DIAGRAMS, 30, beside=(ACCELERATIONS,)),),
     sections=SECTIONS,
 )

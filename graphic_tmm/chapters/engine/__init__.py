@@ -30,7 +30,7 @@ from __future__ import annotations
 from graphic_tmm.chapters.engine.task import ENGINE, SECTIONS, TRANSFER_PLACE
 from graphic_tmm.chapters.forces.task import FORCES
 from graphic_tmm.chapters.indicator.task import INDICATOR
-from graphic_tmm.chapters.kinematics.task import KINEMATICS, POSITIONS
+from graphic_tmm.chapters.kinematics.task import KINEMATICS
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.chapter import Chapter, Place
 
@@ -49,9 +49,9 @@ CHAPTER = Chapter(
     number=7,
     builds_on=(KINEMATICS, INDICATOR, FORCES),
     places=(
-        Place("engine", 70, follows=(POSITIONS,), asks=(_PLAN,)),
-        Place(TRANSFER_PLACE, follows=(POSITIONS,), asks=(_TRANSFER,)),
-        Place("engine diagrams", 71, follows=(POSITIONS,), asks=(_DIAGRAMS,)),
+        Place("engine", 70, asks=(_PLAN,)),
+        Place(TRANSFER_PLACE, asks=(_TRANSFER,)),
+        Place("engine diagrams", 71, asks=(_DIAGRAMS,)),
     ),
     sections=SECTIONS,
 )

@@ -37,13 +37,13 @@ from __future__ import annotations
 from graphic_tmm.chapters.flywheel.task import FLYWHEEL, SECTIONS
 from graphic_tmm.chapters.forces.task import FORCES
 from graphic_tmm.chapters.indicator.task import INDICATOR
-from graphic_tmm.chapters.kinematics.task import KINEMATICS, POSITIONS
+from graphic_tmm.chapters.kinematics.task import KINEMATICS
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
     name=FLYWHEEL,
     number=5,
     builds_on=(KINEMATICS, INDICATOR, FORCES),
-    places=(Place(FLYWHEEL, 50, follows=(POSITIONS,)),),
+    places=(Place(FLYWHEEL, 50),),
     sections=SECTIONS,
 )

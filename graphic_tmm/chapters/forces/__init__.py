@@ -37,7 +37,7 @@ from graphic_tmm.chapters.diagrams.task import DIAGRAMS
 from graphic_tmm.chapters.forces.sections import SECTIONS
 from graphic_tmm.chapters.forces.task import FORCES, LOADS
 from graphic_tmm.chapters.indicator.task import INDICATOR
-from graphic_tmm.chapters.kinematics.task import KINEMATICS, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.task import KINEMATICS, POSITIONS
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.chapter import Chapter, Place
 
@@ -49,10 +49,10 @@ CHAPTER = Chapter(
     number=6,
     builds_on=(KINEMATICS, DIAGRAMS, INDICATOR),
     places=(
-        Place("forces", 60, follows=(POSITIONS,)),
-        Place("lever", 61, follows=(POSITIONS, VELOCITIES), asks=(_LEVER,)),
-        Place("force table", 62, follows=(POSITIONS,), asks=(_TABLE,)),
-        Place(LOADS, follows=(POSITIONS,), attends=POSITIONS),
+        Place("forces", 60),
+        Place("lever", 61, asks=(_LEVER,)),
+        Place("force table", 62, asks=(_TABLE,)),
+        Place(LOADS, attends=POSITIONS),
     ),
     sections=SECTIONS,
 )

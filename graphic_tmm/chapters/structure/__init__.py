@@ -47,7 +47,7 @@ CHAPTER = Chapter(
     builds_on=("kinematics",),
     places=(
         Place(STRUCTURE, 90, asks=(_TABLES,)),
-        Place(PARTS, follows=("positions",), asks=(_PARTS,)),
+        Place(PARTS, asks=(_PARTS,)),
     ),
     always=True,
 )
