@@ -47,7 +47,8 @@ def scene(parts: Parts, source: str) -> Scene:
     mechanism = _mechanism(frame, links, drive) if frame and drive else None
     sheets = parts.record("sheet") or [SheetOrder(place=())]
     formats = [sheet.format for sheet in sheets]
-    shown = registry.attended([sheet.place or usual for sheet in sheets], formats, asked)
+    rest = registry.without(usual, [place for sheet in sheets for place in sheet.place])
+    shown = registry.attended([sheet.place or rest for sheet in sheets], formats, asked)
     return Scene(
         source=source,
         title=head.title,

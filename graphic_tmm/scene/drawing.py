@@ -139,7 +139,7 @@ class SheetOrder:
         ("positions", "velocities", "accelerations"),
         place=key(
             _PLACES,
-            "the plans on it; left out: all that the scene calls for",
+            "the plans on it; left out: all that the scene calls for and no other sheet names",
             ["positions", "velocities"],
             None,
         ),

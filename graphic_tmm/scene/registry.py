@@ -49,6 +49,16 @@ def usual(asked: Set[str], *, mechanism: bool) -> tuple[str, ...]:
     return tuple(name for name in ranked if called(there[name][0], asked, mechanism=mechanism))
 
 
+def without(usual: Sequence[str], named: Sequence[str]) -> tuple[str, ...]:
+    """Return what stands on a sheet that does not say what does: of the usual what no other sheet names.
+
+    Where others name all of it, it shows all again.
+    """
+    single = {part for name in named for part in places()[name][1].together or (name,)}
+    rest = (n for n in usual if not single.issuperset(places()[n][1].together or (n,)))
+    return tuple(rest) or tuple(usual)
+
+
 def called(one: Chapter, asked: Set[str], *, mechanism: bool) -> bool:
     """Whether a scene calls for what a chapter shows."""
     own = one.asking
