@@ -9,7 +9,7 @@
     [sheet.views]                          # the lower left corner of each view, mm from that of the paper
     positions = [43.31, 245.9]
 
-It is written beside the sheets on wish, and what stands beside a scene is used: nothing is searched then. An
+It is written beside the sheets on wish, and what stands beside a scene is used: no size is chosen then. An
 author may move a view by hand; what does not fit any more is put elsewhere, and told.
 """
 
