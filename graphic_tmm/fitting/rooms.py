@@ -26,8 +26,8 @@ SIGNS = 10.0
 """What is as large in all sizes of the lines of a view, mm: pairs, arrows, hatching."""
 AROUND = 12.0
 """What letters take on both sides of lines where a caption is wider than these, mm."""
-LETTERS = 2.0
-"""How much larger, mm, a view may come out with its letters: 9 in 10 of those of the gallery."""
+LETTERS = 5.0
+"""How much larger, mm, a view may come out with its letters: 19 in 20 of those of the gallery."""
 LESS = 0.95
 """By how much at least a size gives way at a time."""
 EDGE = 6.0
@@ -123,9 +123,21 @@ class Rooms:
         bases = (now[name][1] / was[name][1] for name in shown if was[name][1])
         return next(bases, share), sum(larger) / len(larger)
 
-    def fits(self, order: int, sizes: Sizes) -> bool:
-        """Whether the first sheet of an order holds all its views."""
-        return fits(self.outlines(order, sizes), self.sheets[order][0]) is not None
+    def fits(self, order: int, sizes: Sizes, *, tables: bool = True, letters: bool = True) -> bool:
+        """Whether the first sheet of an order holds all its views.
+
+        Or all but ``tables``, if these may go; without what is allowed for ``letters``, where all else fails.
+        """
+        views = [view for view in self.views[order] if tables or view.role != TABLE]
+        boxes = [self.outline(view, sizes) for view in views]
+        if not letters:
+            boxes = [
+                box._replace(width=box.width - LETTERS, height=box.height - LETTERS)
+                if view.caption or view.sizes
+                else box
+                for view, box in zip(views, boxes, strict=True)
+            ]
+        return fits(boxes, self.sheets[order][0]) is not None
 
     def share(self, order: int, sizes: Sizes) -> float:
         """Return what share of a sheet's free room the views of an order take, each with its gap."""

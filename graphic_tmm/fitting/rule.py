@@ -33,7 +33,7 @@ FULL = 0.92
 PACKED = 0.66
 """What share of a row of sheets is taken, gaps among it, where views are spread over several."""
 SPARE = 0.72
-"""Of views that take no more of a sheet, which does not hold them all, a table goes to another sheet."""
+"""Of views that take no more of a sheet, which does not hold them all, tables may go to another sheet."""
 THIRD = 1 / 3
 """No sheet is opened for less than this share of it."""
 TRIALS = 20
@@ -57,7 +57,7 @@ def by_rule(scene: Scene, boards: Sequence[Board]) -> tuple[Sizes, Rooms]:
         for n, size in free.items()
     }
     steps = [_step(rooms, k, most, free) for k in range(len(scene.sheets))]
-    return _stepped(rooms, steps, most, free), rooms
+    return _held(rooms, _stepped(rooms, steps, most, free)), rooms
 
 
 def _stepped(
@@ -83,24 +83,38 @@ def _size(size: Size, natural: float, most: float, step: int) -> float:
 def _step(rooms: Rooms, order: int, most: Sizes, free: Mapping[str, Size]) -> int | None:
     """Return the largest step at which the views of an order take no more sheets than they have to."""
     names = {name for view in rooms.views[order] for name in view.sizes}
+    natural = rooms.natural
+    at = {
+        step: {**natural, **{n: _size(free[n], natural[n], most[n], step) for n in names}}
+        for step in sorted(STEPS, reverse=True)
+    }
     if not names:
         return None
+    found = _on_one(rooms, order, at)
+    return _on_several(rooms, order, at) if found is None else found
 
-    def at(step: int) -> Sizes:
-        natural = rooms.natural
-        return {**natural, **{n: _size(free[n], natural[n], most[n], step) for n in names}}
 
-    if rooms.share(order, at(min(STEPS))) <= FULL:
-        for step in sorted(STEPS, reverse=True):
-            if rooms.share(order, at(step)) <= FULL and rooms.fits(order, at(step)):
+def _on_one(rooms: Rooms, order: int, at: Mapping[int, Sizes]) -> int | None:
+    """Return the largest step at which one sheet holds an order, or all but its tables; None if none does."""
+    least = min(at)
+    if rooms.share(order, at[least]) <= FULL:
+        for step, sizes in at.items():
+            if rooms.share(order, sizes) <= FULL and rooms.fits(order, sizes):
                 return step
-    if len(rooms.views) > 1 and rooms.share(order, at(0)) <= SPARE:
-        return -2
-    sheets = {step: math.ceil(rooms.share(order, at(step)) / PACKED) for step in STEPS}
+        if rooms.fits(order, at[least], letters=False):
+            return least
+    if len(rooms.views) > 1 and rooms.share(order, at[0]) <= SPARE:
+        return next((k for k in (0, -1, -2) if rooms.fits(order, at[k], tables=False)), None)
+    return None
+
+
+def _on_several(rooms: Rooms, order: int, at: Mapping[int, Sizes]) -> int:
+    """Return the largest step at which an order takes as many sheets as in natural sizes, by areas."""
+    sheets = {k: math.ceil(rooms.share(order, sizes) / PACKED) for k, sizes in at.items()}
     count = max(sheets[0], 2)
-    if rooms.share(order, at(0)) / PACKED - (count - 1) < THIRD:
+    if rooms.share(order, at[0]) / PACKED - (count - 1) < THIRD:
         count = max(min(count, sheets[-2]), 2)
-    return max((step for step in STEPS if sheets[step] <= count), default=-1)
+    return max((step for step in at if sheets[step] <= count), default=-1)
 
 
 def _held(rooms: Rooms, sizes: Sizes) -> Sizes:
