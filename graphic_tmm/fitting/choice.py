@@ -36,7 +36,7 @@ from graphic_tmm.board.values import Length, Number
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors
 from graphic_tmm.fitting.sizes import GRAPHS
-from graphic_tmm.language.said import said
+from graphic_tmm.language.said import Said, said
 from graphic_tmm.project import Plan
 from graphic_tmm.scene.chapter import Answer
 from graphic_tmm.scene.quantities import turns_a_minute
@@ -58,6 +58,15 @@ _OWN_LENGTH = said(
     "The task says how long {quantity} is drawn; a scale factor tells how much of a quantity a millimetre "
     "stands for."
 )
+
+
+def usual_room(most: float) -> Said:
+    """Return the words for the room of what takes so many mm on an A1 at the most."""
+    return said(
+        "up to {most:g} mm of an A1 (of smaller formats less in proportion; more where the sheet is white, "
+        "less where it is crowded)",
+        most=most,
+    )
 
 
 class Choices(NamedTuple):

@@ -32,7 +32,7 @@ LESS = 0.95
 """By how much at least a size gives way at a time."""
 EDGE = 6.0
 """How much wider, mm, a view may come out with its letters where a sheet is hardly wide enough."""
-FULL = 0.7
+FILLED = 0.7
 """What share of its free room a full sheet shows as boxes of views."""
 FIXED = (TABLE, EQUATIONS)
 """What is as large in all sizes."""
@@ -181,7 +181,7 @@ class Rooms:
             if any(size in sizes_of(view.place, view.role, self.scene) for view in views):
                 boxes = self.outlines(k, sizes)
                 taken = sum(box.width * box.height for box in boxes) / rooms[0].area
-                found.append(taken / math.ceil(taken / FULL))
+                found.append(taken / math.ceil(taken / FILLED))
         return min(found)
 
     def by_hand(self, drawn: Drawn, free: Set[str]) -> dict[str, float]:

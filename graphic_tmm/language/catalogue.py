@@ -105,8 +105,9 @@ class Speech:
         return self(value) if isinstance(value, Said) else value
 
     def knows(self, text: str, context: str = "") -> bool:
-        """Whether the catalogue has a text of its own for this one."""
-        return (context, text) in self._texts
+        """Whether the catalogue has a text of its own for this one, or for the template it was made of."""
+        key = (text.context, text.template) if isinstance(text, Said) else (context, text)
+        return key in self._texts
 
 
 class _Figure:

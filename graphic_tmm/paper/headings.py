@@ -1,7 +1,8 @@
 """What is told once of a row of views, above it: its title and the scale factor that all of it shares.
 
 A heading is one line where its row is as wide, else two. On whatever sheet a part of the row stands, the first
-of its views there has the heading above its line; so it is found from where the views stand.
+of its views there has the heading above its line, and so has what is broken off and stands elsewhere there;
+so it is found from where the views stand.
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ from graphic_tmm.paper.packing import Box, bounds
 
 CLEAR = 0.7
 """Clear height below a line of a heading, of the height of its capitals."""
+UNDER = 0.6
+"""So much of a line stands below one that has a heading where both are read as one row; by eye."""
 LEVEL = 0.05
 """Views whose captions begin within so many mm stand on one line."""
 
@@ -38,30 +41,55 @@ def room(heading: Heading, width: float) -> tuple[float, float]:
 
 def headings(views: Sequence[Drawing]) -> Iterator[Drawing]:
     """Yield the headings of views that stand on a sheet, in their order."""
-    for block, heading, box in boxes(
-        (view.stand, bounds(view), bounds(view)[1] + view.foot) for view in views
-    ):
-        yield _drawn(f"heading-{block}", heading, box)
+    there = [(view.stand, bounds(view), bounds(view)[1] + view.foot) for view in views]
+    counts: dict[str, int] = {}
+    for block, heading, box in boxes(there):
+        counts[block] = counts.get(block, 0) + 1
+        again = f"-{counts[block]}" if counts[block] > 1 else ""
+        yield _drawn(f"heading-{block}{again}", heading, box)
 
 
 def boxes(views: Iterable[tuple[Stand, Box, float]]) -> Iterator[tuple[str, Heading, Box]]:
     """Yield the block of every heading of a sheet, the heading, and its box.
 
     ``views``: how the views stand, their boxes, the heights at which their captions begin, mm. A heading stands
-    in the middle above the views on one line with the first of its block.
+    in the middle above the views on one line with the first of its block; another one above a line of which too
+    little stands below a line that has one.
     """
-    blocks: dict[str, list[tuple[Stand, Box, float]]] = {}
-    for view in views:
-        blocks.setdefault(view[0].block, []).append(view)
-    for block, members in blocks.items():
-        stand, _, level = min(members, key=lambda view: view[0].heading is None)
-        if stand.heading is None:
-            continue
-        row = [box for _, box, base in members if abs(base - level) <= LEVEL]
-        left, right, top = min(b[0] for b in row), max(b[2] for b in row), max(b[3] for b in row)
-        wide, high = room(stand.heading, right - left)
-        middle = (left + right - wide) / 2
-        yield block, stand.heading, (middle, top, middle + wide, top + high)
+    there = list(views)
+    headed = [view for view in there if view[0].heading is not None]
+    for block, heading in dict.fromkeys((stand.block, stand.heading) for stand, _, _ in headed):
+        assert heading is not None
+        members = [view for view in headed if view[0].block == block]
+        known: Box | None = None
+        for row in _rows(members):
+            left, right, top = (
+                min(b[0] for b in row),
+                max(b[2] for b in row),
+                max(b[3] for b in row),
+            )
+            shared = min(right, known[2]) - max(left, known[0]) if known is not None else 0.0
+            if shared >= UNDER * (right - left) > 0.0:
+                continue
+            wide, high = room(heading, right - left)
+            middle = (left + right - wide) / 2
+            box = (middle, top, middle + wide, top + high)
+            if known is None or not any(_meet(box, other) for _, other, _ in there):
+                known = (left, top, right, top)
+                yield block, heading, box
+
+
+def _rows(members: Sequence[tuple[Stand, Box, float]]) -> Iterator[list[Box]]:
+    """Yield the boxes of a block line by line, in the order of its views."""
+    left = list(members)
+    while left:
+        level = left[0][2]
+        yield [box for _, box, base in left if abs(base - level) <= LEVEL]
+        left = [view for view in left if abs(view[2] - level) > LEVEL]
+
+
+def _meet(one: Box, other: Box) -> bool:
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
 
 
 def _drawn(name: str, heading: Heading, box: Box) -> Drawing:

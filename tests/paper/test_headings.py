@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from itertools import combinations
 from pathlib import Path
@@ -57,6 +58,17 @@ def rows_of(sheet: Sheet) -> dict[str, list[Drawing]]:
     return found
 
 
+def lines_of(views: list[Drawing]) -> list[tuple[float, float, float, float]]:
+    """Return the boxes of the lines in which plans stand, from the top."""
+    found: dict[float, list[tuple[float, float, float, float]]] = {}
+    for view in views:
+        found.setdefault(round(bounds(view)[1] + view.foot, 1), []).append(bounds(view))
+    return [
+        (min(b[0] for b in row), level, max(b[2] for b in row), max(b[3] for b in row))
+        for level, row in sorted(found.items(), reverse=True)
+    ]
+
+
 def caption(view: Drawing) -> list[str]:
     low = bounds(view)[1] + view.foot - 1e-6
     return [label.text for label in view.labels if label.at.imag < low]
@@ -67,15 +79,27 @@ def clear(a: tuple[float, ...], b: tuple[float, ...]) -> bool:
 
 
 def test_a_row_has_one_heading_and_every_plan_its_number(tmp_path: Path) -> None:
-    plans = larger = 0
+    plans = larger = broken = 0
     for papers in strangers(tmp_path):
         for sheet in papers:
             told = {one.name: one for one in sheet.drawings if one.role == HEADING}
-            assert sorted(told) == sorted(f"heading-{kind}" for kind in rows_of(sheet))
+            assert {re.sub(r"-\d+$", "", name) for name in told} == {
+                f"heading-{kind}" for kind in rows_of(sheet)
+            }
             for kind, views in rows_of(sheet).items():
-                heading = told[f"heading-{kind}"]
-                assert " = " in "".join(plain(label.text) for label in heading.labels)
-                assert bounds(heading)[1] >= bounds(views[0])[3]
+                own = [one for name, one in told.items() if name.startswith(f"heading-{kind}")]
+                assert all(" = " in "".join(plain(n.text) for n in one.labels) for one in own)
+                assert bounds(own[0])[1] >= bounds(views[0])[3]
+                lines = lines_of(views)
+                below = [
+                    max((n for n in lines if n[3] <= bounds(each)[1]), key=lambda n: n[3])
+                    for each in own
+                ]
+                for left, _, right, top in lines:
+                    # most of a line stands below one that has a heading, or it has its own
+                    above = [min(right, b[2]) - max(left, b[0]) for b in below if b[3] >= top]
+                    assert max(above) > (right - left) / 2
+                broken += len(own) > 1
                 for view in views:
                     assert caption(view) == [view.name.partition("-")[2]]
                     assert view.shows
@@ -85,6 +109,7 @@ def test_a_row_has_one_heading_and_every_plan_its_number(tmp_path: Path) -> None
                     wide = letter(caption(view)[0], size=HIGH.title).width
                     larger += wide * view.foot > (right - left) * (top - low - view.foot)
     assert plans > 80
+    assert broken
     assert larger <= 0.05 * plans
 
 

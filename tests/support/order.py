@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
+from types import MappingProxyType
 from typing import NamedTuple
 
 Box = tuple[float, float, float, float]
@@ -77,12 +78,13 @@ def gap(one: Box, other: Box) -> float:
 
 
 class Part(NamedTuple):
-    """A figure, a polygon or equations of a force sheet: their unit, name, sheet and box."""
+    """A figure, a polygon or equations of a force sheet: unit, name, sheet, box, height of its caption."""
 
     unit: str
     name: str
     sheet: int
     box: Box
+    foot: float = 0.0
 
 
 PARTS = ("group", "lever", "forces", "equations")
@@ -91,11 +93,15 @@ GAP = 7.0
 """Views stand no nearer to one another and to the frame than this, mm."""
 
 
-def parts_of(sheets: Sequence[Mapping[str, Box]], names: Sequence[str]) -> list[Part]:
+def parts_of(
+    sheets: Sequence[Mapping[str, Box]],
+    names: Sequence[str],
+    feet: Mapping[str, float] = MappingProxyType({}),
+) -> list[Part]:
     """Return what stands on force sheets as it should be read: by positions, by groups from the last put on.
 
-    ``names``: positions in their order. After the groups the crank, then the lever; of each its figure,
-    polygon, equations.
+    ``names``: positions in their order; ``feet``: heights of captions by view, mm. After the groups the crank,
+    then the lever; of each its figure, polygon, equations.
     """
     found: list[tuple[tuple[int, ...], Part]] = []
     for n, boxes in enumerate(sheets):
@@ -107,7 +113,9 @@ def parts_of(sheets: Sequence[Mapping[str, Box]], names: Sequence[str]) -> list[
             links = [int(k) for k in re.findall(r"\d+", told[2])]
             last = -max(links) if links else 0
             key = (names.index(told[3]), last, PARTS.index(told[1]))
-            found.append((key, Part(f"{told[2] or 'lever'}-{told[3]}", name, n, box)))
+            found.append(
+                (key, Part(f"{told[2] or 'lever'}-{told[3]}", name, n, box, feet.get(name, 0.0)))
+            )
     return [part for _, part in sorted(found)]
 
 
@@ -136,9 +144,11 @@ def kept_apart(parts: Sequence[Part], rooms: Sequence[Sequence[Size]]) -> list[s
 
 
 def _held(parts: Sequence[Part], room: Size) -> bool:
-    """Whether a free rectangle holds parts, one below the other or beside one another, with 5 mm to spare."""
+    """Whether a free rectangle holds parts one below the other, or beside one another on one caption line."""
     wide = [part.box[2] - part.box[0] + GAP for part in parts]
     high = [part.box[3] - part.box[1] + GAP for part in parts]
-    across, down = room[0] + GAP - 5.0, room[1] + GAP - 5.0
+    across, down = room[0] + GAP, room[1] + GAP
     below = max(wide) <= across and sum(high) <= down
-    return below or (sum(wide) <= across and max(high) <= down)
+    foot = max(part.foot for part in parts)
+    line = max(h - part.foot for h, part in zip(high, parts, strict=True)) + foot
+    return below or (sum(wide) <= across and line <= down)

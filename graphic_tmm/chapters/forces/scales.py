@@ -27,7 +27,7 @@ from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.task import ASKED, FORCES
 from graphic_tmm.chapters.kinematics.task import POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Choice, Ledger, value_of
+from graphic_tmm.fitting.choice import Choice, Ledger, usual_room, value_of
 from graphic_tmm.fitting.scales import (
     Fitting,
     ScaleFactor,
@@ -54,17 +54,18 @@ def _polygons(scene: Scene, role: str) -> tuple[str, ...]:
 
 
 GRAPHS = graph_size(FORCES)
+POLYGON, GROUP, LEVER = 150.0, 145.0, 180.0
+"""The most that a polygon takes on an A1, mm, the links of a detached group, the lever."""
 SIZES = Sizing(
     graphs=GRAPHS.name,
     sizes=(
         GRAPHS,
-        Size("forces", 150.0, in_mm=True, least=0.1, first=True, fixed=_fixed),
-        Size("groups", 145.0, in_mm=True, least=0.05),
-        Size("lever", 180.0, in_mm=True, least=0.05),
+        Size("forces", POLYGON, in_mm=True, least=0.1, first=True, fixed=_fixed),
+        Size("groups", GROUP, in_mm=True, least=0.05),
+        Size("lever", LEVER, in_mm=True, least=0.05),
     ),
     depends={"forces": _polygons, "lever": lambda scene, role: ("lever",)},
 )
-"""Of polygons, of the links of a detached group, of the lever, mm on an A1."""
 
 
 LONGER = 3.5
@@ -72,16 +73,18 @@ LONGER = 3.5
 LINK_1, SHORT = 0.5, 0.2
 """What link 1 alone takes of the room for a group, and takes where it would be shorter."""
 _GROUP = said(
-    "A group takes up to 145 mm of an A1, of smaller formats less in proportion, and is no smaller than on the "
-    "plan of positions: the arms of forces are measured on it."
+    "A group takes {room}, and is no smaller than on the plan of positions: the arms of forces are measured "
+    "on it.",
+    room=usual_room(GROUP),
 )
 _ALONE = said(
     "Of link 1 one arm is measured: it is drawn no larger than the group that it turns, but no shorter than "
-    "30 mm of an A1."
+    "{short:g} mm of an A1.",
+    short=SHORT * GROUP,
 )
 _POLYGON = said(
-    "A polygon of forces takes up to 150 mm of an A1, of smaller formats less in proportion: the forces that "
-    "close it are measured."
+    "A polygon of forces takes {room}: the forces that close it are measured.",
+    room=usual_room(POLYGON),
 )
 ROUNDED = 1e-9
 """Points no farther apart than this share of how far out they lie are one: a nanometre on the largest sheet."""

@@ -27,7 +27,7 @@ from graphic_tmm.chapters.kinematics.task import (
     VELOCITIES,
 )
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Choice, Ledger, value_of
+from graphic_tmm.fitting.choice import Choice, Ledger, usual_room, value_of
 from graphic_tmm.fitting.scales import Fitting, ScaleFactors, extent, unscaled
 from graphic_tmm.fitting.sizes import Size, Sizing, usual
 from graphic_tmm.language.catalogue import speaking
@@ -50,17 +50,23 @@ CRANK = 20.0
 LARGEST = 360.0
 """The most that a plan of positions takes on an A1 for its crank's sake, mm."""
 _POSITIONS = said(
-    "The plan of positions takes 140 to 270 mm of an A1, of smaller formats less in proportion, and its crank "
-    "no less than 20 mm where the sheet allows: shorter lengths are read to no better than 1 %."
+    "The plan of positions takes {room}, and its crank no less than {crank:g} mm there where the sheet allows: "
+    "shorter lengths are read to no better than 1 %.",
+    room=usual_room(PLAN),
+    crank=CRANK,
 )
 _VECTORS = {
     VELOCITIES: said(
-        "The longest vector takes 50 to 100 mm of an A1, of smaller formats less in proportion: half a "
-        "division of the ruler is no more than 0.5 % of it."
+        "The longest vector takes {room}: half a division of the ruler is less than 1 % of what is longer than "
+        "25 mm.",
+        room=usual_room(VELOCITY),
     ),
     ACCELERATIONS: said(
-        "The longest vector takes 70 to 140 mm of an A1, of smaller formats less in proportion, and no more "
-        "than 100 mm where there are more than four plans."
+        "The longest vector takes {room}, and no more than {many:g} mm there where there are more than {few} "
+        "plans.",
+        room=usual_room(ACCELERATION),
+        many=MANY,
+        few=FEW,
     ),
 }
 KEYS = {POSITIONS: ("mu_l", "OA"), VELOCITIES: ("mu_v", "pa"), ACCELERATIONS: ("mu_a", "pi_a")}

@@ -175,7 +175,7 @@ def _broken(order: Order) -> Iterator[Order]:
         if unit.stand.kind != "row" or len(unit.members) < 3:
             continue
         rest = order[k + 1 :]
-        if rest and rest[0].stand._replace(heading=unit.stand.heading) == unit.stand:
+        if rest and rest[0].stand == unit.stand:
             unit, rest = _joined(unit, rest[0]), rest[1:]
             yield (*order[:k], unit, *rest)
         last = len(unit.members) - 1
@@ -185,8 +185,7 @@ def _broken(order: Order) -> Iterator[Order]:
 
 
 def _part(unit: Unit, first: int, end: int | None) -> Unit:
-    stand = unit.stand._replace(heading=None) if first else unit.stand
-    return Unit(unit.members[first:end], unit.sizes[first:end], stand)
+    return Unit(unit.members[first:end], unit.sizes[first:end], unit.stand)
 
 
 def _joined(one: Unit, other: Unit) -> Unit:

@@ -45,7 +45,8 @@ def force_parts(text: str, file: Path) -> tuple[list[Part], tuple[Sheet, ...], l
     assert made.mechanism is not None
     papers = found.sheets
     boxes = [{view.name: bounds(view) for view in sheet.drawings[1:]} for sheet in papers]
-    return parts_of(boxes, made.mechanism.names), papers, [sheet.format for sheet in papers]
+    feet = {view.name: view.foot for sheet in papers for view in sheet.drawings[1:]}
+    return parts_of(boxes, made.mechanism.names, feet), papers, [sheet.format for sheet in papers]
 
 
 def test_force_sheets_are_read_in_order_and_equations_stand_with_their_group(
