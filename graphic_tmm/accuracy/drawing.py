@@ -15,6 +15,7 @@ from graphic_tmm.accuracy.quantities import Accuracy, Quantity, Reference, Trial
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import common
 from graphic_tmm.board.values import Length, Point, Reals
 from graphic_tmm.drawn import DrawnScene, doubted
 from graphic_tmm.errors import TmmError
@@ -32,14 +33,18 @@ Pinned = Mapping[tuple[str, str, str], object]
 
 
 def pinned(made: DrawnScene) -> dict[tuple[str, str, str], object]:
-    """Return the scale factors of a scene as drawn, and what else of it stays as it was drawn."""
+    """Return the scale factors of a scene as drawn, and what else of it stays as it was drawn.
+
+    Of a scale factor that positions have of their own that of the others: they are drawn at more positions.
+    """
     found: dict[tuple[str, str, str], object] = {}
     for one in made.boards:
         scales = [mark for mark in one.construction.given if mark.unit.endswith(PER_MM)]
         kept = [m for each in one.project.chapters for m in Accuracy.of(each).kept(one.project)]
         for mark in (*scales, *kept, *one.sheet_lengths):
             if mark in one.given:
-                found[one.board, *mark.key] = one.given[mark]
+                value = one.given[mark]
+                found[one.board, *mark.key] = common(value) if mark in scales else value
     return found
 
 

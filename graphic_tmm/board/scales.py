@@ -33,15 +33,33 @@ PREFERRED = (1.0, 2.0, 2.5, 4.0, 5.0)
 
 
 class Scale(NamedTuple):
-    """A scale factor: its symbol, its value in SI units per mm, its unit."""
+    """A scale factor: its symbol, its value in SI units per mm, its unit.
+
+    ``own``: by position (index) the value of those that are drawn to another.
+    """
 
     symbol: str
     value: float
     unit: str
+    own: tuple[tuple[int, float], ...] = ()
+
+    def at(self, place: int) -> Scale:
+        """Return the scale factor to which a position (index) is drawn."""
+        return self._replace(value=dict(self.own).get(place, self.value), own=())
 
     def to_board(self, quantity: float) -> float:
         """Return the length, mm, that stands for a quantity (SI)."""
         return quantity / self.value
+
+
+def common(values: object) -> float:
+    """Return the value to which most positions are drawn, of as many the largest.
+
+    >>> common([[4.0, 0.5, 4.0]]), common(2.5), common([4.0, 0.5])
+    (4.0, 2.5, 4.0)
+    """
+    found, counts = np.unique(np.ravel(np.asarray(values)), return_counts=True)
+    return float(found[counts == counts.max()][-1])
 
 
 def standard(largest: float, room: float) -> float:

@@ -60,6 +60,12 @@ _OWN_LENGTH = said(
 )
 
 
+_APART = said(
+    "What is measured in these positions would be too short to the scale factor of the others: they have one "
+    "of their own."
+)
+
+
 def usual_room(most: float) -> Said:
     """Return the words for the room of what takes so many mm on an A1 at the most."""
     return said(
@@ -140,7 +146,7 @@ class Ledger:
         """
         if not self._value(largest) > 0.0:
             return self.given(mu, due, why=_NOTHING)
-        rules = (standard_length, next_standard_length) if lengths else (standard, next_standard)
+        rules = _rules(lengths=lengths)
         return self.enter(mu, self._standard(mu.letter, mu.unit, largest, due, *rules, why=why))
 
     def ruled(self, drawn: Drawn, one: ScaleFactor) -> Mark:
@@ -152,7 +158,15 @@ class Ledger:
         most = self.quantity(one.letter, one.largest, one.unit)
         if mm:
             return self.by_length(mu, most, segment, mm)
-        return self.fitting(mu, most, value_of(drawn, mu), lengths=one.lengths, why=one.why)
+        due = one.value if one.apart else value_of(drawn, mu)
+        found = self.fitting(mu, most, due, lengths=one.lengths, why=one.why)
+        for largest in dict.fromkeys(one.apart.values()):
+            at = "; ".join(drawn.names[k] for k, own in one.apart.items() if own == largest)
+            # the scale factor of a view is what most of its positions are drawn to
+            most = self.quantity(f"{one.letter}^{{({at})}}", largest, one.unit)
+            letter, due = f"{mu.letter}^{{({at})}}", one.of(largest)
+            self._standard(letter, mu.unit, most, due, *_rules(lengths=one.lengths), why=_APART)
+        return found
 
     def pictured(self, letter: str, unit: str, largest: Mark, room: float) -> None:
         """Record the choice for the picture of what is given: ``largest`` takes ``room`` (mm) at most."""
@@ -236,6 +250,11 @@ def value_of(drawn: Drawn, mark: Mark) -> float:
     given = drawn.given.get(mark)
     value = drawn.reading[mark] if given is None else given
     return float(np.ravel(np.asarray(value))[0])
+
+
+def _rules(*, lengths: bool) -> tuple[Callable[[float, float], float], Operation]:
+    """Return what gives the standard value, and the operation that takes it."""
+    return (standard_length, next_standard_length) if lengths else (standard, next_standard)
 
 
 def _round(largest: float, due: float, rule: Callable[[float, float], float]) -> float:

@@ -14,7 +14,8 @@ from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.scales import Scale, standard, standard_length
+from graphic_tmm.board.scales import Scale, common, standard, standard_length
+from graphic_tmm.board.values import Reals
 from graphic_tmm.drawn import Drawn, Findings, hand_of, read_log, view_scales
 from graphic_tmm.errors import StructureError
 from graphic_tmm.fitting.sizes import GRAPHS, Sizes, Sizing
@@ -82,7 +83,8 @@ class ScaleFactor:
 
     ``room``: mm for that; 0: its value is found elsewhere. ``fixed``: what the scene gives instead, SI a mm;
     ``length``: what the scene calls the segment that shows the largest, and how long it wants it, mm.
-    ``lengths``: standard is what ГОСТ 2.302 has; ``why``: the rule by which it has that room.
+    ``lengths``: standard is what ГОСТ 2.302 has; ``why``: the rule by which it has that room. ``apart``: by
+    position (index) the largest of those that have a value of their own.
     """
 
     mu: Mark
@@ -93,12 +95,24 @@ class ScaleFactor:
     length: tuple[str, float | None] = ("", None)
     lengths: bool = False
     why: str = ""
+    apart: Mapping[int, float] = field(default_factory=dict)
 
     @property
     def value(self) -> float:
         """What the scene gives, else the standard value at which the largest takes its room, SI a mm."""
-        rule = standard_length if self.lengths else standard
-        return self.fixed or rule(self.largest, self.room)
+        return self.fixed or self.of(self.largest)
+
+    def of(self, largest: float) -> float:
+        """Return the standard value at which so much takes the room, SI a mm."""
+        return (standard_length if self.lengths else standard)(largest, self.room)
+
+    def given(self, count: int) -> float | Reals:
+        """Return the value, or one for each of ``count`` positions where some have their own."""
+        if self.fixed or not self.apart:
+            return self.value
+        row = np.full((1, count), self.value)
+        row[0, list(self.apart)] = [self.of(largest) for largest in self.apart.values()]
+        return row
 
     @property
     def unit(self) -> str:
@@ -187,7 +201,7 @@ def chosen(
     fitting = replace(fitting, given={**fitting.given, **plans})
     for chapter in project.chapters:
         own = ScaleFactors.of(chapter)
-        found = {one.mu: one.value for one in own.factors(fitting)}
+        found = {one.mu: one.given(len(project.names)) for one in own.factors(fitting)}
         fitting = replace(fitting, given={**fitting.given, **found, **own.scales(fitting)})
     return {**fitting.given, **_graph_scales(fitting)}, scales
 
@@ -245,7 +259,14 @@ def executed(
 
 def scale_of(mu: Mark, reading: Reading) -> Scale:
     """Return a scale factor as drawn."""
-    return Scale(mu.name, float(reading[mu][0, 0]), mu.unit)
+    row = reading[mu][0]
+    value = common(row)
+    return Scale(
+        mu.name,
+        value,
+        mu.unit,
+        tuple((int(k), float(row[k])) for k in np.flatnonzero(row != value)),
+    )
 
 
 def _figures(project: Project, doubts: Doubts) -> dict[str, float]:

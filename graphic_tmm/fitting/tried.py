@@ -11,6 +11,7 @@ import numpy as np
 from graphic_tmm.board import roles
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import execute
+from graphic_tmm.board.scales import common
 from graphic_tmm.drawn import Drawn, doubted
 from graphic_tmm.fitting.scales import chosen, executed, reach_of
 from graphic_tmm.fitting.sizes import Size, Sizes, Sizing
@@ -191,12 +192,12 @@ def _lengths(project: Project, sizes: Sizes, reach: Mapping[str, Any]) -> Length
     for chapter in project.chapters:
         # graphs of a chapter stand over one base
         own = [c.view for c in Plan.of(chapter).charts(project.recorded[chapter.name])]
-        common = next((bases[view] for view in own if bases.get(view)), ())
-        bases |= {view: common for view in own if view in bases and not bases[view]}
+        shared = next((bases[view] for view in own if bases.get(view)), ())
+        bases |= {view: shared for view in own if view in bases and not bases[view]}
     marks = [*views.values(), *(mark for base in bases.values() for mark in base)]
     reading = execute(log, {**dict.fromkeys(log.given, 1.0), **given}, marks)
     return {
-        view: (1.0 / _first(reading[mu]), sum(_first(reading[m]) for m in bases[view]))
+        view: (1.0 / common(reading[mu]), sum(_first(reading[m]) for m in bases[view]))
         for view, mu in views.items()
     }
 

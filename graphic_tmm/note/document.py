@@ -11,13 +11,16 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing
 
+OTHERS = -1
+"""The place of a scale factor of the positions that have none of their own."""
+
 
 class Source(NamedTuple):
     """Where a number was read.
 
     ``kind``: "mark" (``name`` is its slot, ``place`` the index of a position in the reading of ``view``),
     "column" (``name``: plan and segment; ``factor``: 0 mm, 1 SI), "result", "given", "scale" (``name``: its
-    view) or "scene" (``name`` says what).
+    view, ``place``: of a position, or of all `OTHERS`) or "scene" (``name`` says what).
     """
 
     kind: str

@@ -15,6 +15,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain, symbol
 from graphic_tmm.note.bricks import heading, referred
 from graphic_tmm.note.document import (
+    OTHERS,
     Block,
     Formula,
     Number,
@@ -93,11 +94,16 @@ def _view(step: Step) -> str:
 def _rows(drawn: Drawn, found: dict[str, list[Run]], language: str) -> Iterator[tuple[Runs, ...]]:
     """Yield a row a view: those drawn to scale, those beside them, then what else was calculated to choose."""
     for view, scale in drawn.scales.items():
-        source = Source("scale", drawn.board, view)
+        source = Source("scale", drawn.board, view, OTHERS)
         told = Number(number(scale.value, language), scale.unit, source, scale.value)
         name = title_of(drawn.project, view, language)
-        factor = Formula((Symbol(symbol(scale.symbol, language)), told))
-        yield text(name), _runs(found.get(view, ())), (factor,)
+        factors: list[Run] = [Formula((Symbol(symbol(scale.symbol, language)), told))]
+        for place in dict(scale.own):
+            own, mu = Source("scale", drawn.board, view, place), scale.at(place).value
+            letter = symbol(f"{scale.symbol}^{{({drawn.names[place]})}}", language)
+            figure = Number(number(mu, language), scale.unit, own, mu)
+            factors += [Text("; "), Formula((Symbol(letter), figure))]
+        yield text(name), _runs(found.get(view, ())), tuple(factors)
     chosen = choices(drawn)
     for view in dict.fromkeys(view for view, _letter in chosen.beside):
         taken: list[Run] = []

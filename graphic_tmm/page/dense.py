@@ -82,7 +82,10 @@ def dense(drawn: Drawn) -> Dense | None:
     bad, why = _undrawn(project, following, reading, known)
     own = {plan: reading for plan, some in rows.items() if some}
     numbers_there = Numbers(reading, own, reading)
-    there = replace(sheet, project=project, numbers=numbers_there, hand=EXACT, undrawn=bad)
+    scales = {view: scale._replace(own=()) for view, scale in drawn.scales.items()}
+    there = replace(
+        sheet, project=project, numbers=numbers_there, hand=EXACT, undrawn=bad, scales=scales
+    )
     there.cache.update(sheet.cache)
     return Dense(there, sheet, turned, angles, whole, at, why, following, known)
 

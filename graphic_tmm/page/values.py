@@ -64,7 +64,8 @@ class Values:
             return None
         of = "" if scale.unit == "1/mm" else scale.unit.removesuffix("/mm").strip("()")
         name = segment_name(mark.letter)
-        return Column(mark.view, name, mark.name, of, mm, mm * scale.value)
+        mu = np.array([scale.at(k).value for k in range(mm.shape[-1])])
+        return Column(mark.view, name, mark.name, of, mm, mm * mu)
 
     @cached_property
     def steps(self) -> Sequence[Step]:
@@ -132,6 +133,7 @@ class Values:
         mm, scale = figures.mm[at], self.drawn.scales.get(mark.view)
         if mm is None or scale is None:
             return None
+        scale = scale.at(at)
         if abs(abs(mm) * scale.value - abs(value)) > OFF * abs(value) + scale.value:
             return None
         length = f"{fixed(mm, figures.mm_places, language)} {unit('mm', language)}"

@@ -130,7 +130,12 @@ def scales_of(made: DrawnScene) -> dict[str, Any]:
         keys = scale_keys(drawn.project)
         for view, scale in drawn.scales.items():
             of = unit_name(scale.unit, made.scene.language)
-            found[keys.get(view, _plain_key(view))] = {"value": scale.value, "unit": of}
+            own = {drawn.names[k]: value for k, value in scale.own}
+            found[keys.get(view, _plain_key(view))] = {
+                "value": scale.value,
+                "unit": of,
+                **({"positions": own} if own else {}),
+            }
         found |= dict(_bases(drawn))
     return found
 

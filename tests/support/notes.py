@@ -87,7 +87,7 @@ def looked_up(made: DrawnScene, one: Number) -> float:
         "given": _of_given,
         "asked": lambda drawn, source: _of_task(drawn, *source.name.split(".")),
         "deviation": _of_deviation,
-        "scale": lambda drawn, source: drawn.scales[source.name].value,
+        "scale": lambda drawn, source: drawn.scales[source.name].at(source.place).value,
     }
     return ways[source.kind](drawn, source)
 

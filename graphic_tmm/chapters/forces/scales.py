@@ -86,6 +86,9 @@ _POLYGON = said(
     "A polygon of forces takes {room}: the forces that close it are measured.",
     room=usual_room(POLYGON),
 )
+ALIKE, READABLE = 4.0, 30.0
+"""A polygon has a μ_F of its own where the largest would be so many times as large, or leave it less than so
+many mm."""
 ROUNDED = 1e-9
 """Points no farther apart than this share of how far out they lie are one: a nanometre on the largest sheet."""
 
@@ -99,9 +102,12 @@ def polygon_scales(project: Project) -> list[Mark]:
 
 
 class Reaches(NamedTuple):
-    """How far the polygons reach, by view (N), what is detached, by view (m), and the lever's plan (m/s)."""
+    """How far polygons reach, by view and position (N), what is detached, by view (m), the lever's plan (m/s).
 
-    polygons: Mapping[str, float]
+    Polygons of no forces are not there.
+    """
+
+    polygons: Mapping[str, Mapping[int, float]]
     detached: Mapping[str, float]
     lever: float
 
@@ -115,10 +121,14 @@ def reach(project: Project, doubts: Doubts) -> Reaches:
     images = list(dict.fromkeys(mark for marks in lever.images.values() for mark in marks))
     points = [mark for figure in made.figures for mark in figure.points.values()]
     reading = unscaled(project, doubts, [*marks, *points, *images])
-    found = {}
+    found = dict[str, Mapping[int, float]]()
     for mu in scales:
         spots = [_at(_place(reading, m, doubts), made.places) for m in marks if m.view == mu.view]
-        found[mu.view] = extent([np.concatenate([[0j], *spots])])
+        rows = np.array([np.broadcast_to(row, len(made.places)) for row in spots])
+        reaches = {
+            k: extent([np.array([0j, *row])]) for k, row in zip(made.places, rows.T, strict=True)
+        }
+        found[mu.view] = {k: reach for k, reach in reaches.items() if reach > 0.0}
     far = extent([np.concatenate([[0j], *(_at(reading[m], made.places) for m in images)])])
     apart = {figure.view: _apart(figure, reading, made.places) for figure in made.figures}
     return Reaches(found, apart, far)
@@ -137,7 +147,7 @@ def factors(sized: Sized) -> Iterator[ScaleFactor]:
 
     The links of a group take their room in all positions, and are no smaller than on the plan of positions;
     link 1 is no larger than the groups. A polygon takes its room in any position whose forces are asked for;
-    one whose forces are all nothing has no μ but the scene's.
+    one whose forces are all nothing has no μ but the scene's. Positions of much smaller forces have their own.
     """
     made, known, project = FORCES_PLAN.on(sized), sized.reach[FORCES], sized.project
     room, plan = sized.sizes["groups"], _plan_scale(sized)
@@ -155,8 +165,27 @@ def factors(sized: Sized) -> Iterator[ScaleFactor]:
         yield ScaleFactor(figure.mu, "l_{max}", far, wide * (1 + ROUNDED), lengths=True, why=why)
     high, mu_F = sized.sizes["forces"], made.order.mu
     for mu in polygon_scales(project):
-        if mu_F or known.polygons[mu.view] > 0.0:
-            yield ScaleFactor(mu, "F_{max}", known.polygons[mu.view], high, mu_F, why=_POLYGON)
+        if not (far := known.polygons[mu.view]):
+            if mu_F:
+                yield ScaleFactor(mu, "F_{max}", 0.0, high, mu_F, why=_POLYGON)
+            continue
+        most, *others = _alike(far, max(min(ALIKE, high / READABLE), 1.0))
+        apart = {k: max(far[k] for k in some) for some in others for k in some}
+        largest = max(far[k] for k in most)
+        yield ScaleFactor(mu, "F_{max}", largest, high, mu_F, why=_POLYGON, apart=apart)
+
+
+def _alike(far: Mapping[int, float], times: float) -> list[list[int]]:
+    """Return positions that have one μ_F together, those of the most (of as many the largest) first.
+
+    No polygon is so many ``times`` as large as another of them.
+    """
+    found: list[list[int]] = []
+    for k in sorted(far, key=lambda k: -far[k]):
+        if not found or far[k] * times < far[found[-1][0]]:
+            found.append([])
+        found[-1].append(k)
+    return sorted((sorted(some) for some in found), key=lambda some: -len(some))
 
 
 def _group(far: float, room: float, plan: float) -> float:

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from graphic_tmm.board.record import Mark, segment_name
+from graphic_tmm.board.scales import common
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
 from graphic_tmm.chapters.forces.ink_groups import GroupFigure, draw_group
@@ -15,6 +16,7 @@ from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import draw_polygon, whole
 from graphic_tmm.chapters.forces.load_diagrams import travelled, varies
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
+from graphic_tmm.chapters.forces.scales import polygon_scales
 from graphic_tmm.chapters.forces.table import balance_segments, force_columns
 from graphic_tmm.chapters.forces.task import ASKED, Load
 from graphic_tmm.chapters.forces.travel import TURN, parts_of_strokes, size_at_turn
@@ -77,8 +79,13 @@ def quantities(project: Project) -> Iterator[TurnQuantity]:
 
 
 def between(drawn: Drawn, turn: Turn) -> Between:
-    """Return the loads that vary, read off their diagrams: by travel, by the turn, by the position."""
-    made, found = FORCES_PLAN.on(drawn), dict[Mark, object]()
+    """Return the loads that vary, read off their diagrams: by travel, by the turn, by the position; μ_F."""
+    made = FORCES_PLAN.on(drawn)
+    # at other angles every polygon is drawn to what most positions of the sheet are
+    scales = [
+        mu for mu in polygon_scales(drawn.project) if isinstance(drawn.given.get(mu), np.ndarray)
+    ]
+    found: dict[Mark, object] = {mu: common(drawn.given[mu]) for mu in scales}
     in_turn = KINEMATICS_PLAN.on(drawn).in_turn
     at = turn.numbers % in_turn
     for load, size in zip(made.order.loads, made.loads.given, strict=True):

@@ -133,6 +133,7 @@ def _three(
     if scale is None:
         nothing = _("all forces are zero: there is no polygon")
         return [with_caption(figure, group, lettered, own, nothing)]
+    scale = scale.at(place)
     lines = (mu_text(scale, language), vectors_of(polygon, language))
     plan = draw_polygon(sides, polygon, reactions, place, scale.value)
     return paired(
