@@ -218,7 +218,10 @@ def _by_gas(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -
 
 
 def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: str) -> Mark:
-    """Reduce the loads to the crank by their moments on the lever; inertia belongs to the energies."""
+    """Reduce the loads to the crank by their moments on the lever; inertia belongs to the energies.
+
+    The moment of a force on the lever has the sign of its power where the crank turns counter-clockwise.
+    """
     if forces is None:
         raise StructureError(
             said("nothing drives or resists: give an [indicator], or loads and [forces]"),
@@ -238,8 +241,11 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
         total = draft.draw(
             added, "ΣM", total, more, unit="N·mm", role=roles.SUM, why=why.MOMENTS_SUM
         )
-    formula = moment_of_drive if constant == "resisting" else moment_of_resistance
-    return draft.draw(formula, "M_r", total, machine.arm, forces.lever.segment, unit="N·m")
+    drives, clockwise = constant == "resisting", machine.mechanism.drive.speed < 0
+    formula = moment_of_drive if drives != clockwise else moment_of_resistance
+    because = why.CLOCKWISE[drives] if clockwise else ""
+    used = total, machine.arm, forces.lever.segment
+    return draft.draw(formula, "M_r", *used, unit="N·m", why=because)
 
 
 class Works(NamedTuple):

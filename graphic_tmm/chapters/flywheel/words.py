@@ -106,6 +106,19 @@ CD = said(
 )
 LINKS_ENERGY = said("The kinetic energy of the links is the sum of the energies of all of them.")
 MOMENTS_SUM = said("The powers of all loads add up, so their moments on the lever do.")
+CLOCKWISE = {
+    True: said(
+        "The moment on the lever is a power, to scale; divided by the pin's velocity it is a force on the "
+        "pin, times the crank's length a moment on the shaft. The crank turns clockwise, so what drives it "
+        "has a negative moment there: it counts with the opposite sign."
+    ),
+    False: said(
+        "The moment on the lever is a power, to scale; divided by the pin's velocity it is a force on the "
+        "pin, times the crank's length a moment on the shaft. The crank turns clockwise, so what resists "
+        "has a positive moment there: it counts as it is."
+    ),
+}
+"""Why the sum of the moments is taken with its sign, by whether those of the driving forces are wanted."""
 JT_POINT = said(
     "The point of a position has its reduced moment of inertia as abscissa and its ΔT as ordinate."
 )
