@@ -14,7 +14,7 @@ from typing import Generic, TypeVar
 from graphic_tmm.board.record import Mark
 from graphic_tmm.drawn import Drawn, Results, single
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.numbers import fixed, number
+from graphic_tmm.language.numbers import EXACTLY, fixed, number
 from graphic_tmm.language.symbols import plain
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.bricks import (
@@ -189,10 +189,7 @@ class Page(LogPage, Generic[T]):
         source = self.of(mark.view, at)
         assert source is not None
         found = source.number(mark, unit=True)
-        if not size or found.value >= 0.0:
-            return found
-        read = found.source._replace(kind="size")
-        return found._replace(text=found.text.removeprefix("−"), source=read, value=-found.value)
+        return _size(found) if size else found
 
     def letter(self, mark: Mark) -> Symbol:
         """Return the letter of a mark."""
@@ -209,7 +206,8 @@ class Page(LogPage, Generic[T]):
         """Return a result with its unit."""
         value, of = single({name: self.results[name]})[name]
         source = Source("result", self.drawn.board, name)
-        return Number(number(value, self.language), of, source, value)
+        told = round(value, EXACTLY) if of == "%" else value
+        return Number(number(told, self.language), of, source, value)
 
     def ordered(self, key: str, of: str = "") -> Number:
         """Return what the chapter's section of the scene orders by a key, with its unit."""
@@ -263,12 +261,16 @@ class Page(LogPage, Generic[T]):
         return Number(number(value, self.language, digits), column.unit, source, value)
 
     def extreme(
-        self, words: Words, segment: str, name: str = "value", **put: Put
+        self, words: Words, segment: str, name: str = "value", *, size: bool = False, **put: Put
     ) -> Iterator[Runs]:
-        """Yield a sentence of a column's value that is greatest in size, called ``name``, and its position."""
+        """Yield a sentence of a column's value that is greatest in size, called ``name``, and its position.
+
+        ``size``: without its sign.
+        """
         most = self.greatest(segment)
         if most is not None:
-            yield self.sentence(words, {name: most[0], "position": most[1], **put})
+            value = _size(most[0]) if size else most[0]
+            yield self.sentence(words, {name: value, "position": most[1], **put})
 
     def tabled(self) -> Iterator[Block]:
         """Yield the tables at the end of the section."""
@@ -319,3 +321,12 @@ class Page(LogPage, Generic[T]):
             yield referred(shown, self.language)
         yield from between
         yield from shown
+
+
+def _size(one: Number) -> Number:
+    """Return a number without its sign."""
+    if one.value >= 0.0:
+        return one
+    kind = {"mark": "size", "column": "size of column"}[one.source.kind]
+    read = one.source._replace(kind=kind)
+    return one._replace(text=one.text.removeprefix("−"), source=read, value=-one.value)

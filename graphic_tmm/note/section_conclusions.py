@@ -9,7 +9,7 @@ from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import code_of, speaking
 from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.language.said import said
-from graphic_tmm.language.symbols import symbol
+from graphic_tmm.language.symbols import plain, symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.bricks import in_columns
 from graphic_tmm.note.document import (
@@ -47,7 +47,8 @@ def conclusions(made: DrawnScene, language: str) -> Iterator[Block]:
         for chapter in drawn.project.chapters:
             found += page_of(drawn, chapter, language).concludes()
     for drawn in made.boards:
-        found += [text(_sentence(told)) for told in warnings(drawn, language, remedies=False)]
+        found += [lettered(_sentence(told)) for told in warnings(drawn, language, remedies=False)]
+    found = list({plain(repr(one)): one for one in reversed(found)}.values())[::-1]
     own = made.scene.author.conclusions
     if found or own:
         yield Heading(1, text(speaking(language)(CONCLUSIONS)), numbered=False)
@@ -80,22 +81,25 @@ def _sentence(told: str) -> str:
 SYMBOLS, MEANING = said("Symbols"), said("Meaning")
 SYMBOL, UNIT = said("Symbol"), said("Unit")
 _STEM = re.compile(r"[^\W\d_]+")
+_WORD = re.compile(r"_\{?[a-z]{2,}")
+"""An index that is a word, which tells one quantity: others stand for any point or link."""
 
 
 def symbol_list(made: DrawnScene, blocks: Sequence[Block], language: str) -> Iterator[Block]:
     """Yield the list of symbols: those of the chapters whose letters stand in the note."""
     _ = speaking(language)
     whole = Document("", language, tuple(blocks))
-    stems = {stem for one in symbols(whole) for stem in _STEM.findall(one.markup)}
+    letters = {plain(one.markup) for one in symbols(whole)}
+    stems = {stem for one in letters for stem in _STEM.findall(one)}
     rows: dict[str, tuple[Runs, ...]] = {}
     for drawn in made.boards:
         for chapter in drawn.project.chapters:
             for letter, meaning, of in Named.of(chapter).symbols:
-                stem = _STEM.match(letter)
-                if stem and stem[0] in stems:
-                    told = (Symbol(symbol(letter, language)),)
+                called, stem = symbol(letter, language), _STEM.match(letter)
+                there = stem is not None and stem[0] in stems
+                if there and (not _WORD.search(letter) or plain(called) in letters):
                     cells = text(_(meaning)), text(unit(of, language) or "—")
-                    rows.setdefault(letter, (told, *cells))
+                    rows.setdefault(f"{letter} {meaning}", ((Symbol(called),), *cells))
     if rows:
         yield Heading(1, text(_(SYMBOLS)), numbered=False)
         heads = text(_(SYMBOL)), text(_(MEANING)), text(_(UNIT))

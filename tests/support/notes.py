@@ -81,6 +81,7 @@ def looked_up(made: DrawnScene, one: Number) -> float:
         "size": lambda drawn, source: abs(_of_mark(drawn, source)),
         "segment": _of_segment,
         "column": _of_column,
+        "size of column": lambda drawn, source: abs(_of_column(drawn, source)),
         "result": lambda drawn, source: float(results_of(drawn)[source.name][0][0]),
         "due": lambda drawn, source: _finer(drawn).due[source.name][0],
         "off": lambda drawn, source: 100.0 * _finer(drawn).off[source.name],

@@ -144,7 +144,7 @@ class DiagramPage(Page[Kinematic]):
             if kind not in ("", "difference") or symbol == self.recorded.first:
                 continue
             if kind:
-                yield from self.extreme(APART, segment, "apart", symbol=Symbol(symbol))
+                yield from self.extreme(APART, segment, "apart", size=True, symbol=Symbol(symbol))
             else:
                 yield from self.extreme(EXTREME[symbol], segment)
         end = self.recorded.charts["S"].end if "S" in self.recorded.charts else None
@@ -219,7 +219,8 @@ class DiagramPage(Page[Kinematic]):
     def _intervals(self) -> dict[int, str]:
         """Return what the intervals that can be drawn are called, by the position at which they begin."""
         names, count = self.drawn.names, self.recorded.base.intervals
-        after = [*names[1:count], str(count)]
+        end = str(int(names[0]) + count) if names[0].isdigit() else names[0]
+        after = [*names[1:count], end]
         return {k: f"{names[k]}–{after[k]}" for k in range(count) if k not in self.drawn.undrawn}
 
     def _middles(
