@@ -21,6 +21,7 @@ from graphic_tmm.note.document import (
     Symbol,
     Table,
     Text,
+    leaves,
     text,
 )
 from graphic_tmm.note.widths import width
@@ -74,8 +75,10 @@ def parts_of(
     """
     first = next((k for k, row in enumerate(rows) if row.kind == READ), len(rows))
     before = {row.kind for row in rows[:first]}
-    early = [row for row in rows if row.kind in before]
-    late = [row for row in rows if row.kind not in before]
+    early, late = list[CalculationRow](), list[CalculationRow]()
+    for row in rows:
+        waits = row.kind not in before or _follows(row, late)
+        (late if waits else early).append(row)
     return (*_sentences(early, language), *drawn, *_sentences(late, language))
 
 
@@ -128,11 +131,22 @@ def _letters(run: Run) -> float:
     return len(run.text) if isinstance(run, Text) else SIGN
 
 
-def _kinds(rows: Sequence[CalculationRow]) -> dict[str, list[CalculationRow]]:
-    found: dict[str, list[CalculationRow]] = {}
+def _kinds(rows: Sequence[CalculationRow]) -> Iterator[tuple[str, list[CalculationRow]]]:
+    """Yield calculations of one kind together; one that needs another is told behind it."""
+    found: list[list[CalculationRow]] = []
     for row in rows:
-        found.setdefault(row.kind, []).append(row)
-    return found
+        at = max((k for k, some in enumerate(found) if some[0].kind == row.kind), default=-1)
+        if at < 0 or any(_follows(row, some) for some in found[at + 1 :]):
+            found.append([row])
+        else:
+            found[at].append(row)
+    yield from ((some[0].kind, some) for some in found)
+
+
+def _follows(row: CalculationRow, others: Sequence[CalculationRow]) -> bool:
+    """Whether a letter of a calculation is what others find."""
+    used = [leaf for side in row.formula.sides[1:] for leaf in leaves(side)]
+    return any(one.formula.sides[0] in used for one in others)
 
 
 def _reasons(rows: Sequence[CalculationRow]) -> Runs:
@@ -144,7 +158,7 @@ def _reasons(rows: Sequence[CalculationRow]) -> Runs:
 
 def _sentences(rows: Sequence[CalculationRow], language: str) -> Iterator[Runs]:
     """Yield calculations as sentences: why, and then what; what has a name, and then why."""
-    for kind, some in _kinds(rows).items():
+    for kind, some in _kinds(rows):
         reasons, label = _reasons(some), LABELS.get(kind)
         found: list[Run] = []
         if label:

@@ -247,9 +247,10 @@ def once(blocks: Sequence[Block]) -> tuple[Block, ...]:
 
 
 _LETTER = re.compile(
-    r"(?<![^\W\d_])(?:\[?[^\W\d_]+(?:\^\{?[A-Z]\}?|_\{?[^\W²³]+\*?\}?)\]?[′″]?|[a-zA-Z]\d)(?![^\W²])²?"
+    r"(?<![^\W\d_])(?:\[?[^\W\d_]+(?:\^\{?[A-Z]\}?|_\{?[^\W²³]+\*?\}?)\]?[′″]?|(?!A[0-4])[a-zA-Z]\d)"
+    r"(?![^\W²])²?"
 )
-"""A letter with an index among words: K_v, ω_max², [r_1], z3."""
+"""A letter with an index among words: K_v, ω_max², [r_1], z3; A1 is a format of paper."""
 
 
 def lettered(words: str, style: str = "") -> Runs:
@@ -265,8 +266,15 @@ def lettered(words: str, style: str = "") -> Runs:
 
 def _braced(letter: str) -> str:
     """Return a letter as mark-up: an index of several signs is one, a square is raised."""
-    letter = re.sub(r"_([\w*]{2,})", r"_{\1}", letter.replace("²", "^2"))
-    return letter
+    return re.sub(r"_([\w*]{2,})", r"_{\1}", ends_apart(letter.replace("²", "^2")))
+
+
+def ends_apart(letters: str) -> str:
+    """Return the letters of a segment with the index of its first end by itself: c_1d_1, N_2P, O_2O'_2."""
+    return _ENDS.sub(r"_{\1}", letters)
+
+
+_ENDS = re.compile(r"(?<=^[A-Za-z])_(\d)(?=[A-Za-z]['′]?(?:_\d)?(?:·μ)?$)")
 
 
 def _said(runs: Runs, known: set[str]) -> Runs:

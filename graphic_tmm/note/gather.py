@@ -37,6 +37,7 @@ SAME = said("through {through} {it}")
 CROSS = said("; they meet in {it}")
 TO_OTHER, TO_BASE = said(" up to {other} in {it}"), said(" up to {base} in {it}")
 AND_OFF = said(" and lay off {length} on it up to {it}")
+AND_ON_RAY = said(" and lay off {length} on the ray up to {it}")
 NEXT_OFF = said(", {length} up to {it}")
 ALONG, OFF = said("On {on} lay off from its beginning "), said("{length} up to {it}")
 AND_CARRY = said(", likewise ")
@@ -69,10 +70,10 @@ def _chain(work: Sequence[DrawingStep]) -> tuple[Runs, int]:
     runs: list[Run] = []
     k = 0
     while len(work) >= k + 2 and _laid(work[k], work[k + 1]):
-        if runs:
-            runs += [Text("; "), *_next(work[k]), *_clause(work[k + 1], NEXT_OFF)]
-        else:
-            runs += [*_first(work[k]), *_clause(work[k + 1], AND_OFF)]
+        line, off = work[k : k + 2]
+        begun = [Text("; "), *_next(line)] if runs else [*_first(line)]
+        on = AND_ON_RAY if line.step.op is ray else NEXT_OFF if runs else AND_OFF
+        runs += [*begun, *_clause(off, on)]
         k += 2
     return (*runs, Text(".")) if runs else (), k
 

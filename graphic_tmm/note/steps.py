@@ -24,7 +24,9 @@ from graphic_tmm.note.document import (
     Symbol,
     Text,
     Tree,
+    ends_apart,
 )
+from graphic_tmm.note.tex import tex
 from graphic_tmm.readers.rounding import ROUGH, rounded
 from graphic_tmm.readers.sentences import NOTHING, Phrase, grounds, phrase, worth
 
@@ -74,7 +76,7 @@ class NumberSource(NamedTuple):
 
     def symbol(self, mark: Mark) -> Symbol:
         """Return the letter of a mark; an index of several signs is one."""
-        return Symbol(symbol(_INDEX.sub(r"_{\1}", mark.name), self.language))
+        return Symbol(symbol(_INDEX.sub(r"_{\1}", ends_apart(mark.name)), self.language))
 
     def leaf(self, mark: Mark) -> Leaf:
         """Return the letter of a mark, or its value if it has none."""
@@ -171,6 +173,8 @@ def calculated(told: NumberSource, step: Step, terms: tuple[Mark, ...] = ()) -> 
     sides: list[Leaf | Tree] = [it, letters, figures, result]
     if it in letters.put.values():  # one letter on both sides says nothing
         sides.remove(letters)
+    if _same(it, letters, told.language):  # OA + AB is called so
+        sides.remove(it)
     if node.head == "±":
         apart = {name: told.number(mark, unit=True) for name, mark in marks.items()}
         return Formula((it, Tree(node, apart)))
@@ -181,6 +185,13 @@ def calculated(told: NumberSource, step: Step, terms: tuple[Mark, ...] = ()) -> 
     return Formula(tuple(sides))
 
 
+def _same(one: Symbol, other: Tree, language: str) -> bool:
+    """Whether a letter is the text of its own formula, but for bars: OA − AB."""
+    told = (_SPARE.sub("", tex(side, language)) for side in (one, other))
+    return next(told) == next(told)
+
+
+_SPARE = re.compile(r"\\left|\\right|[\s{}|]")
 _SEGMENT = re.compile(r"\{(\w+)\}\{(\w+)\}")
 
 

@@ -80,6 +80,10 @@ _WORDS = frozenset(
 """Indices that are words: they stand upright."""
 _WORD = re.compile("[–\u0400-\u04ff-]")
 """An index with one of these, a Cyrillic letter or a dash, is words, or a range: no product of letters."""
+_MOST = re.compile(r"(.*?)(max|min)(\d*)")
+"""An index that ends with such a word, figures behind it: 3max, min1."""
+_STAR = re.compile(r"(?<=[A-Za-z\d])\*")
+"""A star behind a letter is raised: between two it would be a sign of multiplication."""
 _NAMED = {"arcsin", "arccos", "arctan", "sin", "cos", "tan", "max", "min"}
 _RELATIONS = {"=": " = ", "≠": r" \neq ", "<": " < ", ">": " > ", "≤": r" \leq ", "≥": r" \geq "}
 
@@ -147,7 +151,7 @@ class _Writer:
     def markup(self, told: str) -> str:
         if told.startswith("inv "):
             return rf"\mathrm{{inv}}\, {self.markup(told[4:])}"
-        return self._nodes(markup.parse_markup(indexed(told)), False).strip()
+        return self._nodes(markup.parse_markup(indexed(_STAR.sub("^{*}", told))), False).strip()
 
     def _nodes(self, nodes: Iterable[Ink], index: bool) -> str:
         return "".join(self._node(node, index) for node in nodes)
@@ -170,13 +174,15 @@ class _Writer:
     def _text(self, words: str, index: bool) -> str:
         if index and words in _WORDS:
             return rf"\mathrm{{{words}}}"
+        if index and (found := _MOST.fullmatch(words)):
+            return f"{self._text(found[1], True)}\\mathrm{{{found[2]}}}{found[3]}"
         if index and _WORD.search(words):
             return _upright(words)
-        found = []
+        told = []
         for known, some in groupby(words, key=_known):
             run = "".join(some)
-            found.append("".join(SIGNS.get(c, c) for c in run) if known else _upright(run))
-        return "".join(found)
+            told.append("".join(SIGNS.get(c, c) for c in run) if known else _upright(run))
+        return "".join(told)
 
     # ------------------------------------------------------------ numbers
 

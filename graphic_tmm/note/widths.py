@@ -205,6 +205,8 @@ def _tree(node: Node, put: Mapping[str, Leaf]) -> float:
     parts = [_tree(part, put) for part in node.parts]
     if node.head == "/":
         return max(parts)
+    if node.head == "neg":
+        return parts[0] + 1
     if node.head == "^":
         return parts[0] + SMALL * parts[1] + 2
     if node.head in ("·", "+", "−", "±"):

@@ -195,9 +195,10 @@ def _direction(line: Step, turned: bool) -> str:
     of = line.uses[1].name.rstrip("′").strip("()")
     ends = ends_of(of)
     along = (line.op is parallel) != turned
+    guide = re.sub(r"^([A-Za-z])(\d+)$", r"\1_{\2}", of)
     if along and line.choice["sense"] < 0 and len(ends) == 2:
         return f"{ends[1]} → {ends[0]}"
-    return f"{'∥' if along else '⊥'} {of if len(ends) > 1 else f'{of}–{of}'}"
+    return f"{'∥' if along else '⊥'} {of if len(ends) > 1 else f'{guide}–{guide}'}"
 
 
 def polygon(construction: Construction, plan: str) -> tuple[Term, ...]:

@@ -12,11 +12,13 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.operations.instruments import ray
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Angle, Length, Number, Side
 from graphic_tmm.drawn import MEASURED
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import EXACTLY, number
+from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import spoken, with_functions
 from graphic_tmm.language.units import unit, unit_name
 from graphic_tmm.scene.captions import captions, view_name
@@ -60,7 +62,17 @@ def phrase(step: Step, language: str, reading: Reading, place: int) -> tuple[str
     words = _words(step, language, reading, place)
     if step.op.formula:
         return f"{captions(language)['calculate']} {{it}}.", words
-    return _segments(speaking(language)(step.op.sentence), words), words
+    told = speaking(language)(TO_THE_RIGHT if _level(step, reading, place) else step.op.sentence)
+    return _segments(told, words), words
+
+
+TO_THE_RIGHT = said("From {start} draw the ray {it} to the right.")
+
+
+def _level(step: Step, reading: Reading, place: int) -> bool:
+    """Whether a step draws an axis: a ray whose angle has no letter and is nothing."""
+    angle = step.uses[-1] if step.op is ray else None
+    return angle is not None and not angle.name and _value(reading, angle, place) == 0.0
 
 
 def sentence(step: Step, language: str, reading: Reading, place: int) -> str:

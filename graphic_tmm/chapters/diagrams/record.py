@@ -104,9 +104,9 @@ def _middle(bench: Bench, made: Kinematic, symbol: str) -> Middle:
     """Read what the chords gave over the middles of the intervals."""
     draft, chart, (axes, middles) = bench.draft, made.charts[symbol], made.middles[symbol]
     ordinate = draft.draw(
-        measure_along, f"{symbol}_m", axes.middles, middles.points, axes.up, why=why.MEAN_READ
+        measure_along, f"[{symbol}_m]", axes.middles, middles.points, axes.up, why=why.MEAN_READ
     )
-    return Middle(ordinate, draft.draw(in_si, f"[{symbol}_m]", ordinate, chart.mu, unit=chart.unit))
+    return Middle(ordinate, draft.draw(in_si, f"{symbol}_m", ordinate, chart.mu, unit=chart.unit))
 
 
 def _places(bench: Bench, plans: KinematicPlans, interval: Mark) -> Iterator[Place]:
