@@ -151,11 +151,9 @@ def columns(drawn: Drawn, some: Iterable[Column], language: str) -> Iterator[Tab
         count = -(-len(shown) // ACROSS)
         while True:
             across = -(-len(shown) // count)
-            tables = []
-            for k in range(0, len(shown), across):
-                head = f"{title} ({words['continued']})" if k else title
-                part = shown[k : k + across]
-                tables.append(_block(drawn, plan, cells, names, part, head, language))
+            parts = [shown[k : k + across] for k in range(0, len(shown), across)]
+            tables = [_block(drawn, plan, cells, names, part, title, language) for part in parts]
+            tables[1:] = [one._replace(of=tables[0].id) for one in tables[1:]]
             if across < 2 or all(fits(one, language) for one in tables):
                 break
             count += 1

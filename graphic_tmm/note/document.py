@@ -140,6 +140,7 @@ class Table(NamedTuple):
 
     ``widths``: shares of the text's width, () for as wide as its words need.
     ``ruled``: with lines and a number. ``long``: it may go on over pages however few its rows are.
+    ``of``: the id of the table that it is a further part of, whose number it has.
     """
 
     id: str
@@ -150,6 +151,7 @@ class Table(NamedTuple):
     widths: tuple[float, ...] = ()
     ruled: bool = True
     long: bool = False
+    of: str = ""
 
 
 class Picture(NamedTuple):
@@ -360,7 +362,7 @@ def numbered(document: Document) -> Numbered:
                 figures[part.id] = f"{count}, {letter_of(k, document.language)}"
                 wholes[part.id] = block.id
         elif isinstance(block, Table) and block.ruled:
-            tables[block.id] = len(tables) + 1
+            tables[block.id] = tables[block.of] if block.of else len({*tables.values()}) + 1
     return Numbered(headings, figures, tables, wholes)
 
 

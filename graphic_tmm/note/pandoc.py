@@ -149,8 +149,11 @@ class _Writer:
         ]
         caption = []
         if block.ruled:
-            number = self.speech(TABLE, number=self.numbers.tables[block.id])
-            caption = [of("Plain", [*as_words(number), *self.inlines(block.caption)])]
+            told = self.speech(
+                CONTINUED if block.of else TABLE, number=self.numbers.tables[block.id]
+            )
+            whole = [*as_words(told), *(() if block.of else self.inlines(block.caption))]
+            caption = [of("Plain", whole)]
         rows = [[self.cell(cell) for cell in row] for row in block.rows]
         heads = [_row([self.cell(cell) for cell in block.heads])] if any(block.heads) else []
         if heads and block.ruled and self.target.continued is not None:

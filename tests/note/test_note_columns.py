@@ -14,9 +14,11 @@ import pytest
 from docx import Document as read_docx
 from PIL import ImageFont
 from support.laid_out import case_file, note_of_case
+from support.notes import noted
 
 from graphic_tmm.note.columns import word_width
-from graphic_tmm.note.document import Table, Text, walk
+from graphic_tmm.note.document import Table, Text, numbered, walk
+from graphic_tmm.note.formats import files
 
 CASE = "slotting"
 W = "{http://schemas.openxmlformats.org/wordprocessingml/2006/main}"
@@ -113,3 +115,18 @@ def test_a_docx_has_about_as_many_pages_as_the_pdf(tmp_path: Path) -> None:
     with pdfplumber.open(io.BytesIO(case_file(CASE, "pdf"))) as pdf:
         assert pages == pytest.approx(len(pdf.pages), rel=0.15)
     assert "¿" not in words
+
+
+def test_a_table_in_parts_has_one_number() -> None:
+    """«Таблица 16», then «Продолжение таблицы 16» and no number more, in all formats."""
+    document = noted("engine")
+    parts = [b for b in document.blocks if isinstance(b, Table) and b.of]
+    assert parts
+    tables = numbered(document).tables
+    assert all(tables[one.id] == tables[one.of] for one in parts)
+    assert sorted({*tables.values()}) == list(range(1, len(tables) - len(parts) + 1))
+    told = files(document, "note", ("md",))["note.md"]
+    assert isinstance(told, str)
+    for one in parts:
+        assert f"\nПродолжение таблицы {tables[one.id]}\n" in told
+    assert "(продолжение)" not in told

@@ -243,9 +243,9 @@ class DiagramPage(Page[Kinematic]):
                 )
                 for mark, of, places in sorts
             )
-            title = self.speech(MIDDLES) + (f" ({names['continued']})" if start else "")
-            id, align = f"table-middles-{chart.symbol}-{start}", "lc" + "c" * len(part)
-            yield Table(id, text(title), heads, rows, align)
+            id, align = f"table-middles-{chart.symbol}", "lc" + "c" * len(part)
+            title = text(self.speech(MIDDLES))
+            yield Table(f"{id}-{start}", title, heads, rows, align, of=f"{id}-0" if start else "")
 
     def _middle(self, mark: Mark, k: int, places: int) -> Runs:
         value = self.number(mark, k)

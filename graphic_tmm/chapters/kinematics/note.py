@@ -20,7 +20,10 @@ from graphic_tmm.paper.views import captioned, mu_text
 from graphic_tmm.readers.protocol import title_of
 from graphic_tmm.scene.captions import captions
 
-SIZES = said("The tables give sizes; signs, which tell directions, stand in the calculations.")
+SIZES = said(
+    "The tables give lengths, and velocities and accelerations of points, without signs, which stand in the "
+    "calculations; those of turning have theirs: plus is counter-clockwise."
+)
 
 
 class KinematicPage(Page[KinematicPlans]):
