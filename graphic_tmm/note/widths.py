@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -185,11 +186,15 @@ ABREAST = 3
 def width(one: Leaf | Tree) -> float:
     """Return about how wide a side of a formula is, letters."""
     if isinstance(one, Symbol):
-        head, _, rest = plain(one.markup).partition("_")
-        return _line(head) + SMALL * _line(rest)
+        scripts = "".join(braced or sign for braced, sign in _SCRIPT.findall(one.markup))
+        return _line(plain(_SCRIPT.sub("", one.markup))) + SMALL * _line(plain(scripts))
     if isinstance(one, Number):
         return len(one.text) + (len(one.unit) + 1 if one.unit else 0)
     return _tree(one.node, one.put)
+
+
+_SCRIPT = re.compile(r"[_^](?:\{((?:[^{}]|\{[^{}]*\})*)\}|(.))")
+"""An index or a power."""
 
 
 def _line(letters: str) -> float:

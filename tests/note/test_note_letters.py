@@ -110,3 +110,9 @@ def test_a_minus_before_a_sum_counts_for_one_sign() -> None:
     plus = Node("name", (), "a")
     put = {"a": Symbol("F")}
     assert width(Tree(Node("neg", (plus,)), put)) <= width(Tree(plus, put)) + 1
+
+
+def test_what_stands_behind_an_index_is_as_wide_as_on_the_line() -> None:
+    """П_{y1-y1}(3,6) was cut off in a table: its brackets counted as a part of the index."""
+    whole, index = width(Symbol("П_{y1-y1}(3,6)")), width(Symbol("П_{y1-y1}"))
+    assert whole - index >= len("(3,6)")
