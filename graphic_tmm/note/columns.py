@@ -19,6 +19,8 @@ LETTER = 0.5 * EM
 """What a letter of a formula takes, as `widths.width` counts them."""
 WHITE = 1.8
 """White and lines of a cell, mm."""
+MATH = 1.2
+"""How much larger than words a letter may stand: LibreOffice sets 12 pt where 10 are told."""
 REF = 8
 """Letters of a reference to a figure or a table."""
 _WIDTHS = {
@@ -90,7 +92,7 @@ def _pieces(cell: Runs, language: str) -> Iterator[float]:
         elif isinstance(run, Once):
             yield from _pieces(run.runs, language)
         elif isinstance(run, Symbol):
-            yield width(run) * LETTER
+            yield width(run) * LETTER * MATH
         elif isinstance(run, Formula):
             for piece in pieces(run):
                 yield sum(width(side) + SIGN for side in piece.sides) * LETTER

@@ -16,9 +16,10 @@ from PIL import ImageFont
 from support.laid_out import case_file, note_of_case
 from support.notes import noted
 
-from graphic_tmm.note.columns import word_width
-from graphic_tmm.note.document import Table, Text, numbered, walk
+from graphic_tmm.note.columns import LETTER, PAGE, shares, word_width
+from graphic_tmm.note.document import Symbol, Table, Text, numbered, walk
 from graphic_tmm.note.formats import files
+from graphic_tmm.note.widths import width
 
 CASE = "slotting"
 W = "{http://schemas.openxmlformats.org/wordprocessingml/2006/main}"
@@ -130,3 +131,10 @@ def test_a_table_in_parts_has_one_number() -> None:
     for one in parts:
         assert f"\nПродолжение таблицы {tables[one.id]}\n" in told
     assert "(продолжение)" not in told
+
+
+def test_a_letter_has_room_for_the_size_in_which_libreoffice_sets_it() -> None:
+    """It sets formulas in 12 pt whatever a table says: a cell of 10 pt cut off П_{y1-y1}(3,6)."""
+    told = ((Symbol("П_{y1-y1}(3,6)"),), (Text("a"),))
+    share, _ = shares(Table("t", (), (), (told,), "cc"), "ru")
+    assert share * PAGE >= 1.2 * width(told[0][0]) * LETTER
