@@ -62,8 +62,8 @@ def test_no_word_of_a_table_is_broken_in_a_docx() -> None:
         assert sum(widths) <= 165.5
         assert table._tbl.tblPr.find(f"{W}tblLayout").get(f"{W}type") == "fixed"
         for row in table.rows:
-            for cell, width in zip(row.cells, widths, strict=True):
-                assert all(word_width(word) <= width for word in cell.text.split())
+            for cell, room in zip(row.cells, widths, strict=True):
+                assert all(word_width(word) <= room for word in cell.text.split())
 
 
 def test_no_word_of_a_table_is_broken_in_a_pdf() -> None:
