@@ -49,14 +49,20 @@ def views_of(place: str, scene: Scene, boards: Sequence[Drawn], lettered: bool) 
 
 
 def left_out(scene: Scene, chapter: Chapter, place: str) -> list[Drawing]:
-    """Return what a sheet shows of a chapter that is left out: a sentence, in the first of its places."""
+    """Return what a sheet shows of a chapter that is left out: a sentence, in the first of its places.
+
+    No sheet is drawn for the sake of it: where nothing else is ordered there is none.
+    """
     from graphic_tmm.paper.formats import heights
     from graphic_tmm.paper.lettering.letters import escape
     from graphic_tmm.paper.ruled import ruled_table
     from graphic_tmm.paper.views import wrapped
 
-    order = [one for sheet in scene.sheets for one in sheet.place]
-    if place != next(one for one in order if places()[one][0] is chapter):
+    known = places()
+    orders = [[known[name][0].name for name in sheet.place] for sheet in scene.sheets]
+    drawn = [k for k, names in enumerate(orders) if not scene.left_out.keys() >= set(names)]
+    own = (one for k in drawn for one in scene.sheets[k].place if known[one][0] is chapter)
+    if place != next(own, ""):
         return []
     high, speech = heights(scene, place), speaking(scene.language)
     told = wrapped(escape(speech(scene.left_out[chapter.name])), high.number, WIDE)

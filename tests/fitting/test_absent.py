@@ -138,3 +138,15 @@ def test_a_remedy_that_is_followed_helps(tmp_path: Path) -> None:
     )
     status, *_ = ran("draw", file, "-o", tmp_path / "out")
     assert status == 0
+
+
+def test_no_sheet_is_drawn_for_what_has_no_result(tmp_path: Path) -> None:
+    apart = '[[sheet]]\nformat = "A3"\nplace = ["gears"]\n[[sheet]]\nformat = "A3"\nplace = ["cam"]\n'
+    file = written(tmp_path, CAM.format(language="en") + GEARS + apart)
+    status, _, told = ran("draw", file, "-o", tmp_path / "out")
+    assert status == 0
+    assert OUT["en"] in told
+    drawn = list((tmp_path / "out").glob("*.svg"))
+    assert drawn
+    assert all("There is no result" not in one.read_text("utf-8") for one in drawn)
+    assert len(drawn) == 1
