@@ -10,11 +10,13 @@ from collections.abc import Iterator, Mapping, Sequence, Set
 from typing import NamedTuple
 
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.errors import ViewError
 from graphic_tmm.fitting.compose import orders
 from graphic_tmm.fitting.formats import views_of
 from graphic_tmm.fitting.sizes import Sizes, all_sizes, sizes_of
 from graphic_tmm.fitting.tried import Board
 from graphic_tmm.paper.compose.search import fits
+from graphic_tmm.paper.compose.sheets import Order, shared
 from graphic_tmm.paper.compose.units import Outline
 from graphic_tmm.paper.drawing import EQUATIONS, GRAPH, TABLE, Drawing, Label, Within
 from graphic_tmm.paper.packing import GAP, Room, bounds, in_pieces, share
@@ -28,6 +30,8 @@ AROUND = 12.0
 """What letters take on both sides of lines where a caption is wider than these, mm."""
 LETTERS = 5.0
 """How much larger, mm, a view may come out with its letters: 19 in 20 of those of the gallery."""
+SPILL = 5.0
+"""By how much more, where one sheet less hangs on it."""
 LESS = 0.95
 """By how much at least a size gives way at a time."""
 EDGE = 6.0
@@ -96,6 +100,10 @@ class Rooms:
                 for view in in_pieces(whole, within):
                     yield ViewBox.of(place, view, free)
 
+    def names(self, order: int) -> tuple[str, ...]:
+        """Return the free sizes on which an order's views depend."""
+        return tuple(dict.fromkeys(name for view in self.views[order] for name in view.sizes))
+
     def outlines(self, order: int, sizes: Sizes) -> list[Outline]:
         """Return the boxes of an order's views in some sizes."""
         return [self.outline(view, sizes) for view in self.views[order]]
@@ -119,7 +127,10 @@ class Rooms:
             return share, share
         larger = [now[name][0] / was[name][0] for name in shown]
         if view.role != GRAPH:
-            return larger[0], larger[0]
+            # a figure may show links beside what it is called by, to the scale of their own plan
+            plans = (now[name][0] / was[name][0] for name in view.sizes if name in was)
+            most = max([larger[0], *plans])
+            return most, most
         bases = (now[name][1] / was[name][1] for name in shown if was[name][1])
         return next(bases, share), sum(larger) / len(larger)
 
@@ -138,6 +149,23 @@ class Rooms:
                 for view, box in zip(views, boxes, strict=True)
             ]
         return fits(boxes, self.sheets[order][0]) is not None
+
+    def sheets_of(self, order: int, sizes: Sizes) -> tuple[float, float]:
+        """Return how many sheets an order takes by itself, and what share of the emptiest boxes take.
+
+        Sheets without end if none holds one of its views.
+        """
+        format = self.scene.sheets[order].format
+        boxes = tuple(
+            box._replace(width=box.width + SPILL, height=box.height + SPILL) if view.sizes else box
+            for view, box in zip(self.views[order], self.outlines(order, sizes), strict=True)
+        )
+        try:
+            sheets = shared([Order(boxes, self.sheets[order], format)])
+        except ViewError:
+            return math.inf, 0.0
+        taken = [sum(boxes[k].width * boxes[k].height for k in one.boxes) for one in sheets]
+        return len(sheets), min(t / one.room.area for t, one in zip(taken, sheets, strict=True))
 
     def share(self, order: int, sizes: Sizes) -> float:
         """Return what share of a sheet's free room the views of an order take, each with its gap."""

@@ -7,8 +7,8 @@ diagrams give way before positions, groups and wheels do. A size that several sh
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 from graphic_tmm.fitting.rooms import LESS, Rooms
 from graphic_tmm.fitting.sizes import Size, Sizes, usual
@@ -30,8 +30,10 @@ STEPS: Mapping[int, tuple[float, float]] = {
 """By step: the share of their natural size that those take which give way first, and all others."""
 FULL = 0.92
 """What takes a larger share of a sheet, gaps among it, fits never. Of the sheets of the gallery."""
-PACKED = 0.66
-"""What share of a row of sheets is taken, gaps among it, where views are spread over several."""
+SAVING = -2
+"""The step to which what several sheets show gives way if that saves one: of forces the polygons alone."""
+GROWN = (1.7, 1.4, 1.2)
+"""To which shares of its natural size a kind grows by itself where its sheets have room for it."""
 SPARE = 0.72
 """Of views that take no more of a sheet, which does not hold them all, tables may go to another sheet."""
 THIRD = 1 / 3
@@ -56,65 +58,118 @@ def by_rule(scene: Scene, boards: Sequence[Board]) -> tuple[Sizes, Rooms]:
         n: size.high * natural[n] if sizes[n] == natural[n] else sizes[n]
         for n, size in free.items()
     }
-    steps = [_step(rooms, k, most, free) for k in range(len(scene.sheets))]
-    return _held(rooms, _stepped(rooms, steps, most, free)), rooms
+    rule = _Rule(rooms, free, most)
+    return _held(rooms, rule.grown(*rule.steps())), rooms
 
 
-def _stepped(
-    rooms: Rooms, steps: Sequence[int | None], most: Sizes, free: Mapping[str, Size]
-) -> Sizes:
-    """Return sizes of which each takes the least step of the sheets (None: of no views) that show it."""
-    least: dict[str, int] = {}
-    for step, views in zip(steps, rooms.views, strict=True):
-        for name in {name for view in views for name in view.sizes}:
+class _Rule(NamedTuple):
+    """What the steps of sheets are found by: the room of views, sizes that are free, and the most of each."""
+
+    rooms: Rooms
+    free: Mapping[str, Size]
+    most: Sizes
+
+    def steps(self) -> tuple[Sizes, list[bool]]:
+        """Return sizes, and of each order whether one sheet holds it.
+
+        Orders take their steps one after another. None opens a second sheet because others have grown: groups
+        are no smaller than the plan, wherever that stands.
+        """
+        count = len(self.rooms.views)
+        steps: list[int | None] = [0 if self.rooms.names(k) else None for k in range(count)]
+        single = [True] * count
+        for k in range(count):
+            steps[k], single[k] = self._step(k, steps)
+        for k in range(count):
+            less = [step if step is None else min(step, 0) for step in steps]
+            if not single[k] and less != steps:
+                found = self._on_one(k, self._tried(k, less))
+                if found is not None:
+                    steps, single[k] = [*less[:k], found, *less[k + 1 :]], True
+        sizes = self.sizes(steps)
+        return sizes, [one and self.rooms.fits(k, sizes) for k, one in enumerate(single)]
+
+    def sizes(self, steps: Sequence[int | None]) -> Sizes:
+        """Return sizes of which each takes the least step of the sheets (None: of no views) that show it."""
+        least: dict[str, int] = {}
+        for k, step in enumerate(steps):
             if step is not None:
-                least[name] = min(step, least.get(name, step))
-    return {
-        **rooms.natural,
-        **{n: _size(free[n], rooms.natural[n], most[n], k) for n, k in least.items()},
-    }
+                least |= {n: min(step, least.get(n, step)) for n in self.rooms.names(k)}
+        return {**self.rooms.natural, **{name: self._size(name, k) for name, k in least.items()}}
 
+    def _size(self, name: str, step: int) -> float:
+        size = self.free[name]
+        share = STEPS[step][0 if size.first else 1]
+        return min(self.rooms.natural[name] * max(share, size.low), self.most[name])
 
-def _size(size: Size, natural: float, most: float, step: int) -> float:
-    share = STEPS[step][0 if size.first else 1]
-    return min(natural * max(share, size.low), most)
+    def _step(self, order: int, steps: Sequence[int | None]) -> tuple[int | None, bool]:
+        """Return the largest step at which an order takes no more sheets than it has to; whether one.
 
+        ``steps``: of all others.
+        """
+        if not self.rooms.names(order):
+            return None, True
+        at = self._tried(order, steps)
+        found = self._on_one(order, at)
+        return (self._on_several(order, at), False) if found is None else (found, True)
 
-def _step(rooms: Rooms, order: int, most: Sizes, free: Mapping[str, Size]) -> int | None:
-    """Return the largest step at which the views of an order take no more sheets than they have to."""
-    names = {name for view in rooms.views[order] for name in view.sizes}
-    natural = rooms.natural
-    at = {
-        step: {**natural, **{n: _size(free[n], natural[n], most[n], step) for n in names}}
-        for step in sorted(STEPS, reverse=True)
-    }
-    if not names:
+    def _tried(self, order: int, steps: Sequence[int | None]) -> dict[int, Sizes]:
+        """Return the sizes by step of an order, the largest first; ``steps``: of all others."""
+        return {
+            step: self.sizes([*steps[:order], step, *steps[order + 1 :]])
+            for step in sorted(STEPS, reverse=True)
+        }
+
+    def _on_one(self, order: int, at: Mapping[int, Sizes]) -> int | None:
+        """Return the largest step at which one sheet holds an order, or all but its tables; else None."""
+        rooms, least = self.rooms, min(at)
+        if rooms.share(order, at[least]) <= FULL:
+            for step, sizes in at.items():
+                if rooms.share(order, sizes) <= FULL and rooms.fits(order, sizes):
+                    return step
+            if rooms.fits(order, at[least], letters=False):
+                return least
+        if len(rooms.views) > 1 and rooms.share(order, at[0]) <= SPARE:
+            return next((k for k in (0, -1, -2) if rooms.fits(order, at[k], tables=False)), None)
         return None
-    found = _on_one(rooms, order, at)
-    return _on_several(rooms, order, at) if found is None else found
 
+    def _on_several(self, order: int, at: Mapping[int, Sizes]) -> int:
+        """Return the largest step at which an order takes no more sheets than where its polygons give way.
 
-def _on_one(rooms: Rooms, order: int, at: Mapping[int, Sizes]) -> int | None:
-    """Return the largest step at which one sheet holds an order, or all but its tables; None if none does."""
-    least = min(at)
-    if rooms.share(order, at[least]) <= FULL:
-        for step, sizes in at.items():
-            if rooms.share(order, sizes) <= FULL and rooms.fits(order, sizes):
-                return step
-        if rooms.fits(order, at[least], letters=False):
-            return least
-    if len(rooms.views) > 1 and rooms.share(order, at[0]) <= SPARE:
-        return next((k for k in (0, -1, -2) if rooms.fits(order, at[k], tables=False)), None)
-    return None
+        Where that leaves less than a third on one, groups give way, too, if it saves a sheet.
+        """
+        low, high = SAVING, max(at)
+        least, emptiest = self.rooms.sheets_of(order, at[SAVING])
+        if emptiest < THIRD and (fewer := self.rooms.sheets_of(order, at[min(at)])[0]) < least:
+            low, high, least = min(at), SAVING - 1, fewer
+        while low < high:
+            middle = (low + high + 1) // 2
+            if self.rooms.sheets_of(order, at[middle])[0] <= least:
+                low = middle
+            else:
+                high = middle - 1
+        return low
 
+    def grown(self, sizes: Sizes, single: Sequence[bool]) -> Sizes:
+        """Return sizes of which each by itself has grown on sheets that had room for it, ``single`` ones."""
+        for name in dict.fromkeys(
+            n for k, one in enumerate(single) if one for n in self.rooms.names(k)
+        ):
+            for share in GROWN:
+                larger = {**sizes, name: min(share * self.rooms.natural[name], self.most[name])}
+                if larger[name] > sizes[name] and self._held(sizes, larger, single):
+                    sizes = larger
+                    break
+        return sizes
 
-def _on_several(rooms: Rooms, order: int, at: Mapping[int, Sizes]) -> int:
-    """Return the largest step at which an order takes as many sheets as in natural sizes, by areas."""
-    sheets = {k: math.ceil(rooms.share(order, sizes) / PACKED) for k, sizes in at.items()}
-    count = max(sheets[0], 2)
-    if rooms.share(order, at[0]) / PACKED - (count - 1) < THIRD:
-        count = max(min(count, sheets[-2]), 2)
-    return max((step for step in at if sheets[step] <= count), default=-1)
+    def _held(self, sizes: Sizes, larger: Sizes, single: Sequence[bool]) -> bool:
+        """Whether larger sizes take no further sheet."""
+        for k, one in enumerate(single):
+            if self.rooms.outlines(k, larger) == self.rooms.outlines(k, sizes):
+                continue
+            if not one or not self.rooms.fits(k, larger):
+                return False
+        return True
 
 
 def _held(rooms: Rooms, sizes: Sizes) -> Sizes:

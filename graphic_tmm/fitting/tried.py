@@ -190,9 +190,9 @@ def _lengths(project: Project, sizes: Sizes, reach: Mapping[str, Any]) -> Length
     views = {view.name: view.scale for view in log.views if view.scale is not None}
     bases = {view: log.roles(view, roles.BASE)[:1] for view in views}
     for chapter in project.chapters:
-        # graphs of a chapter stand over one base
+        # graphs of a chapter stand over one base, which may be taken in the chapter's own view
         own = [c.view for c in Plan.of(chapter).charts(project.recorded[chapter.name])]
-        shared = next((bases[view] for view in own if bases.get(view)), ())
+        shared = next((bases[view] for view in (*own, chapter.name) if bases.get(view)), ())
         bases |= {view: shared for view in own if view in bases and not bases[view]}
     marks = [*views.values(), *(mark for base in bases.values() for mark in base)]
     reading = execute(log, {**dict.fromkeys(log.given, 1.0), **given}, marks)

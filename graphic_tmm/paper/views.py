@@ -113,10 +113,11 @@ def captioned(
     that the lines after the second one state: the lines appear with them.
     """
     view, of = view._replace(cell=bounds(view)), tuple(mark.slot for mark in known)
+    left, _, right, _ = bounds(view)
     if view.role == TABLE:
-        told = [_Line(text, heights.number) for text in lines]
+        most, size = max(right - left, COLUMN * heights.number), heights.number
+        told = [_Line(part, size) for text in lines for part in wrapped(text, size, most)]
     else:
-        left, _, right, _ = bounds(view)
         titles = [_titled(text, heights.title, right - left) for text in lines[:1]]
         told = [_Line(part, heights.title) for parts in titles for part in parts]
         told += [_Line(text, heights.point, of if k else ()) for k, text in enumerate(lines[1:])]

@@ -15,7 +15,7 @@ from graphic_tmm.board.record import Figure, Mark, Step, segment_name
 from graphic_tmm.board.values import Kind, Length, Line, Point
 from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
 from graphic_tmm.chapters.kinematics.reaches import VIEW as POSITIONS
-from graphic_tmm.chapters.kinematics.reaches import Reach
+from graphic_tmm.chapters.kinematics.reaches import Reach, reach_of
 from graphic_tmm.paper.drawing import Data, Ink, Stroke, Wanted, circle, line
 from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.labels import Named, lettered, shared
@@ -276,7 +276,10 @@ def _spot(seen: Seen, step: Step, k: int) -> complex:
 
 
 class Bodies:
-    """The links of a figure: those of the plan of positions, drawn to another scale."""
+    """The links of a figure: those of the plan of positions, drawn to another scale.
+
+    A guide ends at its stone where its whole path would be longer than all else that the figure shows.
+    """
 
     def __init__(
         self,
@@ -291,10 +294,16 @@ class Bodies:
         figures = [one for one in construction.figures if one.view == POSITIONS]
         marks = dict.fromkeys(mark for one in figures for mark in one.marks)
         values = {mark.slot: _larger(reading[mark], times) for mark in marks}
-        larger = {one: reach.times(times) for one, reach in reaches.items()}
-        self.ink = LinksInk(construction, Reading(values, reading.positions), larger)
         self.names = [str(number) for number in links]
         self.points, self.index = points, seen.positions[0]
+        larger = Reading(values, reading.positions)
+        whole = {one: reach.times(times) for one, reach in reaches.items()}
+        self.ink = LinksInk(construction, larger, whole)
+        spread = max(abs(a - b) for a, b in map(self.ends, self.names))
+        self.ink.reaches = {
+            one: reach.near(reach_of(construction, larger, one, reach.anchor, self.index), spread)
+            for one, reach in whole.items()
+        }
 
     def strokes(self) -> Iterator[Ink]:
         """The links, and what slides on them; they stand on the points of the figure."""

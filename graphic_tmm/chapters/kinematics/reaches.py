@@ -53,11 +53,16 @@ def reaches(survey: Survey) -> tuple[Reach, ...]:
 
 
 def reach_of(
-    log: Construction, reading: Reading, guide: Figure, anchor: int | None = None
+    log: Construction,
+    reading: Reading,
+    guide: Figure,
+    anchor: int | None = None,
+    index: int | None = None,
 ) -> Reach:
     """Return the reach of a guide over the positions of a reading that can be drawn, mm of the drawing.
 
-    ``anchor``: the point it is told from; the one nearest to the guide if it is left out.
+    ``anchor``: the point it is told from; the one nearest to the guide if it is left out; ``index``: the only
+    position, if not all.
     """
     at, line, *side = guide.marks
     way = reading[line].along * (reading[side[0]] if side else 1.0)
@@ -66,6 +71,8 @@ def reach_of(
         *((stone - reading[mark]) * np.conj(way) for mark in rigid(log.figures, guide.name))
     )
     there = np.flatnonzero(np.isfinite(np.sum(own, axis=0))[0])
+    if index is not None:
+        there = there[there == min(index, own[0].shape[1] - 1)]
     if not there.size:
         return Reach(anchor or 0, 0.0, 0.0)
     first = int(there[0])
