@@ -11,6 +11,7 @@ from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import common
 from graphic_tmm.drawn import Drawn, Numbers, single
 from graphic_tmm.errors import TmmError
 from graphic_tmm.language.catalogue import speaking
@@ -175,7 +176,11 @@ def _at(drawn: Drawn, count: int) -> Figures | None:
         project = record(scene, drawn.board, wanted)
     except TmmError:
         return None
-    known = {mark.key: value for mark, value in drawn.given.items()}
+    # scale factors that positions have of their own are those of other positions
+    known = {
+        mark.key: common(value) if mark.unit.endswith("/mm") else value
+        for mark, value in drawn.given.items()
+    }
     given = {mark: known.get(mark.key, 1.0) for mark in project.construction.given}
     lengths = {mark.key: value for mark, value in drawn.sheet_lengths.items()}
     own = {m: lengths.get(m.key, value) for m, value in project.given.items()}

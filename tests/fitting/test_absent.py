@@ -141,7 +141,9 @@ def test_a_remedy_that_is_followed_helps(tmp_path: Path) -> None:
 
 
 def test_no_sheet_is_drawn_for_what_has_no_result(tmp_path: Path) -> None:
-    apart = '[[sheet]]\nformat = "A3"\nplace = ["gears"]\n[[sheet]]\nformat = "A3"\nplace = ["cam"]\n'
+    apart = (
+        '[[sheet]]\nformat = "A3"\nplace = ["gears"]\n[[sheet]]\nformat = "A3"\nplace = ["cam"]\n'
+    )
     file = written(tmp_path, CAM.format(language="en") + GEARS + apart)
     status, _, told = ran("draw", file, "-o", tmp_path / "out")
     assert status == 0

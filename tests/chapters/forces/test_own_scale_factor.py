@@ -21,6 +21,7 @@ from graphic_tmm.fitting.choice import choices
 from graphic_tmm.language.numbers import number
 from graphic_tmm.page.dense import dense
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.readers.position_count import finer
 from graphic_tmm.readers.table import scales_of
 from graphic_tmm.scene.read import otherwise, read
 from graphic_tmm.studio import make
@@ -119,3 +120,17 @@ def test_other_angles_and_other_rows_are_drawn_to_that_of_most_positions() -> No
     assert all(isinstance(value, float) for value in scales)
     balance = motion(everywhere().scene, [30.0, 60.0], plans="forces").balance
     assert all(np.isfinite(row).all() for row in balance.values())
+
+
+def test_results_of_more_positions_are_told_where_positions_have_their_own() -> None:
+    scene = otherwise(read(SHEETS / "windrower" / "scene.toml"), {"forces.positions": "all"})
+    drawn = make(scene).mechanism
+    assert drawn is not None
+    assert any(scale.own for view, scale in drawn.scales.items() if view.startswith("forces"))
+    usual = make(read(SHEETS / "windrower" / "scene.toml")).mechanism
+    assert usual is not None
+    found, due = finer(drawn), finer(usual)
+    assert found is not None
+    assert due is not None
+    for name, (value, _) in due.due.items():
+        assert found.due[name][0] == pytest.approx(value, rel=1e-9)
