@@ -25,7 +25,7 @@ BETWEEN = 1.6
 """Clear width between two numbers at least, mm."""
 EVERY = (1, 2, 5, 10, 20, 50, 100)
 """Of positions that stand too close for their numbers every second, fifth … bears one."""
-_HEAVY, _LIGHT, _LABEL, _FOOT, _FAR = 20.0, 0.3, 500.0, 12.0, 0.1
+_HEAVY, _LIGHT, _LABEL, _FOOT, _FAR = 60.0, 0.3, 500.0, 12.0, 0.1
 """What it costs to stand on a main line, on a thin one, on the number before, past another position; a mm away
 from its own."""
 _OTHER_SIDE, _LOWER, _ALONE = 10.0, 12.0, 14.0
@@ -70,7 +70,7 @@ def position_numbers(
     if not there:
         return ()
     low, high = -TICK - CLEAR - size, TICK + CLEAR
-    ink = _Inked(strokes, (low - DEEPER[-1] - DEEPER[0] - size, high + DEEPER[0] + 3 * size))
+    ink = _Inked(strokes, (low - 2 * DEEPER[-1] - size, high + DEEPER[-1] + 3 * size))
     rows = [_level(there, (low, high), size, ink)]
     if rows[0].cost > _OTHER_SIDE:
         rows += [
@@ -190,8 +190,10 @@ def _level(
     """
     if not named:
         return _Row((), cost)
-    levels = (*bases, min(bases) - DEEPER[0], max(bases) + DEEPER[0])
-    moved = np.array([0.0, _OTHER_SIDE, _ALONE, _ALONE + _OTHER_SIDE])
+    levels, moved = [*bases], [0.0, _OTHER_SIDE]
+    for k, by in enumerate(DEEPER, 1):
+        levels += [min(bases) - by, max(bases) + by]
+        moved += [k * _ALONE, k * _ALONE + _OTHER_SIDE]
     ordered = sorted(named, key=lambda one: one.at.real)
     made = [letter(one.text, size=size) for one in ordered]
     feet, wide = np.array([one.at.real for one in ordered]), np.array([one.width for one in made])
@@ -214,7 +216,7 @@ def _level(
     for k, one in enumerate(ordered):
         again = np.tile(starts[k], len(levels))
         costs = tried[k] + _LABEL * (again < taken[sides] + BETWEEN)
-        costs = costs + np.where((sides == 1) & (side == 1), _STAYS, moved[sides])
+        costs = costs + np.where((sides == 1) & (side == 1), _STAYS, np.array(moved)[sides])
         best = int(np.argmin(costs))
         if costs[best] >= _LABEL:
             continue

@@ -24,8 +24,9 @@ CLEAR = 0.8
 """Clear space about a label, mm."""
 HEAVY_HALF = 0.4
 """Half the width of a main line, mm."""
-RINGS = ((0.0, 1.2, 6.0, 8.0, 11.0), (15.0, 21.0, 29.0, 36.0))
-"""How much farther than next to its point a label is tried, mm; and where all that is dear. Chosen by eye."""
+RINGS = ((0.0, 1.2, 6.0, 8.0, 11.0), (15.0, 21.0, 29.0, 36.0), (44.0, 54.0, 66.0, 80.0))
+"""How much farther than next to its point a label is tried, mm; where all that is dear; where it stands on a
+main line or a letter. Chosen by eye."""
 AT_ONCE = 256
 """Places of labels are computed in blocks of this many: arrays of some MB, however many labels there are."""
 DIRECTIONS = 24

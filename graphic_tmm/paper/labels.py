@@ -54,8 +54,9 @@ the number of its places that are tested against lines."""
 _VALUE, _MINUS, _STROKE = 12.0, 150.0, 0.35
 """Costs of a place: level with another label, as if both were one term; with a stroke between that reads as a
 minus; the share of the gap that such a stroke fills."""
-_DEAR = 30.0
-"""A place that costs more is left for one farther away, if there is a better one."""
+_DEAR = (30.0, 440.0)
+"""A place that costs more is left for one farther away, if there is a better one; and for one farther still:
+there a letter stands on a main line or on another."""
 
 
 def place(
@@ -83,8 +84,10 @@ def _placed(
     lettered points.
     """
     found = _cheapest(one, beside, inks, occupied, spots)
-    if found[0] > _DEAR:
-        (farther,) = tried([one], RINGS[1], inks)
+    for dear, rings in zip(_DEAR, RINGS[1:], strict=True):
+        if found[0] <= dear:
+            break
+        (farther,) = tried([one], rings, inks)
         found = min(
             found, _cheapest(one, farther, inks, occupied, spots), key=lambda found: found[0]
         )
