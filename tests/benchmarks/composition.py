@@ -1,4 +1,4 @@
-"""How sheets are composed: `python tests/benchmarks/composition.py FILE.svg ...`, or `--random COUNT`.
+"""How sheets are composed: `python tests/benchmarks/composition.py FILE.svg ...`; see `worst_sheets`, too.
 
 Of each sheet: **fill**, the boxes of its views as a share of what is free (frame less title block); **hole**,
 the largest white rectangle 5 mm off all views, as a share of that; **quad**, the share of the emptiest quadrant
@@ -12,8 +12,6 @@ from __future__ import annotations
 import argparse
 import statistics
 import sys
-import tempfile
-import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -169,50 +167,12 @@ def table(named: dict[str, Composed]) -> Iterator[str]:
     yield f"| mean of {len(rows)} | | {fill:.3f} | {100 * hole:.1f} | {quad:.2f} | {aligned:.2f} |"
 
 
-def random(count: int) -> None:
-    """Print how the sheets of random mechanisms are composed, each on the format that it chooses itself."""
-    from support.sheets_of_random import scenes
-
-    from graphic_tmm.scene.read import read
-    from graphic_tmm.studio import sheet_files
-
-    found: dict[str, Composed] = {}
-    formats: dict[str, int] = {}
-    refused = small = 0
-    with tempfile.TemporaryDirectory() as folder:
-        for k, text in enumerate(scenes(count)):
-            file = Path(folder) / f"random{k}.toml"
-            file.write_text(text, encoding="utf-8")
-            began = time.process_time()
-            try:
-                made, files = sheet_files(read(file))
-            except Exception as error:  # every refusal counts, whatever its kind
-                refused += 1
-                print(f"random{k}: {type(error).__name__}: {error}"[:160])
-                continue
-            took = time.process_time() - began
-            for name, svg in files.items():
-                sheet = Path(folder) / name
-                sheet.write_text(str(svg), encoding="utf-8")
-                found[name] = one = measured(sheet)
-                small += one.views == 1 and one.fill < 0.3
-                print(f"{name}: {one.views} views, {one}, {took:.1f} s", flush=True)
-            for order in made.scene.sheets:
-                formats[order.format] = formats.get(order.format, 0) + 1
-    print("\n".join(table(found)))
-    print(f"refused {refused}, sheets with one small view {small}, formats {formats}")
-
-
 def main() -> None:
-    """Measure files, or random mechanisms."""
+    """Measure files."""
     asked = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
-    asked.add_argument("files", nargs="*", type=Path)
-    asked.add_argument("--random", type=int, default=0)
-    told = asked.parse_args()
-    if told.random:
-        random(told.random)
-    if told.files:
-        print("\n".join(table({file.stem: measured(file) for file in told.files})))
+    asked.add_argument("files", nargs="+", type=Path)
+    files = asked.parse_args().files
+    print("\n".join(table({file.stem: measured(file) for file in files})))
 
 
 if __name__ == "__main__":

@@ -25,8 +25,8 @@ Rooms = tuple[Room, Room]
 """The room of a first sheet, and of the sheets that follow it."""
 FULL = 0.8
 """What fills more of the sheets than this will not stand on fewer."""
-UNEVEN = 1.1
-"""Of several sheets none should be filled by so much more than their mean."""
+UNEVEN = (1.1, 1.2, 1.3)
+"""None of several sheets should be filled by so much more than their mean: the first that needs no more."""
 
 
 class Order(NamedTuple):
@@ -124,9 +124,10 @@ def _evenly(
     """Return the sheets of an order, of several all about equally full if that takes no more of them."""
     if len(sheets) < 2:
         return sheets
-    most = UNEVEN * sum(_area(boxes, one.boxes) for one in sheets) / len(sheets)
-    even = _filled(boxes, [k for one in sheets for k in one.boxes], index, order, most)
-    return even if len(even) == len(sheets) else sheets
+    mean = sum(_area(boxes, one.boxes) for one in sheets) / len(sheets)
+    own = [k for one in sheets for k in one.boxes]
+    tried = (_filled(boxes, own, index, order, most * mean) for most in UNEVEN)
+    return next((even for even in tried if len(even) == len(sheets)), sheets)
 
 
 def _filled(
