@@ -61,19 +61,21 @@ def fits(outlines: Sequence[Outline], room: Room, tries: int = TRIES) -> Places 
 
 
 def fitting(
-    outlines: Sequence[Outline], room: Room, tries: int = TRIES
+    outlines: Sequence[Outline], room: Room, tries: int = TRIES, *, last: bool = False
 ) -> tuple[Order, Places] | None:
     """Return an order in which a sheet holds boxes, and where they stand then; None if none tried fits.
 
     Of orders that do not fit, the one least too high starts the next round. Names of boxes and where they were
-    drawn play no part: the same boxes are computed once.
+    drawn play no part: the same boxes are computed once. ``last``: no table comes before what it came after.
     """
     alike = (one._replace(name="", title="", corner=0j) for one in outlines)
-    return _fitting(tuple(alike), room, tries)
+    return _fitting(tuple(alike), room, tries, last)
 
 
 @lru_cache(maxsize=KEPT)
-def _fitting(outlines: tuple[Outline, ...], room: Room, tries: int) -> tuple[Order, Places] | None:
+def _fitting(
+    outlines: tuple[Outline, ...], room: Room, tries: int, last: bool
+) -> tuple[Order, Places] | None:
     gap, best = GAPS[-1], first_order(outlines)
     cut = cutting(best, room, gap)
     if cut is None:
@@ -88,7 +90,9 @@ def _fitting(outlines: tuple[Outline, ...], room: Room, tries: int) -> tuple[Ord
     while len(tried) <= tries:
         if many and over > FAR[min(rounds, len(FAR) - 1)] * cut.size[1]:
             return None
-        near = [order for order in moves(best) if order not in tried][: tries + 1 - len(tried)]
+        near = [order for order in moves(best, last) if order not in tried][
+            : tries + 1 - len(tried)
+        ]
         tried |= set(near)
         ranked: list[tuple[float, int]] = []
         for k, order in enumerate(near):
@@ -104,8 +108,13 @@ def _fitting(outlines: tuple[Outline, ...], room: Room, tries: int) -> tuple[Ord
 
 
 def composed(outlines: Sequence[Outline], room: Room, tries: int = TRIES) -> Places | None:
-    """Return where boxes stand on a sheet, of the orders tried the best; None if none of them fits."""
-    start = fitting(outlines, room, tries)
+    """Return where boxes stand on a sheet, of the orders tried the best; None if none of them fits.
+
+    Tables come before what they came after only where the sheet holds them no other way.
+    """
+    start, last = fitting(outlines, room, tries, last=True), True
+    if start is None:
+        start, last = fitting(outlines, room, tries), False
     if start is None:
         return None
     best = start[0]
@@ -114,7 +123,7 @@ def composed(outlines: Sequence[Outline], room: Room, tries: int = TRIES) -> Pla
     tried, better = {best}, True
     while better:
         better = False
-        for order in moves(best):
+        for order in moves(best, last):
             if order in tried:
                 continue
             if len(tried) > tries:
@@ -141,14 +150,17 @@ def _widest(
     return found, level
 
 
-def moves(order: Order) -> Iterator[Order]:
-    """Yield the orders one move away: a table elsewhere, rows broken elsewhere, single views exchanged."""
-    yield from _tables(order)
+def moves(order: Order, last: bool) -> Iterator[Order]:
+    """Yield the orders one move away: a table elsewhere, rows broken elsewhere, single views exchanged.
+
+    ``last``: tables move on, never back.
+    """
+    yield from _tables(order, last)
     yield from _broken(order)
-    yield from _exchanged(order)
+    yield from _exchanged(order, last)
 
 
-def _tables(order: Order) -> Iterator[Order]:
+def _tables(order: Order, last: bool) -> Iterator[Order]:
     """Yield orders with a table below what leads or elsewhere behind pairs and rows, a note behind rows."""
     kinds = [unit.stand.kind for unit in order]
     leads = kinds[0] == "lead" and "pair" not in kinds
@@ -162,6 +174,8 @@ def _tables(order: Order) -> Iterator[Order]:
             under = unit._replace(stand=Stand(kind=unit.stand.kind, below=LEAD))
             yield (order[0], under, *others[1:])
         free = unit._replace(stand=Stand(kind=unit.stand.kind))
+        if last and unit.stand.kind == "table":
+            first = max(first, k)
         for place in range(first, len(others) + 1):
             yield (*others[:place], free, *others[place:])
 
@@ -192,9 +206,10 @@ def _joined(one: Unit, other: Unit) -> Unit:
     return one._replace(members=one.members + other.members, sizes=one.sizes + other.sizes)
 
 
-def _exchanged(order: Order) -> Iterator[Order]:
+def _exchanged(order: Order, last: bool) -> Iterator[Order]:
     """Yield orders in which a single view has changed places with the next one or with a table."""
     for k in range(1, len(order) - 1):
         one, other = order[k : k + 2]
-        if {one.stand.kind, other.stand.kind} <= {"", "table"}:
+        kinds = {one.stand.kind, other.stand.kind}
+        if kinds <= {"", "table"} and not (last and other.stand.kind == "table"):
             yield (*order[:k], other, one, *order[k + 2 :])

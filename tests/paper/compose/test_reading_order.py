@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import pytest
 from support.gallery import NAMES, paper
-from support.order import faults, gap
+from support.order import LINE, faults, gap
 
 from graphic_tmm.paper.packing import bounds
+
+GIVEN = ("table-given", "table-links", "table-pairs")
+"""Tables that stand with the mechanism."""
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -42,3 +45,19 @@ def test_the_judge_of_order_sees_what_is_out_of_order() -> None:
         "the polygon of group-2-3-1 is 30 mm off",
     ]
     assert gap(boxes["group-2-3-1"], boxes["forces-2-3-1"]) == 30.0
+
+
+HELD_NO_OTHER_WAY = {"cam", "locomobile", "project"}
+"""Scenes of which a sheet holds its tables only before what they came after."""
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name not in HELD_NO_OTHER_WAY])
+def test_tables_of_results_come_after_what_they_tell_of(name: str) -> None:
+    for sheet in paper(name)[1]:
+        views = [view for view in sheet.drawings[1:] if not view.name.startswith("heading-")]
+        single = [bounds(view) for view in views if not view.stand.kind]
+        for view in views:
+            if view.stand.kind == "table" and view.name not in GIVEN:
+                box = bounds(view)
+                late = all(box[0] >= one[2] - LINE or box[3] <= one[1] + LINE for one in single)
+                assert late, view.name
