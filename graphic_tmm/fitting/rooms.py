@@ -91,7 +91,7 @@ class Rooms:
     def _boxes(
         self, ordered: Sequence[str], drawn: Mapping[str, Drawn], within: Within
     ) -> Iterator[ViewBox]:
-        known = all_sizes()
+        known = all_sizes(self.scene)
         single = (one for name in ordered for one in places()[name][1].together or (name,))
         for place in single:
             for whole in views_of(place, self.scene, list(drawn.values()), False):
@@ -177,7 +177,7 @@ class Rooms:
 
         That is the first that makes the view smaller where it is too large: an author may have fixed lengths.
         """
-        known = all_sizes()
+        known = all_sizes(self.scene)
         for boxes, rooms in zip(self.views, self.sheets, strict=True):
             for view in boxes:
                 share = self._share(view, rooms[0], sizes)

@@ -8,8 +8,9 @@ from typing import Any, ClassVar
 
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.paper.formats import narrowest
-from graphic_tmm.scene.chapter import Answer, chapters, places
+from graphic_tmm.scene.chapter import Answer, Chapter, chapters, places
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.tasks import calls_for
 
 Sizes = Mapping[str, float]
 """How large what is drawn may be, by the names that chapters give to sizes."""
@@ -66,9 +67,10 @@ def graph_size(chapter: str) -> Size:
     return Size(f"{chapter} {GRAPHS}", high=1.4, least=0.2, first=True)
 
 
-def all_sizes() -> dict[str, Size]:
-    """Return the sizes of all chapters, by name."""
-    return {size.name: size for one in chapters() for size in Sizing.of(one).sizes}
+def all_sizes(scene: Scene | None = None) -> dict[str, Size]:
+    """Return the sizes of the chapters that a scene calls for, by name; without one those of all chapters."""
+    there = chapters() if scene is None else _called(scene)
+    return {size.name: size for one in there for size in Sizing.of(one).sizes}
 
 
 def sizes_of(place: str, role: str, scene: Scene) -> tuple[str, ...]:
@@ -80,7 +82,7 @@ def sizes_of(place: str, role: str, scene: Scene) -> tuple[str, ...]:
 def usual(scene: Scene) -> dict[str, float]:
     """Return the usual, natural sizes: on the narrowest format of the sheets that show something of each."""
     found = dict[str, float]()
-    for chapter in chapters():
+    for chapter in _called(scene):
         sizing = Sizing.of(chapter)
         for size in sizing.sizes:
             own = {place for place, on in sizing.depends.items() if size.name in on(scene, "")}
@@ -89,3 +91,12 @@ def usual(scene: Scene) -> dict[str, float]:
             formats = formats or [order.format for order in scene.sheets]
             found[size.name] = size.natural * (narrowest(formats).share if size.in_mm else 1.0)
     return found
+
+
+def _called(scene: Scene) -> list[Chapter]:
+    """Return the chapters that a scene calls for, and those they build on: no other is imported."""
+    there = {one.name: one for one in chapters()}
+    found = [name for name, one in there.items() if calls_for(scene, one)]
+    for name in found:
+        found += [more for more in there[name].builds_on if more in there and more not in found]
+    return [one for name, one in there.items() if name in found]

@@ -23,6 +23,7 @@ from graphic_tmm.readers.columns import Tabled
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.chapter import MECHANISM, Answer, Chapter, chapters
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.tasks import calls_for
 
 Figures = Mapping[str, tuple[float, str]]
 """Results by name: a figure and its unit."""
@@ -77,7 +78,7 @@ class Finer(NamedTuple):
 def at_all_positions(scene: Scene) -> Scene:
     """Return the scene with its plans at all positions of the row; one without a mechanism has no row."""
     if scene.mechanism is not None:
-        for chapter in chapters():
+        for chapter in _called(scene, MECHANISM):
             scene = FinerRow.of(chapter).whole(scene)
     return scene
 
@@ -91,11 +92,16 @@ def at_count(scene: Scene, count: int, board: str = MECHANISM) -> Scene | None:
     if board == MECHANISM and count == scene.row.count:
         return scene
     found: Scene | None = scene
-    for chapter in chapters(board):
+    for chapter in _called(scene, board):
         found = FinerRow.of(chapter).at_count(found, count) if found is not None else None
     if found is None or board != MECHANISM:
         return found
     return replace(found, row=replace(found.row, count=count))
+
+
+def _called(scene: Scene, board: str) -> Iterator[Chapter]:
+    """Yield the chapters of a board that a scene calls for."""
+    return (one for one in chapters(board) if calls_for(scene, one))
 
 
 def sampled(drawn: Drawn) -> bool:
