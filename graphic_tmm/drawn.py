@@ -253,7 +253,8 @@ def read_log(project: Project, given: Mapping[Mark, object], hand: Hand, doubts:
     coarse: dict[int, Doubts] = {}
     for chapter in () if exact else project.chapters:
         coarse |= Findings.of(chapter).coarse(project, given, hand)
-    own = Doubts(log.steps, given, doubts.lost, coarse=coarse)
+    same = doubts.coarsened(coarse) if doubts.to_scale else None
+    own = same or Doubts(log.steps, given, doubts.lost, coarse=coarse)
     nothing: dict[int, Any] = {}
     for chapter in project.chapters:
         nothing |= Findings.of(chapter).nothing(project, doubts)

@@ -14,6 +14,7 @@ is computed from that nobody could read it is nothing too, whatever digits of it
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from copy import copy
 from functools import cached_property
 from typing import Any
 
@@ -75,8 +76,14 @@ class Doubts:
         begun = {mark for step in steps for mark in step.uses if mark.slot not in made}
         self._given = {mark: as_value(given[mark], mark.kind) for mark in sorted(begun, key=_slot)}
         self._coarse = coarse or {}
-        self._known, self._to_scale, self._ruler = lost, to_scale, ruler
+        self._known, self.to_scale, self._ruler = lost, to_scale, ruler
         self._positions = max(map(width, self._given.values()), default=1)
+
+    def coarsened(self, coarse: Mapping[int, Doubts]) -> Doubts:
+        """Return the same doubts where those by slot leave fewer digits; nothing is shaken again."""
+        other = copy(self)
+        other.__dict__ |= {"_coarse": coarse, "lost": self.lost}
+        return other
 
     @property
     def drawn(self) -> Mapping[int, Any]:
@@ -109,7 +116,7 @@ class Doubts:
             unit = 10.0 ** np.floor(np.log10(np.where(seen & np.isfinite(bound), bound, 1.0)))
             short = np.where(np.abs(told) <= bound, 0.0 * told, np.round(told / unit) * unit)
             told = np.where(seen, short, told)
-            if mark.kind in FIGURES and self._to_scale:
+            if mark.kind in FIGURES and self.to_scale:
                 told = np.where(self._unread(told, mark, by, places), 0.0 * told, told)
         gone = self.lost.get(mark.slot)
         return told if gone is None else np.where(at(gone, places), np.nan, told)
@@ -149,7 +156,7 @@ class Doubts:
 
     def _bound_of(self, told: Any, mark: Mark, by: Any, places: Any) -> Reals:
         bound = self.bound(mark)
-        if self._to_scale:
+        if self.to_scale:
             return np.asarray(at(bound, places) * np.abs(by))
         drawn = np.abs(self._shaken_log.values[mark.slot])
         share = np.where(bound < drawn, bound / drawn, np.where(bound > 0.0, np.inf, 0.0))

@@ -180,7 +180,7 @@ class PartBoard:
             return None
         if exact:
             return drawn
-        return executed(drawn.project, drawn.sizes, drawn.reach, None, exact=False)
+        return executed(drawn.project, drawn.sizes, drawn.reach, drawn.doubts, exact=False)
 
 
 def _lengths(project: Project, sizes: Sizes, reach: Mapping[str, Any]) -> Lengths:
