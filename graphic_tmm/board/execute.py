@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache, lru_cache, partial
+from functools import cache, cached_property, lru_cache, partial
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -57,7 +57,17 @@ class Reading:
         times = 1.0 if by is None else self[by]
         if self.doubts is None:
             return self[mark] * times
-        return self.doubts.figure(mark, self[mark], times, self.places)
+        key = mark.slot, by.slot if by is not None else None
+        found = self._figures.get(key)
+        if found is None:
+            found = self.doubts.figure(mark, self[mark], times, self.places)
+            if found.shape[0] == 1:  # of many drawings each is told once
+                self._figures[key] = found
+        return found
+
+    @cached_property
+    def _figures(self) -> dict[tuple[int, int | None], Any]:
+        return {}
 
     def doubted(self, doubts: Doubts, places: tuple[int, ...] | None = None) -> Reading:
         """Return the same numbers beside how far rounding moves them."""
