@@ -165,7 +165,8 @@ class Rooms:
         except ViewError:
             return math.inf, 0.0
         taken = [sum(boxes[k].width * boxes[k].height for k in one.boxes) for one in sheets]
-        return len(sheets), min(t / one.room.area for t, one in zip(taken, sheets, strict=True))
+        shares = (t / one.room.area for t, one in zip(taken, sheets, strict=True))
+        return len(sheets), min(shares, default=0.0)
 
     def share(self, order: int, sizes: Sizes) -> float:
         """Return what share of a sheet's free room the views of an order take, each with its gap."""

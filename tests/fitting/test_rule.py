@@ -106,7 +106,6 @@ def test_nothing_is_composed_to_find_a_scale(
         raise AssertionError("a sheet is composed")
 
     monkeypatch.setattr(composing, "composed", refused)
-    monkeypatch.setattr(composing, "shared", refused)
     assert make(scene).boards[0].scales
 
 
@@ -114,6 +113,31 @@ def test_nothing_is_composed_to_find_a_scale(
 def test_a_sheet_that_is_ordered_wins_before_another_is_opened(name: str) -> None:
     scene = read(SHEETS / name / "scene.toml")
     assert len(composed_sheets(scene)[1].sheets) == len(scene.sheets) == 1
+
+
+def test_forces_take_no_more_sheets_than_in_natural_sizes(tmp_path: Path) -> None:
+    orders = ("A1", PLACES[:3]), ("A1", PLACES[3:])
+    several = 0
+    for scene in scenes(tmp_path, 10, *orders):
+        sizes, rooms = by_rule(scene, [Mechanism(scene)])
+        count, emptiest = rooms.sheets_of(1, sizes)
+        natural, _ = rooms.sheets_of(1, usual(scene))
+        assert count <= natural, scene.source
+        # a third sheet with next to nothing is opened only where nothing saves it
+        assert count < 3 or emptiest > 0.2, scene.source
+        several += count > 1
+    assert several > 3
+
+
+def test_each_kind_takes_what_room_its_sheet_has(tmp_path: Path) -> None:
+    for scene in scenes(tmp_path, 6, ("A1", PLACES[:3])):
+        sizes, rooms = by_rule(scene, [Mechanism(scene)])
+        assert rooms.fits(0, sizes), scene.source
+        for name in rooms.names(0):
+            most = min(all_sizes()[name].high, 1.25 * sizes[name] / usual(scene)[name])
+            larger = {**sizes, name: most * usual(scene)[name]}
+            # the next share is at most 1.22 times as large
+            assert larger[name] <= sizes[name] * 1.01 or not rooms.fits(0, larger), name
 
 
 def test_velocities_give_way_before_positions_do() -> None:

@@ -12,7 +12,9 @@ from support.examples import most
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke, line
+from graphic_tmm.paper.formats import HEIGHTS
 from graphic_tmm.paper.lettering import letters
+from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.ruled import Box, Slot, fit, ruled_table, set_text
 from graphic_tmm.paper.views import captioned
 
@@ -236,3 +238,15 @@ def test_a_long_title_is_broken_into_lines_as_even_as_can_be() -> None:
     widths = [letters.letter(text, size=5.0).width for text in lines]
     assert len(lines) == 2
     assert min(widths) > 0.5 * max(widths)
+
+
+def test_a_note_below_a_table_is_no_wider_than_the_table() -> None:
+    note = (
+        "Links 1, 2, 3 meet in pin A, which is counted to link 1: a load at A acts on its own link"
+    )
+    narrow = ruled_table("t", "T", ["a", "b"], [["1", "2"]] * 4)
+    told = captioned(narrow, note, heights=HEIGHTS["A1"])
+    left, _, right, _ = bounds(told)
+    assert right - left < 15 * HEIGHTS["A1"].number
+    words = [label.text for label in told.labels if label not in narrow.labels]
+    assert " ".join(words) == note

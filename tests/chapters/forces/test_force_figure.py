@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,19 +15,24 @@ from support.force_views import LOADED, loaded_drawing, views_of
 from support.gallery import SHEETS, drawn, in_usual
 from support.loaded import weighed
 from support.mechanisms import sample
+from support.rewritten import text_of
+from support.sheets_of_random import FORCES
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.ink_arrows import Arrows, ArrowText
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.table import force_columns
-from graphic_tmm.chapters.forces.views import force_table
+from graphic_tmm.chapters.forces.views import force_table, force_views
+from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.given import drawn_as
 from graphic_tmm.paper.drawing import Stroke, line
+from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.shapes import shape
 from graphic_tmm.paper.symbols.dimensions import SHAFT
 from graphic_tmm.paper.symbols.kinematic import ARROW_LENGTH
 from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
 
 
 def held(work: Drawn, place: int) -> None:
@@ -184,3 +191,19 @@ def test_no_reaction_to_be_found_lies_on_a_link(name: str) -> None:
             if one.pen == "thin" and dict(one.data).get("segment", "").startswith("R"):
                 under = shape(one).intersection(shapely.buffer(bars, 0.6))
                 assert under.length < 0.25 * shape(one).length
+
+
+def test_a_long_guide_of_a_group_ends_at_its_stone(tmp_path: Path) -> None:
+    """A stone that goes far over the turn makes no figure of one position larger than all else in it."""
+    pick = next(itertools.islice(sample(7, 91, dyads=(1, 3)), 6, None))
+    tail = f"accelerations = [1]\n{FORCES}positions = [1]\n"
+    file = tmp_path / "scene.toml"
+    order = '[[sheet]]\nformat = "A1"\nplace = ["forces"]\n'
+    file.write_text(text_of(pick.mechanism, pick.phi, 12, tail + order), encoding="utf-8")
+    (work,) = make(read(file)).boards
+    (view,) = [one for one in force_views(work, True) if one.name == "group-4-5-1"]
+    plan = work.scales["positions"].value / work.scales["group 4-5"].value
+    guides = {guide.name: reach for guide, reach in reaches(work).items()}
+    longest = max(one.high - one.low for name, one in guides.items() if name in ("4", "5"))
+    left, bottom, right, top = bounds(view)
+    assert max(right - left, top - bottom) < 0.5 * plan * longest
