@@ -3,6 +3,7 @@
 Everything has a natural size, see `Size`: no larger is drawn what is measured on a sheet of that format. Then
 each sheet ordered takes one step: up while it has room, down where that saves a sheet. Velocities, polygons and
 diagrams give way before positions, groups and wheels do. A size that several sheets show takes the least step.
+What one sheet holds then grows kind by kind as far as there is room.
 """
 
 from __future__ import annotations

@@ -70,8 +70,8 @@ SIZES = Sizing(
 
 LONGER = 3.5
 """So many times its room a group may take so as to be no smaller than the plan."""
-LINK_1, SHORT = 0.5, 0.2
-"""What link 1 alone takes of the room for a group, and takes where it would be shorter."""
+LINK_1, SHORT = 0.5, 20.0
+"""What link 1 alone takes of the room for a group; how long it is drawn on an A1 where that is less, mm."""
 _GROUP = said(
     "A group takes {room}, and is no smaller than on the plan of positions: the arms of forces are measured "
     "on it.",
@@ -80,7 +80,7 @@ _GROUP = said(
 _ALONE = said(
     "Of link 1 one arm is measured: it is drawn no larger than the group that it turns, but no shorter than "
     "{short:g} mm of an A1.",
-    short=SHORT * GROUP,
+    short=SHORT,
 )
 _POLYGON = said(
     "A polygon of forces takes {room}: the forces that close it are measured.",
@@ -161,7 +161,7 @@ def factors(sized: Sized) -> Iterator[ScaleFactor]:
             wide = far / _group(far, room, plan)
         else:
             # link 1 is no larger than the group that it turns, but where it would be too short to measure
-            wide = max(min(LINK_1 * room, max(far / turned, SHORT * room)), far / plan)
+            wide = max(min(LINK_1 * room, max(far / turned, SHORT * min(room / GROUP, 1.0))), far / plan)
         yield ScaleFactor(figure.mu, "l_{max}", far, wide * (1 + ROUNDED), lengths=True, why=why)
     high, mu_F = sized.sizes["forces"], made.order.mu
     for mu in polygon_scales(project):
