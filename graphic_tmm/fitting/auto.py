@@ -8,7 +8,7 @@ from dataclasses import replace
 from graphic_tmm.errors import TmmError
 from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.formats import room_on
-from graphic_tmm.fitting.rooms import Rooms
+from graphic_tmm.fitting.rooms import measured
 from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.fitting.tried import Board, boards_of, pass_on
 from graphic_tmm.paper.compose.search import fits
@@ -16,9 +16,9 @@ from graphic_tmm.paper.formats import AUTO, SENSIBLE, USUAL, growing, turned
 from graphic_tmm.scene.records import Scene
 
 TRIED = {"A4": "A4", "A3": "A3", "A2": "A2", "A1": "A2"}
-"""As large as usual on which format views are measured to find out whether one holds them."""
-SMALL = 0.5
-"""On the smallest format views take no less than this share of what they take on the middle one."""
+"""As large as usual on which format views are to find out whether one holds them."""
+SMALL, SURE = 0.5, 0.8
+"""Views take no less than these shares of what is reckoned for them on A2: on smaller formats, there itself."""
 FORMATTED = "formatted"
 """What is kept beside a scene: the same with formats."""
 
@@ -26,7 +26,7 @@ FORMATTED = "formatted"
 def formatted(scene: Scene, given: Composition | None = None) -> Scene:
     """Return a scene in which every sheet has a format: for "auto" the smallest that holds its views.
 
-    A composition that is ``given`` tells which. To find out, views are measured in sizes usual on it.
+    A composition that is ``given`` tells which.
     """
     told = {sheet.order: sheet.format for sheet in given.sheets} if given is not None else {}
     scene = _as_told(scene, told)
@@ -35,15 +35,12 @@ def formatted(scene: Scene, given: Composition | None = None) -> Scene:
     kept: Scene | None = scene.cache.get(FORMATTED) if given is None else None
     if kept is not None:
         return kept
-    measured: dict[str, Rooms] = {}
-    found = [
-        order
-        if order.format != AUTO
-        else replace(order, format=told.get(k) or _smallest(scene, k, measured), chosen=True)
+    tried = _Tried(scene)
+    formats = (
+        order.format if order.format != AUTO else told.get(k) or tried.smallest(k)
         for k, order in enumerate(scene.sheets)
-    ]
-    made = replace(scene, sheets=tuple(found))
-    pass_on(scene, made)
+    )
+    made, _ = tried.on(tuple(formats))
     if given is None:
         scene.cache[FORMATTED] = made
     return made
@@ -61,27 +58,44 @@ def _as_told(scene: Scene, told: Mapping[int, str]) -> Scene:
     return replace(scene, sheets=tuple(over.get(k, one) for k, one in enumerate(scene.sheets)))
 
 
-def _smallest(scene: Scene, order: int, measured: dict[str, Rooms]) -> str:
-    """Return the smallest format that holds what is ordered; the usual one where that takes several sheets."""
-    large = _measured(scene, SENSIBLE, measured)
-    taken = SMALL * large.share(order, large.natural) * large.sheets[order][0].area
-    for format in growing():
-        room = room_on(format, scene.language, True)
-        if taken > room.area:
-            continue
-        rooms = _measured(scene, TRIED[format.split()[0]], measured)
-        if fits(rooms.outlines(order, rooms.natural), room) is not None:
-            return format
-    return USUAL
+class _Tried:
+    """A scene with formats that are tried."""
 
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self._on: dict[tuple[str, ...], tuple[Scene, list[Board]]] = {}
 
-def _measured(scene: Scene, format: str, measured: dict[str, Rooms]) -> Rooms:
-    """Return the room of a scene's views in the sizes usual on a format."""
-    if format not in measured:
-        tried = replace(scene, sheets=tuple(replace(one, format=format) for one in scene.sheets))
-        boards = (board.of(tried) for board in _boards(scene))
-        measured[format] = Rooms(tried, list(boards), usual(tried))
-    return measured[format]
+    def on(self, formats: tuple[str, ...]) -> tuple[Scene, list[Board]]:
+        """Return the scene with formats of its sheets, and its boards."""
+        if formats not in self._on:
+            sheets = (
+                replace(order, format=format, chosen=order.chosen or order.format == AUTO)
+                for order, format in zip(self.scene.sheets, formats, strict=True)
+            )
+            other = replace(self.scene, sheets=tuple(sheets))
+            there = _boards(self.scene)
+            pass_on(self.scene, other)
+            self._on[formats] = other, _boards(other) if there else []
+        return self._on[formats]
+
+    def smallest(self, order: int) -> str:
+        """Return the smallest format that holds what is ordered; the usual one if that takes several sheets.
+
+        Views are drawn once more only where it is not clear from those on the usual format.
+        """
+        large, drawn = self.on((USUAL,) * len(self.scene.sheets))
+        scene, boards = self.on((SENSIBLE,) * len(self.scene.sheets))
+        rooms = measured(large, drawn, usual(large)).on(scene, boards)
+        taken = rooms.share(order, usual(scene)) * rooms.sheets[order][0].area
+        for format in growing():
+            room, like = room_on(format, self.scene.language, True), TRIED[format.split()[0]]
+            if (SURE if like == SENSIBLE else SMALL) * taken > room.area:
+                continue
+            scene, boards = self.on((like,) * len(self.scene.sheets))
+            sizes = usual(scene)
+            if fits(measured(scene, boards, sizes).outlines(order, sizes), room) is not None:
+                return format
+        return USUAL
 
 
 def _boards(scene: Scene) -> list[Board]:

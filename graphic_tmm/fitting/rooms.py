@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence, Set
+from copy import copy
 from typing import NamedTuple
 
 from graphic_tmm.drawn import Drawn
@@ -80,7 +81,7 @@ class Rooms:
 
     def __init__(self, scene: Scene, boards: Sequence[Board], natural: Sizes) -> None:
         self.scene, self.natural = scene, natural
-        self.boards = {board.name: board for board in boards}
+        self.boards = self.others = {board.name: board for board in boards}
         self.sheets = [rooms for _, rooms in orders(scene)]
         drawn = {board.name: board.draw(natural) for board in boards}
         self.views = [
@@ -99,6 +100,13 @@ class Rooms:
                 free = tuple(name for name in own if not known[name].fixed(self.scene))
                 for view in in_pieces(whole, within):
                     yield ViewBox.of(place, view, free)
+
+    def on(self, scene: Scene, boards: Sequence[Board]) -> Rooms:
+        """Return the views as reckoned for other formats of a scene's sheets: they are not drawn again."""
+        other = copy(self)
+        other.scene, other.sheets = scene, [rooms for _, rooms in orders(scene)]
+        other.others = {board.name: board for board in boards}
+        return other
 
     def names(self, order: int) -> tuple[str, ...]:
         """Return the free sizes on which an order's views depend."""
@@ -121,7 +129,7 @@ class Rooms:
         board = self.boards.get(places()[view.place][0].board)
         if board is None:
             return share, share
-        was, now = board.lengths(self.natural), board.lengths(sizes)
+        was, now = board.lengths(self.natural), self.others[board.name].lengths(sizes)
         shown = [name for name in view.outline.shows if name in was and name in now]
         if not shown:
             return share, share
@@ -224,6 +232,19 @@ class Rooms:
                     if held < 1.0 and name and name[0] in free:
                         way[name[0]] = min(way.get(name[0], LESS), held)
         return way
+
+
+ROOMS = "rooms"
+"""What is kept beside a scene: the room of its views, by the sizes in which they were measured."""
+
+
+def measured(scene: Scene, boards: Sequence[Board], natural: Sizes) -> Rooms:
+    """Return the room of a scene's views as drawn in natural sizes, once."""
+    key = (ROOMS, tuple(board.name for board in boards), tuple(natural.items()))
+    if key not in scene.cache:
+        scene.cache[key] = Rooms(scene, boards, natural)
+    found: Rooms = scene.cache[key]
+    return found
 
 
 def _alone(box: Outline, room: Room) -> float:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from graphic_tmm.fitting.rooms import LESS, Rooms
+from graphic_tmm.fitting.rooms import LESS, Rooms, measured
 from graphic_tmm.fitting.sizes import Size, Sizes, usual
 from graphic_tmm.fitting.tried import Board
 from graphic_tmm.scene.records import Scene
@@ -48,7 +48,7 @@ def by_rule(scene: Scene, boards: Sequence[Board]) -> tuple[Sizes, Rooms]:
     natural: Sizes = usual(scene)
     own = {name: size for board in boards for name, size in board.sizes.items()}
     free = {name: size for name, size in own.items() if not size.fixed(scene)}
-    sizes, rooms = natural, Rooms(scene, boards, natural)
+    sizes, rooms = natural, measured(scene, boards, natural)
     for _ in range(TRIALS):
         less = _held(rooms, sizes)
         if less == sizes:
