@@ -32,8 +32,8 @@ LEAST = 0.5
 """What is shorter than this, mm, is a point."""
 NEARLY = 0.985
 """Arrows from one point whose directions agree so far (cosine) would lie on each other."""
-ARM = 2.0
-"""An arm shorter than this, mm, is not drawn."""
+ARM = 0.05
+"""An arm shorter than this, mm, turns nothing: it has no letter."""
 FURTHER = 3.0
 """How far a line of action goes on behind the foot of its arm, mm."""
 ROUND, ROUNDS = 9.0, 7.0
@@ -238,11 +238,10 @@ def drawn_on(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
 
 
 def arm_shows(seen: Seen, step: Step, k: int) -> bool:
-    """Whether an arm, or the line of action that one was measured to, is long enough to stay."""
+    """Whether an arm, or the line of action that one was measured to, stays: it stands in an equation."""
     if step.it.kind is Line:
         return any(arm_shows(seen, use, k) for use in seen.uses.get(step.it, ()) if _is_arm(use))
-    about, _, foot = action(seen, step, k)
-    return finite(seen.number(step.it, k)) and abs(foot - about) >= ARM
+    return abs(seen.number(step.it, k)) >= ARM
 
 
 def _is_arm(step: Step) -> bool:

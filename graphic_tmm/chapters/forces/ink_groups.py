@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
@@ -31,6 +31,7 @@ from graphic_tmm.chapters.forces.ink_arrows import (
     pricks,
     turning,
 )
+from graphic_tmm.chapters.forces.ink_arrows import action as acting
 from graphic_tmm.chapters.forces.ink_polygons import bar
 from graphic_tmm.chapters.forces.loads import VIEW as LOADS
 from graphic_tmm.chapters.forces.loads import Couple, Force
@@ -145,7 +146,7 @@ def draw_group(
     if helping:
         drawn = (*strokes, *traces.rubbed)
         traces.rubbed += (*pricks(seen, drawn, index), *pricks(above, drawn, index, times))
-    arms = loads.arms(traces.staying, decimals)
+    arms = loads.arms(lines, decimals)
     wanted = (*bodies.letters(on.heights), *loads.arrows.wanted, *arms, *loads.offs)
     found = traces.drawing(on, strokes, wanted)
     return found._replace(shows=(view, LOADS), role=roles.DETACHED, position=index)
@@ -294,14 +295,13 @@ class _Loads:
         told = ArrowText(couple.letter, value, "N·m", (couple.value.slot,), link)
         return markup(self.called(couple.letter)), told
 
-    def arms(self, drawn: Sequence[Ink], decimals: int) -> Iterator[Wanted]:
-        """The letters of the arms that were drawn, and their mm."""
-        slots = {slot for stroke in drawn for slot in stroke.of}
+    def arms(self, lines: Container[Mark | None], decimals: int) -> Iterator[Wanted]:
+        """The letters of the arms of lines of action, and their mm."""
         for step in self.seen.steps:
-            if step.op is arm and step.it.slot in slots:
-                about = self.seen.point(step.uses[0], self.index)
-                at, along = self.seen.line(step.uses[1], self.index)
-                foot = at + ((about - at) * along.conjugate()).real * along
+            if step.op is not arm or step.uses[1] not in lines:
+                continue
+            if arm_shows(self.seen, step, self.index):
+                about, _, foot = acting(self.seen, step, self.index)
                 mm = abs(self.seen.number(step.it, self.index))
                 text = f"{markup(self.called(step.it.name))} = {fixed(mm, decimals, self.language)}"
                 out = 1j * (foot - about)
