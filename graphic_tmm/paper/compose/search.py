@@ -80,10 +80,10 @@ def _fitting(
     cut = cutting(best, room, gap)
     if cut is None:
         return None
-    found = placed(best, outlines, room, gap)
+    over, tried, rounds = excess(best, room, gap), {best}, 0
+    found = placed(best, outlines, room, gap) if over <= 0.0 else None
     if found is not None:
         return best, found
-    over, tried, rounds = excess(best, room, gap), {best}, 0
     many = len(best) > MANY
     if many and max(cut.share + HOPELESS - FULLEST, cut.share + over / cut.size[1]) > HOPELESS:
         return None

@@ -94,9 +94,10 @@ def curves(leaves: Sequence[np.ndarray], height: int, below: Sequence[Below] = (
     widths[1] = _inverse(heights[1], height + 1)
     for length in range(2, count + 1):
         runs = count - length + 1
-        down = np.full((runs, wide), NONE, dtype=np.int16)
-        across = np.full((runs, height + 1), NONE, dtype=np.int16)
-        above, beside = np.empty_like(down), np.empty_like(across)
+        down, above = np.empty((2, runs, wide), dtype=np.int16)
+        across, beside = np.empty((2, runs, height + 1), dtype=np.int16)
+        down.fill(NONE)
+        across.fill(NONE)
         for k in range(1, length):
             second = slice(k, k + runs)
             np.add(heights[k, :runs], heights[length - k, second], out=above)
@@ -120,11 +121,11 @@ def _inverse(found: np.ndarray, size: int) -> np.ndarray:
     rising = np.empty((runs, places + 2), dtype=found.dtype)
     rising[:, 0], rising[:, -1] = 0, size
     np.minimum(found[:, ::-1], size, out=rising[:, 1:-1])
-    rises = np.diff(rising, axis=1)
-    at = np.flatnonzero(rises)
+    rises = (rising[:, 1:] - rising[:, :-1]).ravel()
+    (at,) = rises.nonzero()
     least = (places - at % (places + 1)).astype(found.dtype)
     least[least == places] = NONE
-    return np.repeat(least, rises.ravel()[at]).reshape(runs, size)
+    return np.asarray(least.repeat(rises[at]).reshape(runs, size))
 
 
 def tree(found: Curves, width: int, height: int) -> Tree | None:
