@@ -8,7 +8,7 @@ from dataclasses import replace
 from graphic_tmm.errors import TmmError
 from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.fitting.formats import room_on
-from graphic_tmm.fitting.rooms import measured
+from graphic_tmm.fitting.rooms import Rooms
 from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.fitting.tried import Board, boards_of, pass_on
 from graphic_tmm.paper.compose.search import fits
@@ -85,7 +85,7 @@ class _Tried:
         """
         large, drawn = self.on((USUAL,) * len(self.scene.sheets))
         scene, boards = self.on((SENSIBLE,) * len(self.scene.sheets))
-        rooms = measured(large, drawn, usual(large)).on(scene, boards)
+        rooms = Rooms.of(large, drawn, usual(large)).on(scene, boards)
         taken = rooms.share(order, usual(scene)) * rooms.sheets[order][0].area
         for format in growing():
             room, like = room_on(format, self.scene.language, True), TRIED[format.split()[0]]
@@ -93,7 +93,7 @@ class _Tried:
                 continue
             scene, boards = self.on((like,) * len(self.scene.sheets))
             sizes = usual(scene)
-            if fits(measured(scene, boards, sizes).outlines(order, sizes), room) is not None:
+            if fits(Rooms.of(scene, boards, sizes).outlines(order, sizes), room) is not None:
                 return format
         return USUAL
 

@@ -119,7 +119,7 @@ def sheet_count(scene: Scene, boards: Sequence[Drawn]) -> int:
     ViewError
         If a view fits no sheet.
     """
-    return len(sheets.shared(_wanted(scene, boards)[0]))
+    return len(sheets.shared(_wanted(scene, boards)[0], even=False))
 
 
 def orders(scene: Scene) -> list[tuple[SheetOrder, tuple[Room, Room]]]:

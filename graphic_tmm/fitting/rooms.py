@@ -39,6 +39,8 @@ EDGE = 6.0
 """How much wider, mm, a view may come out with its letters where a sheet is hardly wide enough."""
 FILLED = 0.7
 """What share of its free room a full sheet shows as boxes of views."""
+ROOMS = "rooms"
+"""What is kept beside a scene: the room of its views, by the sizes in which they were measured."""
 FIXED = (TABLE, EQUATIONS)
 """What is as large in all sizes."""
 
@@ -101,6 +103,15 @@ class Rooms:
                 for view in in_pieces(whole, within):
                     yield ViewBox.of(place, view, free)
 
+    @classmethod
+    def of(cls, scene: Scene, boards: Sequence[Board], natural: Sizes) -> Rooms:
+        """Return the room of a scene's views in natural sizes, drawn once."""
+        key = (ROOMS, tuple(board.name for board in boards), tuple(natural.items()))
+        if key not in scene.cache:
+            scene.cache[key] = cls(scene, boards, natural)
+        found: Rooms = scene.cache[key]
+        return found
+
     def on(self, scene: Scene, boards: Sequence[Board]) -> Rooms:
         """Return the views as reckoned for other formats of a scene's sheets: they are not drawn again."""
         other = copy(self)
@@ -158,23 +169,30 @@ class Rooms:
             ]
         return fits(boxes, self.sheets[order][0]) is not None
 
-    def sheets_of(self, order: int, sizes: Sizes) -> tuple[float, float]:
-        """Return how many sheets an order takes by itself, and what share of the emptiest boxes take.
+    def sheets_of(self, order: int, sizes: Sizes) -> float:
+        """Return how many sheets an order takes by itself; without end if none holds one of its views."""
+        try:
+            return len(shared([self._spilling(order, sizes)], even=False))
+        except ViewError:
+            return math.inf
 
-        Sheets without end if none holds one of its views.
-        """
-        format = self.scene.sheets[order].format
-        boxes = tuple(
+    def emptiest(self, order: int, sizes: Sizes) -> float:
+        """Return what share of the emptiest of the sheets of an order boxes take, by itself."""
+        of = self._spilling(order, sizes)
+        try:
+            sheets = shared([of])
+        except ViewError:
+            return 0.0
+        taken = [sum(of.outlines[k].width * of.outlines[k].height for k in s.boxes) for s in sheets]
+        shares = (t / one.room.area for t, one in zip(taken, sheets, strict=True))
+        return min(shares, default=0.0)
+
+    def _spilling(self, order: int, sizes: Sizes) -> Order:
+        boxes = (
             box._replace(width=box.width + SPILL, height=box.height + SPILL) if view.sizes else box
             for view, box in zip(self.views[order], self.outlines(order, sizes), strict=True)
         )
-        try:
-            sheets = shared([Order(boxes, self.sheets[order], format)])
-        except ViewError:
-            return math.inf, 0.0
-        taken = [sum(boxes[k].width * boxes[k].height for k in one.boxes) for one in sheets]
-        shares = (t / one.room.area for t, one in zip(taken, sheets, strict=True))
-        return len(sheets), min(shares, default=0.0)
+        return Order(tuple(boxes), self.sheets[order], self.scene.sheets[order].format)
 
     def share(self, order: int, sizes: Sizes) -> float:
         """Return what share of a sheet's free room the views of an order take, each with its gap."""
@@ -232,19 +250,6 @@ class Rooms:
                     if held < 1.0 and name and name[0] in free:
                         way[name[0]] = min(way.get(name[0], LESS), held)
         return way
-
-
-ROOMS = "rooms"
-"""What is kept beside a scene: the room of its views, by the sizes in which they were measured."""
-
-
-def measured(scene: Scene, boards: Sequence[Board], natural: Sizes) -> Rooms:
-    """Return the room of a scene's views as drawn in natural sizes, once."""
-    key = (ROOMS, tuple(board.name for board in boards), tuple(natural.items()))
-    if key not in scene.cache:
-        scene.cache[key] = Rooms(scene, boards, natural)
-    found: Rooms = scene.cache[key]
-    return found
 
 
 def _alone(box: Outline, room: Room) -> float:

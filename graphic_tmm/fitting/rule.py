@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from graphic_tmm.fitting.rooms import LESS, Rooms, measured
+from graphic_tmm.fitting.rooms import LESS, Rooms
 from graphic_tmm.fitting.sizes import Size, Sizes, usual
 from graphic_tmm.fitting.tried import Board
 from graphic_tmm.scene.records import Scene
@@ -48,7 +48,7 @@ def by_rule(scene: Scene, boards: Sequence[Board]) -> tuple[Sizes, Rooms]:
     natural: Sizes = usual(scene)
     own = {name: size for board in boards for name, size in board.sizes.items()}
     free = {name: size for name, size in own.items() if not size.fixed(scene)}
-    sizes, rooms = natural, measured(scene, boards, natural)
+    sizes, rooms = natural, Rooms.of(scene, boards, natural)
     for _ in range(TRIALS):
         less = _held(rooms, sizes)
         if less == sizes:
@@ -140,12 +140,13 @@ class _Rule(NamedTuple):
         Where that leaves less than a third on one, groups give way, too, if it saves a sheet.
         """
         low, high = SAVING, max(at)
-        least, emptiest = self.rooms.sheets_of(order, at[SAVING])
-        if emptiest < THIRD and (fewer := self.rooms.sheets_of(order, at[min(at)])[0]) < least:
+        least = self.rooms.sheets_of(order, at[SAVING])
+        emptiest = self.rooms.emptiest(order, at[SAVING])
+        if emptiest < THIRD and (fewer := self.rooms.sheets_of(order, at[min(at)])) < least:
             low, high, least = min(at), SAVING - 1, fewer
         while low < high:
             middle = (low + high + 1) // 2
-            if self.rooms.sheets_of(order, at[middle])[0] <= least:
+            if self.rooms.sheets_of(order, at[middle]) <= least:
                 low = middle
             else:
                 high = middle - 1

@@ -120,8 +120,8 @@ def test_forces_take_no_more_sheets_than_in_natural_sizes(tmp_path: Path) -> Non
     several = 0
     for scene in scenes(tmp_path, 10, *orders):
         sizes, rooms = by_rule(scene, [Mechanism(scene)])
-        count, emptiest = rooms.sheets_of(1, sizes)
-        natural, _ = rooms.sheets_of(1, usual(scene))
+        count, emptiest = rooms.sheets_of(1, sizes), rooms.emptiest(1, sizes)
+        natural = rooms.sheets_of(1, usual(scene))
         assert count <= natural, scene.source
         # a third sheet with next to nothing is opened only where nothing saves it
         assert count < 3 or emptiest > 0.2, scene.source

@@ -161,7 +161,9 @@ def factors(sized: Sized) -> Iterator[ScaleFactor]:
             wide = far / _group(far, room, plan)
         else:
             # link 1 is no larger than the group that it turns, but where it would be too short to measure
-            wide = max(min(LINK_1 * room, max(far / turned, SHORT * min(room / GROUP, 1.0))), far / plan)
+            wide = max(
+                min(LINK_1 * room, max(far / turned, SHORT * min(room / GROUP, 1.0))), far / plan
+            )
         yield ScaleFactor(figure.mu, "l_{max}", far, wide * (1 + ROUNDED), lengths=True, why=why)
     high, mu_F = sized.sizes["forces"], made.order.mu
     for mu in polygon_scales(project):

@@ -84,24 +84,24 @@ def _written_place(at: complex) -> complex:
     return complex(round(at.real, 2), round(at.imag, 2))
 
 
-def shared(orders: Sequence[Order], enough: float = 0.0) -> list[Shared]:
+def shared(orders: Sequence[Order], enough: float = 0.0, *, even: bool = True) -> list[Shared]:
     """Return which boxes stand on which sheet; the number of sheets shows whether sizes fit. See `composed`.
 
     What a sheet leaves to the next may save one: where sheets are not `FULL`, and more than would be
-    ``enough``, that is tried too.
+    ``enough``, that is tried too. Not ``even``: for their number, which is the same if they are about as full.
     """
-    found = _shared(orders)
+    found = _shared(orders, even=even)
     if len(found) <= enough:
         return found
     full = sum(_area(order.outlines, range(len(order.outlines))) for order in orders)
     room = sum(sheet.room.area for sheet in found) - max((s.room.area for s in found), default=0.0)
     if len(found) > len(orders) and full < FULL * room:
-        other = _shared(orders, shy=True)
+        other = _shared(orders, shy=True, even=even)
         found = other if len(other) < len(found) else found
     return found
 
 
-def _shared(orders: Sequence[Order], shy: bool = False) -> list[Shared]:
+def _shared(orders: Sequence[Order], shy: bool = False, *, even: bool) -> list[Shared]:
     """Return what stands on which sheet; ``shy``: on the first of an order one part less than it holds."""
     boxes = [outline for order in orders for outline in order.outlines]
     sheets: list[Shared] = []
@@ -111,6 +111,8 @@ def _shared(orders: Sequence[Order], shy: bool = False) -> list[Shared]:
         sheets += _filled(boxes, own, index, order, shy=shy)
         first += len(order.outlines)
     sheets = _gathered(boxes, sheets)
+    if not even:
+        return sheets
     return [
         sheet
         for index, order in enumerate(orders)
