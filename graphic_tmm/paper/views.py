@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
@@ -18,8 +19,9 @@ from graphic_tmm.paper.packing import bounds, in_pieces
 
 BELOW = 0.7
 """Clear height between two lines of a caption, and between it and its view, of the height of its capitals."""
-COLUMN = 12.0
-"""A title wider than its view is broken, but never into lines shorter than this, of its height."""
+COLUMN, WIDER = 12.0, 1.15
+"""A title so many times wider than its view, or the lines below it, is broken, but never into lines shorter
+than so many of its heights."""
 NUMERALS = "0123456789*°.,"
 """What the number of a position consists of."""
 TOUCH = 1e-6
@@ -108,7 +110,8 @@ def captioned(
 ) -> Drawing:
     """Return a view with lines of lettering below it: in the middle, below a table from its left edge.
 
-    The first of them is the title, broken where it is much wider than its view; a table has its own above it.
+    The first of them is the title, broken where it is much wider than its view and the lines below it; a table
+    has its own above it.
     Where a sheet is too narrow, all lines are broken, and the view comes apart if it can. ``known``: the marks
     that the lines after the second one state: the lines appear with them.
     """
@@ -118,7 +121,9 @@ def captioned(
         most, size = max(right - left, COLUMN * heights.number), heights.number
         told = [_Line(part, size) for text in lines for part in wrapped(text, size, most)]
     else:
-        titles = [_titled(text, heights.title, right - left) for text in lines[:1]]
+        below = (letter(text, size=heights.point).width for text in lines[1:])
+        wide = max(right - left, *below, 0.0)
+        titles = [_titled(text, heights.title, wide) for text in lines[:1]]
         told = [_Line(part, heights.title) for parts in titles for part in parts]
         told += [_Line(text, heights.point, of if k else ()) for k, text in enumerate(lines[1:])]
 
@@ -136,12 +141,12 @@ def captioned(
 
 
 def _titled(text: str, size: float, width: float) -> list[str]:
-    """Return a title in lines, broken where it is wider than its view.
+    """Return a title in lines, broken where it is wider than ``width``.
 
     Of a series only the numbers at the end differ: either all titles of it are broken, or none is.
     """
     stem = letter(text.rstrip(NUMERALS), size=size).width
-    most = max(width, COLUMN * size)
+    most = max(WIDER * width, COLUMN * size)
     return [text] if stem + 2 * size <= most else _even(text, size, min(stem, most))
 
 
@@ -190,13 +195,19 @@ def _above(lines: Sequence[_Line], view: Drawing) -> Drawing:
     return view._replace(labels=tuple(labels), cell=cell, apart=None, foot=foot)
 
 
+_COMMA, _WORD, _SPACE = map(re.compile, (", ", r" (?=\D)", " "))
+"""Where lines are broken, the best places first."""
+
+
 def wrapped(text: str, size: float, width: float) -> list[str]:
-    """Return mark-up in lines no wider than ``width`` mm, broken behind commas, else at spaces."""
+    """Return mark-up in lines no wider than ``width`` mm, broken behind commas, else at spaces.
+
+    A number stays with the word before it, if it can.
+    """
     if letter(text, size=size).width <= width:
         return [text]
-    for mark in (", ", " "):
-        ends = [k for k, _ in enumerate(text) if text.startswith(mark, k) and _outside(text[:k])]
-        heads = [k + len(mark) - 1 for k in ends]
+    for mark in (_COMMA, _WORD, _SPACE):
+        heads = [found.end() - 1 for found in mark.finditer(text) if _outside(text[: found.end()])]
         fitting = [k for k in heads if letter(text[:k], size=size).width <= width]
         if fitting:
             cut = fitting[-1]

@@ -88,6 +88,19 @@ def test_the_title_of_a_caption_is_larger_and_broken_over_a_narrow_view() -> Non
     assert shapely.box(left, low, right, top).buffer(1e-9).covers(shapely.union_all(boxes))
 
 
+def test_a_title_is_not_broken_above_a_line_that_is_longer() -> None:
+    view = Drawing("forces", "", (line("main", 0j, 40 + 30j),))
+    title, longer = "План сил группы 2-3, положение 3", " + ".join(10 * ["R_{12}^{n}"])
+    told = captioned(view, title, "μ_F = 75 Н/мм", longer, heights=HEIGHTS["A1"])
+    assert [label.text for label in told.labels] == [title, "μ_F = 75 Н/мм", longer]
+
+
+def test_a_number_stays_with_its_word_where_a_title_is_broken() -> None:
+    view = Drawing("forces", "", (line("main", 0j, 20 + 30j),))
+    told = captioned(view, "План сил звена 1, положение 5", heights=HEIGHTS["A1"])
+    assert [label.text for label in told.labels] == ["План сил звена 1,", "положение 5"]
+
+
 @each("title", ["План скоростей, положение", "План сил, поз.", "Группа 4-5"])
 @each("width", range(20, 160, 4))
 def test_the_titles_of_a_series_are_all_broken_or_none(width: int, title: str) -> None:
