@@ -19,7 +19,7 @@ from graphic_tmm.paper.packing import bounds, in_pieces
 
 BELOW = 0.7
 """Clear height between two lines of a caption, and between it and its view, of the height of its capitals."""
-COLUMN, WIDER = 12.0, 1.15
+COLUMN, WIDER = 12.0, 1.2
 """A title so many times wider than its view, or the lines below it, is broken, but never into lines shorter
 than so many of its heights."""
 NUMERALS = "0123456789*°.,"
