@@ -19,9 +19,9 @@ from graphic_tmm.paper.packing import bounds, in_pieces
 
 BELOW = 0.7
 """Clear height between two lines of a caption, and between it and its view, of the height of its capitals."""
-COLUMN, WIDER = 12.0, 1.2
-"""A title so many times wider than its view, or the lines below it, is broken, but never into lines shorter
-than so many of its heights."""
+COLUMN = 12.0
+"""A title wider than its view, and than the lines below it, is broken, but never into lines shorter than this,
+of its height."""
 NUMERALS = "0123456789*°.,"
 """What the number of a position consists of."""
 TOUCH = 1e-6
@@ -146,7 +146,7 @@ def _titled(text: str, size: float, width: float) -> list[str]:
     Of a series only the numbers at the end differ: either all titles of it are broken, or none is.
     """
     stem = letter(text.rstrip(NUMERALS), size=size).width
-    most = max(WIDER * width, COLUMN * size)
+    most = max(width, COLUMN * size)
     return [text] if stem + 2 * size <= most else _even(text, size, min(stem, most))
 
 
