@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Collection, Mapping
+from functools import lru_cache
 from typing import Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
@@ -101,8 +102,7 @@ class Construction(NamedTuple):
 
     def roles(self, view: str, role: str) -> tuple[Mark, ...]:
         """Return the marks of a view that have a role, given ones first, then in the order of the steps."""
-        marks = (*self.given, *(step.it for step in self.steps))
-        return tuple(mark for mark in marks if mark.view == view and mark.role == role)
+        return _roles(ByIdentity(self)).get((view, role), ())
 
     def step(self, mark: Mark) -> Step | None:
         """Return the step that left ``mark``; None for a given one."""
@@ -128,6 +128,14 @@ class ByIdentity(Generic[T]):
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ByIdentity) and self.it is other.it
+
+
+@lru_cache(maxsize=8)
+def _roles(log: ByIdentity[Construction]) -> Mapping[tuple[str, str], tuple[Mark, ...]]:
+    found: dict[tuple[str, str], list[Mark]] = {}
+    for mark in (*log.it.given, *(step.it for step in log.it.steps)):
+        found.setdefault((mark.view, mark.role), []).append(mark)
+    return {key: tuple(marks) for key, marks in found.items()}
 
 
 class Board:
