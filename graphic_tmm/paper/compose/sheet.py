@@ -69,10 +69,12 @@ def cutting(units: Sequence[Unit], room: Room, gap: float) -> Cutting | None:
     head, foot, aside = _corners(room, gap)
     width, height = right - aside - left - 2 * gap, top - bottom - 2 * gap
     there = [*units, Unit((), ((*foot, 0.0),))] if min(foot) > 0.0 else list(units)
+    found = Cutting(complex(left + gap, top - gap), (width, height), there, [], gap)
+    if found.share > 1.0:
+        return None
     ways: list[Sequence[Shape]] = [ways_of(unit, gap) for unit in there]
     ways[0] = _below(ways[0], head, gap)
-    found = Cutting(complex(left + gap, top - gap), (width, height), there, ways, gap)
-    return found if found.share <= 1.0 else None
+    return found._replace(ways=ways)
 
 
 def excess(units: Sequence[Unit], room: Room, gap: float) -> float:

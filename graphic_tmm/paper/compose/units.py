@@ -129,9 +129,12 @@ def shapes(sizes: tuple[Sized, ...], gap: float) -> tuple[Shape, ...]:
 def measured(sizes: Sequence[Sized], rows: tuple[int, ...], gap: float) -> Shape:
     """Return the size of boxes set in rows of a given number."""
     lines = split(sizes, rows)
-    width = max(sum(w for w, _, _ in line) + gap * (len(line) - 1) for line in lines)
     height = sum(map(high, lines)) + gap * (len(lines) - 1)
-    return Shape(width, height, rows)
+    return Shape(_widest(lines, gap), height, rows)
+
+
+def _widest(lines: Sequence[Sequence[Sized]], gap: float) -> float:
+    return max(sum([w for w, _, _ in line]) + gap * (len(line) - 1) for line in lines)
 
 
 def high(line: Sequence[Sized]) -> float:
@@ -164,7 +167,7 @@ def _even(sizes: Sequence[Sized], rows: tuple[int, ...], gap: float) -> tuple[in
     """Return as many rows whose widest is as narrow as can be."""
     if len(rows) == 1:
         return rows
-    low, high = max(width for width, _, _ in sizes), measured(sizes, rows, gap).width
+    low, high = max([width for width, _, _ in sizes]), _widest(split(sizes, rows), gap)
     best = rows
     for _ in range(12):
         middle = (low + high) / 2
