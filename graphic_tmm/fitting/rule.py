@@ -33,12 +33,16 @@ FULL = 0.92
 """What takes a larger share of a sheet, gaps among it, fits never. Of the sheets of the gallery."""
 SAVING = -2
 """The step to which what several sheets show gives way if that saves one: of forces the polygons alone."""
-GROWN = (1.7, 1.4, 1.2)
-"""To which shares of its natural size a kind grows by itself where its sheets have room for it."""
+GROWN = ((1.0, 0.85, 0.7), (1.7, 1.4, 1.2))
+"""To which shares of its natural size a kind grows by itself where there is room for it: first to that."""
+LEGIBLE = 45.0
+"""Nothing gives way to less than so many mm for a sheet's sake."""
 SPARE = 0.72
 """Of views that take no more of a sheet, which does not hold them all, tables may go to another sheet."""
 THIRD = 1 / 3
 """No sheet is opened for less than this share of it."""
+FEW = 3
+"""Of more sheets none is saved by drawing all of them small."""
 TRIALS = 20
 """How often what no sheet holds gives way."""
 
@@ -100,8 +104,9 @@ class _Rule(NamedTuple):
 
     def _size(self, name: str, step: int) -> float:
         size = self.free[name]
-        share = STEPS[step][0 if size.first else 1]
-        return min(self.rooms.natural[name] * max(share, size.low), self.most[name])
+        natural, share = self.rooms.natural[name], STEPS[step][0 if size.first else 1]
+        least = min(LEGIBLE, natural) if size.in_mm else 0.0
+        return min(max(natural * max(share, size.low), least), self.most[name])
 
     def _step(self, order: int, steps: Sequence[int | None]) -> tuple[int | None, bool]:
         """Return the largest step at which an order takes no more sheets than it has to; whether one.
@@ -142,8 +147,10 @@ class _Rule(NamedTuple):
         low, high = SAVING, max(at)
         least = self.rooms.sheets_of(order, at[SAVING])
         emptiest = self.rooms.emptiest(order, at[SAVING])
-        if emptiest < THIRD and (fewer := self.rooms.sheets_of(order, at[min(at)])) < least:
-            low, high, least = min(at), SAVING - 1, fewer
+        if emptiest < THIRD and least <= FEW:
+            fewer = self.rooms.sheets_of(order, at[min(at)])
+            if fewer < least:
+                low, high, least = min(at), SAVING - 1, fewer
         while low < high:
             middle = (low + high + 1) // 2
             if self.rooms.sheets_of(order, at[middle]) <= least:
@@ -154,14 +161,15 @@ class _Rule(NamedTuple):
 
     def grown(self, sizes: Sizes, single: Sequence[bool]) -> Sizes:
         """Return sizes of which each by itself has grown on sheets that had room for it, ``single`` ones."""
-        for name in dict.fromkeys(
-            n for k, one in enumerate(single) if one for n in self.rooms.names(k)
-        ):
-            for share in GROWN:
-                larger = {**sizes, name: min(share * self.rooms.natural[name], self.most[name])}
-                if larger[name] > sizes[name] and self._held(sizes, larger, single):
-                    sizes = larger
-                    break
+        names = [n for k, one in enumerate(single) if one for n in self.rooms.names(k)]
+        for shares in GROWN:
+            for name in dict.fromkeys(names):
+                for share in shares:
+                    size = min(share * self.rooms.natural[name], self.most[name])
+                    larger = {**sizes, name: size}
+                    if size > sizes[name] and self._held(sizes, larger, single):
+                        sizes = larger
+                        break
         return sizes
 
     def _held(self, sizes: Sizes, larger: Sizes, single: Sequence[bool]) -> bool:
