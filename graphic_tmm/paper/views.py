@@ -22,6 +22,8 @@ BELOW = 0.7
 COLUMN = 12.0
 """A title wider than its view, and than the lines below it, is broken, but never into lines shorter than this,
 of its height."""
+EARLY = 0.5
+"""A line is broken behind a comma where that leaves no less of its width."""
 NUMERALS = "0123456789*°.,"
 """What the number of a position consists of."""
 TOUCH = 1e-6
@@ -209,7 +211,9 @@ def wrapped(text: str, size: float, width: float) -> list[str]:
     for mark in (_COMMA, _WORD, _SPACE):
         heads = [found.end() - 1 for found in mark.finditer(text) if _outside(text[: found.end()])]
         fitting = [k for k in heads if letter(text[:k], size=size).width <= width]
-        if fitting:
+        # a comma that comes early would leave a line next to empty
+        early = fitting and letter(text[: fitting[-1]], size=size).width < EARLY * width
+        if fitting and not (early and mark is _COMMA):
             cut = fitting[-1]
             return [text[:cut], *wrapped(text[cut + 1 :], size, width)]
     return [text]

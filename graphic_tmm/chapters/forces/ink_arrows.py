@@ -274,6 +274,10 @@ def _spot(seen: Seen, step: Step, k: int) -> complex:
     return seen.point(first, k) if first.kind is Point else complex("nan")
 
 
+SEEN = 8.0
+"""So much farther a guide that is cut off goes on behind its stone, mm: its link is seen to have one."""
+
+
 class Bodies:
     """The links of a figure: those of the plan of positions, drawn to another scale.
 
@@ -300,7 +304,9 @@ class Bodies:
         self.ink = LinksInk(construction, larger, whole)
         spread = max(abs(a - b) for a, b in map(self.ends, self.names))
         self.ink.reaches = {
-            one: reach.near(reach_of(construction, larger, one, reach.anchor, self.index), spread)
+            one: reach.near(
+                reach_of(construction, larger, one, reach.anchor, self.index).longer(SEEN), spread
+            )
             for one, reach in whole.items()
         }
 

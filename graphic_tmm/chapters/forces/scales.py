@@ -68,6 +68,8 @@ SIZES = Sizing(
 )
 
 
+LARGER = 1.3
+"""A lever as large as the plan of velocities may take so many times its room."""
 LONGER = 3.5
 """So many times its room a group may take so as to be no smaller than the plan."""
 LINK_1, SHORT = 0.5, 20.0
@@ -210,7 +212,9 @@ def force_scales(fitting: Fitting) -> dict[Mark, object]:
     known: Reaches = fitting.reach[FORCES]
     plan = np.ravel(np.asarray(fitting.given[project.scale(VELOCITIES)]))[0]
     room = fitting.sizes["lever"] * float(plan)
-    times = next((k for k in ENLARGED if k * known.lever <= room), ENLARGED[-1])
+    # as it was drawn a plan may be a little larger: half of it would be small
+    most = {1.0: LARGER * room}
+    times = next((k for k in ENLARGED if k * known.lever <= most.get(k, room)), ENLARGED[-1])
     mu_l = fitting.given[project.scale(POSITIONS)]
     points = {figure.mu: mu_l for figure in made.figures if not known.detached[figure.view]}
     return {made.lever.times: times, **points}

@@ -25,6 +25,10 @@ class Reach(NamedTuple):
         """Return the reach in another unit of length."""
         return Reach(self.anchor, self.low * factor, self.high * factor)
 
+    def longer(self, by: float) -> Reach:
+        """Return the reach, longer at both ends."""
+        return Reach(self.anchor, self.low - by, self.high + by)
+
     def near(self, part: Reach, room: float) -> Reach:
         """Return the reach, or ``part`` of it where the whole goes too far beyond: by ``room``, or half of it.
 
