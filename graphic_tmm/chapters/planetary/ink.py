@@ -157,7 +157,7 @@ PITCH = 0.6
 """Clear height between the lines of a caption, of the height of its letters."""
 COLUMN = 24.0
 """Lines below the plan of rates wider than it are broken, but not into shorter ones; of their height."""
-BELOW = (5.0, 8.0, 9.0)
+BELOW = (5.0, 7.5, 9.0)
 """From the views, the axis and the pole down to their captions, mm."""
 
 

@@ -35,7 +35,7 @@ POLES = (60.0, 50.0, 40.0, 30.0, 25.0, 20.0, 15.0, 10.0)
 """Pole distances that are chosen from, mm."""
 BESIDE, ROW, ARM = 60.0, 26.0, 18.0
 """From the circles to the first row; from row to row; from the last row to the arm of the carrier, mm."""
-PICTURE, BELOW = 62.0, 52.0
+PICTURE, BELOW = 62.0, 48.0
 """From the scheme to the picture of velocities; from the axis down to the plan below it, mm."""
 CLEAR = 45.0
 """The least way from the scheme to the picture: the shaft's bearing stands there, mm."""
