@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import re
 import resource
 import statistics
 import subprocess
@@ -10,6 +12,7 @@ import time
 import tracemalloc
 from functools import partial
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from clock import HERE, ROOT, Row, in_turns, show, slope
@@ -36,6 +39,8 @@ TRIALS = tuple(1000 << k for k in range(6))
 COPIES = (1, 2, 4, 8, 16)
 DYADS = (2, 5, 10, 20, 40)
 STEEPEST = 1.1
+ROWS = (12, 48, 180, 720)
+COMMANDS = {"table": 1.1, "draw": 1.15}
 TABLES = (2000, 10_000)
 LONGEST, FLAT = 8.0, 1.1
 NEAR = 0.05
@@ -136,6 +141,40 @@ def tables() -> list[Row]:
     ]
 
 
+def commands() -> list[Row]:
+    """Return the lines of commands by positions: CPU seconds of processes that find nothing kept."""
+    found = []
+    scene = (ROOT / "sheets" / "windrower" / "scene.toml").read_text(encoding="utf-8")
+    # diagrams to fixed scale factors fit no sheet at so many positions
+    text = re.sub(r"(?ms)^\[(diagrams|flywheel)\].*?(?=^\[)", "", scene)
+    text = text.replace('["diagrams", "flywheel"]', '["structure"]')
+    text = text.replace('"equations", "structure"]', '"equations"]')
+    for command, steepest in COMMANDS.items():
+        spent = []
+        for count in ROWS:
+            with TemporaryDirectory() as folder:
+                file = Path(folder, "scene.toml")
+                file.write_text(re.sub(r"(?m)^(positions +=) 12", rf"\1 {count}", text), "utf-8")
+                line = [sys.executable, "-m", "graphic_tmm", command, str(file)]
+                line += ["-o", str(Path(folder, "out"))] if command == "draw" else []
+                before = resource.getrusage(resource.RUSAGE_CHILDREN)
+                there = {**os.environ, "XDG_CACHE_HOME": folder}
+                subprocess.run(line, env=there, capture_output=True, check=True)
+                after = resource.getrusage(resource.RUSAGE_CHILDREN)
+                spent.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+        steep = slope(ROWS, spent)
+        each = ", ".join(f"{seconds:.1f}" for seconds in spent)
+        found.append(
+            Row(
+                f"`{command}` of the windrower by positions, {ROWS[0]} to {ROWS[-1]}: slope in log–log",
+                f"{steep:.2f} ({each} s)",
+                f"≤ {steepest}",
+                steep <= steepest,
+            )
+        )
+    return found
+
+
 def beyond(count: int) -> float:
     """Return the most MB held at once beyond what is given and the results, by a run at many positions.
 
@@ -204,7 +243,7 @@ def memory() -> list[Row]:
 
 def main() -> None:
     """Print the table."""
-    show("growth", [positions(), trials(), elements(), links(), *tables(), *memory()])
+    show("growth", [positions(), trials(), elements(), links(), *commands(), *tables(), *memory()])
 
 
 if __name__ == "__main__":
