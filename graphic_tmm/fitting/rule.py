@@ -41,8 +41,8 @@ SPARE = 0.72
 """Of views that take no more of a sheet, which does not hold them all, tables may go to another sheet."""
 THIRD = 1 / 3
 """No sheet is opened for less than this share of it."""
-FEW = 3
-"""Of more sheets none is saved by drawing all of them small."""
+WORTH = 0.85
+"""To no larger share of the sheets their number has to fall for all that they show to be drawn small."""
 TRIALS = 20
 """How often what no sheet holds gives way."""
 
@@ -147,9 +147,9 @@ class _Rule(NamedTuple):
         low, high = SAVING, max(at)
         least = self.rooms.sheets_of(order, at[SAVING])
         emptiest = self.rooms.emptiest(order, at[SAVING])
-        if emptiest < THIRD and least <= FEW:
+        if emptiest < THIRD:
             fewer = self.rooms.sheets_of(order, at[min(at)])
-            if fewer < least:
+            if fewer <= WORTH * least:
                 low, high, least = min(at), SAVING - 1, fewer
         while low < high:
             middle = (low + high + 1) // 2

@@ -151,7 +151,7 @@ def test_it_is_told_on_sheet_table_note_and_to_machines(tmp_path: Path, language
     side = {"en": "on the dangerous side", "ru": "в опасную сторону"}[language]
     enough = {"en": f"with {found.enough} positions", "ru": f"при {found.enough} положениях"}
     (warned,) = [one for one in warnings(made.boards[0], language) if "360" in one]
-    sheet = " ".join(texts(flywheel_views(made.boards[0], True)))
+    sheet = " ".join(texts(flywheel_views(made.boards[0], True))).replace(" start ", " ")
     noted = paragraphs(made)
     for text in (warned, sheet, noted):
         assert words in text
