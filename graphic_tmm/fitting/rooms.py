@@ -32,7 +32,7 @@ AROUND = 12.0
 LETTERS = 5.0
 """How much larger, mm, a view may come out with its letters: 19 in 20 of those of the gallery."""
 SPILL = 5.0
-"""By how much more, where one sheet less hangs on it."""
+"""By how much more to be sure of a sheet: of 1,700 views 19 in 20 are within 4 mm in width, 7 in height."""
 LESS = 0.95
 """By how much at least a size gives way at a time."""
 EDGE = 6.0
@@ -169,16 +169,19 @@ class Rooms:
             ]
         return fits(boxes, self.sheets[order][0]) is not None
 
-    def sheets_of(self, order: int, sizes: Sizes) -> float:
-        """Return how many sheets an order takes by itself; without end if none holds one of its views."""
+    def sheets_of(self, order: int, sizes: Sizes, spill: float = 0.0) -> float:
+        """Return how many sheets an order takes by itself; without end if none holds one of its views.
+
+        ``spill``: how much larger its views may come out than they are reckoned, mm.
+        """
         try:
-            return len(shared([self._spilling(order, sizes)], even=False))
+            return len(shared([self._order(order, sizes, spill)], even=False))
         except ViewError:
             return math.inf
 
     def emptiest(self, order: int, sizes: Sizes) -> float:
         """Return what share of the emptiest of the sheets of an order boxes take, by itself."""
-        of = self._spilling(order, sizes)
+        of = self._order(order, sizes)
         try:
             sheets = shared([of])
         except ViewError:
@@ -187,9 +190,9 @@ class Rooms:
         shares = (t / one.room.area for t, one in zip(taken, sheets, strict=True))
         return min(shares, default=0.0)
 
-    def _spilling(self, order: int, sizes: Sizes) -> Order:
+    def _order(self, order: int, sizes: Sizes, spill: float = 0.0) -> Order:
         boxes = (
-            box._replace(width=box.width + SPILL, height=box.height + SPILL) if view.sizes else box
+            box._replace(width=box.width + spill, height=box.height + spill) if view.sizes else box
             for view, box in zip(self.views[order], self.outlines(order, sizes), strict=True)
         )
         return Order(tuple(boxes), self.sheets[order], self.scene.sheets[order].format)

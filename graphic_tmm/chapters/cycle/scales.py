@@ -11,7 +11,7 @@ from graphic_tmm.fitting.sizes import Size, Sizing, graph_size
 GRAPHS = graph_size(CYCLE)
 SIZES = Sizing(
     graphs=GRAPHS.name,
-    sizes=(GRAPHS, Size("cycle sketch", low=1.0, high=1.0, first=True)),
+    sizes=(GRAPHS, Size("cycle sketch", low=1.0, high=1.0)),
     depends={CYCLE: lambda scene, role: ("cycle sketch" if role == SKETCH else GRAPHS.name,)},
 )
 

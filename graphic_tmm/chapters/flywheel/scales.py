@@ -10,7 +10,7 @@ from graphic_tmm.fitting.sizes import Size, Sizing, graph_size
 GRAPHS = graph_size(FLYWHEEL)
 SIZES = Sizing(
     graphs=GRAPHS.name,
-    sizes=(GRAPHS, Size(SKETCH, low=1.0, high=1.0, first=True)),
+    sizes=(GRAPHS, Size(SKETCH, low=1.0, high=1.0)),
     depends={FLYWHEEL: lambda scene, role: (SKETCH if role == SKETCH else GRAPHS.name,)},
 )
 

@@ -69,7 +69,7 @@ SIZES = Sizing(
 
 
 LARGER = 1.3
-"""A lever as large as the plan of velocities may take so many times its room."""
+"""A lever as large as the plan of velocities may take so many times its room: the next scale halves it."""
 LONGER = 3.5
 """So many times its room a group may take so as to be no smaller than the plan."""
 LINK_1, SHORT = 0.5, 20.0
@@ -212,9 +212,10 @@ def force_scales(fitting: Fitting) -> dict[Mark, object]:
     known: Reaches = fitting.reach[FORCES]
     plan = np.ravel(np.asarray(fitting.given[project.scale(VELOCITIES)]))[0]
     room = fitting.sizes["lever"] * float(plan)
-    # as it was drawn a plan may be a little larger: half of it would be small
-    most = {1.0: LARGER * room}
-    times = next((k for k in ENLARGED if k * known.lever <= most.get(k, room)), ENLARGED[-1])
+    times = next(
+        (k for k in ENLARGED if k * known.lever <= (LARGER if k == 1.0 else 1.0) * room),
+        ENLARGED[-1],
+    )
     mu_l = fitting.given[project.scale(POSITIONS)]
     points = {figure.mu: mu_l for figure in made.figures if not known.detached[figure.view]}
     return {made.lever.times: times, **points}

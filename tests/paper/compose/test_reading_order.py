@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import random
+
 import pytest
 from support.gallery import NAMES, paper
 from support.order import LINE, faults, gap
 
+from graphic_tmm.fitting.formats import room_on
+from graphic_tmm.paper.compose import search
+from graphic_tmm.paper.compose.units import Outline
+from graphic_tmm.paper.drawing import Stand
 from graphic_tmm.paper.packing import bounds
 
 GIVEN = ("table-given", "table-links", "table-pairs")
@@ -57,3 +63,22 @@ def test_tables_of_results_come_after_what_they_tell_of(name: str) -> None:
                 box = bounds(view)
                 late = all(box[0] >= one[2] - LINE or box[3] <= one[1] + LINE for one in single)
                 assert late, view.name
+
+
+def test_a_table_of_boxes_at_random_comes_last_where_there_is_room() -> None:
+    """Graphs and their table, half of an A1: the table comes before none of them."""
+    room, pick = room_on("A1", "en", True), random.Random(7)
+    for _ in range(20):
+        sizes = [(pick.uniform(90, 240), pick.uniform(60, 200)) for _ in range(pick.randint(3, 6))]
+        share = (0.45 * room.area / sum(wide * high for wide, high in sizes)) ** 0.5
+        boxes = [
+            Outline(f"graph-{k}", min(share, 1.0) * wide, min(share, 1.0) * high)
+            for k, (wide, high) in enumerate(sizes)
+        ]
+        boxes.append(Outline("table", 130.0, 60.0, Stand(kind="table")))
+        places = search.composed(boxes, room)
+        assert places is not None
+        left, top = places[len(sizes)].real, places[len(sizes)].imag + 60.0
+        for k in range(len(sizes)):
+            right, low = places[k].real + boxes[k].width, places[k].imag
+            assert left >= right - LINE or top <= low + LINE
