@@ -8,6 +8,7 @@ What one sheet holds then grows kind by kind as far as there is room.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
@@ -157,9 +158,13 @@ class _Rule(NamedTuple):
             least = fewer if fewer <= WORTH * least else least
         tried = [step for step in at if step >= small]
         for spill in (SPILL, 0.0, -LETTERS):
-            for step in tried:
-                if rooms.sheets_of(order, at[step], spill) <= least:
-                    return step
+
+            def held(step: int, spill: float = spill) -> bool:
+                return rooms.sheets_of(order, at[step], spill) <= least
+
+            found = bisect_left(tried, True, key=held)
+            if found < len(tried):
+                return tried[found]
         return SAVING
 
     def grown(self, sizes: Sizes, single: Sequence[bool]) -> Sizes:
