@@ -12,9 +12,9 @@ import math
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
-from graphic_tmm.paper.compose.judged import judged
+from graphic_tmm.paper.compose.judged import hole, judged
 from graphic_tmm.paper.compose.sheet import GAPS, Places, cutting, excess, placed
-from graphic_tmm.paper.compose.units import Outline, Unit, units_of
+from graphic_tmm.paper.compose.units import Outline, Unit, boxes_of, units_of
 from graphic_tmm.paper.drawing import Stand
 from graphic_tmm.paper.packing import Room
 
@@ -28,6 +28,8 @@ HOPELESS, FAR = 1.02, (0.25, 0.11, 0.03)
 """What a first order is too high by, as a share of the sheet: with what its boxes take no more than the first;
 alone, and after one round of moves, after two and all others, no more than these. Of 6,000 sets of boxes that
 sheets were tried for, three are given up that would have fitted; it saves two fifths of the time."""
+WHITE = 0.12
+"""A larger hole, as a share of the sheet, an examiner sends back."""
 KEPT = 4096
 """Size of the cache that remembers whether a sheet holds a set of boxes."""
 LEAD = "\0lead"
@@ -61,20 +63,20 @@ def fits(outlines: Sequence[Outline], room: Room, tries: int = TRIES) -> Places 
 
 
 def fitting(
-    outlines: Sequence[Outline], room: Room, tries: int = TRIES, *, last: bool = False
+    outlines: Sequence[Outline], room: Room, tries: int = TRIES, freedom: int = 2
 ) -> tuple[Order, Places] | None:
     """Return an order in which a sheet holds boxes, and where they stand then; None if none tried fits.
 
     Of orders that do not fit, the one least too high starts the next round. Names of boxes and where they were
-    drawn play no part: the same boxes are computed once. ``last``: no table comes before what it came after.
+    drawn play no part: the same boxes are computed once. ``freedom``: see `moves`.
     """
     alike = (one._replace(name="", title="", corner=0j) for one in outlines)
-    return _fitting(tuple(alike), room, tries, last)
+    return _fitting(tuple(alike), room, tries, freedom)
 
 
 @lru_cache(maxsize=KEPT)
 def _fitting(
-    outlines: tuple[Outline, ...], room: Room, tries: int, last: bool
+    outlines: tuple[Outline, ...], room: Room, tries: int, freedom: int
 ) -> tuple[Order, Places] | None:
     gap, best = GAPS[-1], first_order(outlines)
     cut = cutting(best, room, gap)
@@ -90,7 +92,7 @@ def _fitting(
     while len(tried) <= tries:
         if many and over > FAR[min(rounds, len(FAR) - 1)] * cut.size[1]:
             return None
-        near = [order for order in moves(best, last) if order not in tried][
+        near = [order for order in moves(best, freedom) if order not in tried][
             : tries + 1 - len(tried)
         ]
         tried |= set(near)
@@ -110,11 +112,22 @@ def _fitting(
 def composed(outlines: Sequence[Outline], room: Room, tries: int = TRIES) -> Places | None:
     """Return where boxes stand on a sheet, of the orders tried the best; None if none of them fits.
 
-    Tables come before what they came after only where the sheet holds them no other way.
+    Single views change places, and then tables come before what they came after, only where the sheet holds
+    them no other way, or is left white.
     """
-    start, last = fitting(outlines, room, tries, last=True), True
-    if start is None:
-        start, last = fitting(outlines, room, tries), False
+    found: Places | None = None
+    for freedom in range(3):
+        places = _composed(outlines, room, tries, freedom)
+        if places is None:
+            continue
+        if hole(boxes_of(places, outlines), room) <= WHITE * room.area:
+            return places
+        found = found or places
+    return found
+
+
+def _composed(outlines: Sequence[Outline], room: Room, tries: int, freedom: int) -> Places | None:
+    start = fitting(outlines, room, tries, freedom)
     if start is None:
         return None
     best = start[0]
@@ -123,7 +136,7 @@ def composed(outlines: Sequence[Outline], room: Room, tries: int = TRIES) -> Pla
     tried, better = {best}, True
     while better:
         better = False
-        for order in moves(best, last):
+        for order in moves(best, freedom):
             if order in tried:
                 continue
             if len(tried) > tries:
@@ -150,17 +163,17 @@ def _widest(
     return found, level
 
 
-def moves(order: Order, last: bool) -> Iterator[Order]:
+def moves(order: Order, freedom: int) -> Iterator[Order]:
     """Yield the orders one move away: a table elsewhere, rows broken elsewhere, single views exchanged.
 
-    ``last``: tables move on, never back.
+    ``freedom``: 0, no view comes before one that it came after; 1, single views may; 2, tables, too.
     """
-    yield from _tables(order, last)
+    yield from _tables(order, freedom)
     yield from _broken(order)
-    yield from _exchanged(order, last)
+    yield from _exchanged(order, freedom)
 
 
-def _tables(order: Order, last: bool) -> Iterator[Order]:
+def _tables(order: Order, freedom: int) -> Iterator[Order]:
     """Yield orders with a table below what leads or elsewhere behind pairs and rows, a note behind rows."""
     kinds = [unit.stand.kind for unit in order]
     leads = kinds[0] == "lead" and "pair" not in kinds
@@ -170,11 +183,12 @@ def _tables(order: Order, last: bool) -> Iterator[Order]:
         others = (*order[:k], *order[k + 1 :])
         ahead = ("lead", "row") if unit.stand.kind == "note" else ("lead", "row", "pair")
         first = max((n + 1 for n, one in enumerate(others) if one.stand.kind in ahead), default=0)
-        if leads and unit.stand.below != LEAD:
+        told = any(not one.stand.kind for one in order[:k])
+        if leads and unit.stand.below != LEAD and (freedom > 1 or not told):
             under = unit._replace(stand=Stand(kind=unit.stand.kind, below=LEAD))
             yield (order[0], under, *others[1:])
         free = unit._replace(stand=Stand(kind=unit.stand.kind))
-        if last and unit.stand.kind == "table":
+        if freedom < 2 and unit.stand.kind == "table":
             first = max(first, k)
         for place in range(first, len(others) + 1):
             yield (*others[:place], free, *others[place:])
@@ -206,10 +220,10 @@ def _joined(one: Unit, other: Unit) -> Unit:
     return one._replace(members=one.members + other.members, sizes=one.sizes + other.sizes)
 
 
-def _exchanged(order: Order, last: bool) -> Iterator[Order]:
+def _exchanged(order: Order, freedom: int) -> Iterator[Order]:
     """Yield orders in which a single view has changed places with the next one or with a table."""
+    free = [("table", ""), ("", ""), ("", "table")]
     for k in range(1, len(order) - 1):
         one, other = order[k : k + 2]
-        kinds = {one.stand.kind, other.stand.kind}
-        if kinds <= {"", "table"} and not (last and other.stand.kind == "table"):
+        if (one.stand.kind, other.stand.kind) in free[: freedom + 1]:
             yield (*order[:k], other, one, *order[k + 2 :])
