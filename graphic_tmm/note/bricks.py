@@ -37,6 +37,7 @@ from graphic_tmm.note.document import (
 from graphic_tmm.note.figures import LEGIBLE, fit, is_figure, least_letter, picture, readable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.markup import markup
+from graphic_tmm.paper.views import going_on
 from graphic_tmm.readers.columns import Column, Tabled, known_at
 from graphic_tmm.readers.position_count import Finer, FinerRow, finer, is_sampled, sampled, told_off
 from graphic_tmm.readers.rounding import ROUGH, Figures, rounded, rounded_figures
@@ -85,9 +86,8 @@ def referred(
         if ids:
             before, behind = speaking(language)(words).split("{}")
             runs += [Text(" "), Text(before)] if runs else [Text(before)]
-            for k, one in enumerate(ids):
-                runs += [Text(", "), Ref(one.id)] if k else [Ref(one.id)]
-            runs.append(Text(behind))
+            first, *more = (one.id for one in ids)
+            runs += [Ref(first, tuple(more)), Text(behind)]
     return Paragraph(tuple(runs))
 
 
@@ -110,8 +110,16 @@ def side_by_side(shown: Sequence[Picture]) -> tuple[Figure, ...]:
     whole: list[Run] = []
     for k, one in enumerate(shown):
         whole += [Text("; ")] if k else []
-        whole += [Letter(k), Text(") "), *one.caption]
+        whole += [Letter(k), Text(") "), *_going_on(one.caption)]
     return (SideBySide(f"{shown[0].id}-beside", tuple(whole), tuple(shown)),)
+
+
+def _going_on(caption: Runs) -> Runs:
+    """Return a caption as it stands behind a letter: with a small one, unless it begins with a name."""
+    first, *rest = caption
+    return (
+        (first._replace(text=going_on(first.text)), *rest) if isinstance(first, Text) else caption
+    )
 
 
 def figures_of(drawn: Drawn, place: Place, at: int, language: str) -> tuple[Picture, ...]:
