@@ -3,11 +3,26 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
+import pytest
 from support.laid_out import drawn_case, note_of_case
 
+from support.notes import noted
+from support.tex_sums import Unread, worked_out
+
 from graphic_tmm.board import roles
-from graphic_tmm.note.document import Symbol, leaves, runs_of, walk
+from graphic_tmm.note.document import (
+    Document,
+    Formula,
+    Number,
+    Symbol,
+    Tree,
+    leaves,
+    runs_of,
+    walk,
+)
+from graphic_tmm.note.tex import spelt, tex
 from graphic_tmm.paper.views import pole_figures
 
 
@@ -40,3 +55,33 @@ def test_the_mean_moment_has_no_second_letter() -> None:
 def leaves_of(run: object) -> list[Symbol]:
     sides = getattr(run, "sides", ())
     return [leaf for side in sides for leaf in leaves(side) if isinstance(leaf, Symbol)]
+
+
+def _results(document: Document) -> Iterator[tuple[str, float, float, float]]:
+    """The results of formulas but lengths: how they are printed, what figures give, their last digit."""
+    for block in walk(document.blocks):
+        for run in runs_of(block):
+            if not isinstance(run, Formula) or not isinstance(run.sides[-1], Number):
+                continue
+            told, result = tex(run, "ru", spelt), run.sides[-1]
+            trees = [side for side in run.sides if isinstance(side, Tree)]
+            if not trees or not all(isinstance(one, Number) for one in trees[-1].put.values()):
+                continue
+            found = re.fullmatch(r"(−?)(\d{1,4}(?:,(\d+))?)", result.text)
+            if found is None or result.unit == "mm":
+                continue
+            try:
+                due = worked_out(tex(Formula((trees[-1],), flat=True), "ru", spelt)).value
+            except (Unread, ZeroDivisionError, ValueError):
+                continue
+            printed = float(found[2].replace(",", ".")) * (-1.0 if found[1] else 1.0)
+            yield told, due, printed, 10.0 ** -len(found[3] or "")
+
+
+@pytest.mark.parametrize("name", ["slotting", "project", "cam"])
+def test_results_agree_with_the_figures_printed_before_them(name: str) -> None:
+    """Within their last digit: what comes of lengths read to 0.1 mm has no more digits than these give."""
+    document = note_of_case(name) if name == "slotting" else noted(name)
+    found = list(_results(document))
+    assert len(found) > 10
+    assert not [one for one in found if abs(one[1] - one[2]) > 1.0001 * one[3]]
