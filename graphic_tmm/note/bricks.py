@@ -55,7 +55,7 @@ NARROW = 3
 
 
 SEE = said("The construction is shown in {}.")
-TABLED = said("It is worked step by step in {}.")
+TABLED = said("The working is given step by step in {}.")
 
 
 def worked(drawn: Drawn) -> int:

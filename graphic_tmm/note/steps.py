@@ -45,14 +45,15 @@ class Written(NamedTuple):
     value: float
 
 
-DIGITS, FEWEST = 4, 2
-"""Significant digits of a number that is printed, and the fewest that it is cut to."""
+DIGITS, FEWEST, FINER = 4, 1, 6
+"""Significant digits of a number that is printed, the fewest that it is cut to, those of one that is lost else."""
 
 
-def cut_to(value: float, of: str, due: float, language: str) -> Written:
+def cut_to(value: float, of: str, due: float, language: str, most: int = 4) -> Written:
     """Return a number with no more digits than agree with what printed figures give, within the last of them.
 
-    ``due``: what they give, NaN if nothing; ``of``: the unit, decimals of % being few anyway.
+    ``due``: what they give, NaN if nothing; ``of``: the unit, decimals of % being few anyway; ``most``: so many
+    significant digits at the most.
 
     >>> cut_to(0.6183, "", 0.6187, "ru").text, cut_to(97.03, "", 97.05, "en").text
     ('0,618', '97.0')
@@ -65,16 +66,16 @@ def cut_to(value: float, of: str, due: float, language: str) -> Written:
             if not abs(cut - due) > SLACK * 10.0**-places:
                 break
         return Written(number(cut, language), cut)
-    told = round(value) if abs(value) >= 10.0**DIGITS else float(f"{value:.{DIGITS}g}")
-    whole = Written(number(value, language), told)
+    told = round(value) if abs(value) >= 10.0**most else float(f"{value:.{most}g}")
+    whole = Written(number(value, language, most), told)
     if not (math.isfinite(value) and math.isfinite(due) and value):
         return whole
     power = math.floor(math.log10(abs(value)))
-    for digits in range(DIGITS, FEWEST - 1, -1):
+    for digits in range(most, FEWEST - 1, -1):
         places = digits - 1 - power
         cut = round(value, places)
         if places < 0 or abs(cut - due) <= SLACK * 10.0**-places:
-            if digits == DIGITS or places < 0:
+            if digits == most or places < 0:
                 return whole
             text = (
                 fixed(cut, places, language) if power > SMALLEST else number(cut, language, digits)
@@ -136,9 +137,44 @@ class NumberSource(NamedTuple):
             due = math.nan
             if step is not None and step.op.formula:
                 due = _by_figures(step.op, [self.printed(one) for one in step.uses])
-            self.reading.kept[key] = cut_to(value, of, due, self.language)
+            most = FINER if mark.slot in self.finer else DIGITS
+            self.reading.kept[key] = cut_to(value, of, due, self.language, most)
         found: Written = self.reading.kept[key]
         return found
+
+    @property
+    def finer(self) -> frozenset[int]:
+        """The slots of what is calculated of given figures alone and lost by four digits: small differences.
+
+        Of what is read by a ruler there is no more to print.
+        """
+        key = ("finer", self.place)
+        if key not in self.reading.kept:
+            self.reading.kept[key] = frozenset(self._lost())
+        found: frozenset[int] = self.reading.kept[key]
+        return found
+
+    def _lost(self) -> Iterator[int]:
+        exact: dict[int, bool] = {}
+        for step in self.log.steps:
+            known = bool(step.op.formula) and step.it.slot in self.reading.values
+            known = known and all(
+                one.kind is not Length
+                and one.slot in self.reading.values
+                and exact.get(one.slot, True)
+                for one in step.uses
+            )
+            exact[step.it.slot] = known
+            if not known or step.it.kind is Length:
+                continue
+            value = self.value(step.it)
+            figures = [float(f"{self.value(one):.{DIGITS}g}") for one in step.uses]
+            due = _by_figures(step.op, figures)
+            if not (math.isfinite(value) and math.isfinite(due) and value):
+                continue
+            last = 10.0 ** (math.floor(math.log10(abs(value))) - DIGITS + 1)
+            if abs(float(f"{value:.{DIGITS}g}") - due) > SLACK * last:
+                yield from (one.slot for one in step.uses if one.slot in exact)
 
     def printed(self, mark: Mark) -> float:
         """Return the value of a mark as it is printed; NaN of one that is not kept."""

@@ -78,10 +78,24 @@ def _results(document: Document) -> Iterator[tuple[str, float, float, float]]:
             yield told, due, printed, 10.0 ** -len(found[3] or "")
 
 
-@pytest.mark.parametrize("name", ["slotting", "project", "cam"])
+@pytest.mark.parametrize("name", ["slotting", "project", "cam", "gear-pair"])
 def test_results_agree_with_the_figures_printed_before_them(name: str) -> None:
     """Within their last digit: what comes of lengths read to 0.1 mm has no more digits than these give."""
     document = note_of_case(name) if name == "slotting" else noted(name)
     found = list(_results(document))
     assert len(found) > 10
     assert not [one for one in found if abs(one[1] - one[2]) > 1.0001 * one[3]]
+
+
+def test_what_is_a_small_difference_is_of_figures_that_give_it() -> None:
+    """y = (a_w − a)/m of a gear pair: a_w has six digits there, so that y keeps its own."""
+    told = {
+        run.sides[0].markup: run.sides[-1].text
+        for block in walk(noted("gear-pair").blocks)
+        for run in runs_of(block)
+        if isinstance(run, Formula)
+        and isinstance(run.sides[0], Symbol)
+        and isinstance(run.sides[-1], Number)
+    }
+    assert len(told["y"].replace("0,", "").replace(",", "")) >= 3
+    assert len(told["a_{w}"].replace("0,", "")) > 4

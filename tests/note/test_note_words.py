@@ -7,9 +7,10 @@ from functools import cache
 
 import pytest
 from support.laid_out import case_file, note_of_case
+from support.notes import noted
 
 from graphic_tmm.board.formula_text import FUNCTIONS, tree_of
-from graphic_tmm.note.document import Formula, Symbol, Table, Tree, walk
+from graphic_tmm.note.document import Formula, Symbol, Table, Text, Tree, runs_of, walk
 from graphic_tmm.note.widths import broken
 from graphic_tmm.paper.views import going_on
 
@@ -40,7 +41,7 @@ def test_names_and_symbols_keep_their_capitals(title: str) -> None:
 
 
 def test_no_cell_of_the_scales_is_empty() -> None:
-    tables = (one for one in walk(note_of_case("slotting").blocks) if isinstance(one, Table))
+    tables = (one for one in walk(noted("cam").blocks) if isinstance(one, Table))
     (scales,) = (one for one in tables if one.id == "table-scales")
     assert all(cell for row in scales.rows for cell in row[:2])
 
@@ -64,3 +65,34 @@ def test_a_moment_drives_in_one_position_or_in_several() -> None:
         assert not re.search(r"положениях \d+\*?[;.]", line)
         assert not re.search(r"положении \d+\*?,", line)
     assert told
+
+
+def test_a_point_that_lines_go_through_is_laid_off_before() -> None:
+    """n₃ of an acceleration plan: its line is not told with the lines that are parallel to it."""
+    words = "\n".join(_lines())
+    assert re.search(r"отложить на ней \$`\\pi n_\{3\}`\$ до \$`n_\{3\}`\$", words)
+
+
+STIFF = (
+    "there are none",
+    "of an A1 (",
+    "the sheet is white",
+    "Besides:",
+    "Taken is",
+    "what is given stands",
+    "is worked step by step",
+    "so many millimetres long",
+)
+
+
+def test_english_is_plain() -> None:
+    document = noted("cam", "en"), noted("slider-diagrams", "en")
+    words = " ".join(
+        run.text
+        for one in document
+        for block in walk(one.blocks)
+        for run in runs_of(block)
+        if isinstance(run, Text)
+    )
+    assert "on an A1 sheet" in words
+    assert [phrase for phrase in STIFF if phrase in words] == []

@@ -67,7 +67,7 @@ LEAST = said("The least radius is measured from there to {B0}:")
 APEX = said(
     "The least of all radii, with the guide set off the centre to the region's apex O*, would be"
 )
-CHOSEN = said("Taken is {r0}, on the drawing")
+CHOSEN = said("The radius is taken as {r0}; on the drawing it is")
 ANGLE = said(
     "With this centre the pressure angle in position {position} is {angle}, read between OQ and the path."
 )
@@ -87,7 +87,7 @@ SWUNG = said("{v} is dψ/dφ times O₁Q, {a} is d²ψ/dφ² times the lever, to
 AS_STROKE = said("The region and the profile are drawn to the scale of S:")
 SHARPEST = said("Where it is largest, the radius of curvature is least:")
 ALLOWED = said("The roller may be as large as the smaller of two limits allows:")
-TAKEN = said("Taken is a roller of the radius {radius}.")
+TAKEN = said("A roller of radius {radius} is taken.")
 REVERSED = (
     said("everything is given the angular velocity −ω: the cam stands, the guide goes round it;"),
     said(
@@ -111,7 +111,7 @@ REACH = said(
 LEFT = said("What is left up to the limits:")
 MOVING = said("The cam turns at {speed}. In position {position} the follower moves with")
 
-RADIUS = said("The least radius of the cam is {r0_min}; taken is {r0}.")
+RADIUS = said("The least radius of the cam is {r0_min}; {r0} is taken.")
 PRESSURE_KEPT = said(
     "The pressure angle reaches {pressure_rise} on the rise and {pressure_return} on the return; allowed are "
     "{allowed} and {behind}."
