@@ -38,8 +38,8 @@ from graphic_tmm.note.document import (
     Text,
     letter_of,
     numbered,
-    short_numbers,
     runs_of,
+    short_numbers,
     walk,
 )
 from graphic_tmm.note.target import (

@@ -46,7 +46,7 @@ class Written(NamedTuple):
 
 
 DIGITS, FEWEST, FINER = 4, 1, 6
-"""Significant digits of a number that is printed, the fewest that it is cut to, those of one that is lost else."""
+"""Significant digits of a printed number, the fewest that it is cut to, those of one that is lost else."""
 
 
 def cut_to(value: float, of: str, due: float, language: str, most: int = 4) -> Written:

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 
 import pytest
 from support.laid_out import drawn_case, note_of_case
-
 from support.notes import noted
 from support.tex_sums import Unread, worked_out
 

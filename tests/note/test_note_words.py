@@ -1,4 +1,4 @@
-"""Words of a note as an examiner wants them: references, captions, positions, no cell and no line of nothing."""
+"""Words of a note as an examiner wants them: references, captions, positions; no cell or line of nothing."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ import re
 from functools import cache
 
 import pytest
-from support.laid_out import case_file, note_of_case
-from support.notes import noted
+from support.laid_out import case_file
+from support.notes import noted, parts
 
 from graphic_tmm.board.formula_text import FUNCTIONS, tree_of
 from graphic_tmm.note.document import Formula, Symbol, Table, Text, Tree, runs_of, walk
@@ -96,3 +96,12 @@ def test_english_is_plain() -> None:
     )
     assert "on an A1 sheet" in words
     assert [phrase for phrase in STIFF if phrase in words] == []
+
+
+def test_a_docx_does_not_end_in_a_page_of_two_lines() -> None:
+    """The literature stands on one page with its heading."""
+    text = parts(case_file("slotting", "docx"))["word/document.xml"].decode()
+    _heading, *kept, last = text[text.rfind('w:val="Heading1"') :].split("<w:p>")
+    assert len(kept) > 3
+    assert all("<w:keepNext />" in one for one in kept)
+    assert "<w:keepNext />" not in last
