@@ -16,6 +16,7 @@ from graphic_tmm.note.document import (
     Formula,
     Number,
     Symbol,
+    Text,
     Tree,
     leaves,
     runs_of,
@@ -98,3 +99,14 @@ def test_what_is_a_small_difference_is_of_figures_that_give_it() -> None:
     }
     assert len(told["y"].replace("0,", "").replace(",", "")) >= 3
     assert len(told["a_{w}"].replace("0,", "")) > 4
+
+
+def test_a_difference_says_what_it_is_a_share_of() -> None:
+    """0.682 for 0.714 m/s are 3.6 % of the largest, 0.886 m/s, not 4.5 %."""
+    words = "".join(
+        run.text
+        for block in walk(note_of_case("slotting").blocks)
+        for run in runs_of(block)
+        if isinstance(run, Text)
+    )
+    assert "в процентах наибольшего из них" in words
