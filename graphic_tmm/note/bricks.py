@@ -34,10 +34,17 @@ from graphic_tmm.note.document import (
     lettered,
     text,
 )
-from graphic_tmm.note.figures import LEGIBLE, fit, is_figure, least_letter, picture, readable
+from graphic_tmm.note.figures import (
+    LEGIBLE,
+    fit,
+    going_on,
+    is_figure,
+    least_letter,
+    picture,
+    readable,
+)
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.markup import markup
-from graphic_tmm.paper.views import going_on
 from graphic_tmm.readers.columns import Column, Tabled, known_at
 from graphic_tmm.readers.position_count import Finer, FinerRow, finer, is_sampled, sampled, told_off
 from graphic_tmm.readers.rounding import ROUGH, Figures, rounded, rounded_figures

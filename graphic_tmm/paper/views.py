@@ -275,21 +275,6 @@ def _height(view: Drawing) -> float:
     return high - low
 
 
-def going_on(title: str) -> str:
-    """Return a title as it goes on a sentence: with a small letter, unless it begins with a name or a symbol.
-
-    >>> going_on("Plan of positions"), going_on("Zhukovsky's lever"), going_on("ΔT of links")
-    ('plan of positions', "Zhukovsky's lever", 'ΔT of links')
-    """
-    word = title.partition(" ")[0]
-    kept = word.endswith(("'s", "’s")) or len(word) < LEAST_WORD or not word[1:].islower()
-    return title if kept else f"{title[0].lower()}{title[1:]}"
-
-
-LEAST_WORD = 3
-"""What has fewer letters is no word but a symbol."""
-
-
 def _below_another(views: Sequence[Drawing], name: str) -> Drawing:
     """Return drawings one below the other as one, their origins above each other."""
     moved, top = [], 0.0
@@ -300,7 +285,7 @@ def _below_another(views: Sequence[Drawing], name: str) -> Drawing:
     left, _, right, _ = bounds(moved[0])
     return Drawing(
         name,
-        "; ".join([views[0].title, *(going_on(view.title) for view in views[1:])]),
+        "; ".join(view.title for view in views),
         tuple(stroke for view in moved for stroke in view.strokes),
         tuple(label for view in moved for label in view.labels),
         (left, top + STACK, right, 0.0),

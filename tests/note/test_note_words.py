@@ -11,8 +11,8 @@ from support.notes import noted, parts
 
 from graphic_tmm.board.formula_text import FUNCTIONS, tree_of
 from graphic_tmm.note.document import Formula, Symbol, Table, Text, Tree, runs_of, walk
+from graphic_tmm.note.figures import going_on
 from graphic_tmm.note.widths import broken
-from graphic_tmm.paper.views import going_on
 
 
 @cache
