@@ -61,9 +61,9 @@ def mass_centre(mechanism: Mechanism, link: Link) -> str:
 def inertia_letter(link: Link) -> str:
     """Return the letter of a moment of inertia that is given: with the mass centre, else with the number.
 
-    J_F is that of a flywheel.
+    J_F is that of a flywheel, J_L would be that of all links.
     """
-    return f"J_{{{link.centre}}}" if link.centre not in (None, "F") else f"J_{link.number}"
+    return f"J_{{{link.centre}}}" if link.centre not in (None, "F", "L") else f"J_{link.number}"
 
 
 def inertia_of(draft: Draft, link: Link) -> Mark:
