@@ -20,7 +20,7 @@ CAPTIONS: dict[str, str] = {
     "delta": "δ",
     "J_fly_energy_mass": said("J_{F} (energy–mass)"),
     "J_apart": said("difference of J_{F}"),
-    "M_mean": said("mean moment"),
+    "M_mean": said("M_{mean}"),
     "power": said("N, mean power"),
     "A_excess": said("largest excess work"),
     "J_made": said("J of the rim as it is made"),
