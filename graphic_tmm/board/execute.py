@@ -66,6 +66,11 @@ class Reading:
         return found
 
     @cached_property
+    def kept(self) -> dict[Any, Any]:
+        """What readers keep of these numbers, each by a key of its own."""
+        return {}
+
+    @cached_property
     def _figures(self) -> dict[tuple[int, int | None], Any]:
         return {}
 

@@ -178,8 +178,8 @@ ENLARGED = (10.0, 5.0, 4.0, 2.5, 2.0, 1.0, 0.5, 0.4, 0.25, 0.2, 0.1)
 
 @formula(
     why=said(
-        "On the plan it is so many millimetres long; {room} are meant for it: the ratio is how many times "
-        "larger it may be."
+        "The room {room} meant for it, divided by its length on the plan, tells how many times larger it may "
+        "be drawn."
     )
 )
 def times_larger(room: Length, mu: Number, quantity: Number) -> Number:

@@ -69,8 +69,8 @@ _APART = said(
 def usual_room(most: float) -> Said:
     """Return the words for the room of what takes so many mm on an A1 at the most."""
     return said(
-        "up to {most:g} mm of an A1 (of smaller formats less in proportion; more where the sheet is white, "
-        "less where it is crowded)",
+        "up to {most:g} mm on an A1 sheet (proportionally less on smaller formats; more where there is free "
+        "space, less where the sheet is crowded)",
         most=most,
     )
 

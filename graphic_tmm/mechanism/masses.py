@@ -58,12 +58,20 @@ def mass_centre(mechanism: Mechanism, link: Link) -> str:
     )
 
 
+def inertia_letter(link: Link) -> str:
+    """Return the letter of a moment of inertia that is given: with the mass centre, else with the number.
+
+    J_F is that of a flywheel, J_L would be that of all links.
+    """
+    return f"J_{{{link.centre}}}" if link.centre not in (None, "F", "L") else f"J_{link.number}"
+
+
 def inertia_of(draft: Draft, link: Link) -> Mark:
     """Return the moment of inertia of a link that has one, kg·m², in the view that is open."""
     n = link.number
     assert link.inertia is not None
     if link.rod is None or link.mass is None:
-        return draft.take(Number, f"J_{n}", link.inertia, "kg·m²")
+        return draft.take(Number, inertia_letter(link), link.inertia, "kg·m²")
     mass = draft.constant(f"m_{n}", link.mass, "kg")
     length = draft.constant(f"l_{n}", link.rod, "m")
     return draft.draw(rod_inertia, f"J_{n}", mass, length, unit="kg·m²")

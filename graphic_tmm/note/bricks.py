@@ -34,7 +34,15 @@ from graphic_tmm.note.document import (
     lettered,
     text,
 )
-from graphic_tmm.note.figures import LEGIBLE, fit, is_figure, least_letter, picture, readable
+from graphic_tmm.note.figures import (
+    LEGIBLE,
+    fit,
+    going_on,
+    is_figure,
+    least_letter,
+    picture,
+    readable,
+)
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.columns import Column, Tabled, known_at
@@ -54,7 +62,7 @@ NARROW = 3
 
 
 SEE = said("The construction is shown in {}.")
-TABLED = said("It is worked step by step in {}.")
+TABLED = said("The working is given step by step in {}.")
 
 
 def worked(drawn: Drawn) -> int:
@@ -85,9 +93,8 @@ def referred(
         if ids:
             before, behind = speaking(language)(words).split("{}")
             runs += [Text(" "), Text(before)] if runs else [Text(before)]
-            for k, one in enumerate(ids):
-                runs += [Text(", "), Ref(one.id)] if k else [Ref(one.id)]
-            runs.append(Text(behind))
+            first, *more = (one.id for one in ids)
+            runs += [Ref(first, tuple(more)), Text(behind)]
     return Paragraph(tuple(runs))
 
 
@@ -110,8 +117,16 @@ def side_by_side(shown: Sequence[Picture]) -> tuple[Figure, ...]:
     whole: list[Run] = []
     for k, one in enumerate(shown):
         whole += [Text("; ")] if k else []
-        whole += [Letter(k), Text(") "), *one.caption]
+        whole += [Letter(k), Text(") "), *_going_on(one.caption)]
     return (SideBySide(f"{shown[0].id}-beside", tuple(whole), tuple(shown)),)
+
+
+def _going_on(caption: Runs) -> Runs:
+    """Return a caption as it stands behind a letter: with a small one, unless it begins with a name."""
+    first, *rest = caption
+    return (
+        (first._replace(text=going_on(first.text)), *rest) if isinstance(first, Text) else caption
+    )
 
 
 def figures_of(drawn: Drawn, place: Place, at: int, language: str) -> tuple[Picture, ...]:

@@ -79,9 +79,10 @@ class Text(NamedTuple):
 
 
 class Ref(NamedTuple):
-    """A reference to a figure or a table by its id."""
+    """A reference to a figure or a table by its id; ``more``: others of its kind, named with it."""
 
     to: str
+    more: tuple[str, ...] = ()
 
 
 class Letter(NamedTuple):
@@ -240,7 +241,10 @@ def once(blocks: Sequence[Block]) -> tuple[Block, ...]:
             items = (one._replace(blocks=once(one.blocks)) for one in block.items)
             block = block._replace(items=tuple(items))
         elif isinstance(block, Table):
-            rows = tuple(tuple(_said(cell, known) for cell in row) for row in block.rows)
+            rows = tuple(
+                tuple(_said(cell, known) or text("—" if cell else "") for cell in row)
+                for row in block.rows
+            )
             block = block._replace(rows=rows)
         if isinstance(block, Display) and found and isinstance(found[-1], Display):
             block = Display((*found.pop().formulas, *block.formulas))  # type: ignore[union-attr]
@@ -364,6 +368,19 @@ def numbered(document: Document) -> Numbered:
         elif isinstance(block, Table) and block.ruled:
             tables[block.id] = tables[block.of] if block.of else len({*tables.values()}) + 1
     return Numbered(headings, figures, tables, wholes)
+
+
+def short_numbers(told: Sequence[str]) -> list[str]:
+    """Return the numbers of figures, of parts of one figure its number once.
+
+    >>> short_numbers(["7", "8"]), short_numbers(["13, а", "13, б", "14, а"])
+    (['7', '8'], ['13, а, б', '14, а'])
+    """
+    parts: dict[str, list[str]] = {}
+    for one in told:
+        whole, _, letter = one.partition(", ")
+        parts.setdefault(whole, []).extend([letter] if letter else [])
+    return [", ".join([whole, *letters]) for whole, letters in parts.items()]
 
 
 def letter_of(k: int, language: str) -> str:

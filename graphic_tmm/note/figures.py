@@ -96,10 +96,27 @@ def picture(drawing: Drawing, language: str, name: str = "") -> Picture:
     drawing = alone(drawing)
     titled, told = _below(drawing)
     title = " ".join(clean(plain(label.text)) for label in titled) or clean(plain(drawing.title))
+    first, *more = title.split("; ")
+    title = "; ".join([first, *map(going_on, more)])
     alt = ", ".join([title, *(clean(plain(label.text)).rstrip(",") for label in told)])
     return Picture(
         f"fig-{name or drawing.name}".replace(" ", "-"), text(title), _untitled(drawing), alt
     )
+
+
+def going_on(title: str) -> str:
+    """Return a title as it goes on a sentence: with a small letter, unless it begins with a name or a symbol.
+
+    >>> going_on("Plan of positions"), going_on("Zhukovsky's lever"), going_on("ΔT of links")
+    ('plan of positions', "Zhukovsky's lever", 'ΔT of links')
+    """
+    word = title.partition(" ")[0]
+    kept = word.endswith(("'s", "’s")) or len(word) < LEAST_WORD or not word[1:].islower()
+    return title if kept else f"{title[0].lower()}{title[1:]}"
+
+
+LEAST_WORD = 3
+"""What has fewer letters is no word but a symbol."""
 
 
 def _below(drawing: Drawing) -> tuple[list[Label], list[Label]]:

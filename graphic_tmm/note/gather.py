@@ -110,6 +110,8 @@ def _reaching(work: Sequence[DrawingStep]) -> tuple[Runs, int]:
 def _alike(work: Sequence[DrawingStep]) -> tuple[Runs, int]:
     """Tell lines of one direction that are drawn one after another."""
     some = _while(work, lambda a, b: a.op in LINES and a.op is b.op and a.uses[1:] == b.uses[1:])
+    if len(some) < len(work) and _laid(some[-1], work[len(some)]):
+        some = some[:-1]  # it is told with what is laid off on it
     if len(some) < 2:
         return (), 0
     runs = list(_first(some[0]))

@@ -39,6 +39,7 @@ from graphic_tmm.note.document import (
     letter_of,
     numbered,
     runs_of,
+    short_numbers,
     walk,
 )
 from graphic_tmm.note.target import (
@@ -65,7 +66,8 @@ BOXED = 55.0
 """Pieces of a formula wider than this, letters, may be parted anywhere."""
 FIGURE, TABLE = said("Figure {number} — "), said("Table {number} — ")
 CONTINUED = said("Table {number}, continued")
-FIGURE_AT, TABLE_AT = said("figure {number}"), said("table {number}")
+FIGURE_AT = said("figure {number}", "figures {number}")
+TABLE_AT = said("table {number}", "tables {number}")
 
 
 class _Writer:
@@ -241,10 +243,28 @@ class _Writer:
             told = unit(run.unit, self.document.language)
             return run.text + (told if told in ("", "°") else f"\u00a0{told}")
         if isinstance(run, Ref):
-            if run.to in self.numbers.figures:
-                return self.speech(FIGURE_AT, number=self.numbers.figures[run.to])
-            return self.speech(TABLE_AT, number=self.numbers.tables[run.to])
+            return self.referred(run)
         return run.text if isinstance(run, Text) else ""
+
+    def referred(self, to: Ref) -> str:
+        """Return what figures or tables are called: their kind once, behind it their numbers."""
+        ids = self.whole_figures((to.to, *to.more))
+        if to.to in self.numbers.figures:
+            told = short_numbers([self.numbers.figures[one] for one in ids])
+            words = FIGURE_AT
+        else:
+            told = list(dict.fromkeys(str(self.numbers.tables[one]) for one in ids))
+            words = TABLE_AT
+        lettered = len(told) > 1 and any("," in one for one in told)
+        number = ("; " if lettered else ", ").join(told)
+        return self.speech(words, number=number, n=len(told))
+
+    def whole_figures(self, ids: Sequence[str]) -> list[str]:
+        """Return ids, a figure for its parts where all of them are there."""
+        whole = self.numbers.wholes
+        short = {of for part, of in whole.items() if part not in ids}
+        found = (whole[one] if one in whole and whole[one] not in short else one for one in ids)
+        return list(dict.fromkeys(found))
 
     def row(self, beside: Sequence[Formula]) -> Tree:
         """Return formulas beside one another on a line of their own."""

@@ -45,7 +45,7 @@ from graphic_tmm.scene.captions import captions, view_name
 
 TASK = said("Task")
 SCHEME = said("Scheme of the mechanism")
-OF = said("The mechanism is shown in {figure}; what is given stands in {table}.")
+OF = said("The mechanism is shown in {figure}; the given data are listed in {table}.")
 
 
 def task(made: DrawnScene, language: str) -> Iterator[Block]:
@@ -81,7 +81,7 @@ def _conditions(made: DrawnScene, language: str) -> Iterator[Block]:
     yield from map(paragraph, made.scene.author.task)
 
 
-BESIDES = said("Besides:")
+BESIDES = said("In addition:")
 
 
 def scheme(drawn: Drawn, language: str) -> Picture | None:

@@ -8,8 +8,11 @@ from collections.abc import Iterator, Sequence
 from string import Formatter
 from typing import NamedTuple
 
+import numpy as np
+
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.formula_text import FUNCTIONS, Node, tree_of
+from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Length
 from graphic_tmm.language.numbers import EXACTLY, fixed, number
@@ -33,6 +36,67 @@ from graphic_tmm.readers.sentences import NOTHING, Phrase, grounds, phrase, wort
 LEAST = 3
 """A formula has so many sides at least where its letters and its figures differ."""
 _INDEX = re.compile(r"_(\w[\w–-]+)")
+
+
+class Written(NamedTuple):
+    """A number as it is printed: its figures, and what they say."""
+
+    text: str
+    value: float
+
+
+DIGITS, FEWEST, FINER = 4, 1, 6
+"""Significant digits of a printed number, the fewest that it is cut to, those of one that is lost else."""
+
+
+def cut_to(value: float, of: str, due: float, language: str, most: int = 4) -> Written:
+    """Return a number with no more digits than agree with what printed figures give, within the last of them.
+
+    ``due``: what they give, NaN if nothing; ``of``: the unit, decimals of % being few anyway; ``most``: so many
+    significant digits at the most.
+
+    >>> cut_to(0.6183, "", 0.6187, "ru").text, cut_to(97.03, "", 97.05, "en").text
+    ('0,618', '97.0')
+    >>> cut_to(0.07, "%", 0.0864, "en").text, cut_to(2.149, "J", math.nan, "en").text
+    ('0.1', '2.149')
+    """
+    if of == "%":
+        for places in range(EXACTLY, -1, -1):
+            cut = round(value, places)
+            if not abs(cut - due) > SLACK * 10.0**-places:
+                break
+        return Written(number(cut, language), cut)
+    told = round(value) if abs(value) >= 10.0**most else float(f"{value:.{most}g}")
+    whole = Written(number(value, language, most), told)
+    if not (math.isfinite(value) and math.isfinite(due) and value):
+        return whole
+    power = math.floor(math.log10(abs(value)))
+    for digits in range(most, FEWEST - 1, -1):
+        places = digits - 1 - power
+        cut = round(value, places)
+        if places < 0 or abs(cut - due) <= SLACK * 10.0**-places:
+            if digits == most or places < 0:
+                return whole
+            text = (
+                fixed(cut, places, language) if power > SMALLEST else number(cut, language, digits)
+            )
+            return Written(text, cut)
+    return whole
+
+
+SMALLEST = -5
+"""Powers of ten below which `number` writes them out."""
+SLACK = 1.0 + 1e-6
+"""So many of its last digit a number may be off."""
+
+
+def _by_figures(op: Operation, figures: Sequence[float]) -> float:
+    """Return what a formula gives of figures, NaN if nothing."""
+    with np.errstate(all="ignore"):
+        try:
+            return float(np.squeeze(op.run(*(np.array([[one]]) for one in figures))))
+        except (ArithmeticError, TypeError, ValueError):
+            return math.nan
 
 
 class NumberSource(NamedTuple):
@@ -59,11 +123,68 @@ class NumberSource(NamedTuple):
         value = self.value(mark)
         of = "°" if mark.kind is Angle else "mm" if mark.kind is Length else mark.unit
         source = Source("mark", self.board, str(mark.slot), self.place, self.view)
-        if mark.kind is Length:
-            told = self.length(value)
-        else:
-            told = number(round(value, EXACTLY) if of == "%" else value, self.language)
+        told = self.length(value) if mark.kind is Length else self.written(mark, value, of).text
         return Number(told, of if unit or of == "°" else "", source, value)
+
+    def written(self, mark: Mark, value: float, of: str) -> Written:
+        """Return a number with as many digits as the figures that are printed before it give.
+
+        Lengths are printed as a ruler reads them: what is calculated of them is known no better.
+        """
+        key = ("written", mark.slot, self.place, self.language, self.ruler)
+        if key not in self.reading.kept:
+            step = self.log.step(mark)
+            due = math.nan
+            if step is not None and step.op.formula:
+                due = _by_figures(step.op, [self.printed(one) for one in step.uses])
+            most = FINER if mark.slot in self.finer else DIGITS
+            self.reading.kept[key] = cut_to(value, of, due, self.language, most)
+        found: Written = self.reading.kept[key]
+        return found
+
+    @property
+    def finer(self) -> frozenset[int]:
+        """The slots of what is calculated of given figures alone and lost by four digits: small differences.
+
+        Of what is read by a ruler there is no more to print.
+        """
+        key = ("finer", self.place)
+        if key not in self.reading.kept:
+            self.reading.kept[key] = frozenset(self._lost())
+        found: frozenset[int] = self.reading.kept[key]
+        return found
+
+    def _lost(self) -> Iterator[int]:
+        exact: dict[int, bool] = {}
+        for step in self.log.steps:
+            known = bool(step.op.formula) and step.it.slot in self.reading.values
+            known = known and all(
+                one.kind is not Length
+                and one.slot in self.reading.values
+                and exact.get(one.slot, True)
+                for one in step.uses
+            )
+            exact[step.it.slot] = known
+            if not known or step.it.kind is Length:
+                continue
+            value = self.value(step.it)
+            figures = [float(f"{self.value(one):.{DIGITS}g}") for one in step.uses]
+            due = _by_figures(step.op, figures)
+            if not (math.isfinite(value) and math.isfinite(due) and value):
+                continue
+            last = 10.0 ** (math.floor(math.log10(abs(value))) - DIGITS + 1)
+            if abs(float(f"{value:.{DIGITS}g}") - due) > SLACK * last:
+                yield from (one.slot for one in step.uses if one.slot in exact)
+
+    def printed(self, mark: Mark) -> float:
+        """Return the value of a mark as it is printed; NaN of one that is not kept."""
+        if mark.slot not in self.reading.values:
+            return math.nan
+        value = self.value(mark)
+        if mark.kind is Length:
+            read = rounded(value, self.ruler)
+            return read or value
+        return self.written(mark, value, mark.unit).value
 
     def length(self, value: float) -> str:
         """Return a length (mm) as a ruler tells it; one that is less than it can tell, as it is."""

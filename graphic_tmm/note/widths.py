@@ -32,6 +32,9 @@ def broken(one: Formula) -> tuple[Formula, ...]:
     room = 0.0
     for k, side in enumerate(one.sides):
         first, *rest = _lines(side, room if k == 1 else WIDE)
+        if k + 2 == len(one.sides) and width(one.sides[-1]) <= ALONE:
+            used = width(first) + SIGN + (WIDE - room if k == 1 and width(first) <= room else 0.0)
+            first, *rest = _for_last(first, rest, used, width(one.sides[-1]) + SIGN)
         needed = width(first) + SIGN
         if lines and needed <= room:
             lines[-1] = lines[-1]._replace(sides=(*lines[-1].sides, first))
@@ -44,6 +47,29 @@ def broken(one: Formula) -> tuple[Formula, ...]:
             room = WIDE - width(more) - SIGN
     lines[-1] = lines[-1]._replace(behind=one.behind)
     return tuple(lines)
+
+
+ALONE = 4.0
+"""A side no wider than this, letters, does not stand on a line alone: = 0."""
+
+
+def _for_last(
+    first: Leaf | Tree, rest: list[SumLine], used: float, room: float
+) -> tuple[Leaf | Tree, *tuple[SumLine, ...]]:
+    """Return the lines of a side so that behind the last there is room: else its last term goes with it.
+
+    ``used``: what the line takes on which the first stands; ``room``: what has to go behind the last, letters.
+    """
+    last = rest[-1].told if rest else first
+    taken = width(last) + SIGN if rest else used
+    if taken + room <= WIDE or not isinstance(last, Tree) or last.node.head not in SUMS:
+        return (first, *rest)
+    before, after = (Tree(part, last.put) for part in last.node.parts)
+    line = SumLine(last.node.head, after)
+    if not rest:
+        return (before, line)
+    lines = [*rest[:-1], SumLine(rest[-1].sign, before), line]
+    return (first, *lines)
 
 
 class SumLine(NamedTuple):

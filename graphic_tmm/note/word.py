@@ -314,11 +314,31 @@ def without_title(made: bytes, centred: Sequence[str] = ()) -> bytes:
     text = _LEADING.sub(r"\1<m:r><m:rPr><m:nor />\2</m:rPr><m:t>\3 </m:t>", text)
     text = _LOOSE.sub(r"<m:r><m:rPr><m:nor />\1</m:rPr><m:t>\2</m:t>", text)
     text = _TABLES.sub(_fixed, text).replace(_INLINE, _CLOSE)
+    text = _together(text)
     parts["word/document.xml"] = text.encode("utf-8")
     core = "docProps/core.xml"
     if core in parts:
         parts[core] = _DATES.sub("", parts[core].decode("utf-8")).encode("utf-8")
     return zipped(list(parts.items()))
+
+
+def _together(text: str) -> str:
+    """Return a document whose last list stands on one page with its heading, unless it is long.
+
+    The last page of a note would else hold its last two lines.
+    """
+    at = text.rfind('<w:pStyle w:val="Heading')
+    begun, end = text[:at], text[at:]
+    last = end.rfind("<w:p>")
+    if at < 0 or end.count("<w:p>") > MOST_KEPT or "<w:tbl>" in end:
+        return text
+    kept = _PROPERTIES.sub(r"<w:pPr>\1<w:keepNext />", end[:last])
+    return begun + kept + end[last:]
+
+
+MOST_KEPT = 20
+"""A list of more items than these may be parted by the end of a page."""
+_PROPERTIES = re.compile(r"<w:pPr>(\s*(?:<w:pStyle [^>]*/>)?)")
 
 
 def _fixed(found: re.Match[str]) -> str:

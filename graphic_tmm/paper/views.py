@@ -28,6 +28,8 @@ NUMERALS = "0123456789*°.,"
 """What the number of a position consists of."""
 TOUCH = 1e-6
 """What is lower than a view by no more than this, mm, still stands in it."""
+RULED = 1
+"""Decimals of a length, mm, that is laid off by a ruler."""
 STACK = 4.0
 """Clear height between two diagrams of a stack, mm."""
 
@@ -43,7 +45,7 @@ def pole_figures(log: Construction, reading: Reading, view: str, language: str) 
     for pole in log.roles(view, roles.POLE):
         step = log.step(pole)
         if step is not None:
-            value = number(float(reading[step.uses[1]][0, 0]), language)
+            value = number(round(float(reading[step.uses[1]][0, 0]), RULED), language)
             found[step.uses[1]] = f"{step.uses[1].name} = {value}"
     return found
 

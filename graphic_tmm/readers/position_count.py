@@ -112,7 +112,7 @@ def sampled(drawn: Drawn) -> bool:
 def finer(drawn: Drawn) -> Finer | None:
     """Return the results of a finer row for a board; None if it has no results of curves.
 
-    It depends on the scene alone, and is cached with it.
+    It depends on the scene alone, but for lengths on the drawing, and is cached with it.
     """
     if not _curved(drawn.project) or sampled(drawn):
         return None
@@ -120,7 +120,18 @@ def finer(drawn: Drawn) -> Finer | None:
     if key not in cache:
         cache[key] = _finer(drawn)
     found: Finer | None = cache[key]
-    return found
+    return found and found._replace(due=_as_drawn(drawn, found))
+
+
+def _as_drawn(drawn: Drawn, of: Finer) -> Figures:
+    """Return the figures of a finer row, lengths as this drawing has them: to its own scale factors."""
+    if all(measured != "mm" for _, measured in of.due.values()):
+        return of.due
+    own = _results(drawn.project, drawn.given)
+    return {
+        name: (own[name][0] / (1.0 + of.off[name]) if measured == "mm" else figure, measured)
+        for name, (figure, measured) in of.due.items()
+    }
 
 
 def _curved(project: Project) -> tuple[Chapter, ...]:

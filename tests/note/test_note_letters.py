@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Iterator
 
 import pytest
 from support.laid_out import note_of_case
@@ -12,6 +13,7 @@ from graphic_tmm.board.formula_text import Node
 from graphic_tmm.note.document import (
     Document,
     Formula,
+    Run,
     Symbol,
     Table,
     Tree,
@@ -116,3 +118,45 @@ def test_what_stands_behind_an_index_is_as_wide_as_on_the_line() -> None:
     """П_{y1-y1}(3,6) was cut off in a table: its brackets counted as a part of the index."""
     whole, index = width(Symbol("П_{y1-y1}(3,6)")), width(Symbol("П_{y1-y1}"))
     assert whole - index >= len("(3,6)")
+
+
+def _markups(runs: Iterable[Run]) -> Iterator[str]:
+    for run in runs:
+        if isinstance(run, Symbol):
+            yield run.markup
+        elif isinstance(run, Formula):
+            yield from (
+                one.markup for side in run.sides for one in leaves(side) if isinstance(one, Symbol)
+            )
+
+
+def test_what_is_given_is_called_so_where_it_is_calculated_with() -> None:
+    document = note_of_case("slotting")
+    tables = [one for one in walk(document.blocks) if isinstance(one, Table)]
+    given = {
+        letter.replace("{", "").replace("}", "")
+        for one in tables
+        if one.id.startswith("table-given")
+        for letter in _markups(runs_of(one))
+    }
+    used = {
+        letter.replace("{", "").replace("}", "")
+        for block in walk(document.blocks)
+        if not (isinstance(block, Table) and block.id.startswith("table-given"))
+        for run in runs_of(block)
+        if isinstance(run, Formula)
+        for letter in _markups([run])
+    }
+    inertias = {letter for letter in used if re.fullmatch(r"J_([A-EO]|S?\d)", letter)}
+    assert inertias
+    assert inertias <= given
+
+
+def test_the_addendum_of_a_reduction_gear_has_its_star() -> None:
+    letters = {
+        letter.replace("{", "").replace("}", "")
+        for block in walk(noted("planetary").blocks)
+        for letter in _markups(runs_of(block))
+    }
+    assert "h_a^*" in letters
+    assert "h_a" not in letters

@@ -89,8 +89,19 @@ def sum_of(formula: str) -> tuple[list[Worked], bool]:
     if len(known) < 2:
         return known, True
     *others, last = known
-    apart = (abs(one.value - last.value) - SPARE * (one.off + last.off) for one in others)
+    digit = _last_digit(sides_of(formula)[-1])
+    apart = (
+        abs(one.value - last.value) - max(SPARE * (one.off + last.off), SPARE * digit)
+        for one in others
+    )
     return known, all(far <= 1e-12 * abs(last.value) for far in apart)
+
+
+def _last_digit(result: str) -> float:
+    """Return what the last digit of a result is worth that was cut to fewer: 0,618; 0 of any other."""
+    told = re.match(r"\D{0,8}?(\d+)(?:\{,\}|\.)(\d+)", result.strip())
+    cut = told is not None and len((told[1] + told[2]).lstrip("0")) in (2, 3)
+    return 10.0 ** -len(told[2]) if told is not None and cut else 0.0
 
 
 def _joined(block: Display, language: str) -> list[str]:

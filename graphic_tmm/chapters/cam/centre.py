@@ -139,7 +139,7 @@ def draw_centre(
     least_centre = draft.draw(extreme_of_two, "O_{min}", *ends, above=-1)
     least = draft.draw(
         in_si,
-        "r_{min}",
+        "r_{0min}",
         draft.draw(measure, "OB", least_centre, lowest, why=why.LEAST_READ),
         unit="m",
     )
@@ -267,8 +267,8 @@ def draw_convexity(draft: Draft, order: CamTask, diagrams: Diagrams, of: FlatFol
     cut = draft.draw(meet, "M", up, limit)
     need = draft.draw(measure_along, "MO", cut, origin, up)
     rho = draft.draw(to_board, "ρ_{min}", draft.take(Number, "[ρ]", of.least, "m"))
-    low = draft.draw(total, "R_{min}", need, rho)
-    least = draft.draw(in_si, "r_{min}", low, unit="m")
+    low = draft.draw(total, "R_{0min}", need, rho)
+    least = draft.draw(in_si, "r_{0min}", low, unit="m")
     r0, radius = choose_radius(draft, order, least)
     radii = tuple(draft.draw(f.flat_radius, "ρ", radius, motion.S, second) for second in motion.A)
     ends = []

@@ -134,7 +134,7 @@ def _divided(
     """Take the phases and their even division: extents, steps (Angle), radians, shares of every stretch."""
     rows = []
     for phase in turn.phases:
-        name = {"rise": "r", "return": "f"}[phase.name]
+        name = phase.number
         extent = draft.take(Angle, f"φ_{name}", phase.extent, "°")
         parts = draft.take(Number, f"N_{name}", float(phase.parts))
         step = draft.draw(f.angle_of_part, f"Δφ_{name}", extent, parts, unit="°")
@@ -143,7 +143,7 @@ def _divided(
         for ends in phase.stretches:
             k = np.arange(ends[0], ends[1] + 1)
             far = k - phase.first if phase.sign > 0 else phase.last - k
-            number = draft.take(Number, f"n_{name}", turn.over(ends, far.astype(float)))
+            number = draft.take(Number, f"i_{name}", turn.over(ends, far.astype(float)))
             shares.append(draft.draw(law.share_of_parts, f"u_{name}", number, parts))
         rows.append((extent, step, radians, tuple(shares)))
     (a, b) = rows

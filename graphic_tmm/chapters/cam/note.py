@@ -21,10 +21,11 @@ from graphic_tmm.chapters.cam.task import RockerFollower
 from graphic_tmm.chapters.cam.turn import CURVATURE
 from graphic_tmm.chapters.cam.views import cam_views, scheme_views
 from graphic_tmm.language.numbers import number
-from graphic_tmm.note.document import Block, Number, Runs, Symbol
+from graphic_tmm.note.document import Block, Display, Formula, Number, Paragraph, Runs, Symbol
 from graphic_tmm.note.figures import readable
 from graphic_tmm.note.page import Page
 from graphic_tmm.note.section_chapter import Noted
+from graphic_tmm.note.steps import marks_of
 from graphic_tmm.paper.drawing import Drawing
 
 RADII = (
@@ -112,6 +113,11 @@ class CamPage(Page[Cam]):
             return
         yield self.head(words.CENTRES)
         yield from self.leads(self.figures(CENTRE))
+        if centre.mu == self.recorded.diagrams.S.chart.mu:
+            yield self.says(words.AS_STROKE)
+            yield Display(
+                (Formula((Symbol("μ_l"), self.letter(centre.mu), self.number(centre.mu))),)
+            )
         yield self.steps(words.ROLLER)
         yield self.says(words.LEAST)
         yield from self.worked_out(centre.least)
@@ -133,12 +139,21 @@ class CamPage(Page[Cam]):
             yield self.says(words.CURVATURE)
             yield from self.formulas(CENTRE, f.turning_of_normal, first=True)
             yield from self.formulas(CURVATURE, f.curvature_of_profile, first=True)
+            yield self._parts(made.centre)
         else:
             yield from self.formulas(CENTRE, f.flat_radius)
         yield self.says(words.SHARPEST)
         for one in made.curvature.extremes:
             yield from self.worked_out(one.angle, one.value)
         yield from self.leads(self.figures("cam-limits"))
+
+    def _parts(self, centre: Centre) -> Paragraph:
+        """Say what the letters of the turning of the normal stand for."""
+        step = self.drawn.construction.step(centre.turning[0])
+        assert step is not None
+        letters = {name: self.letter(mark) for name, mark in marks_of(step).items()}
+        swings = isinstance(self.recorded.order.follower, RockerFollower)
+        return self.says((words.PARTS, words.SWUNG if swings else words.CARRIED), letters)
 
     def _profile(self) -> Iterator[Block]:
         roller = self.recorded.roller
@@ -151,7 +166,7 @@ class CamPage(Page[Cam]):
         yield self.says(words.TAKEN, radius=roller.radius)
         yield from self.formulas(PROFILE, to_board)
         yield self.steps(words.REVERSED)
-        yield self.says(words.REACH)
+        yield self.says(words.REACH, s0=self.letter(self.recorded.path.s0))
         yield from self.formulas(PROFILE, total)
         yield from self.leads(self.figures(PROFILE))
 

@@ -17,12 +17,13 @@ LAWS = {
         "The law is a sine. For S a semicircle of the radius R = h/(2π) is struck about the outer end of the "
         "phase and divided into as many parts as half of the phase; its points are carried to the axis there, "
         "from it parallel to the chord of the phase to the ordinates of the divisions. For dS/dφ and d²S/dφ² "
-        "the semicircles have the radii below; their points are carried straight across."
+        "the semicircles have the radii R′ and R″ below, with the number of the phase; their points are "
+        "carried straight across."
     ),
     "cosine": said(
         "The law is a cosine. For S a semicircle over the stroke, of the radius R = h/2, is divided into as "
         "many parts as the phase, and its points are carried across to the ordinates of the divisions. For "
-        "dS/dφ and d²S/dφ² the semicircles have the radii below."
+        "dS/dφ and d²S/dφ² the semicircles have the radii R′ and R″ below, with the number of the phase."
     ),
     "constant acceleration": said(
         "The acceleration is constant over each half of the phase. S consists of two parabolas, drawn by rays "
@@ -66,7 +67,7 @@ LEAST = said("The least radius is measured from there to {B0}:")
 APEX = said(
     "The least of all radii, with the guide set off the centre to the region's apex O*, would be"
 )
-CHOSEN = said("Taken is {r0}, on the drawing")
+CHOSEN = said("The radius is taken as {r0}; on the drawing it is")
 ANGLE = said(
     "With this centre the pressure angle in position {position} is {angle}, read between OQ and the path."
 )
@@ -77,9 +78,16 @@ EXTREMES = said(
 CURVATURE = said(
     "The curvature of the theoretical profile follows from how its normal turns; in position {position}:"
 )
+PARTS = said(
+    "Here {it} tells how much the normal turns for the cam's own turn; {p} and {q} are the components of OQ "
+    "along the path and square to it;"
+)
+CARRIED = said("{v} and {a} are dS/dφ and d²S/dφ² to the scale of the region of centres.")
+SWUNG = said("{v} is dψ/dφ times O₁Q, {a} is d²ψ/dφ² times the lever, to the scale of the figure.")
+AS_STROKE = said("The region and the profile are drawn to the scale of S:")
 SHARPEST = said("Where it is largest, the radius of curvature is least:")
 ALLOWED = said("The roller may be as large as the smaller of two limits allows:")
-TAKEN = said("Taken is a roller of the radius {radius}.")
+TAKEN = said("A roller of radius {radius} is taken.")
 REVERSED = (
     said("everything is given the angular velocity −ω: the cam stands, the guide goes round it;"),
     said(
@@ -96,11 +104,14 @@ REVERSED = (
         "roller's radius along the normals, is the working profile."
     ),
 )
-REACH = said("In position {position} the roller's centre stands off by")
+REACH = said(
+    "In position {position} the roller's centre stands above O, along the guide, by this much ({s0} is the "
+    "distance in the lowest place):"
+)
 LEFT = said("What is left up to the limits:")
 MOVING = said("The cam turns at {speed}. In position {position} the follower moves with")
 
-RADIUS = said("The least radius of the cam is {r0_min}; taken is {r0}.")
+RADIUS = said("The least radius of the cam is {r0_min}; {r0} is taken.")
 PRESSURE_KEPT = said(
     "The pressure angle reaches {pressure_rise} on the rise and {pressure_return} on the return; allowed are "
     "{allowed} and {behind}."

@@ -44,6 +44,11 @@ class Phase(NamedTuple):
     changed: Changed = Changed()
 
     @property
+    def number(self) -> int:
+        """Which of the four phases of the turn it is, the dwells counted: 1 or 3."""
+        return 1 if self.sign > 0 else 3
+
+    @property
     def parts(self) -> int:
         """Into how many even parts it is divided."""
         return self.last - self.first

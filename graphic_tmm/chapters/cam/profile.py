@@ -92,7 +92,7 @@ def draw_profile(
     theoretical = _contour(
         draft, THEORETICAL, diagrams, origin, (placed.points, normals), paces, sense
     )
-    radius = draft.draw(to_board, "R", roller)
+    radius = draft.draw(to_board, "R_r", roller)
     draft.figure("roller", "", placed.points, radius)
     if isinstance(path, Lever):
         assert placed.feet is not None

@@ -97,11 +97,12 @@ def _left(draft: Draft, cam: Cam, order: CamTask) -> dict[str, Mark]:
     assert cam.roller is not None
     found = {}
     limits = (order.pressure, order.pressure_return or order.pressure)
-    names = (("rise", "α_{r}"), ("return", "α_{f}"))
-    for (name, letter), limit, extreme in zip(names, limits, cam.pressure.extremes, strict=True):
-        allowed = draft.take(Angle, f"[{letter}]", limit, "°")
-        found[f"left_{name}"] = draft.draw(
-            f.angle_left, f"Δ{letter}", allowed, extreme.value, unit="°"
+    letters = ("[α]", "[α]" if limits[0] == limits[1] else "[α_f]")
+    rows = zip(letters, limits, cam.pressure.extremes, cam.diagrams.turn.phases, strict=True)
+    for letter, limit, extreme, phase in rows:
+        allowed = draft.take(Angle, letter, limit, "°")
+        found[f"left_{phase.name}"] = draft.draw(
+            f.angle_left, f"Δα_{phase.number}", allowed, extreme.value, unit="°"
         )
     radius = cam.roller.radius
     for name, letter, limit_of in (

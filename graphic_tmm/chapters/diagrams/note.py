@@ -30,6 +30,7 @@ OF = said(
 )
 BASE, RESULTS = said("Base of the diagrams"), said("Results of the diagrams")
 COMPARED = said("Results, comparison with the plans")
+OF_LARGEST = said("Δ is the difference from the plans in % of the largest value that they give.")
 TIME = said("Along the base time is laid off. The crank turns evenly; a turn takes")
 ANGLE = said("Along the base the angle of the crank is laid off: one turn is 2π rad.")
 BY_SCALE = said("To the scale factor chosen ({table}) one turn is as long as")
@@ -281,6 +282,8 @@ class DiagramPage(Page[Kinematic]):
         first = self.recorded.first
         compared = any(k.endswith("_plan") and k[0] != first for k in self.columns)
         yield self.head(COMPARED if compared else RESULTS)
+        if compared:
+            yield self.says(OF_LARGEST)
         yield from self.tabled()
         for segment in self.columns:
             if segment in self.recorded.charts:

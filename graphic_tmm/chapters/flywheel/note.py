@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TypeVar
 
 from graphic_tmm.chapters.flywheel.plan import Flywheel
@@ -65,9 +65,9 @@ BY_LOADS = said(
 )
 READ = said("Read off the plans and the indicator diagram")
 SIGNS = said(
-    "In positions {drives} the moment drives and stands above the axis, in positions {resists} it resists and "
-    "stands below."
+    "The moment drives and stands above the axis in {drives}; it resists and stands below in {resists}."
 )
+IN_POSITIONS = said("position {at}", "positions {at}", context="in positions")
 CYCLE = said(
     "The working cycle takes {turns} turns of the crank, so the base of the graphs stands for all of them; in"
     " later turns the mechanism stands as in the first one, but the gas is another."
@@ -194,9 +194,13 @@ class SteadyPage(GasPage[T]):
             for name, value in zip(self.drawn.names, values, strict=False)
             if value
         ]
-        drives = (name for name, value in there if value > 0)
-        resists = (name for name, value in there if value < 0)
-        return ", ".join(drives), ", ".join(resists)
+        drives = [name for name, value in there if value > 0]
+        resists = [name for name, value in there if value < 0]
+        return self._positions(drives), self._positions(resists)
+
+    def _positions(self, names: Sequence[str]) -> str:
+        at = ", ".join(names)
+        return self.speech(IN_POSITIONS, at=at, n=len(names)) if names else ""
 
     def _works(self) -> Iterator[Block]:
         constant = RESISTING if self.flywheel.order.constant == "resisting" else DRIVING

@@ -124,7 +124,7 @@ def calculate(draft: Draft, made: Flywheel, speed: Mark) -> Aside:
     read = draft.draw(
         measure_along, f"y_{{{name.replace('_', '')}}}", axes.origin, made.constant, axes.up
     )
-    moment = draft.draw(in_si, name, read, axes.mu, unit="N·m")
+    moment = draft.draw(in_si, "M_{mean}", read, axes.mu, unit="N·m")
     power = draft.draw(mean_power, "N", moment, speed, unit="W")
     differ = None
     if made.energy_mass is not None:

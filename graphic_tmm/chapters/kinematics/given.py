@@ -9,6 +9,7 @@ from graphic_tmm.board.draft import ROUNDING
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.guides import turn
+from graphic_tmm.mechanism.masses import inertia_letter
 from graphic_tmm.mechanism.records import Extreme, Guide, Link, Mechanism
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.readers.narration import remark
@@ -142,11 +143,10 @@ def _masses(mechanism: Mechanism) -> Iterator[Given]:
             yield Given(f"m_{link.number}", link.mass, "kg")
     for link in _ordered(mechanism):
         if link.inertia is not None:
-            about = f"{{{link.centre}}}" if link.centre else f"{link.number}"
             if link.rod is not None:
                 yield Given(f"l_{link.number}", link.rod, "m")
                 continue
-            yield Given(f"J_{about}", link.inertia, "kg·m²")
+            yield Given(inertia_letter(link), link.inertia, "kg·m²")
 
 
 def _ordered(mechanism: Mechanism) -> list[Link]:

@@ -66,7 +66,7 @@ def calculate_train(draft: Draft, order: PlanetaryTask, train: Train) -> Dimensi
     axes = _axes(draft, "a_w", scheme.first, first, z["1"], z["2"])
     again = _axes(draft, "a′_w", scheme.second, second, z[fixed], z[rim])
     ratio = _ratio(draft, order, scheme, z)
-    ha = draft.take(Number, "h_a", order.ha)
+    ha = draft.take(Number, "h_{a}^{*}", order.ha)
     tips = {
         wheel: draft.draw(t.tip_diameter, f"d_{{a{wheel}}}", module, z[wheel], ha, unit="m")
         for wheel, module in dict((("2", first), (rim, second))).items()

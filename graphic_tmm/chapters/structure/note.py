@@ -25,15 +25,15 @@ from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.paper.drawing import Drawing
 
 MOVING = said(
-    "The mechanism has {n} moving links and {p} pairs of class 5; pairs of class 4 there are none. "
+    "The mechanism has {n} moving links and {p} pairs of class 5; it has no pairs of class 4. "
     "Its mobility by Chebyshev's formula:"
 )
 ONE_DRIVE = said(
-    "One link has to be driven: link {link}. Taken off with the frame it leaves groups that add no freedom."
+    "One link has to be driven: link {link}. Without it and the frame there remain groups of zero mobility."
 )
 GROUP = said("group {name}: class II, order 2, kind {kind}")
 DRIVEN = said("driving link {name}: class I")
-ATTACHED = said("In the order of their attachment the parts are shown in {}; the mobility of each:")
+ATTACHED = said("The parts are shown in {} in the order of their attachment; the mobility of each:")
 LINKS, PAIRS = said("Links of the mechanism"), said("Kinematic pairs of the mechanism")
 
 

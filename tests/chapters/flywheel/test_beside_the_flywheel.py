@@ -93,7 +93,7 @@ def test_both_methods_are_compared_in_a_step_and_the_table_tells_it() -> None:
     assert told["power"][1] == "W"
     assert BESIDE.on(drawn(tangents=None)).apart is None
     text = "\n".join(protocol(made, ("flywheel",), "2", "ru"))
-    assert "N = M_c·ω_1" in text
+    assert "N = M_ср·ω_1" in text
     assert "Вт" in text
 
 

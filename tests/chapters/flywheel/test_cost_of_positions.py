@@ -180,3 +180,16 @@ def test_nothing_is_drawn_once_more_where_curves_give_no_result(
     monkeypatch.setattr(finer_rows, "record", lambda *one: pytest.fail("recorded again"))
     made = drawn(tmp_path, text)
     assert not re.search("360", str(table(made, "json")))
+
+
+def test_lengths_of_the_finer_row_are_to_the_scale_factors_of_each_drawing(tmp_path: Path) -> None:
+    """They are cached with the scene, which is drawn to other scale factors afterwards."""
+    board = drawn(tmp_path).boards[0]
+    first = finer(board)
+    mu = next(mark for mark in board.given if mark.name == "μ_A")
+    coarser = replace(board, given={**board.given, mu: 2.0 * float(np.squeeze(board.given[mu]))})
+    second = finer(coarser)
+    assert first is not None
+    assert second is not None
+    assert second.due["cd"][0] == pytest.approx(first.due["cd"][0] / 2.0, rel=1e-6)
+    assert second.due["J_fly"] == first.due["J_fly"]

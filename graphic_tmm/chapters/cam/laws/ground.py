@@ -74,6 +74,10 @@ def top(draft: Draft, ground: Ground, height: Mark) -> Mark:
     return draft.draw(lay_off, "h", line, height, free=True, why=why.STROKE_TOP)
 
 
+_PRIMES = {"S": "", "V": "'", "A": "''"}
+"""What tells the radii of a phase apart: as S is told from its derivatives."""
+
+
 class Semicircle(NamedTuple):
     """How a semicircle gives one diagram of a law, told for the rise.
 
@@ -94,7 +98,7 @@ def by_semicircle(how: Semicircle, draft: Draft, ground: Ground, which: str, hei
     """Return the levels of the points: through the divisions of a semicircle, parallel to the base."""
     down = how.odd and ground.of.sign < 0
     uses = (height,) if which == "S" else (ground.stroke, ground.phase)
-    radius = draft.draw(how.radius, "R", *uses)
+    radius = draft.draw(how.radius, f"R{_PRIMES[which]}_{ground.of.number}", *uses)
     centre = ground.near
     if how.centre:
         centre = draft.draw(

@@ -1,0 +1,107 @@
+"""Words of a note as an examiner wants them: references, captions, positions; no cell or line of nothing."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+import pytest
+from support.laid_out import case_file
+from support.notes import noted, parts
+
+from graphic_tmm.board.formula_text import FUNCTIONS, tree_of
+from graphic_tmm.note.document import Formula, Symbol, Table, Text, Tree, runs_of, walk
+from graphic_tmm.note.figures import going_on
+from graphic_tmm.note.widths import broken
+
+
+@cache
+def _lines() -> list[str]:
+    return case_file("slotting", "md").decode().splitlines()
+
+
+def test_figures_that_are_told_together_are_named_once() -> None:
+    """«рис. 9, 10», not «рис. 9, рис. 10»; a figure whose parts are all meant has no letters."""
+    told = [line for line in _lines() if "показано на рис." in line]
+    assert any(re.search(r"рис\.\s\d+, \d+\.", line) for line in told)
+    assert not [line for line in told if line.count("рис.") > 1]
+    assert not [line for line in told if re.search(r"рис\.\s\d+, а, б", line)]
+
+
+def test_captions_go_on_with_small_letters() -> None:
+    captions = [line for line in _lines() if line.startswith("Рисунок ")]
+    assert any("; " in line for line in captions)
+    assert any(" а) " in line for line in captions)
+    assert not [line for line in captions if re.search(r"(?:[аб]\)|;) [А-Я][а-я]{2}", line)]
+
+
+@pytest.mark.parametrize("title", ["Zhukovsky's lever", "ΔT of links", "S, V", "T–J"])
+def test_names_and_symbols_keep_their_capitals(title: str) -> None:
+    assert going_on(title) == title
+
+
+def test_no_cell_of_the_scales_is_empty() -> None:
+    tables = (one for one in walk(noted("cam").blocks) if isinstance(one, Table))
+    (scales,) = (one for one in tables if one.id == "table-scales")
+    assert all(cell for row in scales.rows for cell in row[:2])
+
+
+@pytest.mark.parametrize("count", range(2, 16))
+def test_nothing_stands_on_a_line_without_what_it_is_equal_to(count: int) -> None:
+    """= 0 goes with the last term of its sum, wherever the sum is broken."""
+    names = [f"t{k}" for k in range(count)]
+    tree = tree_of(" + ".join(f"{{{name}}}" for name in names), FUNCTIONS)
+    put = {name: Symbol(f"F_{{{k}}}lmnop") for k, name in enumerate(names)}
+    zero = Tree(tree_of("0", FUNCTIONS), {})
+    for more in ("", "MM", "MMMM", "MMMMMM"):
+        lines = broken(Formula((Symbol(f"M{more}"), Tree(tree, put), zero)))
+        assert lines[-1].sides != (zero,)
+        assert lines[-1].sides[-1] == zero
+
+
+def test_a_moment_drives_in_one_position_or_in_several() -> None:
+    told = [line for line in _lines() if line.startswith("Момент движущий")]
+    for line in told:
+        assert not re.search(r"положениях \d+\*?[;.]", line)
+        assert not re.search(r"положении \d+\*?,", line)
+    assert told
+
+
+def test_a_point_that_lines_go_through_is_laid_off_before() -> None:
+    """n₃ of an acceleration plan: its line is not told with the lines that are parallel to it."""
+    words = "\n".join(_lines())
+    assert re.search(r"отложить на ней \$`\\pi n_\{3\}`\$ до \$`n_\{3\}`\$", words)
+
+
+STIFF = (
+    "there are none",
+    "of an A1 (",
+    "the sheet is white",
+    "Besides:",
+    "Taken is",
+    "what is given stands",
+    "is worked step by step",
+    "so many millimetres long",
+)
+
+
+def test_english_is_plain() -> None:
+    document = noted("cam", "en"), noted("slider-diagrams", "en")
+    words = " ".join(
+        run.text
+        for one in document
+        for block in walk(one.blocks)
+        for run in runs_of(block)
+        if isinstance(run, Text)
+    )
+    assert "on an A1 sheet" in words
+    assert [phrase for phrase in STIFF if phrase in words] == []
+
+
+def test_a_docx_does_not_end_in_a_page_of_two_lines() -> None:
+    """The literature stands on one page with its heading."""
+    text = parts(case_file("slotting", "docx"))["word/document.xml"].decode()
+    _heading, *kept, last = text[text.rfind('w:val="Heading1"') :].split("<w:p>")
+    assert len(kept) > 3
+    assert all("<w:keepNext />" in one for one in kept)
+    assert "<w:keepNext />" not in last
