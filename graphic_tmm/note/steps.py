@@ -74,7 +74,8 @@ def cut_to(value: float, of: str, due: float, language: str, most: int = 4) -> W
     for digits in range(most, FEWEST - 1, -1):
         places = digits - 1 - power
         cut = round(value, places)
-        if places < 0 or abs(cut - due) <= SLACK * 10.0**-places:
+        slack = SLACK if digits < most else SLACK + 0.5  # rounded itself, too
+        if places < 0 or abs(cut - due) <= slack * 10.0**-places:
             if digits == most or places < 0:
                 return whole
             text = (
@@ -173,7 +174,7 @@ class NumberSource(NamedTuple):
             if not (math.isfinite(value) and math.isfinite(due) and value):
                 continue
             last = 10.0 ** (math.floor(math.log10(abs(value))) - DIGITS + 1)
-            if abs(float(f"{value:.{DIGITS}g}") - due) > SLACK * last:
+            if abs(float(f"{value:.{DIGITS}g}") - due) > (SLACK + 0.5) * last:
                 yield from (one.slot for one in step.uses if one.slot in exact)
 
     def printed(self, mark: Mark) -> float:
