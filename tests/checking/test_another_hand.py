@@ -128,6 +128,22 @@ def test_its_honest_drawings_pass_however_they_were_read(
     passes(total)
 
 
+@pytest.mark.parametrize("all_measured", [True, False])
+def test_estimated_tenths_are_no_more_wrong_than_halves(all_measured: bool, tmp_path: Path) -> None:
+    """What was laid off is as long as it was drawn, whether that is written to 0.1 or 0.5 mm."""
+    broken = Counter[float]()
+    for ruler in (0.1, 0.5):
+        for name in MACHINES:
+            texts = []
+            for seed in range(5000, 5012):
+                pen = Pencil(np.random.default_rng(seed), ruler)
+                drawn = sheets(name, pen)
+                texts.append(csv_of(rows_of(name, pen, drawn, "mm", all_measured=all_measured)))
+            found = verdicts(scene(name), read_back(texts, tmp_path), trials=400)
+            broken[ruler] += sum(bool(report.wrong) for report in found)
+    assert (broken[0.1], broken[0.5]) == (0, 0)
+
+
 @pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", MIRRORED)

@@ -252,13 +252,20 @@ def sheets(name: str, pen: Pencil, *, side: int = 1, only: int | None = None) ->
     return found
 
 
-def rows_of(name: str, pen: Pencil, drawn: dict[int, Sheet], mode: str) -> Rows:
-    """Return what is written down of a drawing: lengths in mm, as quantities or both, points as x and y."""
+def rows_of(
+    name: str, pen: Pencil, drawn: dict[int, Sheet], mode: str, *, all_measured: bool = False
+) -> Rows:
+    """Return what is written down of a drawing: lengths in mm, as quantities or both, points as x and y.
+
+    ``all_measured``: what was calculated and laid off is measured on the drawing, too.
+    """
     rows: Rows = {}
     for k, sheet in drawn.items():
         for (plan, segment), length in sheet.lengths.items():
-            # a calculated length is written to a tenth
-            mm = round(length, 1) if segment in CALCULATED else length
+            mm = length
+            if segment in CALCULATED:
+                # a calculated length is written to a tenth
+                mm = pen.read(complex(length)) if all_measured else round(length, 1)
             value = f"{mm * MACHINES[name].mu[plan]:.4g}" if mode in ("quantities", "both") else ""
             written = "" if mode == "quantities" else f"{mm:g}"
             rows[plan, str(k), segment] = [written, value, UNITS[plan] if value else "", "", ""]

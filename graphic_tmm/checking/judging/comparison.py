@@ -123,11 +123,17 @@ class Comparison:
         return {at: read / right for at, (read, right) in found.items() if right > 0.0}
 
     def calculated(self, taken: Taken) -> bool:
-        """Whether a reading is a length that its step calculates, written as calculated."""
+        """Whether a reading is a length that its step lays off from a calculated number, in mm.
+
+        It may be written as calculated or as measured: its digits do not tell which.
+        """
         step = self.step(taken)
-        if step is None or taken.mm is None or step.it.kind is not Length or step.op.reads:
-            return False
-        return self.by.reader.calculated(taken.mm)
+        return (
+            step is not None
+            and taken.mm is not None
+            and step.it.kind is Length
+            and not step.op.reads
+        )
 
     def is_given(self, taken: Taken) -> bool:
         """Whether a figure of a plan follows from the givens alone: it is the same in every drawing."""

@@ -97,7 +97,9 @@ def groups(made: DrawnScene, judged: Sequence[Judged], by: Yardstick) -> tuple[L
     for one in entries(made, judged, by):
         taken = one.judged.taken
         if taken.position:
-            together[POSITION, taken.position].append(one)
+            # what is laid off is off by the ruler alone: it would hide what was drawn wrongly
+            if one.step is None or one.judged.taken.pointed or one.step.op.reads:
+                together[POSITION, taken.position].append(one)
             together[CLOSED, taken.plan, taken.position].append(one)
         together[SEGMENT, taken.plan, taken.segment].append(one)
     broken = {at for one in judged if one.verdict == WRONG for at in _of(one)}

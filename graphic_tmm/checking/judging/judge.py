@@ -141,10 +141,6 @@ def _own(drawing: Comparison, taken: Taken) -> _Own | None:
     errors = drawing.errors(taken)
     if not errors or steps is None or _other_sense(drawing, taken):
         return None
-    if drawing.calculated(taken):
-        (by, error, grain), digits = errors[0], drawing.by.reader.rounding(taken.mm or 0.0)
-        most = drawing.by.limits.wrong * digits
-        return _Own(Scatter(np.empty(0), 0.0, most), counted(error, grain + digits), by, error)
     if taken.pointed:
         lost = drawing.by.reader.lost(taken.last, drawing.share)
         errors = tuple((one, error, lost) for one, error, _ in errors)

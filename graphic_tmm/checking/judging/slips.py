@@ -14,10 +14,6 @@ import numpy as np
 from graphic_tmm.board.geometry import along, unit, wedge
 from graphic_tmm.board.values import Arc, Line
 
-WHOLE = 1e-6
-"""A length so near (in divisions) to a whole number of them may have been read off the ruler: more than any
-rounding of the machine, less than any digit that is written."""
-
 
 def off_line(line: Line, found: Any) -> Any:
     """Return how far a point is off a line, mm."""
@@ -153,12 +149,6 @@ def rounding(digits: int, figure: float) -> float:
     return 5.0 * math.pow(10.0, -digits) * abs(figure)
 
 
-def between(length: float, finest: float) -> bool:
-    """Whether a length stands between the divisions of a ruler."""
-    divisions = abs(length) / finest
-    return bool(np.abs(divisions - np.rint(divisions)) > WHOLE)
-
-
 FUNCTIONS = (
     off_line,
     off_arc,
@@ -182,6 +172,5 @@ FUNCTIONS = (
     unblurred,
     lost,
     rounding,
-    between,
 )
 """All of them."""

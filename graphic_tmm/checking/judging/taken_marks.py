@@ -47,12 +47,10 @@ class Reader(NamedTuple):
     """Who reads a drawing: the hand that drew it, with the coarser of its ruler and the sheet's.
 
     ``points``: how points are read.
-    ``finest``: the finer of the two rulers, mm; 0 for one without divisions.
     """
 
     hand: Hand
     points: str = "paper"
-    finest: float = 0.0
 
     @property
     def half(self) -> float:
@@ -73,10 +71,6 @@ class Reader(NamedTuple):
     def rounding(self, figure: float) -> float:
         """Return half a unit of the last digit that the hand keeps in a calculation."""
         return 0.0 if self.hand.digits is None else slips.rounding(self.hand.digits, figure)
-
-    def calculated(self, length: float) -> bool:
-        """Whether a length is written finer than the rulers divide: calculated, not read off the paper."""
-        return bool(self.finest) and slips.between(length, self.finest)
 
     @property
     def pointing(self) -> float:
@@ -109,8 +103,7 @@ class Reader(NamedTuple):
 def reader(scene: Scene, hand: Hand, points: str) -> Reader:
     """Return who reads a drawing of a scene."""
     rulers = [ruler for ruler in (hand.ruler, scene.ruler) if ruler is not None]
-    finest = 0.0 if scene.ruler is None else min(rulers)
-    return Reader(hand._replace(ruler=max(rulers, default=None)), points, finest)
+    return Reader(hand._replace(ruler=max(rulers, default=None)), points)
 
 
 def steps_of(work: Drawn | None) -> dict[tuple[str, str], Step]:
@@ -201,7 +194,4 @@ def mark_figure(
     if step.it.kind is Number:
         return figure, half, half
     mu = 1.0 if taken.mm is not None else scale_of(work, taken.plan)
-    # a length that is calculated and written as such was never rounded by a slip
-    strict = not step.op.reads and by.calculated(figure / mu)
-    read = half / mu + by.half if strict else by.unblurred(half / mu)
-    return figure / mu, read, half / mu + by.half
+    return figure / mu, by.unblurred(half / mu), half / mu + by.half

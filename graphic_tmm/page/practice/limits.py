@@ -115,7 +115,6 @@ def reader_of(scene: Scene) -> dict[str, Any]:
         "compass": by.hand.compass,
         "prick": by.hand.prick,
         "digits": by.hand.digits,
-        "finest": by.finest,
         "wrong": Limits().wrong,
         "pair": {"doubtful": both.doubtful, "wrong": both.wrong},
         "sine": equivalents.LEAST_SINE,

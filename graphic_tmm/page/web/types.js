@@ -71,10 +71,10 @@
  * @typedef {{pointing: number, own: Record<string, OwnLimit>, with: Record<string, Record<string, OwnLimit>>,
  *   total: Record<string, TotalLimit>}} Manner how a drawing is read, and the limits of the hand then; `with`: where
  *   points of other plans before that one are read too, by the numbers of these
- * @typedef {{half: number, reading: number, swing: number, compass: number, prick: number, digits: number, finest: number,
+ * @typedef {{half: number, reading: number, swing: number, compass: number, prick: number, digits: number,
  *   wrong: number, pair: {doubtful: number, wrong: number}, sine: number,
  *   shares: number[], few: number, most: number, sure: number}} Reader who reads: half a division of the ruler, the
- *   slips of reading (mm), of a ray (°), of an opening and a point (mm), the digits of a calculation, the finest ruler; and how it is judged (checking/judging)
+ *   slips of reading (mm), of a ray (°), of an opening and a point (mm), the digits of a calculation; and how it is judged (checking/judging)
  * @typedef {{hand: string, names: string[], main: number, plans: string[], titles: string[], marks: Record<string, PracticeMark>,
  *   given: Record<string, number | number[] | (number | null)[]>, steps: PracticeStep[], tasks: Task[], at: number[][],
  *   reader: Reader, manners: Record<string, Manner>}} Practice

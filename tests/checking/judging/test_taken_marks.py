@@ -81,6 +81,16 @@ def test_a_row_keeps_the_digits_that_were_written(tmp_path: Path) -> None:
     assert second.last == Last(x=0.05, y=0.05)
 
 
+def test_a_length_laid_off_is_judged_alike_in_tenths_and_in_halves() -> None:
+    """pa is 96.0 mm, calculated and laid off; a ruler of 0.5 mm has no 96.6."""
+    rows = [
+        (f"{mm}", (Taken("velocities", "4", "pa", mm=mm, last=Last(mm=0.05)),))
+        for mm in (96.6, 97.0, 101.1, 101.0)
+    ]
+    told = [verdicts(report) for report in checks(gallery.scene("lever"), rows)]
+    assert told == [[FINE], [FINE], [WRONG], [WRONG]]
+
+
 @pytest.mark.slow
 def test_every_way_a_ruler_gives_a_calculated_length_is_fine() -> None:
     """pa is 54.348 mm: on a ruler of 0.1 mm it is 54.3 or 54.4, for the surest hand."""

@@ -27,7 +27,6 @@
  *   unblurred: (half: number, written: number, reading: number) => number,
  *   lost: (x: number, y: number, slip: number) => number,
  *   rounding: (digits: number, figure: number) => number,
- *   between: (length: number, finest: number) => boolean,
  * }} Slips the functions of checking/judging/slips.py
  */
 

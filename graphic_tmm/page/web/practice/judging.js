@@ -76,8 +76,7 @@ export class Judging {
     if (typeof found !== "number") return { found, read: this.lost(last, 1), used: 0 };
     if (this.kind(slot) === "rate") return { found, read: last.value ?? 0, used: last.value ?? 0 };
     const written = last.mm ?? 0;
-    const read = this.calculated(slot, found) ? written + half : BOARD.slips.unblurred(half, written, reading);
-    return { found, read, used: written + half };
+    return { found, read: BOARD.slips.unblurred(half, written, reading), used: written + half };
   }
 
   /** @param {number} slot */
@@ -91,17 +90,6 @@ export class Judging {
    */
   lost(last, share) {
     return BOARD.slips.lost(last.x ?? 0, last.y ?? 0, share * this.manner.pointing);
-  }
-
-  /**
-   * Whether a length that its step calculates is written as calculated.
-   * @param {number} slot
-   * @param {number} found
-   */
-  calculated(slot, found) {
-    const { finest } = this.reader;
-    const step = this.log.steps.get(slot);
-    return step !== undefined && !step.measures && finest > 0 && BOARD.slips.between(found, finest);
   }
 
   /**
@@ -188,11 +176,6 @@ export class Judging {
     const errors = this.errors(row);
     const [first] = errors;
     if (first === undefined || limit === undefined || !Number.isFinite(off.signed) || this.otherSense(row)) return undefined;
-    if (this.written(row)) {
-      const digits = BOARD.slips.rounding(this.reader.digits, Number(row.found));
-      const counted = BOARD.slips.counted(first.error, first.grain + digits);
-      return { counted, doubtful: 0, wrong: this.reader.wrong * digits, error: first.error, by: row.slot };
-    }
     const share = typeof row.found === "number" ? 1 : this.share;
     const times = errors.map(({ error, grain }, k) => BOARD.slips.counted(error, grain) / sizeAt(limit, k, share));
     const worst = times.indexOf(Math.max(...times));
@@ -215,11 +198,11 @@ export class Judging {
   }
 
   /**
-   * Whether a reading is a length that its step calculates, written as calculated.
+   * Whether a reading is of a length that its step lays off from a calculated number.
    * @param {Taken} row
    */
-  written({ slot, found }) {
-    return typeof found === "number" && this.kind(slot) === "length" && this.calculated(slot, found);
+  calculated({ slot }) {
+    return this.kind(slot) === "length" && this.log.steps.get(slot)?.measures !== true;
   }
 
   /**
@@ -239,7 +222,7 @@ export class Judging {
   strict(row, before) {
     const { slot, found } = row;
     if (typeof found !== "number") return true;
-    if (this.kind(slot) !== "rate" && !this.written(row)) return false;
+    if (this.kind(slot) !== "rate" && !this.calculated(row)) return false;
     return this.log.sources(slot, this.found).every((one) => before.get(one)?.verdict === "fine");
   }
 }
