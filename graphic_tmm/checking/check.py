@@ -18,6 +18,7 @@ from graphic_tmm.checking.mutations.mistakes import Mistakes
 from graphic_tmm.checking.mutations.telling import Unseen, likely_mistakes, told_unseen
 from graphic_tmm.checking.readings.mending import mended
 from graphic_tmm.checking.readings.read import TOLD
+from graphic_tmm.checking.readings.signs import with_signs
 from graphic_tmm.checking.records import Judged, Report, Taken
 from graphic_tmm.checking.report.rows import WORDS
 from graphic_tmm.drawn import DrawnScene
@@ -59,7 +60,7 @@ def known_readings(
         kept.append(taken)
     if faults:
         raise SceneError(source, tuple(faults[:TOLD]))
-    return tuple(kept), tuple(notes)
+    return with_signs(kept), tuple(notes)
 
 
 def _lost(taken: Taken, due: Mapping[Key, Cell]) -> bool:

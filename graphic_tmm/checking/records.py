@@ -26,7 +26,7 @@ class Taken(NamedTuple):
 
     ``position`` is "" for a result of the whole project. ``mm``; ``value`` with ``unit``; ``x``, ``y`` (mm on
     the plan, from its pole): None where not given. ``line`` of the file it stands in; ``last``: how finely it
-    was written.
+    was written. ``signed``: a plus means that it is positive, and not that no sign was written.
     """
 
     plan: str
@@ -39,6 +39,7 @@ class Taken(NamedTuple):
     y: float | None = None
     line: int = 0
     last: Last = Last()
+    signed: bool = False
 
     @property
     def key(self) -> tuple[str, str, str]:

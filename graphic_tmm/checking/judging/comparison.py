@@ -81,6 +81,16 @@ class Comparison:
         return as_marks(self.made.mechanism, self.steps, self.rows, self.due, self.by.reader)
 
     @cached_property
+    def signed_marks(self) -> Mapping[Mark, Any]:
+        """Where the signs of what was read of marks are meant, (position,)."""
+        found: dict[Mark, Any] = {}
+        for taken in self.rows:
+            step = self.step(taken) if taken.signed else None
+            if step is not None and self.place(taken) >= 0:
+                found.setdefault(step.it, np.zeros(len(self.names), bool))[self.place(taken)] = True
+        return found
+
+    @cached_property
     def run(self) -> Run:
         """The log run with what was read."""
         if self.made.mechanism is None:

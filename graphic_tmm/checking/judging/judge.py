@@ -129,17 +129,20 @@ def _off(drawing: Comparison, taken: Taken) -> _Off:
         grain = mu * reader.unblurred(grain / mu)
     elif drawing.is_given(taken):
         grain += GIVEN * abs(goal)
-    return _Off(found, goal, float(apart(found, goal)), grain, float(times_off(found, goal)))
+    signed = float(apart(found, goal, taken.signed))
+    return _Off(found, goal, signed, grain, float(times_off(found, goal)))
 
 
 def _own(drawing: Comparison, taken: Taken) -> _Own | None:
     """Return a reading against what the earlier ones make of it; None where that cannot be told."""
+    if _other_sense(drawing, taken):
+        return None
     if (length := drawing.length_of(taken)) is not None:
         return _agreed(drawing, taken, length)
     step = drawing.step(taken)
     steps = None if step is None else drawing.by.steps.get((step.it, drawing.place(taken)))
     errors = drawing.errors(taken)
-    if not errors or steps is None or _other_sense(drawing, taken):
+    if not errors or steps is None:
         return None
     if taken.pointed:
         lost = drawing.by.reader.lost(taken.last, drawing.share)
@@ -197,11 +200,17 @@ def _strict(drawing: Comparison, taken: Taken, verdicts: Mapping[Taken, str]) ->
 
 
 def _other_sense(drawing: Comparison, taken: Taken) -> bool:
-    """Whether a rate has the other sense than is due: lengths are read without one, so they do not tell it."""
-    if not _rate(drawing, taken):
+    """Whether a figure has the other sense than is due: lengths are read without one, so they do not tell it.
+
+    Of what is no larger than a hand is off by it the sign is chance.
+    """
+    if taken.pointed or not (taken.signed or _rate(drawing, taken)):
         return False
     cell = drawing.due[taken.key]
-    return taken_figure(taken, cell) < 0.0 < due_figure(cell, taken)
+    found, due = taken_figure(taken, cell), due_figure(cell, taken)
+    if taken.signed and due < -drawing.by.spread[taken.at].doubtful:
+        return found > 0.0
+    return found < 0.0 < due and _rate(drawing, taken)
 
 
 def _rate(drawing: Comparison, taken: Taken) -> bool:

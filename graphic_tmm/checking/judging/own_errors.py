@@ -151,11 +151,15 @@ def run_log(
     return Run(errors, due, values)
 
 
-def apart(found: Any, due: Any) -> Any:
-    """Return by how much a figure exceeds its due; a segment without a sign is a magnitude."""
+def apart(found: Any, due: Any, signed: Any = False) -> Any:
+    """Return by how much a figure exceeds its due; a segment without a sign is a magnitude.
+
+    ``signed``: whether (where) a plus is a sign.
+    """
     if isinstance(found, float) and isinstance(due, float):
-        return found - due if found < 0.0 else found - abs(due)
-    return slips.excess(np.asarray(found), due)
+        return found - due if found < 0.0 or signed else found - abs(due)
+    found = np.asarray(found)
+    return np.where(signed, found - due, slips.excess(found, due))
 
 
 def read_of(log: Construction, step: Step, found: Found) -> tuple[Mark, ...]:

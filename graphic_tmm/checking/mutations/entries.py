@@ -75,6 +75,7 @@ class Own:
     ) -> None:
         assert drawing.made.mechanism is not None
         self.work, self.found = drawing.made.mechanism, found
+        self.signed = drawing.signed_marks
         self.lines = {step.it: step for step in base.log.steps}
         self.due: dict[Mark, Any] = {}
         self.base: dict[Mark, Array] = {}
@@ -102,7 +103,7 @@ class Own:
     def _errors(self, step: Step, drawn: list[Any], value: Any, read: Any) -> Array:
         """Return errors, (part, row, position)."""
         if step.it.kind is not Point:
-            return np.asarray(apart(read, value))[None]
+            return np.asarray(apart(read, value, self.signed.get(step.it, False)))[None]
         known = OPERATIONS.get(step.op.name)
         if known is None or known.run is not step.op.run:
             # lines and lengths tell nothing of what was done with them otherwise
@@ -261,7 +262,8 @@ class Reading(NamedTuple):
         if self.taken.pointed:
             error = np.abs(np.asarray(read) - figures)
         else:
-            error = apart(np.asarray(read, dtype=complex).real, np.asarray(figures).real)
+            figure = np.asarray(read, dtype=complex).real
+            error = apart(figure, np.asarray(figures).real, self.taken.signed and not self.beside)
         change = np.abs(np.asarray(figures) - self.due)
         gone = ~np.isfinite(error)
         whole = PLAN if self.taken.pointed else abs(self.found)
@@ -323,7 +325,9 @@ def column_multiples(rows: Sequence[Reading]) -> list[float]:
     found = []
     for some in segments.values():
         read = np.array([one.found.real for one in some])
-        due = read - np.array([float(apart(one.found.real, one.due.real)) for one in some])
+        due = read - np.array(
+            [float(apart(one.found.real, one.due.real, one.taken.signed)) for one in some]
+        )
         scatter = np.array([one.scatter for one in some])
         found.append(multiple(read, due, scatter, np.abs(read), max(one.mm for one in some)))
     return found

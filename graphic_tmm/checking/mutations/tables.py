@@ -28,6 +28,7 @@ EXCHANGED = said("the readings of positions {one} and {other} are exchanged ({wh
 COPIED = said("the readings of position {one} are those of {other} again ({where})")
 SWAPPED = said("the readings of {one} and {other} are exchanged")
 TIMES = said("the readings of {where} are {times} times as large as they should be")
+OPPOSITE_SIGNS = said("the readings of {where} have the opposite signs")
 INVERTED = said("{where}: the lengths were divided by the scale factor instead of multiplied")
 OTHER_SCALE = said("{where}: the lengths were multiplied by the scale factor {now}")
 DEGREES = said("{where}: degrees were written for radians")
@@ -40,8 +41,9 @@ EVERYTHING = said("the table")
 FACTORS = (10.0, 0.1, 100.0, 0.01, 1000.0, 0.001)
 COMMON_FACTORS = tuple(float(f) for f in np.round(np.arange(0.95, 1.0501, 0.005), 3) if f != 1.0)
 """Up to 5 %: a scale or a copy may be so far off; what is more is a mistake."""
-OPPOSITE = 4.0
-"""Figures all of the opposite sign are rather calculated or drawn so than written down so."""
+OPPOSITE, UPSIDE_DOWN = 4.0, 0.2
+"""Rates all of the opposite sign are rather calculated so than written down so; what is drawn and bears signs
+(ordinates of a diagram) is rather read with the axis upside down than drawn by another construction."""
 TURNS = (-5.0, -4.0, -3.0, -2.0, -1.5, -1.0, -0.5, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0)
 """Degrees: so far askew a sheet may lie. What is turned farther was drawn so."""
 KINDS = ("mm", "value", "xy")
@@ -169,7 +171,7 @@ def variations(
         yield from _moved(place)
         if not place.named.segment:
             yield from _other_row(place)
-        yield from _times(place)
+        yield from _times(place, scales)
         yield from _quantities(place, scales, others)
         if not place.named.segment:
             yield from _instruments(place, off)
@@ -220,15 +222,20 @@ def _figure(taken: Taken) -> object:
     return taken.mm, taken.value, taken.x, taken.y
 
 
-def _times(place: _Together) -> Iterator[Variation]:
+def _times(place: _Together, scales: Callable[[Taken], float]) -> Iterator[Variation]:
     for kind in KINDS:
         rows = place.rows(kind)
         if len(rows) < 2:
             continue
         for factor in FACTORS:
             yield place.named.scaled(TIMES, rows, 1.0 / factor, times=factor)
-        if kind != "mm":
+        some = [place.table.rows[k] for k in rows]
+        if kind == "xy":
             yield place.named.scaled(TIMES, rows, -1.0, times=-1.0)._replace(cost=OPPOSITE)
+        elif kind == "value" or any(taken.signed for taken in some):
+            drawn = all(taken.signed and np.isfinite(scales(taken)) for taken in some)
+            cost = UPSIDE_DOWN if drawn else OPPOSITE
+            yield place.named.scaled(OPPOSITE_SIGNS, rows, -1.0)._replace(cost=cost)
 
 
 def _quantities(

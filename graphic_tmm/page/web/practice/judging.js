@@ -54,6 +54,8 @@ export class Judging {
     this.rows = [...rows].sort((a, b) => a.slot - b.slot);
     const all = [...this.rows, ...beside.flatMap((one) => one.rows)];
     this.found = new Map(all.map((row) => [row.slot, this.read(row)]));
+    /** Columns of rates in which some figure bears a minus: their signs are meant (checking/readings/signs.py). */
+    this.signed = new Set(all.filter(({ found }) => Number(found) < 0).map((row) => this.column(row)));
     /** @type {Run} */
     this.run = log.run(this.found);
     this.share = shareOfSlip(seenOf(this), log.data.reader);
@@ -82,6 +84,24 @@ export class Judging {
   /** @param {number} slot */
   kind(slot) {
     return this.log.steps.get(slot)?.read?.as ?? "";
+  }
+
+  /**
+   * Return what is written in one column with a figure: rates of a plan that are called by one letter.
+   * @param {Taken} row
+   */
+  column({ slot }) {
+    const { as, name, key } = this.log.steps.get(slot)?.read ?? {};
+    return as === "rate" ? `${name} ${key?.replace(/\d+$/, "")}` : "";
+  }
+
+  /**
+   * Whether a plus is a sign.
+   * @param {Taken} row
+   */
+  isSigned(row) {
+    const column = this.column(row);
+    return column !== "" && this.signed.has(column);
   }
 
   /**
@@ -125,7 +145,8 @@ export class Judging {
    * Return a reading against what the exact hand has: the deviation, what rounding may carry, how many times.
    * @param {Taken} row
    */
-  off({ slot, found, last }) {
+  off(row) {
+    const { slot, found, last } = row;
     const due = this.log.exact.get(slot);
     const { slips } = BOARD;
     if (typeof found !== "number") {
@@ -135,7 +156,8 @@ export class Judging {
     const goal = rate ? /** @type {number} */ (due) : Math.abs(/** @type {number} */ (due));
     const { half, reading } = this.reader;
     const grain = rate ? (last.value ?? 0) : slips.unblurred(half, last.mm ?? 0, reading);
-    return { signed: slips.excess(found, goal), grain, times: slips.times_off(found, goal) };
+    const signed = this.isSigned(row) ? found - goal : slips.excess(found, goal);
+    return { signed, grain, times: slips.times_off(found, goal) };
   }
 
   /**
@@ -206,11 +228,16 @@ export class Judging {
   }
 
   /**
-   * Whether a rate has the other sense than is due: lengths are read without one, so they do not tell it.
+   * Whether a rate has the other sense than is due: lengths are read without one, so they do not tell it. Of what is
+   * no larger than a hand is off by it the sign is chance.
    * @param {Taken} row
    */
-  otherSense({ slot, found }) {
-    return this.kind(slot) === "rate" && Number(found) < 0 && Number(this.log.exact.get(slot)) > 0;
+  otherSense(row) {
+    const { slot, found } = row;
+    const due = Number(this.log.exact.get(slot));
+    const chance = this.manner.total[String(slot)]?.d[this.place] ?? Infinity;
+    if (this.isSigned(row) && due < -chance) return Number(found) > 0;
+    return this.kind(slot) === "rate" && Number(found) < 0 && due > 0;
   }
 
   /**
