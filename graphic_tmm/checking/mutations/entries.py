@@ -262,8 +262,8 @@ class Reading(NamedTuple):
         if self.taken.pointed:
             error = np.abs(np.asarray(read) - figures)
         else:
-            figure = np.asarray(read, dtype=complex).real
-            error = apart(figure, np.asarray(figures).real, self.taken.signed and not self.beside)
+            written, signed = np.asarray(read, complex).real, self.taken.signed and not self.beside
+            error = apart(written, np.asarray(figures).real, signed)
         change = np.abs(np.asarray(figures) - self.due)
         gone = ~np.isfinite(error)
         whole = PLAN if self.taken.pointed else abs(self.found)
