@@ -65,9 +65,13 @@ def mistaken(args: Any) -> None:
     began = time.process_time()
     for i in range(min(args.wrong, 12 * len(kinds))):
         kind = kinds[i % len(kinds)]
-        drawing = with_mistake(
-            kind, i // len(kinds), args.first, own=not args.scene_mu, mu_rows=args.mu_rows
-        )
+        try:
+            drawing = with_mistake(
+                kind, i // len(kinds), args.first, own=not args.scene_mu, mu_rows=args.mu_rows
+            )
+        except ValueError as error:  # it moves too little in these scale factors
+            print(error)
+            continue
         row = rows[f"{kind.plan}: {kind.name}" if args.by == "kind" else kind.plan]
         row["drawings"] += 1
         report = report_of(drawing)

@@ -42,6 +42,13 @@ FAMILIES = {
     "copy": "copy scale instrument",
 }
 """Which words of a family, as the report calls it, are right for ours: by hand."""
+TITLES = {
+    "positions": "Plan of positions",
+    "velocities": "Velocity plan",
+    "accelerations": "Acceleration plan",
+    "forces": "Group 2-3",
+    "diagrams": "diagram",
+}
 
 
 class Told(NamedTuple):
@@ -104,16 +111,20 @@ def kind_of(name: str) -> Kind:
 
 
 def _place(one: Likely, drawing: Drawing) -> bool:
+    """Whether a finding stands at the plan, segment and position of the mistake, or its sentence says so."""
     truth = drawing.truth
     assert truth is not None
     if truth.family in ("copy", "unit", "instrument"):
         return True
-    position = "" if truth.position is None else str(truth.position)
-    if truth.family == "position" or not truth.segments:
-        return one.plan in (truth.plan, "positions", "") and one.position in (position, "")
-    here = bool({one.segment, one.step} & set(truth.segments))
-    plan = one.plan in (truth.plan, "") or truth.family == "given"
-    return plan and here and one.position == position
+    if one.position != ("" if truth.position is None else str(truth.position)):
+        return truth.family == "position" and not one.position
+    if truth.family in ("position", "count"):
+        return True
+    says = " ".join((one.says, *one.like))
+    plan = one.plan in (truth.plan, "") or TITLES[truth.plan] in says or truth.family == "given"
+    words = re.findall(r"[\w^]+", says)
+    names = {one.segment, one.step.strip("()"), *words, *(word.partition("_")[2] for word in words)}
+    return plan and (not truth.segments or bool(names & set(truth.segments)))
 
 
 def _blamed(report: Report, drawing: Drawing) -> bool:
@@ -129,7 +140,9 @@ def _of(one: Judged, drawing: Drawing) -> bool:
     truth = drawing.truth
     assert truth is not None
     here = truth.position is None or one.taken.position == str(truth.position)
-    segment = not truth.segments or bool({one.taken.segment, one.step} & set(truth.segments))
+    segment = not truth.segments or bool(
+        {one.taken.segment, one.step.strip("()")} & set(truth.segments)
+    )
     return one.taken.plan == truth.plan and here and segment
 
 

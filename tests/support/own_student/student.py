@@ -18,8 +18,10 @@ from .mistakes import Kind, Truth, amiss
 from .plans import Factors, draw
 from .table import Manner, manner_of, text, written
 
-PLAIN = 6.0
-"""By how many mm a mistake must move a reading to be one that a teacher could see."""
+PLAIN = 12.0
+"""How far a mistake that a teacher could see moves all readings together (root of the sum of squares, mm)."""
+PART = 0.015
+"""Which part of a quantity counts as much as 1 mm."""
 ROUND = (1, 1.2, 1.25, 1.5, 1.6, 2, 2.5, 3, 4, 5, 6, 8)
 
 
@@ -178,19 +180,16 @@ def _shows(machine: Machine, mu: Factors, mistake: Kind, place: int | None, mann
         written(drawn(machine, mu, Exact(), one, place), manner, Exact()) for one in (None, mistake)
     )
     before = {(one.plan, one.position, one.segment, one.spot is None): one for one in right}
+    total = 0.0
     for now in wrong:
         was = before.get((now.plan, now.position, now.segment, now.spot is None))
         if was is None:
             continue
         if now.spot is not None and was.spot is not None:
-            off, least = abs(now.spot - was.spot), PLAIN
+            total += abs(now.spot - was.spot) ** 2
         elif now.mm is not None and was.mm is not None:
-            off, least = abs(now.mm - was.mm), PLAIN
+            total += (now.mm - was.mm) ** 2
         else:
-            off, least = (
-                abs((now.value or 0) - (was.value or 0)),
-                max(0.3, 0.08 * abs(was.value or 0)),
-            )
-        if off > least:
-            return True
-    return False
+            least = PART * max(abs(was.value or 0), 1.0)
+            total += min(abs((now.value or 0) - (was.value or 0)) / least, 20.0) ** 2
+    return total > PLAIN**2
