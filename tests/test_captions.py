@@ -38,6 +38,7 @@ def test_a_chapter_brings_its_captions_and_takes_them_along(language: str) -> No
         ("engine N", "Pressure N on the guide", "Давление на направляющую N"),
         ("forces 2-3", "Force polygon of group 2-3", "План сил группы 2-3"),
         ("group 1", "Link 1", "Звено 1"),
+        ("diagram S", "Displacement diagram", "Диаграмма перемещений"),
         (
             "forces 4-5 2",
             "Force polygon of group 4-5, pass 2",

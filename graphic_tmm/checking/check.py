@@ -14,6 +14,7 @@ from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardstick, Yardsticks
 from graphic_tmm.checking.lessons.lessons import Teacher
 from graphic_tmm.checking.mutations.diagnosis import diagnosed
+from graphic_tmm.checking.mutations.mistaken_scene import mistaken_scenes
 from graphic_tmm.checking.mutations.mistakes import Mistakes
 from graphic_tmm.checking.mutations.telling import Unseen, likely_mistakes, told_unseen
 from graphic_tmm.checking.readings.mending import mended
@@ -180,10 +181,12 @@ class Checker:
         rows, notes, by, judged = self._judged(readings, source)
         parts = [part for taken in rows for part in taken.parts()]
         compared = Comparison(made, parts, by, worse_of([one.times for one in judged]))
-        found = likely_mistakes(diagnosed(self._mistakes, compared, judged), compared, language)
+        diagnosis = diagnosed(self._mistakes, compared, judged)
+        found = likely_mistakes(diagnosis, compared, language)
+        wrongly = mistaken_scenes(found, diagnosis, made)
         found = found or groups(made, judged, by)
         notes = (*notes, *told_unseen(self._unseen.of(compared), language))
-        lessons = self._teacher.lessons(judged, found, by.reader)
+        lessons = self._teacher.lessons(judged, found, by.reader, wrongly)
         name, title = scene_name(self.scene.source), self.scene.title
         report = Report(name, title, language, self._hand, judged, found, notes, lessons)
         return Checked(report, compared)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.drawing import Drawing, Ink
 
 FINE, DOUBTFUL, WRONG = "fine", "doubtful", "wrong"
 VERDICTS = (FINE, DOUBTFUL, WRONG)
@@ -135,10 +135,11 @@ class Likely(NamedTuple):
 
 
 class PlanPicture(NamedTuple):
-    """A plan as it is due in one position, mm from its pole, and what was found there.
+    """A plan as it is due in one position, mm from its pole, and what was found there, or comes of a mistake.
 
     ``due``, ``found``: a point, or the two ends of a segment; none where it is not known. ``of``: the slots of
-    the marks whose ink is meant. ``named``: the point that each label of the drawing names.
+    the marks whose ink is meant. ``named``: the point that each label of the drawing names. ``mistaken``: the
+    ink that stands otherwise by a mistake, which then draws ``found``, too; None without one.
     """
 
     drawing: Drawing
@@ -146,6 +147,7 @@ class PlanPicture(NamedTuple):
     found: tuple[complex, ...] = ()
     of: tuple[int, ...] = ()
     named: tuple[complex, ...] = ()
+    mistaken: tuple[Ink, ...] | None = None
 
 
 class Lesson(NamedTuple):
@@ -157,7 +159,7 @@ class Lesson(NamedTuple):
     reading that is off the most. ``names``: which of the report's mistakes (by number, from 0) were made in it.
     ``segment``: the figure of a table that it leaves, where readings of that blame no step themselves.
     ``drawn``: of what is measured, the sentences of the steps that drew it, each with its number. ``shows``:
-    the later reading in which a mistake shows that was made in the step.
+    the later reading in which a mistake shows that was made in the step. ``title``: what the view is called.
     """
 
     plan: str
@@ -175,6 +177,7 @@ class Lesson(NamedTuple):
     view: str = ""
     drawn: tuple[str, ...] = ()
     shows: Judged | None = None
+    title: str = ""
 
 
 class Report(NamedTuple):

@@ -14,6 +14,9 @@ CAPTIONS: dict[str, str] = {
     "diagram S": said("Displacement diagram of {point}"),
     "diagram V": said("Velocity diagram of {point}"),
     "diagram a": said("Acceleration diagram of {point}"),
+    "view diagram S": said("Displacement diagram"),
+    "view diagram V": said("Velocity diagram"),
+    "view diagram a": said("Acceleration diagram"),
     "view base": said("Base of the diagrams"),
     "diagrams-calculation": said("Time of a turn, places on the base"),
     "table diagrams": said("Diagrams and plans"),
@@ -24,7 +27,7 @@ CAPTIONS: dict[str, str] = {
 }
 
 
-def called(view: str, speech: Speech, point: str = "") -> str:
+def called(view: str, speech: Speech, point: str) -> str:
     """Return what a diagram of a point is called, as plain text; "" for another view."""
     caption = CAPTIONS.get(view, "")
     return plain(speech(caption, point=point)).strip() if "{point}" in caption else ""
@@ -42,7 +45,6 @@ SYMBOLS = (
 
 WORDS = Named(
     captions=CAPTIONS,
-    called=called,
     plans=(DIAGRAMS,),
     sources=("artobolevsky",),
     symbols=SYMBOLS,

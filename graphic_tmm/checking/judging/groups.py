@@ -43,8 +43,8 @@ SAYS = {
         "hand's; look first at {segment}"
     ),
     CLOSED: said(
-        "position {position}, {plan}: the lengths do not fit one another, their polygon does not close; look "
-        "first at {segment}"
+        "position {position}, {plan}: the lengths, none of them wrong by itself, fit one another worse than a "
+        "hand's; look first at {segment}"
     ),
     SEGMENT: said(
         "{plan}: the readings of {segment}, none of them wrong by itself, are together farther off than a "

@@ -123,20 +123,26 @@ class Numbers:
             self._due, self._values = found.due, found.values
 
     def own(self, told: NamedStep, place: int) -> bool:
-        """Whether something was read in a position (index) that a step starts from."""
+        """Whether all that a step is calculated from in a position (index) was read, or is given.
+
+        What is calculated from that is the reader's own, too; what he measured and did not tell is not.
+        """
         if told.board is not self._work:
             return False
         log = {step.it: step for step in told.board.construction.steps}
-        ahead, seen = list(told.step.uses), set[Mark]()
+        ahead, seen, read = list(told.step.uses), set[Mark](), False
         while ahead:
             mark = ahead.pop()
             if mark in seen:
                 continue
             seen.add(mark)
             if mark in self._found and not np.isnan(_at(self._found[mark], place)):
-                return True
-            ahead += log[mark].uses if mark in log else ()
-        return False
+                read = True
+            elif mark in log:
+                if not (log[mark].op.formula or log[mark].op.proportion):
+                    return False
+                ahead += log[mark].uses
+        return read
 
     def reading(self, told: NamedStep, place: int) -> tuple[Reading, int]:
         """Return the numbers by which a step is told in a position (index), and its index in them.
@@ -144,23 +150,41 @@ class Numbers:
         It is done right: with what the drawing has, else as the protocol of the exact drawing tells it.
         """
         board, step = told.board, told.step
-        view = step.it.view
+        view, own = step.it.view, self.own(told, place)
         exactly, row = board.of(view), board.row(view)
         there = exactly is not None and all(mark in exactly for mark in (step.it, *step.uses))
-        if exactly is not None and there and place in row and not self.own(told, place):
+        if exactly is not None and there and place in row and not own:
             return exactly, row.index(place) if view in board.project.rows else place
         marks = [mark for mark in (*step.uses, step.it) if mark.kind in PLAIN]
-        values = {mark.slot: self._value(board, mark) for mark in marks}
-        if board is self._work and step.it in self._due:
+        values = {mark.slot: self._value(board, mark, own=own) for mark in marks}
+        if own and step.it in self._due:
             values[step.it.slot] = self._due[step.it]
         for mark in marks:
             if mark.kind is Length:
                 length = values[mark.slot]
                 values[mark.slot] = np.where(np.abs(length) < NOTHING, 0.0, length)
+        if own:
+            self._without_needless_signs(step, values)
         return Reading(values, len(board.names)), place
 
-    def _value(self, board: Drawn, mark: Mark) -> Any:
-        if board is self._work and mark.slot in self._values:
+    def _without_needless_signs(self, step: Step, values: dict[int, Any]) -> None:
+        """Take away the sign of a length that was read without one, where nothing hangs on it: of a square."""
+        if not all(mark.slot in values for mark in step.uses):
+            return
+
+        def result() -> Any:
+            with np.errstate(all="ignore"):
+                return step.op.run(*(values[mark.slot] for mark in step.uses), **step.choice)
+
+        for mark in step.uses:
+            if mark.kind is Length and mark in self._found:
+                due, signed = result(), values[mark.slot]
+                values[mark.slot] = np.abs(signed)
+                if not np.array_equal(result(), due, equal_nan=True):
+                    values[mark.slot] = signed
+
+    def _value(self, board: Drawn, mark: Mark, *, own: bool) -> Any:
+        if own and mark.slot in self._values:
             return self._values[mark.slot]
         if mark in board.given:
             return as_value(board.given[mark], mark.kind)

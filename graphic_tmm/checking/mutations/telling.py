@@ -13,18 +13,27 @@ from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.diagnosis import Diagnosis
 from graphic_tmm.checking.mutations.evidence import VISIBLE, Readings
-from graphic_tmm.checking.mutations.execution import executed
+from graphic_tmm.checking.mutations.execution import executed, figures_of
 from graphic_tmm.checking.mutations.hypotheses import SURE, UNSURE, Hypothesis
 from graphic_tmm.checking.mutations.mistakes import NONE, Mistakes
-from graphic_tmm.checking.mutations.mutation import CRANK, Mutation, measured_last
+from graphic_tmm.checking.mutations.mutation import (
+    CRANK,
+    FACTOR,
+    GIVEN,
+    LEFT_OUT,
+    Mutation,
+    measured_last,
+)
 from graphic_tmm.checking.mutations.tables import EVERYTHING, Variation
 from graphic_tmm.checking.mutations.words import BY_FAMILY, INSTRUMENT, name_of
+from graphic_tmm.checking.mutations.words import LEFT_OUT as LEFT_OUT_SAYS
 from graphic_tmm.checking.records import INSTRUMENT as OFF
 from graphic_tmm.checking.records import MISTAKE, SLIP, UNKNOWN, Judged, Likely
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import spoken
+from graphic_tmm.readers.protocol import title_of
 from graphic_tmm.readers.sentences import letters_of
 from graphic_tmm.scene.captions import view_name
 
@@ -53,23 +62,45 @@ def shown_at(one: Hypothesis, diagnosis: Diagnosis, drawing: Comparison) -> tupl
 
 
 def explained(one: Hypothesis, diagnosis: Diagnosis, drawing: Comparison) -> tuple[int, ...]:
-    """Return the lines of the wrong readings that a mistake moves; of all where that cannot be told."""
-    what, readings = one.what, diagnosis.readings
+    """Return the lines of the wrong readings that a mistake moves, by no small part of what they are off.
+
+    Of a table written down otherwise, those of its place.
+    """
+    what = one.what
     some = diagnosis.wrong or diagnosis.doubtful
-    lines = tuple(dict.fromkeys(each.taken.line for each in some))
-    if not isinstance(what, Mutation) or readings is None:
-        return lines
-    board = drawing.made.boards[one.board]
-    moved = set(_columns(one, what, readings, drawing))
-    if drawing.made.mechanism is board:
-        moved |= set(_marks(board.construction, what, readings))
-    at = drawing.names[one.place] if one.place is not None else ""
-    found = [
-        each.taken.line
-        for each in some
-        if (each.taken.plan, each.taken.segment) in moved and at in ("", each.taken.position)
-    ]
-    return tuple(dict.fromkeys(found)) or lines
+    if isinstance(what, Mutation):
+        moved = _moved(one, what, some, drawing)
+        found = [each for each in some if moved.get(each.taken.at, 0.0) > PART * _off(each)]
+    else:
+        found = [
+            each
+            for each in some
+            if what.plan in ("", each.taken.plan) and what.segment in ("", each.taken.segment)
+        ]
+    return tuple(dict.fromkeys(each.taken.line for each in found or some))
+
+
+def _off(one: Judged) -> float:
+    """Return how far a reading is off, whatever its sign; of a point, how far from its place."""
+    return abs(one.deviation) if one.taken.pointed else abs(abs(one.found) - abs(one.due))
+
+
+def _moved(
+    one: Hypothesis, what: Mutation, some: Sequence[Judged], drawing: Comparison
+) -> dict[tuple[Key, bool], float]:
+    """Return by how much a mistake moves the figures of some readings where it was made, and what follows."""
+    made, at = drawing.made, drawing.names[one.place] if one.place is not None else ""
+    board = made.boards[one.board]
+    log = measured_last(board.construction)
+    beside = executed(log, board.given, (NONE, what), [step.it for step in log.steps])
+    due = {each.taken.at: abs(each.due) for each in some if at in ("", each.taken.position)}
+    moved = {}
+    for key, row in figures_of(made, board, beside, np.arange(2), tuple(due)).items():
+        figures = row if np.iscomplexobj(row) else np.abs(row)
+        far = float(np.nan_to_num(np.abs(figures[1] - figures[0]), nan=np.inf))
+        whole = float(np.abs(figures[0]))
+        moved[key] = far * due[key] / whole if whole and due[key] else far  # as it was written
+    return moved
 
 
 def _marks(log: Construction, what: Mutation, readings: Readings) -> list[tuple[str, str]]:
@@ -105,6 +136,8 @@ def _columns(
     return sorted(dict.fromkeys(found), key=lambda at: order.get(at, 0))
 
 
+PART = 0.2
+"""A mistake explains a reading if it moves it by so large a share of what it is off."""
 ON_STEP = said("{plan}, step {step}: {told}")
 AT_POSITION = said("{told}, at position {position} only")
 EVERY = said("{told}; in every such step")
@@ -113,6 +146,11 @@ UNKNOWN_SAYS = said("no known mistake explains what is wrong: look at {plan}, st
 SLIP_NAME = said("slip of a reading")
 SLIP_SAYS = said("only {segment} is off: this reading was read or written down amiss")
 SLIP_TEN = said("only {segment} is off: its decimal point has perhaps slipped")
+SLIP_BESIDE = said("by itself {segment} is off, too: this reading was read or written down amiss")
+SLIP_TEN_BESIDE = said("by itself {segment} is off, too: its decimal point has perhaps slipped")
+EMPTY = said("the readings of {where} are 0: it was left out, or not measured")
+NOTHING = 0.05
+"""What is taken so many times as large, or less, and read as 0, was left out."""
 MOST = 3
 """So many mistakes at the most are told of those that no reading tells apart."""
 MANY = 10
@@ -128,7 +166,7 @@ def likely_mistakes(diagnosis: Diagnosis, drawing: Comparison, language: str) ->
     alone = len({one.taken.key for one in roots}) == 1
     sure = [row for row in diagnosis.named if row[1] >= SURE]
     if alone and not sure and _tenfold(roots[0]):
-        return (_slip(roots, speech),)
+        return (_slip(roots, diagnosis, speech),)
     found = [_named(group, chance, diagnosis, drawing, speech) for group, chance in diagnosis.named]
     if any(_contradicted(one, diagnosis) for one in found):
         lower = [one._replace(chance=min(one.chance, UNSURE)) for one in found]
@@ -138,7 +176,7 @@ def likely_mistakes(diagnosis: Diagnosis, drawing: Comparison, language: str) ->
         return tuple(found)
     unknown = _unknown(diagnosis, drawing, speech)
     slip = alone and not (unknown and roots[0].taken.key in diagnosis.followed)
-    return (*found, *((_slip(roots, speech),) if slip else unknown))
+    return (*found, *((_slip(roots, diagnosis, speech),) if slip else unknown))
 
 
 def _contradicted(one: Likely, diagnosis: Diagnosis) -> bool:
@@ -160,9 +198,13 @@ def _named(
     drawing: Comparison,
     speech: Speech,
 ) -> Likely:
-    first, wrong = group[0], diagnosis.wrong
+    wrong, lines = diagnosis.wrong, explained(group[0], diagnosis, drawing)
+    zero = [one.found == 0.0 for one in wrong if one.taken.line in lines]
+    if zero and all(zero):
+        group = [one._replace(what=_left_out(one.what)) for one in group]
+        group = [one for one in group if one.what.says == LEFT_OUT_SAYS] or group
     says = list(dict.fromkeys(_says(one, drawing, speech) for one in group))
-    lines = explained(first, diagnosis, drawing)
+    first = group[0]
     what = first.what
     found = Likely("", says[0], lines, len(wrong), 0.0, tuple(says[1:MOST]), chance=sure)
     if isinstance(what, Variation):
@@ -186,6 +228,17 @@ def _named(
     )
 
 
+def _left_out(what: Mutation | Variation) -> Mutation | Variation:
+    """Return what makes next to nothing of a quantity as that which leaves it out."""
+    if isinstance(what, Variation):
+        times = what.told.get("times")
+        some = isinstance(times, float) and abs(times) <= NOTHING
+        return what._replace(says=EMPTY) if some else what
+    if what.family not in (FACTOR, GIVEN) or abs(what.times) > NOTHING:
+        return what
+    return what._replace(family=LEFT_OUT, says=LEFT_OUT_SAYS)
+
+
 def _says(one: Hypothesis, drawing: Comparison, speech: Speech) -> str:
     """Return the sentence of a hypothesis."""
     what, language = one.what, speech.language
@@ -199,7 +252,7 @@ def _says(one: Hypothesis, drawing: Comparison, speech: Speech) -> str:
     if what.at is not None:
         sentence = speech(
             ON_STEP,
-            plan=view_name(what.at.it.view, language),
+            plan=title_of(drawing.made.boards[one.board].project, what.at.it.view, language),
             step=_number(log, what.at),
             told=sentence,
         )
@@ -224,7 +277,7 @@ def _word(value: object, speech: Speech) -> str:
 
 def _sentence(what: Mutation, language: str, speech: Speech) -> str:
     words = {"times": number(what.times, language), "was": "", "now": "", "it": "", "formula": ""}
-    for name, mark in (("was", what.was), ("now", what.now)):
+    for name, mark in (("was", what.was), ("now", what.now), ("it", what.was)):
         if mark is not None:
             words[name] = _called(mark, language)
     if what.at is not None:
@@ -239,10 +292,14 @@ def _called(mark: Mark, language: str) -> str:
     return spoken(mark, language) or view_name(mark.view, language)
 
 
-def _slip(wrong: Sequence[Judged], speech: Speech) -> Likely:
+def _slip(wrong: Sequence[Judged], diagnosis: Diagnosis, speech: Speech) -> Likely:
     one = wrong[0]
-    tenfold = _tenfold(one)
-    says = speech(SLIP_TEN if tenfold else SLIP_SAYS, segment=one.taken.segment)
+    tenfold, key = _tenfold(one), one.taken.key
+    off = (*diagnosis.wrong, *diagnosis.doubtful)
+    only = all(each.taken.key == key or each.follows is not None for each in off)
+    alone, beside = (SLIP_TEN, SLIP_TEN_BESIDE) if tenfold else (SLIP_SAYS, SLIP_BESIDE)
+    place = "" if only or not one.taken.position else f" ({one.taken.position})"
+    says = speech(alone if only else beside, segment=one.taken.segment + place)
     lines = tuple(dict.fromkeys(each.taken.line for each in wrong))
     return Likely(
         speech(SLIP_NAME),
@@ -274,7 +331,7 @@ def _unknown(diagnosis: Diagnosis, drawing: Comparison, speech: Speech) -> tuple
         return ()
     says = speech(
         UNKNOWN_SAYS,
-        plan=view_name(step.it.view, language),
+        plan=title_of(drawing.made.mechanism.project, step.it.view, language),
         step=_number(drawing.made.mechanism.construction, step),
         it=_called(step.it, language),
     )

@@ -190,7 +190,7 @@ class _Letter(NamedTuple):
 
 
 def small_plan(picture: PlanPicture, label: str) -> Markup:
-    """Return a plan as an SVG element: the plan grey, what is due green, what was found red."""
+    """Return a plan as an SVG element: the plan grey, what is due green, what was found, or a mistake, red."""
     picture = _near(picture)
     left, low, right, top = _box(picture)
     room = (PLAN_WIDTH - 2 * EDGE) / (right - left), (PLAN_HEIGHT - 2 * EDGE) / (top - low)
@@ -200,6 +200,7 @@ def small_plan(picture: PlanPicture, label: str) -> Markup:
     ink = [one for one in picture.drawing.strokes if one.part not in LEFT_OUT]
     of = set(picture.of) if len(picture.due) < 2 else set()  # else the due segment is drawn itself
     meant = [not one.part and bool(set(one.of) & of) for one in ink]
+    amiss = [one for one in picture.mistaken or () if one.part not in LEFT_OUT]
     letters = list(_letters(page, picture))
     edges = [(0.0, 0.0, width, height), *(one.box for one in letters)]
     x, y = (min(edge[k] for edge in edges) for k in (0, 1))
@@ -212,6 +213,7 @@ def small_plan(picture: PlanPicture, label: str) -> Markup:
         found=COLOURS[WRONG],
         ink=_drawn(page, [one for one, its in zip(ink, meant, strict=True) if not its]),
         meant=_drawn(page, [one for one, its in zip(ink, meant, strict=True) if its]),
+        amiss=_drawn(page, amiss),
         letters=letters,
         due_line=_line(page, picture.due),
         found_line=_line(page, picture.found),
@@ -226,9 +228,9 @@ def _near(picture: PlanPicture) -> PlanPicture:
     if not all(map(cmath.isfinite, (*found, *picture.due))):
         return picture._replace(due=(), found=())
     left, low, right, top = bounds(picture.drawing)
-    middle, most = complex(left + right, low + top) / 2, FAR * max(right - left, top - low)
-    ways = [z - middle for z in found]
-    near = (middle + way * min(1.0, most / max(abs(way), most)) for way in ways)
+    most = FAR * max(right - left, top - low)
+    start = found[0] if len(found) > 1 else complex(left + right, low + top) / 2
+    near = (start + (z - start) * min(1.0, most / max(abs(z - start), most)) for z in found)
     return picture._replace(found=tuple(near))
 
 
@@ -236,10 +238,20 @@ def _box(picture: PlanPicture) -> tuple[float, float, float, float]:
     """Return what the picture shows of the plan's plane, mm: the plan, and what was found if it is not far."""
     left, low, right, top = bounds(picture.drawing)
     far = BEYOND * max(right - left, top - low)
-    for z in (*picture.due, *picture.found):
+    amiss = (one for one in picture.mistaken or () if one.part not in LEFT_OUT)
+    spots = [z for one in amiss for z in _spots(one)]
+    for z in (*picture.due, *picture.found, *spots):
         left, right = max(min(left, z.real), left - far), min(max(right, z.real), right + far)
         low, top = max(min(low, z.imag), low - far), min(max(top, z.imag), top + far)
     return left, low, max(right, left + 1.0), max(top, low + 1.0)
+
+
+def _spots(one: Ink) -> Iterator[complex]:
+    """Yield the points of a line, or of a curve its control points, mm."""
+    if isinstance(one, Bezier):
+        yield from one.controls
+    else:
+        yield from (complex(x, y) for x, y, _ in one.path)
 
 
 def _drawn(page: _Page, ink: Iterable[Ink]) -> tuple[str, str]:

@@ -46,6 +46,10 @@ SURE = 0.995
 """From here on a finding is said to be sure to 99 %: it is never said to be certain."""
 
 
+RAREST = 0.1
+"""%: of honest drawings so few are told to be as far off; fewer are not."""
+
+
 def headline(report: Report) -> str:
     """Return what matters, in one sentence."""
     words = WORDS[report.language]
@@ -118,7 +122,10 @@ def details(report: Report, one: Likely) -> str:
             told.append(words["leaves"].format(rest=fixed(100 * one.rest, 0, language)))
     if lines := runs(one.lines):
         told.append(words["at lines"].format(lines=lines))
-    if one.chance > 0.0:
+    if one.chance > 0.0 and one.kind == UNKNOWN:
+        most = fixed(max(100 * (1.0 - one.chance), RAREST), 1, language)
+        told.append(words["rare"].format(percent=most))
+    elif one.chance > 0.0:
         percent = fixed(100 * min(one.chance, SURE), 0, language) if one.chance < SURE else "99"
         told.append(words["sure"].format(percent=percent))
     return "; ".join(told)
@@ -140,7 +147,8 @@ def unexplained(report: Report) -> tuple[Judged, ...]:
 def where(lesson: Lesson, language: str) -> dict[str, str]:
     """Return the words that tell a step: the view it is drawn in, its number, its letter."""
     number = printable_text(lesson.step.partition(" ")[0])
-    view = printable_text(view_name(lesson.view, language)) or plan_name(lesson.plan, language)
+    called = lesson.title or view_name(lesson.view, language)
+    view = printable_text(called) or plan_name(lesson.plan, language)
     return {"plan": view, "number": number, "letter": printable_text(lesson.letter)}
 
 
@@ -176,38 +184,48 @@ class Part(NamedTuple):
 def wrong_parts(report: Report) -> tuple[Part, ...]:
     """Return the steps that are blamed, in the order of the log; then the wrong readings of no step.
 
-    The step of the first finding stands before the others. Where that is a mistake, the other readings that it
-    explains are told to be wrong for it: they have no lesson of their own.
+    The steps of the findings stand before the others, the first one's first. Behind that of a mistake stand the
+    other readings that it explains: they are wrong for it, and have no lesson of their own.
     """
     language, words = report.language, WORDS[report.language]
-    first, follows = _named(report)
-    lessons = sorted(report.lessons, key=lambda one: one is not first)
     rows = [one for one in report.readings if one.verdict == WRONG]
+    named = _named(report)
+    follows = {line for lines in named.values() for line in lines}
     found, told = [], set[int]()
-    for lesson in lessons:
-        own = [k for k, one in enumerate(rows) if _blames(lesson, one)]
-        left = [k for k in own if lesson is first or rows[k].taken.line not in follows]
-        if left or not own:
-            found.append(_lesson(lesson, [rows[k] for k in left], language))
-            told |= set(left)
-    rest = [one for k, one in enumerate(rows) if k not in told]
-    for key, some in (
-        ("for that", [one for one in rest if one.taken.line in follows]),
-        ("wrong ones", [one for one in rest if one.taken.line not in follows]),
+    for k, lesson in sorted(
+        enumerate(report.lessons), key=lambda row: min(row[1].names, default=len(report.mistakes))
     ):
-        for plan, readings in by_plan(some).items():
-            heading = words[key].format(plan=plan_name(plan, language))
-            found.append(Part(heading, (), reading_grid(readings, language, heading, KNOWN)))
-    return tuple(found)
+        own = [n for n, one in enumerate(rows) if _blames(lesson, one)]
+        left = [n for n in own if k in named or rows[n].taken.line not in follows]
+        left = [n for n in left if n not in told]
+        if left or not own or k in named:
+            found.append(_lesson(lesson, [rows[n] for n in left], language))
+            told |= set(left)
+        its = [n for n, one in enumerate(rows) if one.taken.line in named.get(k, ())]
+        its = [n for n in its if n not in told]
+        found += _tables([rows[n] for n in its], words["for that"], language)
+        told |= set(its)
+    rest = [one for n, one in enumerate(rows) if n not in told]
+    return (*found, *_tables(rest, words["wrong ones"], language))
 
 
-def _named(report: Report) -> tuple[Lesson | None, frozenset[int]]:
-    """Return the lesson on the step of the first finding, and the lines that it explains if it is sure."""
-    named = report.mistakes[0] if report.mistakes else None
-    first = next((one for one in report.lessons if 0 in one.names), None)
-    if named is None or first is None or named.kind != MISTAKE or not sure(named):
-        return first, frozenset()
-    return first, frozenset(named.lines) - {0}
+def _tables(rows: Sequence[Judged], heading: str, language: str) -> list[Part]:
+    """Return the tables of readings that have no lesson, plan by plan."""
+    found = []
+    for plan, readings in by_plan(rows).items():
+        head = heading.format(plan=plan_name(plan, language))
+        found.append(Part(head, (), reading_grid(readings, language, head, KNOWN)))
+    return found
+
+
+def _named(report: Report) -> dict[int, frozenset[int]]:
+    """Return the lessons (by number) on the steps of mistakes that are sure, with the lines these explain."""
+    found: dict[int, frozenset[int]] = {}
+    for k, one in enumerate(report.mistakes):
+        lesson = next((n for n, its in enumerate(report.lessons) if k in its.names), None)
+        if lesson is not None and one.kind == MISTAKE and sure(one):
+            found[lesson] = found.get(lesson, frozenset()) | (frozenset(one.lines) - {0})
+    return found
 
 
 def doubtful_parts(report: Report) -> tuple[Part, ...]:
@@ -264,9 +282,22 @@ def _blames(lesson: Lesson, one: Judged) -> bool:
 
 def _lesson(lesson: Lesson, rows: Sequence[Judged], language: str) -> Part:
     heading = WORDS[language]["found wrong"].format(**where(lesson, language))
-    caption = WORDS[language]["drawn"].format(position=printable_text(lesson.position))
+    caption = _caption(lesson, language)
     grid = reading_grid(rows, language, heading, (*KNOWN, "step")) if rows else None
     return Part(heading, tuple(_lesson_paragraphs(lesson, language)), grid, lesson.picture, caption)
+
+
+def _caption(lesson: Lesson, language: str) -> str:
+    """Return what the picture of a lesson shows."""
+    picture = lesson.picture
+    if picture is None:
+        return ""
+    key = "drawn due"
+    if picture.mistaken is not None:
+        key = "drawn amiss"
+    elif picture.found:
+        key = "drawn" if len(picture.found) == 1 else "drawn length"
+    return WORDS[language][key].format(position=printable_text(lesson.position))
 
 
 def _lesson_paragraphs(lesson: Lesson, language: str) -> list[str]:
@@ -313,6 +344,8 @@ def _yours(one: Judged, language: str, calculation: str, both: str = "") -> str:
         text = figure_of(value, 1, language) if one.unit == "mm" else number(value, language)
         return f"{text} {unit}".rstrip()
 
+    if one.verdict == FINE and not both:
+        return words["yours fine"].format(found=figure_text(one.found))
     if calculation and calculation.endswith(unit):
         return words["yours"].format(found=figure_text(one.found))
     segment = printable_text(one.taken.segment)

@@ -51,6 +51,7 @@ TEXTS: dict[str, str] = {
     "explains": said("explains {count} of {wrong} wrong readings"),
     "leaves": said("leaves {rest} % of their deviations"),
     "at lines": said("lines of the file: {lines}"),
+    "rare": said("of honest drawings {percent} % at the most are so far off"),
     "sure": said("sure to {percent} %"),
     "more": said("Less likely, and not told here: {count}."),
     "left over": said("Not explained: {count} ({lines})."),
@@ -82,11 +83,17 @@ TEXTS: dict[str, str] = {
     "own numbers": said("From your own numbers"),
     "due numbers": said("It should be"),
     "yours": said("You have {found}."),
+    "yours fine": said("You have {found}, as it should be."),
     "yours for": said("You have {found}; due is {due}."),
     "it shows": said("It shows in {segment}: you have {found}; due is {due}."),
     "off itself": said("This step itself puts your point {segment} {off} mm off."),
     "off": said("Your point {segment} is {off} mm away from where it is due."),
     "drawn": said("The plan in position {position}: due in green, yours in red"),
+    "drawn length": said(
+        "The plan in position {position}: due in green; your length, laid along what is due, in red"
+    ),
+    "drawn amiss": said("The plan in position {position}: due in green, with the mistake in red"),
+    "drawn due": said("The plan in position {position}: due in green"),
     "notes": said("Notes"),
     "not listed": said(
         "{count} more are not listed here, none of them worse; Markdown, JSON and HTML have all."

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from functools import cache
 
 import pytest
@@ -126,10 +127,14 @@ def test_the_printed_numbers_come_to_the_printed_result(data: st.DataObject) -> 
     work = made.mechanism
     assert work is not None
     position = work.names[work.row("accelerations")[0]]
-    read = [
+    read: Sequence[Judged] = [
         row("velocities", position, segment, 50.0, mm=round(data.draw(st.floats(5.0, 90.0)), 1))
         for segment in ("aa3", "pa3", "cd", "pa")
     ]
+    read = (
+        *read,
+        row("positions", position, "BA", 100.0, mm=round(data.draw(st.floats(70, 140)), 1)),
+    )
     known = [
         (s, label) for s, label in numbers(made, "accelerations") if s in ("ak2", "πn3", "cn4")
     ]
@@ -141,6 +146,32 @@ def test_the_printed_numbers_come_to_the_printed_result(data: st.DataObject) -> 
     reckoned, printed = sums(lesson.calculation)
     # every number of at most six is printed to four digits, and the last of all too
     assert reckoned == pytest.approx(printed, rel=4e-3)
+
+
+def test_numbers_are_the_readers_own_only_if_he_gave_all_of_them() -> None:
+    """ak2 hangs on BA, which is measured on the plan of positions: without it the due numbers are told."""
+    made = exact("windrower")
+    work = made.mechanism
+    assert work is not None
+    position = work.names[work.row("accelerations")[0]]
+    label = dict(numbers(made, "accelerations"))["ak2"]
+    blamed = row("accelerations", position, "ak2", 10.0, label, mm=30.0)
+    speeds = [row("velocities", position, one, 50.0, mm=33.3) for one in ("pa3", "aa3")]
+    due = of_windrower().lessons((blamed,), (), by(made))
+    assert not due[0].own
+    assert of_windrower().lessons((*speeds, blamed), (), by(made)) == due
+    read = row("positions", position, "BA", 100.0, mm=99.9)
+    (own,) = of_windrower().lessons((*speeds, read, blamed), (), by(made))
+    assert own.own
+    assert "33,3" in own.calculation
+
+
+def test_a_square_has_no_sign_that_nobody_read() -> None:
+    """ab is due with a minus, as the rod turns, and was read without one."""
+    (lesson,) = lessons(row("velocities", "5", "ab", 57.76, mm=57.5, line=9), normal("5"))
+    assert lesson.own
+    assert "(57.5·0.025)²" in lesson.calculation
+    assert "−" not in lesson.calculation
 
 
 def test_lessons_stand_in_the_order_of_the_log_and_show_what_is_off_the_most() -> None:

@@ -48,3 +48,21 @@ def test_points_are_moved_alike_if_only_what_they_need_is_executed() -> None:
     assert less.keys() == whole.keys() == wanted.keys()
     assert all(np.array_equal(less[at], whole[at]) for at in wanted)
     assert board.showing(found) is board.plain
+
+
+def test_a_slip_beside_a_mistake_is_not_explained_by_it_nor_the_only_thing_off() -> None:
+    """n from the wrong end, and pb written without its decimal point in position 3 (line 25)."""
+    rows = [
+        one._replace(mm=455.0)
+        if (one.plan, one.segment, one.position) == ("velocities", "pb", "3")
+        else one
+        for one in read_readings(CASES / "check" / "normal_from_the_wrong_end_sc.csv")
+    ]
+    report = check(read(CASES / "check" / "sc.toml"), rows)
+    normal, slip = report.mistakes
+    (line,) = (one.taken.line for one in report.readings if one.found == 455.0)
+    assert line not in normal.lines
+    wrong = {one.taken.line for one in report.readings if one.verdict == "wrong"}
+    assert wrong == {*normal.lines, line}
+    assert slip.lines == (line,)
+    assert slip.says == "by itself pb (3) is off, too: its decimal point has perhaps slipped"

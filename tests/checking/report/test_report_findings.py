@@ -163,7 +163,7 @@ def test_what_follows_from_a_named_mistake_has_no_lesson_of_its_own() -> None:
     )
     found = likely()._replace(lines=(2, 3), step="8 n")
     made = report(*rows, mistakes=[found])._replace(lessons=lessons)
-    first, other, follows = wrong_parts(made)
+    first, follows, other = wrong_parts(made)
     assert first.heading.endswith("step 8: n")
     assert first.grid is None
     assert other.heading.endswith("step 9: pc")
@@ -173,6 +173,32 @@ def test_what_follows_from_a_named_mistake_has_no_lesson_of_its_own() -> None:
     for other in (found._replace(kind=UNKNOWN), found._replace(chance=0.5)):
         unsure = made._replace(mistakes=(other,))
         assert [part.heading[-2:] for part in wrong_parts(unsure)] == [" n", "ab", "pb", "pc"]
+
+
+def test_a_second_mistake_stands_under_its_own_head() -> None:
+    """What the first does not explain is not told to be wrong for it."""
+    rows = [judged(line=k, verdict=WRONG, step=step) for k, step in ((2, "3 ab"), (3, "7 pb"))]
+    rows += [judged(line=4, verdict=WRONG, step="9 pc")]
+    lessons = (lesson_of("2 n", names=(0,)), lesson_of("7 pb", names=(1,)), lesson_of("9 pc"))
+    first = likely()._replace(lines=(2,), step="2 n")
+    second = first._replace(lines=(3, 4), step="7 pb")
+    made = report(*rows, mistakes=[first, second])._replace(lessons=lessons)
+    parts = wrong_parts(made)
+    assert [part.heading.rpartition(": ")[2] for part in parts] == [
+        "n",
+        "wrong for the same reason",
+        "pb",
+        "wrong for the same reason",
+    ]
+    lines = [[cells[0] for cells in part.grid.rows] for part in parts if part.grid is not None]
+    assert lines == [["2"], ["3"], ["4"]]
+
+
+def test_small_errors_together_are_no_mistake_that_is_sure() -> None:
+    made = report(judged(verdict=DOUBTFUL))
+    told = details(made, likely(UNKNOWN, chance=0.9971)._replace(lines=()))
+    assert told == "of honest drawings 0.3 % at the most are so far off"
+    assert "0.1 %" in details(made, likely(UNKNOWN, chance=1.0))
 
 
 def test_every_reading_stands_in_just_one_part() -> None:

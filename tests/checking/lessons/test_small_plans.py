@@ -1,0 +1,85 @@
+"""What a mistake draws beside what is due, by the vector loop of a slider-crank."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from functools import cache
+
+import pytest
+from support.gallery import CASES
+from support.lessons_told import CRANK, MU_A, OMEGA, ROD
+
+from graphic_tmm.checking.check import check
+from graphic_tmm.checking.readings.read import read_readings
+from graphic_tmm.checking.records import Lesson, Report
+from graphic_tmm.paper.drawing import Bezier, Ink
+from graphic_tmm.scene.read import read
+
+
+@cache
+def report(case: str) -> Report:
+    readings = read_readings(CASES / "check" / f"{case}.csv")
+    return check(read(CASES / "check" / "sc.toml"), readings)
+
+
+def lesson(case: str) -> Lesson:
+    return next(one for one in report(case).lessons if 0 in one.names)
+
+
+def accelerations(position: str, normal: float = 1.0) -> dict[str, complex]:
+    """Return a, n2, b from the pole, mm; ``normal``: how many times as long n is, -1 from the wrong end."""
+    phi = math.radians(45.0 * int(position))
+    a = CRANK * cmath.exp(1j * phi)
+    b = complex(a.real + math.sqrt(ROD**2 - a.imag**2), 0.0)
+    turn = -(1j * OMEGA * a).imag / (b - a).real
+    at_a = -(OMEGA**2) * a
+    n = at_a - turn**2 * (b - a) * normal
+    on = 1j * (b - a)
+    at_b = n - on * n.imag / on.imag  # the acceleration of B has no y
+    return {"a": at_a / MU_A, "n2": n / MU_A, "b": at_b / MU_A}
+
+
+def ends(ink: Ink) -> list[complex]:
+    if isinstance(ink, Bezier):
+        return list(ink.controls)
+    return [complex(x, y) for x, y, _ in ink.path]
+
+
+def test_the_normal_from_the_wrong_end_is_drawn_to_the_other_end() -> None:
+    told = lesson("normal_from_the_wrong_end_sc")
+    picture = told.picture
+    assert picture is not None
+    assert picture.mistaken is not None
+    due, amiss = accelerations(told.position), accelerations(told.position, -1.0)
+    assert picture.due == pytest.approx((due["a"], due["n2"]), abs=1e-6)
+    assert picture.found == pytest.approx((due["a"], amiss["n2"]), abs=1e-6)
+    red = [z for one in picture.mistaken for z in ends(one)]
+    assert min(abs(z - amiss["b"]) for z in red) < 1e-6  # what follows is drawn, too
+    assert min(abs(z - due["n2"]) for z in red) > 1.0
+    assert abs(amiss["b"] - due["b"]) > 10.0
+
+
+def test_what_was_left_out_is_drawn_without_it() -> None:
+    told = lesson("normal_forgotten_sc")
+    assert told.picture is not None
+    due, amiss = accelerations(told.position), accelerations(told.position, 0.0)
+    assert told.picture.mistaken is not None
+    red = [z for one in told.picture.mistaken for z in ends(one)]
+    assert min(abs(z - amiss["b"]) for z in red) < 1e-6
+    assert min(abs(z - due["b"]) for z in red) > 1.0
+
+
+def test_a_zero_was_left_out() -> None:
+    (first,) = report("normal_forgotten_sc").mistakes
+    assert first.says.endswith("an2 was left out")
+    assert first.like == ()
+
+
+def test_a_mistake_shows_in_a_reading_where_its_own_is_right() -> None:
+    told = lesson("normal_from_the_wrong_end_sc")
+    assert told.shown is not None
+    assert told.shows is not None
+    assert (told.shown.taken.segment, told.shown.verdict) == ("an2", "fine")
+    assert (told.shows.taken.segment, told.shows.verdict) == ("πb", "wrong")
+    assert told.position == told.shown.taken.position == told.shows.taken.position
