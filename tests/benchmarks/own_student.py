@@ -3,7 +3,7 @@
 Honest drawings in scale factors of the student's own, and drawings with one mistake each
 (`support/own_student/kinds.txt`), written as people write them. `--honest 400 --wrong 624` are usual,
 `--kind WORD` takes some kinds, `--show` prints every drawing that is not told rightly,
-`--keep FOLDER` writes its table, `--no-mu-rows` leaves out rows of μ, `--scene-mu` draws in the task's.
+`--keep FOLDER` writes its table, `--no-mu-rows` leaves out rows of μ, `--scene-mu` draws in the task's μ.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from support.own_student.machines import MACHINES
 from support.own_student.mistakes import KINDS
-from support.own_student.student import Drawing, student
+from support.own_student.student import Drawing, due_factors, student
 from support.own_student.table import WAYS
 from support.own_told import NAMED, report_of, scales, told, with_mistake
 
@@ -35,7 +35,8 @@ def honest(args: Any) -> None:
     names, began = list(MACHINES), time.process_time()
     for i in range(args.honest):
         machine, way = MACHINES[names[i % len(names)]], WAYS[i // len(names) % len(WAYS)]
-        drawing = student(machine, args.first + i, way=way, mu_rows=args.mu_rows)
+        mu = due_factors(machine) if args.scene_mu else None
+        drawing = student(machine, args.first + i, way=way, mu=mu, mu_rows=args.mu_rows)
         row = rows[{"machine": machine.name, "move": drawing.manner.move}.get(args.by, way)]
         row["drawings"] += 1
         report = report_of(drawing)
