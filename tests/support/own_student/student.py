@@ -157,6 +157,12 @@ def drawn(
     """Draw all plans, and return all that is read of them."""
     knobs = mistake.knobs if mistake else {}
     made = {k: knobs if place in (None, k) else {} for k in range(machine.count)}
+    misread = {
+        name[2:]: getattr(machine, name[2:]) * by
+        for name, by in knobs.items()
+        if name.startswith("m.")
+    }
+    machine = machine._replace(**misread)
     plans = [draw(machine, mu, hand, k, made[k]) for k in range(machine.count)]
     figures: list[Figure] = []
     for k, one in enumerate(plans):
