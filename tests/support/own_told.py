@@ -28,7 +28,7 @@ FAMILIES = {
     "mirror": "mirror sense side meeting end operand",
     "position": "position before operand table",
     "operand": "operand given",
-    "table": "table factor",
+    "table": "table factor slip amiss",
     "sign": "sign sense table",
     "sense": "sense sign end direction",
     "power": "power factor",
@@ -37,11 +37,13 @@ FAMILIES = {
     "given": "given length start factor",
     "meeting": "meeting side mirror",
     "count": "start count crank position sense given",
-    "instrument": "instrument table",
-    "unit": "unit scale table factor",
+    "instrument": "instrument ruler",
+    "unit": "unit scale table",
     "copy": "copy scale instrument",
 }
 """Which words of a family, as the report calls it, are right for ours: by hand."""
+WHERE = re.compile(r"Plan of positions|, step \d+|,? at position \S+ only|,? in every such step")
+"""What a sentence says of the place, which is no part of the name."""
 TITLES = {
     "positions": "Plan of positions",
     "velocities": "Velocity plan",
@@ -155,13 +157,13 @@ def told(report: Report, drawing: Drawing) -> Told:
         text = "; ".join(f"{one.kind}: {one.name}" for one in report.mistakes[:2])
         says = text or f"nothing ({report.wrong} wrong)"
         return Told(False, _blamed(report, drawing), False, False, False, says)
-    words = " | ".join((first.name, first.says, *first.like)).lower()
+    words = WHERE.sub("", " | ".join((first.name, first.says, *first.like)))
     place = _place(first, drawing)
     allowed = FAMILIES[truth.family].split()
-    family = place and any(
-        word in f"{first.family} {first.kind} {words}".lower() for word in allowed
+    name = place and re.search(truth.words, words) is not None
+    family = name or (
+        place and any(word in f"{first.family} {first.kind} {words}" for word in allowed)
     )
-    name = place and re.search(truth.words.lower(), words) is not None
     where = f"{first.plan} {first.segment}/{first.step} {first.position}".strip()
     says = f"{first.kind}/{first.family} {where} {first.chance:.2f}: {'; or '.join((first.says, *first.like))}"
     return Told(True, place, family, name, first.chance >= SURE, says)
