@@ -10,6 +10,7 @@ from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, points, taken_
 from graphic_tmm.checking.judging.comparison import Comparison, worse_of
 from graphic_tmm.checking.judging.groups import groups
 from graphic_tmm.checking.judging.judge import judge
+from graphic_tmm.checking.judging.residuals import sharpened
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardstick, Yardsticks
 from graphic_tmm.checking.lessons.lessons import Teacher
@@ -20,7 +21,7 @@ from graphic_tmm.checking.mutations.telling import Unseen, likely_mistakes, told
 from graphic_tmm.checking.readings.mending import mended
 from graphic_tmm.checking.readings.read import TOLD
 from graphic_tmm.checking.readings.signs import with_signs
-from graphic_tmm.checking.records import Judged, Report, Taken
+from graphic_tmm.checking.records import Judged, Report, Taken, Whole
 from graphic_tmm.checking.report.rows import WORDS
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError
@@ -143,6 +144,7 @@ class _Judgement(NamedTuple):
     notes: tuple[str, ...]
     by: Yardstick
     verdicts: tuple[Judged, ...]
+    whole: Whole | None
 
 
 class Checker:
@@ -166,19 +168,23 @@ class Checker:
         self._yardsticks = Yardsticks(self.made, drawing, limits, points)
         self._unseen = Unseen(self._mistakes)
 
-    def verdicts(self, readings: Sequence[Taken], source: str = "readings") -> tuple[Judged, ...]:
-        """Return the verdicts on the readings of a drawing, and look for no mistake; raises as `check`."""
-        return self._judged(readings, source).verdicts
+    def verdicts(
+        self, readings: Sequence[Taken], source: str = "readings"
+    ) -> tuple[tuple[Judged, ...], Whole | None]:
+        """Return the verdicts on a drawing and its readings, and look for no mistake; raises as `check`."""
+        found = self._judged(readings, source)
+        return found.verdicts, found.whole
 
     def _judged(self, readings: Sequence[Taken], source: str) -> _Judgement:
         rows, notes = known_readings(self.made, readings, source)
         by = self._yardsticks.of(rows)
-        return _Judgement(tuple(rows), tuple(notes), by, judge(self.made, rows, by))
+        verdicts, whole = sharpened(self.made, judge(self.made, rows, by), by)
+        return _Judgement(tuple(rows), tuple(notes), by, verdicts, whole)
 
     def of(self, readings: Sequence[Taken], source: str = "readings") -> Checked:
         """Return what there is to say of the readings of a drawing; raises as `check`."""
         made, language = self.made, self.scene.language
-        rows, notes, by, judged = self._judged(readings, source)
+        rows, notes, by, judged, whole = self._judged(readings, source)
         parts = [part for taken in rows for part in taken.parts()]
         compared = Comparison(made, parts, by, worse_of([one.times for one in judged]))
         diagnosis = diagnosed(self._mistakes, compared, judged)
@@ -188,7 +194,7 @@ class Checker:
         notes = (*notes, *told_unseen(self._unseen.of(compared), language))
         lessons = self._teacher.lessons(judged, found, by.reader, wrongly)
         name, title = scene_name(self.scene.source), self.scene.title
-        report = Report(name, title, language, self._hand, judged, found, notes, lessons)
+        report = Report(name, title, language, self._hand, judged, found, notes, lessons, whole)
         return Checked(report, compared)
 
 

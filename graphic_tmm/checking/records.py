@@ -87,7 +87,8 @@ class Judged(NamedTuple):
     ``step``: which step of its plan is blamed, "" for none; ``own``: the error that this step made itself, mm
     (None of a rate). ``follows``: the earlier reading whose deviation it has, though it is right itself.
     ``times``: how many times what the hand is usually off it is, as it was made or else as it is, with its sign
-    (of a point without one); NaN where that is not known.
+    (of a point without one); NaN where that is not known. ``doubt``: how near to wrong it is, by likelihood: 0
+    within twice of what the hand is usually off, 1 at the limit.
     """
 
     taken: Taken
@@ -102,6 +103,7 @@ class Judged(NamedTuple):
     own: float | None = None
     follows: Taken | None = None
     times: float = math.nan
+    doubt: float = 0.0
 
 
 MISTAKE, SLIP, INSTRUMENT, UNKNOWN, UNSEEN = "mistake", "slip", "instrument", "unknown", "unseen"
@@ -180,10 +182,23 @@ class Lesson(NamedTuple):
     title: str = ""
 
 
+class Whole(NamedTuple):
+    """A drawing that is off as a whole: so ``rare`` is it among the hand's (a share).
+
+    ``doubtful``: how many ``of`` its readings are so, none of which is wrong; how many are ``due`` to be.
+    """
+
+    rare: float
+    doubtful: int
+    due: float
+    of: int
+
+
 class Report(NamedTuple):
     """A check: the scene, the hand, every reading judged, the mistakes that would explain the wrong ones.
 
-    ``lessons``: on the steps that readings or mistakes blame, in the order of the log.
+    ``lessons``: on the steps that readings or mistakes blame, in the order of the log. ``whole``: how far off
+    the drawing is as a whole, if it is.
     """
 
     scene: str
@@ -194,6 +209,7 @@ class Report(NamedTuple):
     mistakes: tuple[Likely, ...]
     notes: tuple[str, ...] = ()
     lessons: tuple[Lesson, ...] = ()
+    whole: Whole | None = None
 
     @property
     def wrong(self) -> int:

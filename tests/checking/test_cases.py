@@ -65,7 +65,7 @@ def report(case: str) -> Report:
 @cache
 def judged(case: str) -> tuple[Judged, ...]:
     by, rows = drawing(case)
-    return by.verdicts(rows)
+    return by.verdicts(rows)[0]
 
 
 def verdicts(case: str, verdict: str) -> set[tuple[str, str]]:

@@ -20,6 +20,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.checking.cells import Cell, Key, cells, points
 from graphic_tmm.checking.check import TRIALS, Checker
 from graphic_tmm.checking.judging.judge import judge
+from graphic_tmm.checking.judging.residuals import sharpened
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardstick, Yardsticks
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report, Taken
@@ -96,7 +97,7 @@ def honest(name: str, hand: str, trials: int, seed: int = FRESH) -> Honest:
     due, by = cells(exact(name)), usual(name, hand)
     count = doubtful = broken = 0
     for drawn in drawings(exact(name), HANDS[hand]._replace(trials=trials, seed=seed)):
-        judged = judge(exact(name), readings(cells(drawn), due), by)
+        judged, _ = sharpened(exact(name), judge(exact(name), readings(cells(drawn), due), by), by)
         count += len(judged)
         doubtful += sum(one.verdict == DOUBTFUL for one in judged)
         broken += any(one.verdict == WRONG for one in judged)

@@ -7,14 +7,15 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 from graphic_tmm.checking.check import Checker
-from graphic_tmm.checking.records import WRONG, Judged, Taken
+from graphic_tmm.checking.records import WRONG, Judged, Taken, Whole
 from graphic_tmm.scene.records import Scene
 
 
 class Verdicts(NamedTuple):
-    """The verdicts on the readings of a drawing."""
+    """The verdicts on the readings of a drawing; how far off it is as a whole, if it is."""
 
     readings: tuple[Judged, ...]
+    whole: Whole | None = None
 
     @property
     def wrong(self) -> bool:
@@ -47,4 +48,4 @@ def verdicts(
     """Yield the verdicts of reports on many drawings of a scene: see `graphic_tmm.checking.check.checks`."""
     checker = _checker(_Same(scene), **how)
     for source, readings in drawings:
-        yield Verdicts(checker.verdicts(readings, source))
+        yield Verdicts(*checker.verdicts(readings, source))

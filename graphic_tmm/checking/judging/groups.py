@@ -8,17 +8,15 @@ tell how rare that is: as theirs hang together, so do the readings'.
 
 from __future__ import annotations
 
-import math
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
-from statistics import NormalDist
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.record import Step
-from graphic_tmm.board.values import Number, Reals
-from graphic_tmm.checking.judging.taken_marks import step_name, steps_of
+from graphic_tmm.checking.judging.counted import CountedReading, counted_readings
+from graphic_tmm.checking.judging.covariance import tail
+from graphic_tmm.checking.judging.taken_marks import step_name
 from graphic_tmm.checking.judging.yardstick import Yardstick
 from graphic_tmm.checking.records import FINE, UNKNOWN, WRONG, Judged, Likely
 from graphic_tmm.drawn import DrawnScene
@@ -57,15 +55,6 @@ SAYS = {
 }
 
 
-class CountedReading(NamedTuple):
-    """A reading that counts: how many times what the hand is off, in this drawing and in each of the hand's."""
-
-    judged: Judged
-    times: float
-    step: Step | None
-    hand: Reals
-
-
 class Group(NamedTuple):
     """Readings that belong together: of which kind, how likely a hand's are so far off."""
 
@@ -94,7 +83,7 @@ def groups(made: DrawnScene, judged: Sequence[Judged], by: Yardstick) -> tuple[L
         By what they were judged.
     """
     together: dict[tuple[str, ...], list[CountedReading]] = defaultdict(list)
-    for one in entries(made, judged, by):
+    for one in counted_readings(made, judged, by):
         taken = one.judged.taken
         if taken.position:
             # what is laid off is off by the ruler alone: it would hide what was drawn wrongly
@@ -127,33 +116,6 @@ def _of(one: Judged) -> tuple[tuple[str, ...], ...]:
     )
 
 
-def entries(made: DrawnScene, judged: Sequence[Judged], by: Yardstick) -> list[CountedReading]:
-    """Return the readings that count: not rates, which say what their lengths do, nor what is given."""
-    work, found = made.mechanism, []
-    steps: Mapping[tuple[str, str], Step] = steps_of(work)
-    places = {} if work is None else {name: k for k, name in enumerate(work.names)}
-    for one in judged:
-        taken = one.taken
-        step = steps.get((taken.plan, taken.segment))
-        if not math.isfinite(one.times) or (step is not None and step.it.kind is Number):
-            continue
-        own = None if step is None else by.steps.get((step.it, places.get(taken.position, -1)))
-        if own is not None and one.own is not None:
-            hand = own.drawn
-        else:
-            spread = by.spread[taken.at]
-            hand = _sense(one) * spread.drawn / (spread.rms or 1.0)
-        if hand.size and float(np.ptp(hand)) > 0.0:
-            times = one.times * (_sense(one) if one.found < 0.0 else 1.0)
-            found.append(CountedReading(one, times, step, hand))
-    return found
-
-
-def _sense(one: Judged) -> float:
-    """Return the sign of what is due: an excess is one of the magnitude, whether a sign was read or not."""
-    return 1.0 if one.taken.pointed else math.copysign(1.0, one.due)
-
-
 def rarity(kind: str, some: Sequence[CountedReading]) -> float:
     """Return in which share of a hand's drawings readings are together so far off."""
     if kind == CLOSED:
@@ -165,23 +127,9 @@ def rarity(kind: str, some: Sequence[CountedReading]) -> float:
     hand = np.array([one.hand for one in some])
     if kind == CLOSED:
         between = np.linalg.inv(np.cov(hand) + FLOOR * np.eye(len(some)))
-        return tail(*(np.einsum("it,ij,jt->t", rows, between, rows) for rows in (here, hand)))
-    return tail(*(np.sum(rows * rows, axis=0) for rows in (here, hand)))
-
-
-def tail(here: Reals, hand: Reals) -> float:
-    """Return in which share of a hand's drawings a sum of squares is as large; 1 where one of them has it.
-
-    Beyond the drawings it is that of a multiple of χ² with their mean and variance (Satterthwaite), by
-    Wilson's and Hilferty's cube root.
-    """
-    much = float(here[0])
-    if not much > float(np.max(hand)):
-        return 1.0
-    mean, variance = float(np.mean(hand)), float(np.var(hand))
-    freedom = 2.0 * mean * mean / variance
-    spread = 2.0 / (9.0 * freedom)
-    return NormalDist().cdf(-((much / mean) ** (1.0 / 3.0) - (1.0 - spread)) / math.sqrt(spread))
+        mine, its = (np.einsum("it,ij,jt->t", rows, between, rows) for rows in (here, hand))
+        return tail(float(mine[0]), its)
+    return tail(float(np.sum(here**2)), np.sum(hand * hand, axis=0))
 
 
 def _likely(made: DrawnScene, group: Group, chance: float, wrong: int) -> Likely:

@@ -23,7 +23,7 @@ from graphic_tmm.checking.judging.scatter import Scatter, times_off
 from graphic_tmm.checking.judging.slips import counted
 from graphic_tmm.checking.judging.taken_marks import GIVEN, step_name
 from graphic_tmm.checking.judging.yardstick import Yardstick
-from graphic_tmm.checking.records import FINE, VERDICTS, Judged, Taken
+from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Judged, Taken
 from graphic_tmm.drawn import DrawnScene
 
 LEAST = 1e-9
@@ -85,6 +85,7 @@ def _judged(drawing: Comparison, taken: Taken, verdicts: Mapping[Taken, str]) ->
     own = _own(drawing, taken)
     total = FINE if _none(drawing, taken, off, off.signed) else seen.verdict(off.counted, off.times)
     verdict, quantile = total, seen.quantile(off.counted)
+    scatter, counted_off = seen, off.counted
     blamed, error, follows = drawing.step(taken), None, None
     if own is not None:
         still = _none(drawing, taken, off, own.error)
@@ -93,6 +94,7 @@ def _judged(drawing: Comparison, taken: Taken, verdicts: Mapping[Taken, str]) ->
         if _strict(drawing, taken, verdicts) or _milder(mine, total):
             verdict, blamed = mine, own.step
             quantile = own.scatter.quantile(0.0 if still else own.counted)
+            scatter, counted_off = own.scatter, own.counted
             follows = _follows(drawing, taken, off) if mine == FINE != total else None
     return Judged(
         taken=taken,
@@ -107,12 +109,14 @@ def _judged(drawing: Comparison, taken: Taken, verdicts: Mapping[Taken, str]) ->
         own=error,
         follows=follows,
         times=_times(seen, off) if own is None else own.times,
+        doubt=scatter.doubt(counted_off) if verdict == DOUBTFUL else float(verdict == WRONG),
     )
 
 
 def _times(seen: Scatter, off: _Off) -> float:
     """Return how many times what the hand is usually off a deviation is, with its sign."""
-    return math.copysign(off.counted, off.signed) / seen.rms if seen.rms > 0.0 else math.nan
+    usual = seen.rms
+    return math.copysign(off.counted, off.signed) / usual if usual > 0.0 else math.nan
 
 
 def _off(drawing: Comparison, taken: Taken) -> _Off:

@@ -116,6 +116,8 @@ class Limits(NamedTuple):
     beyond: float = 1.2
 
 
+LEAST = 2.0
+"""Up to so many times what the hand is usually off a reading costs nothing."""
 NOTHING = np.empty(0)
 
 
@@ -144,6 +146,12 @@ class Scatter(NamedTuple):
             return 1.0
         below = int(np.searchsorted(self.sorted, deviation, side="left"))
         return float(self.sorted.size - below) / self.sorted.size
+
+    def doubt(self, deviation: float) -> float:
+        """Return how near to wrong a deviation is: 0 within twice the root mean square, 1 at the limit."""
+        least = LEAST * self.rms
+        room = self.wrong - least
+        return min(max((deviation - least) / room, 0.0), 1.0) if room > 0.0 else 1.0
 
     def verdict(self, deviation: float, times: float = 0.0) -> str:
         """Return what a deviation is, of a figure so many times too large or too small (a logarithm)."""

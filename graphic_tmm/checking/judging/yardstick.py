@@ -16,6 +16,7 @@ from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Point
 from graphic_tmm.checking.cells import Key, cells, points
+from graphic_tmm.checking.judging.covariance import Covariances
 from graphic_tmm.checking.judging.own_errors import Found, Own, run
 from graphic_tmm.checking.judging.scatter import Limits, Sample, Scatter, joined, sample, scatter
 from graphic_tmm.checking.judging.step_scatter import StepScatter, as_read, step_scatter, where_read
@@ -120,12 +121,16 @@ other figures; how they scatter is kept."""
 
 
 class Yardstick(NamedTuple):
-    """By what readings are judged: how the hand's drawings scatter, and what errors its own steps make."""
+    """By what readings are judged: how the hand's drawings scatter, and what errors its own steps make.
+
+    ``covariances``: how both go together.
+    """
 
     reader: Reader
     limits: Limits
     spread: Mapping[tuple[Key, bool], Scatter]
     steps: Mapping[tuple[Mark, int], StepScatter]
+    covariances: Covariances
 
 
 class Yardsticks:
@@ -148,7 +153,7 @@ class Yardsticks:
         self._drawn = Sample({}, {}, {})
         self._spread: dict[tuple[Key, bool], Scatter] = {}
         self._none: set[tuple[Key, bool]] = set()
-        self._own = None
+        self._covariances, self._own = Covariances(), None
         if made.mechanism is not None:
             self._own = OwnScatters(made.mechanism, self.reader, limits)
 
@@ -170,7 +175,7 @@ class Yardsticks:
             self._drawn = Sample({}, {}, {})
             if self._own is not None:
                 self._own.forget()
-        return Yardstick(self.reader, self.limits, spread, own)
+        return Yardstick(self.reader, self.limits, spread, own, self._covariances)
 
     def _draw(self, asked: Collection[tuple[Key, bool]], marks: Mapping[Mark, Any]) -> None:
         """Have drawings with these figures and marks: all of their kind, if that is little."""

@@ -15,7 +15,7 @@ from support.trials import readings
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import cells
 from graphic_tmm.checking.check import known_readings
-from graphic_tmm.checking.judging.groups import NAME, RARE, groups, tail
+from graphic_tmm.checking.judging.groups import NAME, RARE, groups
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardsticks
@@ -160,11 +160,3 @@ def test_a_group_says_where_to_look_and_names_no_mistake() -> None:
     assert 1.0 - RARE <= found[0].chance <= 1.0
     assert set(found[0].lines) <= {row.line for row in rows if row.position == "2"}
     assert groups(scene, judge(scene, rows, by), by) == ()
-
-
-def test_the_tail_is_that_of_a_sum_of_squares() -> None:
-    """Of five equal normal variables (χ² with five degrees of freedom): P(> 25) = 1.39e-4, P(> 35) = 1.5e-6."""
-    hand = np.sum(np.random.default_rng(1).standard_normal((5, 400)) ** 2, axis=0)
-    assert tail(np.array([25.0]), hand) == pytest.approx(1.39e-4, rel=1.0)
-    assert tail(np.array([35.0]), hand) == pytest.approx(1.5e-6, rel=3.0)
-    assert tail(np.array([float(np.max(hand))]), hand) == 1.0
