@@ -187,10 +187,11 @@ class Checker:
         rows, notes, by, judged, whole = self._judged(readings, source)
         parts = [part for taken in rows for part in taken.parts()]
         compared = Comparison(made, parts, by, worse_of([one.times for one in judged]))
-        diagnosis = diagnosed(self._mistakes, compared, judged)
+        small = groups(made, judged, by)
+        diagnosis = diagnosed(self._mistakes, compared, judged, rare=bool(small))
         found = likely_mistakes(diagnosis, compared, language)
         wrongly = mistaken_scenes(found, diagnosis, made)
-        found = found or groups(made, judged, by)
+        found = found or small
         notes = (*notes, *told_unseen(self._unseen.of(compared), language))
         lessons = self._teacher.lessons(judged, found, by.reader, wrongly)
         name, title = scene_name(self.scene.source), self.scene.title

@@ -5,7 +5,6 @@ Hypotheses are weighed by all readings; a name is given where it is sure, and pa
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
@@ -187,10 +186,15 @@ class Diagnosis(NamedTuple):
     followed: frozenset[Key] = frozenset()
 
 
-def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged]) -> Diagnosis:
-    """Return what happened to a drawing."""
+def diagnosed(
+    mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged], *, rare: bool
+) -> Diagnosis:
+    """Return what happened to a drawing; nothing where chance is enough: no mistake is looked for then.
+
+    ``rare``: readings, none of them wrong, are together farther off than chance brings about.
+    """
     wrong = tuple(one for one in judged if one.verdict == WRONG)
-    if not wrong and not _repeated(judged):
+    if not wrong and not rare:
         return Diagnosis((), None, ())
     doubtful = tuple(one for one in judged if one.verdict != FINE)
     readings = Readings(drawing, doubtful)
@@ -208,7 +212,8 @@ def diagnosed(mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged])
         said = () if likely is None else (likely,)
     if not wrong and said and (said[0][1] < CERTAIN or said[0][0][0].gain.sum() < 1.5 * CLEAR):
         said = ()
-    said = tuple(told_of(one, off) for one in said)
+    told = (told_of(one, off) for one in said)
+    said = tuple(one for one in told if one[1] >= PERHAPS)
     whole = len(said) > 1 or (bool(said) and acceptable(readings, said[0][0][0]))
     certain = whole and said[0][1] >= SURE
     if not certain:
@@ -261,16 +266,6 @@ def _said(
         sure = min(sure, UNSURE)  # one reading alone is like many things
     other = second_mistake(readings, mistakes, group[0]) if group[0].beyond else None
     return ((group, sure),) if other is None else ((group, sure), other)
-
-
-def _repeated(judged: Sequence[Judged]) -> bool:
-    """Whether one segment is doubtful so often that a hand's slips are hardly the reason."""
-    doubtful = [one.taken for one in judged if one.verdict != FINE]
-    segments = Counter((one.plan, one.segment) for one in doubtful)
-    places = Counter((one.plan, one.position) for one in doubtful)
-    return any(n >= REPEATED for n in segments.values()) or any(
-        n > REPEATED for n in places.values()
-    )
 
 
 def _of_board(

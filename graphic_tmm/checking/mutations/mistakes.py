@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections import Counter, defaultdict
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import combinations, pairwise
 from typing import Any
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from graphic_tmm.board import roles
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Length, Number
-from graphic_tmm.checking.cells import Key, cells
+from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.mutations.calculated import BY_UNIT, POWERS_OF_TEN
 from graphic_tmm.checking.mutations.execution import AssumedLog, Executed, executed, figures_of
 from graphic_tmm.checking.mutations.grammar import mutations
@@ -216,17 +216,6 @@ class Offered:
         """All of them executed, without readings."""
         return self.run(self.mutations)
 
-    def showing(self, wanted: Collection[Key]) -> Executed:
-        """All of them executed, without readings, at least as far as some figures tell.
-
-        Points need little of a log: what else it makes, curves above all, takes most of the time.
-        """
-        points = _points(self.board, wanted) if cells(self.made).keys().isdisjoint(wanted) else ()
-        if "plain" in self.__dict__ or {mark.key for mark in points} != {at[:2] for at in wanted}:
-            return self.plain
-        log = self.base.log
-        return executed(log, self.base.given, _reaching(log, self.mutations, points), points)
-
     def run(self, some: Sequence[Mutation], base: AssumedLog | None = None) -> Executed:
         """Execute mutations without readings."""
         base = base or self.base
@@ -257,27 +246,6 @@ class Offered:
                 if at[1] and not np.iscomplexobj(row):
                     off = np.abs(np.abs(row) - np.abs(row[0]))  # a length has no sign
                 yield at, ~(off <= wanted[at]) & np.isfinite(row[0])
-
-
-def _points(board: Drawn, wanted: Collection[Key]) -> tuple[Mark, ...]:
-    """Return the marks of a board that are called as the points of some keys are."""
-    names = {at[:2] for at in wanted}
-    return tuple(step.it for step in board.construction.steps if step.it.key in names)
-
-
-def _reaching(
-    log: Construction, mutations: Sequence[Mutation], wanted: Iterable[Mark]
-) -> list[Mutation]:
-    """Return for each mutation itself, or none at all if it changes no step that some marks need."""
-    changes: dict[int, list[Mark]] = defaultdict(list)
-    for one in mutations:
-        for slot, change in one.changes.items():
-            changes[slot] += change.step.uses
-    alive = {mark.slot for mark in wanted}
-    for step in reversed(log.steps):
-        if step.it.slot in alive:
-            alive.update(mark.slot for mark in (*step.uses, *changes[step.it.slot]))
-    return [one if one.amiss or not alive.isdisjoint(one.changes) else NONE for one in mutations]
 
 
 class Mistakes:

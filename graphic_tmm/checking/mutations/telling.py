@@ -14,6 +14,7 @@ from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.diagnosis import Diagnosis
 from graphic_tmm.checking.mutations.evidence import VISIBLE, Readings
 from graphic_tmm.checking.mutations.execution import executed, figures_of
+from graphic_tmm.checking.mutations.grammar import mutations
 from graphic_tmm.checking.mutations.hypotheses import SURE, UNSURE, Hypothesis
 from graphic_tmm.checking.mutations.mistakes import NONE, Mistakes
 from graphic_tmm.checking.mutations.mutation import (
@@ -343,37 +344,43 @@ SAYS = said("these readings do not show what was done on: {plans}")
 
 
 class Unseen:
-    """What each figure of a scene shows; what is found out of one is kept for all drawings."""
+    """What readings of a scene show; what is found out of a figure of a table is kept for all drawings."""
 
     def __init__(self, mistakes: Mistakes) -> None:
-        self.boards = mistakes.boards
-        self._shown: dict[tuple[Key, bool], set[str]] = {}
+        self.offered = mistakes.boards[0]
+        self._shown: dict[tuple[str, tuple[Key, bool]], bool] = {}
 
     @cached_property
-    def _views(self) -> tuple[tuple[str, ...], ...]:
-        """The view in which each mutation of each board is made, "" of what has none."""
-        return tuple(
-            tuple(one.at.it.view if one.at is not None else "" for one in offered.mutations)
-            for offered in self.boards
-        )
+    def _behind(self) -> Mapping[Mark, frozenset[str]]:
+        """The views on which each mark hangs, its own among them."""
+        behind: dict[Mark, frozenset[str]] = {}
+        for step in self.offered.base.log.steps:
+            before = (behind.get(mark, frozenset()) for mark in step.uses)
+            behind[step.it] = frozenset({step.it.view}).union(*before)
+        return behind
 
     def of(self, drawing: Comparison) -> tuple[str, ...]:
-        """Return the views that can be read of which no mutation moves any reading visibly."""
-        by = drawing.by.spread
+        """Return the views that can be read on which no reading hangs."""
+        steps = [drawing.step(one) for one in drawing.rows]
+        shown = {view for step in steps if step is not None for view in self._behind[step.it]}
         readable = {step.it.view for step in drawing.steps.values()}
-        self._find({one.at: VISIBLE * by[one.at].rms for one in drawing.rows if one.at in by})
-        shown = set[str]().union(*(self._shown.get(one.at, ()) for one in drawing.rows))
-        views = dict.fromkeys(view for board in self._views for view in board)
-        return tuple(view for view in views if view in readable and view not in shown)
+        views = dict.fromkeys(mark.view for mark in self._behind if mark.view in readable)
+        by = drawing.by.spread
+        tables = [one.at for one, step in zip(drawing.rows, steps, strict=True) if step is None]
+        least = {at: VISIBLE * by[at].rms for at in tables if at in by}
+        return tuple(view for view in views if view not in shown and not self._moves(view, least))
 
-    def _find(self, least: Mapping[tuple[Key, bool], float]) -> None:
-        """Find out what figures show that were not read before."""
-        new = {at: size for at, size in least.items() if at not in self._shown}
-        self._shown |= {at: set() for at in new}
-        for offered, views in zip(self.boards, self._views, strict=True) if new else ():
-            told = offered.showing({at for at, _ in new})
-            for at, moved in offered.moved(new, told):
-                self._shown[at] |= {views[row] for row in np.flatnonzero(moved)}
+    def _moves(self, view: str, least: Mapping[tuple[Key, bool], float]) -> bool:
+        """Whether a mistake in a view would move a figure of a table by more than a least."""
+        new = {at: size for at, size in least.items() if (view, at) not in self._shown}
+        if new:
+            log = self.offered.base.log
+            own = (step for step in log.steps if step.it.view == view)
+            beside = self.offered.run([NONE, *mutations(log, own)])
+            self._shown |= {(view, at): False for at in new}
+            moved = self.offered.moved(new, beside)
+            self._shown |= {(view, at): bool(rows.any()) for at, rows in moved}
+        return any(self._shown[view, at] for at in least)
 
 
 def told_unseen(views: Sequence[str], language: str) -> tuple[str, ...]:

@@ -13,6 +13,7 @@ from support.gallery import exact
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import figures
 from graphic_tmm.checking.judging.comparison import Comparison
+from graphic_tmm.checking.judging.groups import groups
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardsticks
@@ -64,7 +65,8 @@ def said_of(rows: Sequence[Taken], language: str = "en") -> tuple[Likely, ...]:
     by = yardsticks.of(rows)
     judged = judge(exact(SCENE), rows, by)
     drawing = Comparison(exact(SCENE), rows, by)
-    return likely_mistakes(diagnosed(mistakes, drawing, judged), drawing, language)
+    rare = bool(groups(exact(SCENE), judged, by))
+    return likely_mistakes(diagnosed(mistakes, drawing, judged, rare=rare), drawing, language)
 
 
 def planted(wanted: Callable[[Mutation], bool]) -> Mutation:

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-import numpy as np
-from support.gallery import CASES
+import pytest
+from support.gallery import CASES, LARGEST, SHEETS
+from support.trials import FRESH, readings
 
-from graphic_tmm.checking.cells import cells, points
-from graphic_tmm.checking.check import check
-from graphic_tmm.checking.mutations.mistakes import Mistakes
+from graphic_tmm.board.hand import HANDS
+from graphic_tmm.checking.cells import cells
+from graphic_tmm.checking.check import Checker, check
+from graphic_tmm.checking.mutations.mistakes import Offered
 from graphic_tmm.checking.readings.read import read_readings
+from graphic_tmm.checking.records import DOUBTFUL
 from graphic_tmm.scene.read import read
-from graphic_tmm.studio import make
+from graphic_tmm.studio import drawings
 
 
 def note(*plans: str) -> str:
@@ -36,18 +39,24 @@ def test_accelerations_show_velocities_too() -> None:
     assert note("accelerations") == ""
 
 
-def test_points_are_moved_alike_if_only_what_they_need_is_executed() -> None:
-    made = make(read(CASES / "check" / "six.toml"), exact=True)
-    board = Mistakes(made).boards[0]
-    found = [at for at in points(made) if at not in cells(made)][::7]
-    wanted = dict.fromkeys(((at, True) for at in found), 0.1)
-    some = board.showing(found)
-    assert "plain" not in board.__dict__
-    assert len(some.base) < len(board.plain.base)
-    less, whole = (dict(board.moved(wanted, beside)) for beside in (some, board.plain))
-    assert less.keys() == whole.keys() == wanted.keys()
-    assert all(np.array_equal(less[at], whole[at]) for at in wanted)
-    assert board.showing(found) is board.plain
+def test_a_table_shows_the_plans_that_it_was_found_from() -> None:
+    """A figure of a table has no step of its own: a mistake in a view is made, and the figure moves or not."""
+    checker = Checker(read(SHEETS / LARGEST), trials=20)
+    due = cells(checker.made)
+    forces = [one for one in readings(due, due) if one.plan == "results" and one.value]
+    told = [one for one in checker.of(forces).report.notes if "не видно" in one]
+    assert told == ["по этим отсчётам не видно, что сделано на: План ускорений"]
+
+
+def test_an_honest_drawing_executes_no_mutation(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of readings that a hand took some are doubtful by chance: no mistake is looked for."""
+    checker = Checker(read(SHEETS / "crank-rocker"), trials=100)
+    due = cells(checker.made)
+    hand = HANDS["student"]._replace(trials=6, seed=FRESH)
+    monkeypatch.setattr(Offered, "run", None)
+    reports = [checker.of(readings(cells(one), due)).report for one in drawings(checker.made, hand)]
+    assert sum(row.verdict == DOUBTFUL for one in reports for row in one.readings) > 2
+    assert not any(one.mistakes for one in reports)
 
 
 def test_a_slip_beside_a_mistake_is_not_explained_by_it_nor_the_only_thing_off() -> None:
