@@ -48,7 +48,7 @@ TITLES = {
     "positions": "Plan of positions",
     "velocities": "Velocity plan",
     "accelerations": "Acceleration plan",
-    "forces": "Group 2-3",
+    "forces": "Group",
     "diagrams": "diagram",
 }
 
@@ -118,7 +118,9 @@ def _place(one: Likely, drawing: Drawing) -> bool:
     assert truth is not None
     if truth.family in ("copy", "unit", "instrument"):
         return True
-    if one.position != ("" if truth.position is None else str(truth.position)):
+    if truth.plan != "forces" and one.position != (
+        "" if truth.position is None else str(truth.position)
+    ):
         return truth.family == "position" and not one.position
     if truth.family in ("position", "count"):
         return True

@@ -13,7 +13,7 @@ M2, M3, J2, F3, G = 3.0, 5.0, 0.04, 400.0, 9.81
 DOWN = -1j
 
 
-def _moment(hand: Hand, about: complex, at: complex, force: complex, scale: float) -> float:
+def moment(hand: Hand, about: complex, at: complex, force: complex, scale: float) -> float:
     """Return force times arm, N·m, positive counterclockwise; the arm is measured on paper."""
     if abs(force) < 1e-6:
         return 0.0
@@ -49,7 +49,7 @@ def forces(m: Machine, mu: Factors, hand: Hand, k: int, drawn: Position, w: Knob
     about = P["A"] if w.get("f.about A") else P["B"]
     arm_scale = 0.001 if w.get("f.arm no mu") else mu.l
     sum_b = moved + sum(
-        _moment(hand, about, P["S2"], vector[name], arm_scale) for name in ("G2", "Pi2")
+        moment(hand, about, P["S2"], vector[name], arm_scale) for name in ("G2", "Pi2")
     )
     across = -link / abs(link) * RIGHT
     turned = -sum_b / m.AB * w.get("f.Rt", 1.0)
@@ -63,7 +63,7 @@ def forces(m: Machine, mu: Factors, hand: Hand, k: int, drawn: Position, w: Knob
     corner = hand.meet(start, link, head, 1j)
     r12_vector = across * turned / mu.F - (
         corner - start
-    )  # from the axial part's start to the tangential part's end
+    )  # axial part's start to tangential part's end
     r12, r03 = hand.measure(r12_vector), hand.measure(corner - head)
     r23 = hand.measure(middle - corner)
     h = ((P["A"]).conjugate() * r12_vector).imag / abs(r12_vector)
@@ -86,7 +86,7 @@ def _lever(
     turn = 1 if w.get("l.unturned") else RIGHT
     end = {"G2": "s2", "Pi2": "s2", "G3": "b", "Pi3": "b", "F3": "b"}
     total = sum(
-        _moment(hand, 0, V[end[name]] * turn, force * w.get(f"l.{name}", 1.0), 1.0)
+        moment(hand, 0, V[end[name]] * turn, force * w.get(f"l.{name}", 1.0), 1.0)
         for name, force in vector.items()
     )
     link, image = P["B"] - P["A"], V["b"] - V["a"]

@@ -37,7 +37,9 @@ class Machine(NamedTuple):
     start: float = 0.0
     S1: float = 0.0
     S3: bool = False
-    loads: bool = False
+    loads: tuple[int, ...] = ()
+    """The positions whose forces are found."""
+    mu_F: float = 4.0
     travel: str = ""
     rates_of_stone: bool = True
 
@@ -73,11 +75,13 @@ def _windrower() -> Machine:
         start=-np.degrees(half),
         S1=0.5,
         S3=True,
+        loads=(8,),
+        mu_F=25.0,
         travel="sD",
     )
 
 
-def _slider(name: str, *, loads: bool) -> Machine:
+def _slider(name: str, *, loads: tuple[int, ...] = ()) -> Machine:
     return Machine(
         name,
         HERE / f"scenes/{name}.toml",
@@ -99,7 +103,7 @@ def _slider(name: str, *, loads: bool) -> Machine:
 MACHINES = {
     one.name: one
     for one in (
-        _slider("sc", loads=False),
+        _slider("sc"),
         Machine(
             "fb",
             HERE / "scenes/fb.toml",
@@ -147,6 +151,6 @@ MACHINES = {
             guide=-0.68,
         ),
         _windrower(),
-        _slider("frc", loads=True),
+        _slider("frc", loads=(1, 3)),
     )
 }

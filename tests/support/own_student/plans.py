@@ -269,6 +269,7 @@ def _slotted(
     eps = {"epsilon2": e3, "epsilon3": e3}
     if m.S3:
         points["s3"] = c
+        read["πs1"], read["πs3"] = hand.measure(points["s1"]), hand.measure(c)
     if m.CD:
         arm = P["D"] - P["C"]
         n4mm = _normal(read["cd"] * mu.v, m.CD, w) / mu.a * w.get("a.n4", 1.0)
@@ -276,6 +277,7 @@ def _slotted(
         d = hand.meet(n4, arm if w.get("a.t4 along") else arm * RIGHT, 0, 1)
         laid["cn4"] = n4mm
         points |= {"n4": n4, "d": d}
+        read["πd"] = hand.measure(d)
         read["n4d"] = hand.measure(d - n4)
         eps["epsilon4"] = read["n4d"] * mu.a / m.CD * _sign(d - n4, arm) * w.get("e.4", 1.0)
     return Plan(points, laid), eps

@@ -16,11 +16,12 @@ from .machines import Machine
 from .measured import Figure, measured
 from .mistakes import Kind, Truth, amiss
 from .plans import Factors, draw
+from .slotted_loads import slotted_forces
 from .table import Manner, manner_of, text, written
 
 PLAIN = 12.0
 """How far a mistake that a teacher could see moves all readings together (root of the sum of squares, mm)."""
-PART = 0.015
+PART = 0.01
 """Which part of a quantity counts as much as 1 mm."""
 ROUND = (1, 1.2, 1.25, 1.5, 1.6, 2, 2.5, 3, 4, 5, 6, 8)
 
@@ -72,7 +73,7 @@ def factors(rng: np.random.Generator, m: Machine) -> Factors:
     A = V / (float(rng.choice([15, 20, 25, 30])) * 0.0025)
     return Factors(
         own(rng, m.mu_l, 0.66, 1.5), own(rng, m.mu_v, 0.5, 2, v), own(rng, m.mu_a, 0.5, 2, a),
-        own(rng, 4.0, 0.5, 2), S, V, A,
+        own(rng, m.mu_F, 0.5, 2), S, V, A,
     )  # fmt: skip
 
 
@@ -130,7 +131,7 @@ def student(
 
 def due_factors(machine: Machine) -> Factors:
     """Return the scale factors of the task."""
-    return Factors(machine.mu_l, machine.mu_v, machine.mu_a)
+    return Factors(machine.mu_l, machine.mu_v, machine.mu_a, machine.mu_F)
 
 
 def some(figures: list[Figure], kept: set[int]) -> list[Figure]:
@@ -167,9 +168,10 @@ def drawn(
     figures: list[Figure] = []
     for k, one in enumerate(plans):
         figures += measured(machine, mu, hand, k, one, plans[0])
-    if machine.loads:
-        for k in (1, 3):
-            figures += forces(machine, mu, hand, k, plans[k], made[k])
+    for k in machine.loads:
+        found = forces if machine.kind == "slider" else slotted_forces
+        figures += found(machine, mu, hand, k, plans[k], made[k])
+    if machine.loads and machine.kind == "slider":
         figures += diagrams(machine, mu, hand, plans, knobs)
     return [
         one
