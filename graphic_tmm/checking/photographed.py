@@ -2,21 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 from graphic_tmm.board.hand import HANDS
+from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.judging.scatter import Limits
+from graphic_tmm.checking.own_sheet.clicked import FACTOR, ClickedPlan, OwnScale, scale_notes
+from graphic_tmm.checking.own_sheet.plans import read_clicked
 from graphic_tmm.checking.pencil.darkness import Flat
-from graphic_tmm.checking.pencil.expected import views
+from graphic_tmm.checking.pencil.expected import Name, views
 from graphic_tmm.checking.pencil.points import SEEN, UNSEEN
-from graphic_tmm.checking.pencil.reading import PhotoPoints, Pole, questions, read_plans, readings
+from graphic_tmm.checking.pencil.reading import (
+    PhotoPoints,
+    Point,
+    Pole,
+    questions,
+    read_plans,
+    readings,
+)
 from graphic_tmm.checking.photo.camera import Shot
 from graphic_tmm.checking.pictures import Laid
 from graphic_tmm.checking.readings.writing import write_readings
-from graphic_tmm.checking.records import Judged, Report, Taken
+from graphic_tmm.checking.records import Judged, PlanSight, Report, Sight, Taken
+from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SheetError
 from graphic_tmm.files import write
 from graphic_tmm.fitting.composition import Composition
@@ -34,10 +46,18 @@ LETTERS = 2.5
 
 
 class Photographed(NamedTuple):
-    """What a photograph gave: the points of its plans, the readings of those that were seen."""
+    """What a photograph gave: the points of its plans, the readings of those that were seen.
+
+    ``scene``: as the student's own ``scales`` draw it, None where no plan was clicked;
+    ``sight``: how much was seen; ``plans``: as they were drawn due at clicked poles.
+    """
 
     found: PhotoPoints
     taken: tuple[Taken, ...]
+    scene: Scene | None = None
+    scales: tuple[OwnScale, ...] = ()
+    sight: Sight | None = None
+    plans: tuple[Drawing, ...] = ()
 
 
 def poles_of(given: Iterable[str]) -> dict[Pole, complex]:
@@ -67,17 +87,22 @@ def poles_of(given: Iterable[str]) -> dict[Pole, complex]:
     return found
 
 
-def photographed(shown: Laid, clicked: Mapping[Pole, complex], hand: str) -> Photographed | None:
+def photographed(
+    shown: Laid, clicked: Mapping[Pole, complex], hand: str, plans: Sequence[ClickedPlan] = ()
+) -> Photographed | None:
     """Return what a flattened photograph shows of the plans of its sheet; None if there are none on it.
 
-    ``clicked``: poles in the photograph, px; ``hand``: of whose size errors may be.
+    ``clicked``: poles in the photograph, px; ``hand``: of whose size errors may be; ``plans``: where the
+    student has drawn his, px.
 
     Raises
     ------
     SheetError
         If a pole is clicked of a plan that this sheet does not have, or not on the sheet.
     """
-    due = views(shown.made, shown.sheet, HANDS[hand])
+    own = {(one.plan, one.position) for one in plans}
+    due = [] if shown.own_paper else views(shown.made, shown.sheet, HANDS[hand])
+    due = [view for view in due if own.isdisjoint(view.poles)]
     poles = {pole for view in due for pole in view.poles}
     for plan, position in clicked:
         if (plan, position) not in poles:
@@ -89,18 +114,85 @@ def photographed(shown: Laid, clicked: Mapping[Pole, complex], hand: str) -> Pho
                     number=shown.number,
                 )
             )
-    if not due:
+    if not due and not plans:
         return None
     photo = shown.flat
     shot = Shot(photo.image, photo.homography, photo.lens, photo.curl)
-    places = {pole: _on_sheet(shot, photo.area, pole, at) for pole, at in clicked.items()}
+    places = {pole: _on_sheet(shot, photo.area, "--pole", pole, at) for pole, at in clicked.items()}
     dots = photo.image.shape[1] / (photo.area.right - photo.area.left)
-    found = read_plans(Flat(photo.image, photo.area, dots), due, places)
-    return Photographed(found, readings(found.points))
+    flat = Flat(photo.image, photo.area, dots)
+    found = read_plans(flat, due, places)
+    asked = (*poles, *own)
+    if not plans:
+        return _whole(shown.made, found, asked)
+    there = [_clicked(shown.made, shot, photo.area, one) for one in plans]
+    read = read_clicked(shown.made, flat, there, HANDS[hand])
+    both = PhotoPoints((*found.points, *read.found.points), (*found.missing, *read.found.missing))
+    return _whole(read.made, both, asked)._replace(
+        scene=read.made.scene, scales=read.scales, plans=read.plans
+    )
 
 
-def _on_sheet(shot: Shot, sheet: Box, pole: Pole, at: complex) -> complex:
-    """Return where on the sheet a pole was clicked, mm; raises SheetError if that is beside it."""
+def _whole(made: DrawnScene, found: PhotoPoints, asked: Iterable[Pole]) -> Photographed:
+    return Photographed(found, readings(found.points), sight=sight_of(found, points(made), asked))
+
+
+ALIKE = 2.5
+"""A point that is not sure is no other than it is due if it seems to be no farther off, mm."""
+
+
+def sight_of(found: PhotoPoints, due: Mapping[Name, complex], asked: Iterable[Pole]) -> Sight:
+    """Return how much was seen of the plans that were asked for; ``due``: their points, mm from the pole.
+
+    A plan is seen if half of its points are, and the others seem to be where they are due.
+    """
+    wanted = dict.fromkeys(asked)
+    by: dict[Pole, list[Point]] = {}
+    for one in found.points:
+        plan, _, position = one.name
+        by.setdefault((plan, position), []).append(one)
+    unseen: dict[str, list[str]] = {plan: [] for plan, _ in wanted}
+    for plan, position in wanted:
+        own = by.get((plan, position), [])
+        sure = [one for one in own if one.how == SEEN]
+        rest = (
+            one.how == SEEN or (one.how != UNSEEN and abs(one.spot - due[one.name]) < ALIKE)
+            for one in own
+        )
+        if 2 * len(sure) < len(own) or not own or not all(rest):
+            unseen[plan].append(position)
+    counts = Counter(plan for plan, _ in wanted)
+    known = sum((plan, position) in wanted for plan, _, position in due)
+    seen = sum(one.how == SEEN for one in found.points)
+    return Sight(
+        seen,
+        known,
+        tuple(PlanSight(plan, counts[plan], tuple(places)) for plan, places in unseen.items()),
+    )
+
+
+def _clicked(made: DrawnScene, shot: Shot, sheet: Box, one: ClickedPlan) -> ClickedPlan:
+    """Return a clicked plan where it stands on the sheet, mm."""
+    pole = one.plan, one.position
+    if one.plan not in FACTOR or not any((p, n) == pole for p, _, n in points(made)):
+        raise SheetError(
+            said(
+                "--plan: there is no plan {plan}, position {position}; plans of velocities and accelerations "
+                "can be clicked",
+                plan=one.plan,
+                position=one.position,
+            )
+        )
+    at, first = (
+        None if z is None else _on_sheet(shot, sheet, "--plan", pole, z)
+        for z in (one.pole, one.first)
+    )
+    assert at is not None
+    return one._replace(pole=at, first=first)
+
+
+def _on_sheet(shot: Shot, sheet: Box, option: str, pole: Pole, at: complex) -> complex:
+    """Return where on the sheet somebody clicked, mm; raises SheetError if that is beside it."""
     off = at - shot.lens.middle
     half = shot.lens.middle + complex(0.5, 0.5)
     if abs(off.real) <= half.real and abs(off.imag) <= half.imag:
@@ -110,8 +202,9 @@ def _on_sheet(shot: Shot, sheet: Box, pole: Pole, at: complex) -> complex:
     plan, position = pole
     raise SheetError(
         said(
-            "--pole {plan}:{position}: {x:g},{y:g} is not on the sheet in the photograph: give x and y in its "
-            "dots",
+            "{option} {plan}:{position}: {x:g},{y:g} is not on the sheet in the photograph: give x and y "
+            "in its dots",
+            option=option,
             plan=plan,
             position=position,
             x=at.real,
@@ -132,7 +225,7 @@ def judged(
 ) -> Report:
     """Return the report on what a photograph shows; its notes ask for what it does not."""
     report = check(
-        scene,
+        (seen.scene or scene).spoken_in(scene.language),
         seen.taken,
         hand=hand,
         points="photo",
@@ -141,7 +234,10 @@ def judged(
         given=given,
         source=source,
     )
-    return report._replace(notes=(*report.notes, *questions(seen.found, scene.language)))
+    asked = questions(seen.found, scene.language)
+    return report._replace(
+        notes=(*scale_notes(seen.scales, scene.language), *report.notes, *asked), sight=seen.sight
+    )
 
 
 def write_seen(file: str, seen: Photographed, language: str) -> tuple[Path, ...]:

@@ -7,6 +7,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.records import WRONG, Judged, Report
 from graphic_tmm.drawn import DrawnScene
@@ -16,9 +19,10 @@ from graphic_tmm.fitting.composition import Composition
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.compose.sheets import pack
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke, line
-from graphic_tmm.paper.formats import size_of
+from graphic_tmm.paper.formats import size_of, turned
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.packing import Room
+from graphic_tmm.paper.ruled import Box
 from graphic_tmm.paper.sheet_frame import drawing_area, frame
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 from graphic_tmm.paper.views import captioned
@@ -29,7 +33,11 @@ from graphic_tmm.studio import composed_sheets, make
 
 if TYPE_CHECKING:
     from graphic_tmm.checking.photo.flatten import Photo
+    from graphic_tmm.checking.photo.perspective import Corners
     from graphic_tmm.checking.photo.picture import Sent
+    from graphic_tmm.checking.photo.quadrilaterals import Ruled
+
+    Image = NDArray[np.uint8]
 
 
 FORMATS = ("A4", "A1")
@@ -135,12 +143,16 @@ def overlay(
 
 
 class Laid(NamedTuple):
-    """A photograph and the sheet that it shows, of a scene as drawn there; ``number``: of the sheet, from 1."""
+    """A photograph and the sheet that it shows, of a scene as drawn there; ``number``: of the sheet, from 1.
+
+    ``own_paper``: the student's paper is another one than our sheet: nothing of ours is looked for on it.
+    """
 
     made: DrawnScene
     sheet: Sheet
-    number: int
     flat: Photo
+    number: int
+    own_paper: bool = False
 
 
 def laid(
@@ -149,11 +161,13 @@ def laid(
     corners: str,
     number: int = 1,
     given: Composition | None = None,
+    paper: str = "",
 ) -> Laid:
     """Return a sheet's photograph, flattened to the sheet's true millimetres.
 
     ``corners``: of the frame as they were typed, "" to find it. ``number``: of the sheet, from 1. ``given``:
-    the composition of the sheets, if they have one.
+    the composition of the sheets, if they have one. ``paper``: the format of a student's own paper; then
+    corners are the paper's, and where no frame of ours is seen they are, too.
 
     Raises
     ------
@@ -161,7 +175,7 @@ def laid(
         If there is no such sheet, the corners are none, no frame is found, or the photograph cannot be
         flattened.
     """
-    from graphic_tmm.checking.photo.flatten import flatten
+    from graphic_tmm.checking.photo.picture import read_photo
     from graphic_tmm.checking.photo.quadrilaterals import ruled
 
     clicked = _corners(corners) if corners else None
@@ -176,10 +190,57 @@ def laid(
             )
         )
     sheet = drawn[number - 1]
+    image = read_photo(photo)
+    if paper:
+        return Laid(made, *_on_own_paper(sheet, image, clicked, paper), number, own_paper=True)
     lines = ruled(sheet, number == 1)
-    dots = min(math.floor(math.sqrt(DOTS / (sheet.width * sheet.height))), FINEST)
-    flat = flatten(photo, clicked or lines, lines.frame, area=lines.paper, dots_per_mm=float(dots))
-    return Laid(made, sheet, number, flat)
+    try:
+        flat = _flat(image, clicked or lines, lines.frame, lines.paper)
+    except SheetError:
+        if clicked:
+            raise
+        flat = _by_edges(image, lines.paper)
+    return Laid(made, sheet, flat, number)
+
+
+def _flat(image: Image, corners: Corners | Ruled, frame: Box, paper: Box) -> Photo:
+    from graphic_tmm.checking.photo.flatten import flatten
+
+    dots = min(math.floor(math.sqrt(DOTS / (paper.right * paper.top))), FINEST)
+    edges = frame == paper
+    return flatten(image, corners, frame, area=paper, dots_per_mm=float(dots), refined=not edges)
+
+
+def _by_edges(image: Image, paper: Box) -> Photo:
+    """Return a photograph flattened by the edges of the paper, which is said."""
+    from graphic_tmm.checking.photo.paper_edges import paper_found
+
+    corners = [(z.real, z.imag) for z in paper_found(image)]
+    flat = _flat(image, corners, paper, paper)
+    return flat._replace(warnings=(EDGES, *flat.warnings))
+
+
+EDGES = said(
+    "no frame of this sheet is seen: the edges of the paper were taken, as upright as it is in the photograph"
+)
+
+
+def _on_own_paper(
+    sheet: Sheet, image: Image, clicked: Corners | None, paper: str
+) -> tuple[Sheet, Photo]:
+    """Return a student's own paper, nothing on it, and its photograph; it stands or lies as it is seen."""
+    from graphic_tmm.checking.photo.paper_edges import paper_found
+
+    corners = paper_found(image, clicked)
+    sides = abs(np.roll(corners, -1) - corners)
+    wide, high = size_of(paper)
+    if (wide > high) != (sides[0] + sides[2] > sides[1] + sides[3]):
+        paper = turned(paper)
+    wide, high = size_of(paper)
+    box = Box(0.0, 0.0, wide, high)
+    flat = _flat(image, [(z.real, z.imag) for z in corners], box, box)
+    own = sheet._replace(format=paper, width=wide, height=high, drawings=())
+    return own, flat
 
 
 def underlay(shown: Laid, file: str, upon: Sequence[Drawing] = ()) -> tuple[Path, ...]:

@@ -194,11 +194,32 @@ class Whole(NamedTuple):
     of: int
 
 
+class PlanSight(NamedTuple):
+    """How many plans of a kind a photograph was to show, and at which positions it does not."""
+
+    plan: str
+    asked: int
+    unseen: tuple[str, ...]
+
+
+class Sight(NamedTuple):
+    """What a photograph showed: how many points of how many, and of which plans all is seen."""
+
+    points: int
+    of: int
+    plans: tuple[PlanSight, ...]
+
+    @property
+    def whole(self) -> bool:
+        """Whether every plan that was asked for was seen."""
+        return not any(one.unseen for one in self.plans)
+
+
 class Report(NamedTuple):
     """A check: the scene, the hand, every reading judged, the mistakes that would explain the wrong ones.
 
     ``lessons``: on the steps that readings or mistakes blame, in the order of the log. ``whole``: how far off
-    the drawing is as a whole, if it is.
+    the drawing is as a whole, if it is. ``sight``: what was seen of a photograph; None where readings were given.
     """
 
     scene: str
@@ -210,6 +231,7 @@ class Report(NamedTuple):
     notes: tuple[str, ...] = ()
     lessons: tuple[Lesson, ...] = ()
     whole: Whole | None = None
+    sight: Sight | None = None
 
     @property
     def wrong(self) -> int:

@@ -16,16 +16,23 @@ from graphic_tmm.commands.shared.judging import (
     report_form,
     report_on,
 )
-from graphic_tmm.commands.shared.options import SceneName, read_scene
+from graphic_tmm.commands.shared.options import SceneName, language_of, read_scene
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import tell, waiting
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from graphic_tmm.checking.own_sheet.clicked import ClickedPlan
     from graphic_tmm.checking.pencil.reading import Pole
     from graphic_tmm.checking.pictures import Laid
     from graphic_tmm.checking.records import Report
     from graphic_tmm.scene.records import Scene
+
+
+PAPERS = ("A4", "A3", "A2", "A1", "A0")
+"""Formats of paper that somebody's own sheet may have; it is seen whether it stands or lies."""
 
 
 @click.command(cls=Command)
@@ -56,6 +63,24 @@ if TYPE_CHECKING:
     ),
 )
 @click.option(
+    "--plan",
+    "plans",
+    multiple=True,
+    help=said(
+        "A plan on a sheet of one's own composition: where its pole p and the end of its first vector, a, "
+        "are in the photograph: velocities:3=x,y,x,y (dots); of further plans of a kind p is enough. The "
+        "student's own scale factor and turn are told by these."
+    ),
+)
+@click.option(
+    "--paper",
+    type=click.Choice(PAPERS),
+    help=said(
+        "The format of one's own paper, with any frame or none: --corners are then those of the paper, and its "
+        "edges are looked for, no frame."
+    ),
+)
+@click.option(
     "--readings-out",
     help=said("CSV file for the points seen in the photograph, to be corrected and checked."),
 )
@@ -75,35 +100,41 @@ def photo(
     sheet: int,
     corners: str,
     poles: tuple[str, ...],
+    plans: tuple[str, ...],
+    paper: str | None,
     readings_out: str | None,
     overlay: str,
     output: str | None,
     by: JudgedBy,
     form: str | None,
 ) -> None:
-    """Lay PHOTO of a hand-made sheet of SCENE under it; judge its points, or READINGS; status 1: some wrong."""
+    """Lay PHOTO of a drawn sheet of SCENE under it; judge it or READINGS; status 1: wrong, 3: not all seen."""
+    from graphic_tmm.checking.own_sheet.clicked import plans_of
     from graphic_tmm.checking.photographed import poles_of
     from graphic_tmm.checking.pictures import drawing_file, laid, other_place, underlay
+    from graphic_tmm.scene.packaged import scene_path
 
-    if readings is not None and (poles or readings_out is not None):
+    if readings is not None and (poles or plans or readings_out is not None):
         raise click.UsageError(
             said(
-                "--pole and --readings-out are for points seen in the photograph: leave out READINGS"
+                "--pole, --plan and --readings-out are for points seen in the photograph: leave out READINGS"
             )
         )
     refuse(scene, readings, output)
     of = read_scene(scene, lettered=True)
+    # the form on the sheet is the scene's, in whatever language the report is wanted
+    drawn = of.spoken_in(language_of(scene_path(scene)))
     other_place(readings_out, drawing_file(overlay))
-    clicked = poles_of(poles)
+    clicked, own = poles_of(poles), plans_of(plans)
     with waiting(said("drawing the plans")):
-        shown = laid(of, photo, corners, sheet, composition_of(of))
+        shown = laid(drawn, photo, corners, sheet, composition_of(of), paper or "")
     for warning in shown.flat.warnings:
         tell(said("warning: {text}", text=warning))
     if readings is not None:
         report: Report | None = report_on(of, readings, by)
         written = underlay(shown, overlay)
     else:
-        report, written = _seen(of, shown, clicked, by, readings_out or "", photo, overlay)
+        report, written = _seen(of, shown, (clicked, own), by, readings_out or "", photo, overlay)
     for path in written:
         click.echo(str(path), err=report is not None)  # a report has the other stream to itself
     if report is not None:
@@ -113,7 +144,7 @@ def photo(
 def _seen(
     scene: Scene,
     shown: Laid,
-    clicked: dict[Pole, complex],
+    clicked: tuple[dict[Pole, complex], Sequence[ClickedPlan]],
     by: JudgedBy,
     readings_out: str,
     photo: str,
@@ -125,7 +156,8 @@ def _seen(
     from graphic_tmm.checking.pictures import underlay
 
     with waiting(said("following the lines in the photograph")):
-        seen = photographed(shown, clicked, by.hand)
+        poles, plans = clicked
+        seen = photographed(shown, poles, by.hand, plans)
     if seen is None:
         if readings_out:
             without = said("no plan on this sheet: no file for --readings-out")
@@ -143,4 +175,4 @@ def _seen(
         )
     points = points_drawing(seen, report, shown.sheet)
     files = write_seen(readings_out, seen, scene.language) if readings_out else ()
-    return report, (*underlay(shown, overlay, (points,)), *files)
+    return report, (*underlay(shown, overlay, (*seen.plans, points)), *files)

@@ -7,11 +7,19 @@ from pathlib import Path
 import pytest
 from support.command import invoke
 
-from graphic_tmm.checking.pencil.points import SEEN
+from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE
 from graphic_tmm.checking.pencil.reading import PhotoPoints, Point, readings
-from graphic_tmm.checking.photographed import Photographed, points_drawing, poles_of, write_seen
+from graphic_tmm.checking.photographed import (
+    Photographed,
+    points_drawing,
+    poles_of,
+    sight_of,
+    write_seen,
+)
 from graphic_tmm.checking.readings.read import read_readings
-from graphic_tmm.checking.records import FINE, Judged, Report
+from graphic_tmm.checking.records import FINE, Judged, PlanSight, Report, Sight, Taken
+from graphic_tmm.checking.report.findings import headline
+from graphic_tmm.commands.shared.judging import end_with
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Drawing, Label, Sheet
 from graphic_tmm.paper.shapes import box
@@ -118,3 +126,71 @@ def test_a_sheet_without_plans_has_no_file_of_points(photo: tuple[object, ...]) 
     done = invoke("check", "slider-diagrams", *photo, "--sheet", 2, "--readings-out", "r.csv")
     assert (done.exit_code, Path("r.csv").exists()) == (0, False), done.output
     assert "warning: no plan on this sheet: no file for --readings-out" in done.stderr
+
+
+def seen_plans(*hows: str, off: float = 0.0) -> PhotoPoints:
+    """Points of a velocity plan at positions 1, 2, …: a and b of each, b as told and so far from its due."""
+    rows = [
+        (("velocities", letter, str(n)), z, how)
+        for n, told in enumerate(hows, 1)
+        for letter, z, how in (("a", 30j, SEEN), ("b", 20 + off + 0j, told))
+    ]
+    return PhotoPoints(tuple(Point(name, z, z, how, z) for name, z, how in rows), ())
+
+
+DUE = {("velocities", letter, n): z for n in "123" for letter, z in (("a", 30j), ("b", 20 + 0j))}
+ASKED = [("velocities", n) for n in "123"]
+
+
+@pytest.mark.parametrize(
+    ("how", "off", "unseen"),
+    [
+        (SEEN, 0.0, ("3",)),
+        (SEEN, 9.0, ("3",)),
+        (UNSURE, 1.0, ("3",)),
+        (UNSURE, 9.0, ("1", "2", "3")),
+        (UNSEEN, 0.0, ("1", "2", "3")),
+    ],
+)
+def test_a_plan_is_seen_if_no_point_of_it_may_be_elsewhere(
+    how: str, off: float, unseen: tuple[str, ...]
+) -> None:
+    sight = sight_of(seen_plans(how, how, off=off), DUE, ASKED)
+    assert sight.plans == (PlanSight("velocities", 3, unseen),)
+    assert (sight.points, sight.of) == (4 if how == SEEN else 2, 6)
+    assert not sight.whole
+
+
+def test_all_is_seen_where_every_plan_is() -> None:
+    assert sight_of(seen_plans(SEEN, SEEN, UNSURE), DUE, ASKED).whole
+
+
+def test_nothing_wrong_is_never_said_with_a_plan_unseen() -> None:
+    fine = Judged(Taken("velocities", "1", "a", x=0.0, y=30.0), 0.0, 0.0, 0.0, 0.0, 0.5, FINE)
+    plans = (PlanSight("velocities", 8, ()), PlanSight("accelerations", 3, ("1", "3", "5")))
+    report = Report("s", "", "en", "student", (fine,), (), sight=Sight(34, 60, plans))
+    assert headline(report) == (
+        "What was seen is right as far as it goes, but not every plan was seen. Seen: 34 of 60 points. "
+        "Velocity plan: 8 of 8; Acceleration plan: 0 of 3, nothing is said about them."
+    )
+    with pytest.raises(SystemExit) as ended:
+        end_with(report, "json", None)
+    assert ended.value.code == 3
+    whole = report._replace(sight=Sight(34, 34, plans[:1]))
+    assert headline(whole).startswith("Nothing is wrong")
+    end_with(whole, "json", None)
+
+
+@pytest.mark.turns(1)
+@pytest.mark.parametrize("plan", ["positions:1=50,50", "velocities:99=50,50", "forces:1=50,50"])
+def test_a_plan_that_cannot_be_clicked_is_refused(photo: tuple[object, ...], plan: str) -> None:
+    done = invoke("check", "crank-rocker", *photo, "--sheet", 2, "--plan", plan)
+    assert (done.exit_code, done.stdout) == (2, ""), done.output
+    assert "--plan: there is no plan" in done.stderr
+
+
+def test_a_clicked_plan_that_is_not_drawn_is_said_to_be_unseen(photo: tuple[object, ...]) -> None:
+    plan = ("--plan", "velocities:1=100,150,140,120", "--paper", "A4")
+    done = invoke("check", "crank-rocker", *photo, *plan)
+    assert done.exit_code == 3, done.output
+    assert "Velocity plan: 0 of 1, nothing is said about them" in done.stdout

@@ -34,6 +34,9 @@ FAINTEST = 0.06
 NEAR = 0.75
 """Pencil near a place is at most twice as far away, mm."""
 
+THICKNESS = 1.6
+"""A line of pencil lies in so many steps of `NEAR` across it: 0.75 of one and the edges."""
+
 ROWS = 128
 """So many rows of a picture are looked at, at a time: they stay near the processor."""
 
@@ -69,25 +72,43 @@ class Flat:
         return self.dark[y, x]
 
     @cached_property
-    def _blunt(self) -> NDArray[np.uint8]:
-        """Where there is pencil within `NEAR`, in steps as wide: 0 or 255."""
+    def _coarse(self) -> NDArray[np.uint8]:
+        """Where there is pencil, in steps as wide as `NEAR`: 0 or 1."""
         step = max(round(NEAR * self.dots), 1)
         rows, columns = (-(-count // step) for count in self.dark.shape)
         padded = np.zeros((rows * step, columns * step), dtype=bool)
         padded[: self.dark.shape[0], : self.dark.shape[1]] = self.dark > self.level
-        found: NDArray[np.uint8] = np.asarray(
+        return np.asarray(
             padded.reshape(rows, step, columns, step).any(axis=(1, 3)), dtype=np.uint8
         )
-        return np.asarray(_spread(found, 1, np.maximum), dtype=np.uint8)
+
+    @cached_property
+    def _blunt(self) -> NDArray[np.uint8]:
+        """Where there is pencil within `NEAR`, in steps as wide: 0 or 1."""
+        return np.asarray(_spread(self._coarse, 1, np.maximum), dtype=np.uint8)
 
     def near(self, places: Complexes) -> Greys:
         """Return whether there is pencil near places of the sheet (mm, any shape): 0 or 1."""
+        return self._blunt[self._steps(places)].astype(np.float32)
+
+    def strokes(self, places: Complexes) -> float:
+        """Return how much pencil there is beside places of the sheet (mm), each stroke once, about in mm."""
+        y, x = self._steps(places)
+        rows, columns = self._coarse.shape
+        beside = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
+        around = [
+            np.clip(y + i, 0, rows - 1) * np.int64(columns) + np.clip(x + j, 0, columns - 1)
+            for i, j in beside
+        ]
+        once = np.unique(np.concatenate(around))
+        return float(self._coarse.ravel()[once].sum()) * NEAR / THICKNESS
+
+    def _steps(self, places: Complexes) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
         step = max(round(NEAR * self.dots), 1)
-        rows, columns = self._blunt.shape
+        rows, columns = self._coarse.shape
         x = ((places.real - self.area.left) * self.dots / step).astype(np.int32)
         y = ((self.area.top - places.imag) * self.dots / step).astype(np.int32)
-        found = self._blunt[np.clip(y, 0, rows - 1), np.clip(x, 0, columns - 1)]
-        return found.astype(np.float32)
+        return np.clip(y, 0, rows - 1), np.clip(x, 0, columns - 1)
 
     def darkness(self, places: Complexes) -> Greys:
         """Return the darkness at places (mm, any shape), linear between the four dots about each."""

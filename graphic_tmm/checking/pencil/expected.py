@@ -54,11 +54,12 @@ class ExpectedPlace(NamedTuple):
 
 
 class ExpectedLine(NamedTuple):
-    """A straight line of a view, mm on the sheet, and the places (indices) on it."""
+    """A straight line of a view, mm on the sheet; the places (indices) on it, the steps (slots) of it."""
 
     start: complex
     end: complex
     places: tuple[int, ...]
+    of: frozenset[int] = frozenset()
 
     @property
     def length(self) -> float:
@@ -85,7 +86,8 @@ class View(NamedTuple):
 
     ``ink``: by place the straight pieces, (pieces, 2), of the signs there: lines that end, heads, rings, nicks.
     ``of``: by place the position (index) that it belongs to, None for all. ``astray``: how far drawings of a
-    hand have each place from where it should be, (drawings, places), mm.
+    hand have each place from where it should be, (drawings, places), mm. ``marks``: what each place is in the
+    log, and its position there (index); None for a pole. ``turn``: by which the student turned the plan.
     """
 
     name: str
@@ -95,11 +97,28 @@ class View(NamedTuple):
     ink: tuple[Complexes, ...]
     of: tuple[int | None, ...]
     astray: Complexes
+    marks: tuple[tuple[Mark, int] | None, ...] = ()
+    turn: complex = 1.0
+
+    def turned(self, by: complex) -> View:
+        """Return the view turned about 0, of size 1."""
+        return self._replace(
+            places=tuple(one._replace(at=by * one.at) for one in self.places),
+            lines=tuple(one._replace(start=by * one.start, end=by * one.end) for one in self.lines),
+            ink=tuple(by * one for one in self.ink),
+            astray=by * self.astray,
+            turn=by * self.turn,
+        )
 
     @property
     def at(self) -> Complexes:
         """Where its places should stand, mm on the sheet."""
         return np.array([place.at for place in self.places], dtype=np.complex128)
+
+    @property
+    def ends(self) -> Complexes:
+        """Where its lines begin and end, (2, lines), mm."""
+        return np.array([[one.start for one in self.lines], [one.end for one in self.lines]])
 
     @property
     def fan(self) -> bool:
@@ -117,25 +136,30 @@ def views(made: DrawnScene, sheet: Sheet, hand: Hand) -> tuple[View, ...]:
     work, plans = made.mechanism, pointed()
     if work is None:
         return ()
-    log = work.construction
-    points = [mark for plan in plans for mark in _points(work, plan)]
-    drawn = execute(log, work.given, points, hand=hand._replace(trials=DRAWINGS))
+    drawn = scatter_of(work, hand)
     found = []
     for drawing in sheet.drawings:
         shown = [plan for plan in drawing.shows if plan in plans]
         if shown:
-            found.append(_view(Stood(work, drawing, shown), drawing, drawn))
+            found.append(view_of(Stood(work, drawing, shown), drawing, drawn))
     return tuple(found)
 
 
-def _view(stood: Stood, drawing: Drawing, drawn: Reading) -> View:
+def scatter_of(work: Drawn, hand: Hand) -> Reading:
+    """Return the points of the plans of a board as a hand draws them again and again."""
+    points = [mark for plan in pointed() for mark in _points(work, plan)]
+    return execute(work.construction, work.given, points, hand=hand._replace(trials=DRAWINGS))
+
+
+def view_of(stood: Stood, drawing: Drawing, drawn: Reading) -> View:
+    """Return what a drawing of plans should show; ``drawn``: how a hand scatters its points."""
     spots = np.array([place.at for place in stood.places], dtype=np.complex128)
     lines = []
     for k in dict.fromkeys(stroke.position for stroke in drawing.strokes):
         segments = list(_segments(drawing, k))
         for start, end, slots in _merged(segments):
             near = stood.on(slots, k)
-            lines.append(_through(spots, near, start, end))
+            lines.append(_through(spots, near, start, end)._replace(of=slots or frozenset()))
     return View(
         drawing.name,
         tuple(stood.places),
@@ -144,6 +168,7 @@ def _view(stood: Stood, drawing: Drawing, drawn: Reading) -> View:
         tuple(_signs(drawing, spots[n], stood.at[n]) for n in range(len(spots))),
         tuple(stood.at),
         stood.astray(drawn),
+        tuple(one and one[:2] for one in stood.marks),
     )
 
 
@@ -158,7 +183,7 @@ class Stood:
         self.at: list[int | None] = []
         self.poles: dict[tuple[str, str], int] = {}
         self.by_slot: dict[int, dict[int | None, int]] = {}
-        self._marks: list[tuple[Mark, int, complex] | None] = []
+        self.marks: list[tuple[Mark, int, complex] | None] = []
         self.steps = {step.it.slot: step for step in work.construction.steps}
         self.users: dict[int, list[int]] = {}
         for step in work.construction.steps:
@@ -209,13 +234,13 @@ class Stood:
     ) -> int:
         self.places.append(place)
         self.at.append(k)
-        self._marks.append(mark)
+        self.marks.append(mark)
         return len(self.places) - 1
 
     def astray(self, drawn: Reading) -> Complexes:
         """Return how far drawings have each place from its due, (drawings, places), mm; 0 for none."""
         found = np.zeros((DRAWINGS, len(self.places)), dtype=np.complex128)
-        for n, one in enumerate(self._marks):
+        for n, one in enumerate(self.marks):
             if one is not None and one[0] in drawn:
                 mark, k, spot = one
                 value = drawn[mark]

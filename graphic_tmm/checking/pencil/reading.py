@@ -172,7 +172,7 @@ def read_plans(flat: Flat, views: Sequence[View], clicked: Mapping[Pole, complex
         if cover < THERE:
             missing += view.poles
             continue
-        points += _points_of(view, seen(flat, view, shift, followed(flat, view, shift)), shift)
+        points += points_of(view, seen(flat, view, shift, followed(flat, view, shift)), shift)
     return PhotoPoints(tuple(points), tuple(missing))
 
 
@@ -193,7 +193,7 @@ def followed(flat: Flat, view: View, shift: complex) -> list[tuple[Track, ...]]:
     ]
 
 
-def _points_of(view: View, found: Sequence[Spot], shift: complex) -> Iterator[Point]:
+def points_of(view: View, found: Sequence[Spot], shift: complex) -> Iterator[Point]:
     """Yield the points of a view, each from the pole of its plan; of none more is known than of its pole."""
     for k, place in enumerate(view.places):
         for name in place.names:

@@ -74,7 +74,7 @@ class Photo(NamedTuple):
 
 
 def flatten(
-    photo: str | Path | Sent,
+    photo: str | Path | Sent | NDArray[np.uint8],
     corners: Corners | Ruled,
     frame: tuple[float, float, float, float],
     *,
@@ -82,7 +82,7 @@ def flatten(
     area: tuple[float, float, float, float] | None = None,
     refined: bool = True,
 ) -> Photo:
-    """Return the photograph in a file, or one that was sent, without its perspective.
+    """Return the photograph in a file, one that was sent or that was read, without its perspective.
 
     ``corners`` (4, 2): where the frame's corners are seen, x and y in pixels from the centre of the
     first, y downward, in any order, the photograph upright as a viewer shows it; or what is ruled on the sheet:
@@ -103,7 +103,7 @@ def flatten(
     whole, rows, columns = _raster(wanted, dots_per_mm)
     known = isinstance(corners, Ruled)
     clicked = vertices(box) if isinstance(corners, Ruled) else ordered(corners)
-    image = read_photo(photo)
+    image = photo if isinstance(photo, np.ndarray) else read_photo(photo)
     found: Lines | None = None
     if isinstance(corners, Ruled):
         found = frame_found(image, corners).lines

@@ -17,6 +17,7 @@ from graphic_tmm.checking.records import (
     Likely,
     PlanPicture,
     Report,
+    Sight,
 )
 from graphic_tmm.checking.report.rows import (
     LEGEND,
@@ -52,6 +53,12 @@ RAREST = 0.1
 
 def headline(report: Report) -> str:
     """Return what matters, in one sentence."""
+    if report.sight is None:
+        return _verdict(report)
+    return f"{_verdict(report)} {_seen(report.sight, report.language)}"
+
+
+def _verdict(report: Report) -> str:
     words = WORDS[report.language]
     if not report.readings:
         return words["none"]
@@ -59,8 +66,28 @@ def headline(report: Report) -> str:
         return finding(report.mistakes[0], report.language)
     if report.wrong:
         return _begin(report)
+    if report.sight is not None and not report.sight.whole:
+        return words["seen right"]
     doubtful = any(one.verdict == DOUBTFUL for one in report.readings)
     return words["look again" if doubtful else "all right"]
+
+
+def _seen(sight: Sight, language: str) -> str:
+    """Return what a photograph showed: of how many points how many, of which plans nothing is said."""
+    words = WORDS[language]
+    plans = []
+    for one in sight.plans:
+        seen = one.asked - len(one.unseen)
+        told = words["plans seen"].format(
+            name=view_name(one.plan, language), seen=seen, of=one.asked
+        )
+        if not seen:
+            told += words["nothing said"]
+        elif one.unseen:
+            told += words["not whole"].format(positions=", ".join(one.unseen))
+        plans.append(told)
+    counted = words["points seen"].format(points=sight.points, of=sight.of)
+    return f"{counted} {'; '.join(plans)}."
 
 
 def summary(report: Report) -> str:

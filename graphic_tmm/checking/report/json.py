@@ -7,7 +7,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from graphic_tmm.checking.records import Judged, Lesson, Likely, Report
+from graphic_tmm.checking.records import Judged, Lesson, Likely, Report, Sight
 from graphic_tmm.checking.report.findings import explained, unexplained
 from graphic_tmm.checking.report.rows import counts
 
@@ -29,6 +29,8 @@ def json_report(report: Report) -> str:
     head = {"scene": report.scene, "title": report.title, "hand": report.hand}
     lines = [f" {_key(key)}: {_dumped(text)}," for key, text in head.items()]
     lines.append(f' "counts": {_dumped(counts(report))},')
+    if report.sight is not None:
+        lines.append(f' "seen": {_dumped(_sight(report.sight))},')
     lines += _rows("readings", [_reading(one) for one in report.readings])
     lines += _rows("mistakes", [_mistake(report, one) for one in report.mistakes])
     lines += _rows("lessons", [_lesson(one) for one in report.lessons])
@@ -42,6 +44,13 @@ def tidy(value: float | None) -> float | None:
     if value is None or not math.isfinite(value):
         return None
     return float(f"{value:.12g}") + 0.0
+
+
+def _sight(sight: Sight) -> dict[str, Any]:
+    plans = [
+        {"plan": one.plan, "asked": one.asked, "unseen": list(one.unseen)} for one in sight.plans
+    ]
+    return {"points": sight.points, "of": sight.of, "plans": plans}
 
 
 def _reading(one: Judged) -> dict[str, Any]:

@@ -39,6 +39,11 @@ TEXTS: dict[str, str] = {
         "Nothing is wrong: every reading agrees with the exact drawing as well as a hand can draw."
     ),
     "look again": said("Nothing is wrong, but look once more at what is doubtful."),
+    "seen right": said("What was seen is right as far as it goes, but not every plan was seen."),
+    "points seen": said("Seen: {points} of {of} points."),
+    "plans seen": said("{name}: {seen} of {of}"),
+    "nothing said": said(", nothing is said about them"),
+    "not whole": said(" (not wholly: {positions})"),
     "mistake": said("Most likely: {says}."),
     "perhaps": said("Perhaps, but the readings do not say it for sure: {says}."),
     "alike": said("One of these, and the readings do not tell which: {says}."),

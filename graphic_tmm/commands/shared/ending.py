@@ -22,9 +22,10 @@ from graphic_tmm.commands.shared.telling import tell
 from graphic_tmm.language.reader import reader, reading
 from graphic_tmm.language.said import said
 
-FINE, WRONG, BAD, FAULT, BROKEN_OFF, NO_READER = 0, 1, 2, 70, 130, 141
-"""Exit statuses: success; a check found something; bad input; a fault of the program; Ctrl-C; the reader of the
-output is gone (the last two as shells report SIGINT and SIGPIPE)."""
+FINE, WRONG, BAD, NOT_SEEN, FAULT, BROKEN_OFF, NO_READER = 0, 1, 2, 3, 70, 130, 141
+"""Exit statuses: success; a check found something; bad input; a photograph does not show all that was asked
+for; a fault of the program; Ctrl-C; the reader of the output is gone (the last two as shells report SIGINT and
+SIGPIPE)."""
 
 SELDOM = 100_000
 """Threshold of the garbage collector while a command runs: allocations minus deallocations."""

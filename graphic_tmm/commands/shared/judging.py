@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from graphic_tmm.commands.shared.ending import WRONG
+from graphic_tmm.commands.shared.ending import NOT_SEEN, WRONG
 from graphic_tmm.commands.shared.options import Finite, form_of
 from graphic_tmm.commands.shared.telling import show, waiting
 from graphic_tmm.language.said import said
@@ -138,10 +138,12 @@ def refuse(scene: str, readings: str | None, output: str | None) -> None:
 
 
 def end_with(report: Report, form: str | None, output: str | None) -> None:
-    """Print a report or write it into a file; the status is 1 if something is wrong."""
+    """Print a report or write it into a file; the status is 1 if something is wrong, 3 if not all was seen."""
     show(_text(report, form_of(form, output, FORMS)), 160, output)
     if report.wrong:
         raise SystemExit(WRONG)
+    if report.sight is not None and not report.sight.whole:
+        raise SystemExit(NOT_SEEN)
 
 
 def _text(report: Report, form: str) -> str | list[Any]:

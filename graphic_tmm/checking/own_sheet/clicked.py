@@ -1,0 +1,183 @@
+"""A student's own sheet: which plans somebody clicked, his scale factors and turns by them, his scene."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.checking.cells import points
+from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.errors import SheetError
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import number
+from graphic_tmm.language.said import said
+from graphic_tmm.scene.captions import view_name
+from graphic_tmm.scene.drawing import Scales
+from graphic_tmm.scene.records import Scene
+
+FACTOR: Mapping[str, Callable[[Scales, float], Scales]] = {
+    "velocities": lambda scales, mu: replace(scales, mu_v=mu, pa=None, mu_v_is_mu_l_omega=False),
+    "accelerations": lambda scales, mu: replace(scales, mu_a=mu, pi_a=None),
+}
+"""How the scale factor of a plan that can be clicked is fixed in a scene."""
+SLIP = 0.5
+"""A first vector is laid off, seen or clicked to so much, mm (one standard deviation)."""
+LEAST, MOST = 0.004, 0.03
+"""A scale factor is known no better, as a share, and no worse."""
+ROUND = (1.0, 1.2, 1.25, 1.5, 1.6, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
+"""Scale factors that people take, times a power of ten."""
+DEVIATIONS = 2.2
+"""One that is no farther from the scene's, or else from a round one, is that."""
+QUARTER = 12.0
+"""Degrees: a plan is turned by a quarter if its first vectors are no farther from there."""
+SHORTEST = 8.0
+"""A shorter first vector tells no scale factor, mm."""
+
+
+class ClickedPlan(NamedTuple):
+    """A plan that somebody clicked: where its pole is, and the end of its first vector (None: not clicked)."""
+
+    plan: str
+    position: str
+    pole: complex
+    first: complex | None = None
+
+
+class OwnScale(NamedTuple):
+    """A student's own scale factor, SI per mm, beside the scene's; by what his plans may be turned."""
+
+    plan: str
+    mu: float
+    due: float
+    unit: str
+    turns: tuple[complex, ...] = (1.0 + 0j,)
+
+    @property
+    def another(self) -> bool:
+        """Whether it is not the scene's."""
+        return self.mu != self.due
+
+
+def plans_of(given: Iterable[str]) -> tuple[ClickedPlan, ...]:
+    """Return the plans that somebody clicked, px of the photograph.
+
+    Raises
+    ------
+    SheetError
+        If one is not written as ``velocities:3=1200,840,1420,610`` or ``velocities:3=1200,840``.
+    """
+    found = []
+    for text in given:
+        name, _, places = text.rpartition("=")
+        plan, _, position = name.partition(":")
+        try:
+            at = [float(part) for part in places.split(",")]
+        except ValueError:
+            at = []
+        if not (plan and position and len(at) in (2, 4) and all(map(math.isfinite, at))):
+            raise SheetError(
+                said(
+                    "--plan: write plan, position and where its pole p and the end of its first vector, a, are "
+                    'in the photograph, "velocities:3=1200,840,1420,610"; of further ones p alone will do'
+                )
+            )
+        first = complex(*at[2:]) if len(at) > 2 else None
+        found.append(ClickedPlan(plan, position, complex(*at[:2]), first))
+    return tuple(found)
+
+
+def own_scales(made: DrawnScene, clicked: Sequence[ClickedPlan]) -> dict[str, OwnScale]:
+    """Return the scale factors that plans were drawn with, by plan; ``clicked``: mm on the sheet.
+
+    All plans of a kind share one: the median of what their first vectors say.
+    """
+    return {
+        plan: _scale(made, plan, clicked) for plan in dict.fromkeys(one.plan for one in clicked)
+    }
+
+
+def _scale(made: DrawnScene, plan: str, clicked: Sequence[ClickedPlan]) -> OwnScale:
+    assert made.mechanism is not None
+    scale = made.mechanism.scales[plan]
+    due = points(made)
+    letter = first_letter(made, plan)
+    ratios, firsts = [], []
+    for one in clicked:
+        at = due.get((plan, letter, one.position))
+        if one.plan != plan or one.first is None or not at:
+            continue
+        if abs(one.first - one.pole) >= SHORTEST:
+            firsts.append(one.first - one.pole)
+            ratios.append(firsts[-1] / at)
+    if not ratios:
+        return OwnScale(plan, scale.value, scale.value, scale.unit)
+    times = float(np.median(np.abs(ratios)))
+    long = float(np.median([abs(one) for one in firsts])) * len(firsts) ** 0.5
+    near = min(max(DEVIATIONS * SLIP / long, LEAST), MOST)
+    mu = scale.value if abs(math.log(times)) < near else _rounded(scale.value / times, near)
+    return OwnScale(plan, mu, scale.value, scale.unit, _turns(ratios))
+
+
+def first_letter(made: DrawnScene, plan: str) -> str:
+    """Return the letter of the point with which a plan begins: of what the crank's pin has there."""
+    assert made.mechanism is not None
+    known = {key[:2] for key in points(made)}
+    steps = made.mechanism.construction.steps
+    return next(
+        (step.it.key[1] for step in steps if step.it.view == plan and step.it.key in known), ""
+    )
+
+
+def _turns(ratios: Sequence[complex]) -> tuple[complex, ...]:
+    """Return by what plans may be turned: not at all, or by a quarter if their first vectors are.
+
+    Half a turn is none: whoever draws a first vector the wrong way round turns no plan.
+    """
+    way = sum(ratio / abs(ratio) for ratio in ratios)
+    for turn in (1j, -1j):
+        if abs(np.degrees(np.angle(way / turn))) < QUARTER:
+            return (1.0 + 0j, turn)
+    return (1.0 + 0j,)
+
+
+def _rounded(mu: float, near: float) -> float:
+    """Return a scale factor as people take it, if there is one so ``near``, as a share."""
+    power = 10.0 ** math.floor(math.log10(mu))
+    nearest = min(ROUND, key=lambda one: abs(math.log(mu / power / one)))
+    if abs(math.log(mu / power / nearest)) < near:
+        return float(f"{nearest * power:.6g}")
+    return float(f"{mu:.4g}")
+
+
+def scene_in(scene: Scene, scales: Mapping[str, OwnScale]) -> Scene:
+    """Return a scene that is drawn with a student's own scale factors."""
+    changed = scene.scales
+    for plan, scale in scales.items():
+        if scale.another:
+            changed = FACTOR[plan](changed, scale.mu)
+    return scene if changed is scene.scales else replace(scene, scales=changed)
+
+
+JUDGED_BY = said(
+    "{name}: judged by the student's own scale factor, {mu} {unit} (the scene's is {due}), as the clicked "
+    "plans show it"
+)
+TURNED = said("{name}: drawn turned by {turn}°")
+
+
+def scale_notes(scales: Iterable[OwnScale], language: str) -> tuple[str, ...]:
+    """Return what is said of a student's own scale factors and turns, as they were found."""
+    speech, told = speaking(language), []
+    for one in scales:
+        name = view_name(one.plan, language)
+        if one.another:
+            mu, due = (number(value, language) for value in (one.mu, one.due))
+            told.append(speech(JUDGED_BY, name=name, mu=mu, due=due, unit=one.unit))
+        turn = round(math.degrees(np.angle(one.turns[0])))
+        if turn:
+            told.append(speech(TURNED, name=name, turn=turn))
+    return tuple(told)

@@ -1,0 +1,162 @@
+"""Plans of a student's own sheet, wherever he put them: read as drawn about a pole that was clicked."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.hand import Hand
+from graphic_tmm.board.values import Complexes
+from graphic_tmm.checking.own_sheet.alternatives import Alternatives, agreement, moved
+from graphic_tmm.checking.own_sheet.clicked import (
+    ClickedPlan,
+    OwnScale,
+    first_letter,
+    own_scales,
+    scene_in,
+)
+from graphic_tmm.checking.own_sheet.open_ends import with_open_ends
+from graphic_tmm.checking.pencil.darkness import Flat
+from graphic_tmm.checking.pencil.expected import View
+from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, Spot
+from graphic_tmm.checking.pencil.reading import (
+    THERE,
+    PhotoPoints,
+    Point,
+    followed,
+    placed,
+    points_of,
+    seen,
+)
+from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.studio import make
+
+CLICKED = 1.5
+"""A pole is clicked so near, mm."""
+MORE = 6.0
+"""A mistake is read if the pencil agrees with so much more of it than of what is due, mm."""
+DRAWN = 0.93
+"""If so much of the lines of a plan as it is due is pencil, nothing else was drawn."""
+
+
+class OwnPlan(NamedTuple):
+    """A plan as it was read: its view, where its places stand, the share of its lines on pencil."""
+
+    view: View
+    spots: tuple[Spot, ...]
+    shift: complex
+    covered: float
+    worth: float
+
+    @property
+    def points(self) -> tuple[Point, ...]:
+        """Its points, from its pole as the student turned the plan."""
+        turn = self.view.turn
+        return tuple(
+            one._replace(spot=one.spot / turn)
+            for one in points_of(self.view, self.spots, self.shift)
+        )
+
+
+class OwnPlans(NamedTuple):
+    """Clicked plans as they were read: the scene in the student's scale factors, these with their one turn.
+
+    ``plans``: as they are due, where they stand.
+    """
+
+    made: DrawnScene
+    found: PhotoPoints
+    scales: tuple[OwnScale, ...]
+    plans: tuple[Drawing, ...]
+
+
+def read_clicked(
+    made: DrawnScene, flat: Flat, clicked: Sequence[ClickedPlan], hand: Hand
+) -> OwnPlans:
+    """Return what a sheet shows of plans that somebody clicked, mm on the sheet."""
+    scales = own_scales(made, clicked)
+    drawing = _Drawing(made, scales, hand)
+    read = drawing.read(flat, clicked)
+    # all plans together tell a scale factor better than the clicks of one
+    seen = [_as_seen(one, read[one], first_letter(made, one.plan)) for one in clicked]
+    better = own_scales(made, seen)
+    if any(abs(better[plan].mu / scales[plan].mu - 1) > FINER for plan in scales):
+        scales = {plan: one._replace(turns=scales[plan].turns) for plan, one in better.items()}
+        drawing = _Drawing(made, scales, hand)
+        read = drawing.read(flat, clicked)
+    turned = {one.plan: read[one].view.turn for one in clicked}
+    told = tuple(one._replace(turns=(turned[plan],)) for plan, one in scales.items())
+    there = [one for one in clicked if read[one].covered >= THERE]
+    points = tuple(point for one in there for point in read[one].points)
+    missing = tuple((one.plan, one.position) for one in clicked if one not in there)
+    shown = tuple(
+        drawing.others.drawing(one.plan, one.position).moved(one.pole)
+        for one in clicked
+        if turned[one.plan] == 1.0
+    )
+    return OwnPlans(drawing.made, PhotoPoints(points, missing), told, shown)
+
+
+FINER = 0.002
+"""What another scale factor changes a plan by, as a share, for it to be read again."""
+
+
+def _as_seen(clicked: ClickedPlan, read: OwnPlan, letter: str) -> ClickedPlan:
+    """Return a clicked plan with the end of its first vector where that was seen; else as it was clicked."""
+    for one in read.points:
+        if one.name[1] == letter and one.how == SEEN:
+            return clicked._replace(pole=0j, first=one.spot * read.view.turn)
+    return clicked
+
+
+class _Drawing:
+    """A scene as a student's scale factors draw it, and its plans as they may have been drawn."""
+
+    def __init__(self, made: DrawnScene, scales: Mapping[str, OwnScale], hand: Hand) -> None:
+        scene = scene_in(made.scene, scales)
+        self.made = made if scene is made.scene else make(scene, exact=True)
+        assert self.made.mechanism is not None
+        self.others, self._scales = Alternatives(self.made.mechanism, hand), scales
+
+    def read(self, flat: Flat, clicked: Sequence[ClickedPlan]) -> dict[ClickedPlan, OwnPlan]:
+        """Return the plans that were clicked as they were drawn; all of a kind are turned alike."""
+        found: dict[ClickedPlan, OwnPlan] = {}
+        for plan, scale in self._scales.items():
+            some = [one for one in clicked if one.plan == plan]
+            ways = [
+                [read_own(flat, self.others, one, turn) for one in some] for turn in scale.turns
+            ]
+            best = max(ways, key=lambda way: sum(one.worth for one in way))
+            found |= dict(zip(some, best, strict=True))
+        return found
+
+
+def read_own(flat: Flat, others: Alternatives, clicked: ClickedPlan, turn: complex) -> OwnPlan:
+    """Return a plan about a clicked pole (mm on the sheet) as it was drawn, right or wrong."""
+    plan, position, pole, _ = clicked
+    due = others.due(plan, position).turned(turn)
+    best = _read(flat, due, pole)
+    if best.covered >= DRAWN and all(spot.how != UNSEEN for spot in best.spots):
+        return best
+    least = best.worth + MORE
+    for view in others.near(flat, due, plan, position, pole):
+        one = _read(flat, view, pole)
+        if one.worth > least:
+            best, least = one, one.worth
+    return best
+
+
+def _read(flat: Flat, view: View, pole: complex) -> OwnPlan:
+    shift, _ = placed(flat, view, pole, CLICKED)
+    spots = with_open_ends(flat, view, seen(flat, view, shift, followed(flat, view, shift)))
+    starts, ends = moved(view, _standing(view, spots, shift)[None])
+    return OwnPlan(view, spots, shift, *agreement(flat, starts[0], ends[0]))
+
+
+def _standing(view: View, spots: Sequence[Spot], shift: complex) -> Complexes:
+    """Return where the places of a view stand, as far as they are seen; else where they should."""
+    due = view.at + shift
+    return np.array([z if one.how == UNSEEN else one.at for one, z in zip(spots, due, strict=True)])
