@@ -219,7 +219,7 @@ class Report(NamedTuple):
     """A check: the scene, the hand, every reading judged, the mistakes that would explain the wrong ones.
 
     ``lessons``: on the steps that readings or mistakes blame, in the order of the log. ``whole``: how far off
-    the drawing is as a whole, if it is. ``sight``: what was seen of a photograph; None where readings were given.
+    the drawing is as a whole, if it is. ``sight``: what was seen of a photograph, if one was read.
     """
 
     scene: str
