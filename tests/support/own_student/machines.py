@@ -8,7 +8,6 @@ from typing import NamedTuple
 import numpy as np
 
 HERE = Path(__file__).parent
-SHEETS = HERE.parents[2] / "sheets"
 
 
 class Machine(NamedTuple):
@@ -53,13 +52,13 @@ class Machine(NamedTuple):
         return self.count
 
 
-def _windrower() -> Machine:
+def _header() -> Machine:
     """Find OA and BC of the swath header's drive by its K_v and stroke."""
     half = np.pi / 2 * (1.45 - 1) / (1.45 + 1)
     arm = 0.095 / (2 * np.sin(half))
     return Machine(
-        "windrower",
-        SHEETS / "windrower/scene.toml",
+        "header",
+        HERE / "scenes/header.toml",
         "slot",
         0.48 * np.sin(half),
         380 * np.pi / 30,
@@ -76,7 +75,7 @@ def _windrower() -> Machine:
         S1=0.5,
         S3=True,
         loads=(8,),
-        mu_F=25.0,
+        mu_F=50.0,
         travel="sD",
     )
 
@@ -150,7 +149,7 @@ MACHINES = {
             CD=0.22,
             guide=-0.68,
         ),
-        _windrower(),
+        _header(),
         _slider("frc", loads=(1, 3)),
     )
 }

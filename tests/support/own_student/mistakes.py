@@ -16,9 +16,9 @@ import numpy as np
 from .measured import Figure
 
 MACHINES = {
-    "all": "sc fb frc rpr six windrower",
+    "all": "sc fb frc rpr six header",
     "linked": "sc fb frc",
-    "slot": "rpr six windrower",
+    "slot": "rpr six header",
 }
 WAYS = {
     "lengths": ("mm", "mm and rates", "mm and values"),

@@ -13,8 +13,6 @@ from .plans import Factors, Knobs, Position
 MASS = {"1": 8.0, "3": 25.0, "5": 38.0}
 J3, F5 = 0.323, 190.0
 AT = {"1": "s1", "3": "s3", "5": "d"}
-COARSER = 3.0
-"""How many times as many N a mm stand for on the lever's polygon."""
 
 
 def slotted_forces(
@@ -53,9 +51,8 @@ def slotted_forces(
     total += sum(moment(hand, P["B"], P["C"], vector[name], mu.l) for name in ("R43", "G3", "Pi3"))
     lever = P["A"] - P["B"]
     vector["R23"] = -lever / abs(lever) * RIGHT * total / (drawn.read["BA"] * mu.l)
-    coarse = COARSER * mu.F
-    end = polygon(["R43", "G3", "Pi3"], coarse)
-    r23, r63 = abs(vector["R23"]) / coarse, hand.measure(polygon(["R23"], coarse, end))
+    end = polygon(["R43", "G3", "Pi3"], mu.F)
+    r23, r63 = abs(vector["R23"]) / mu.F, hand.measure(polygon(["R23"], mu.F, end))
     # crank
     vector["R21"] = -vector["R23"]
     turned = sum(
@@ -65,8 +62,8 @@ def slotted_forces(
     vector["P"] = P["A"] / abs(P["A"]) * RIGHT * balance
     r61 = hand.measure(polygon(["R21", "G1", "Pi1", "P"], mu.F))
     for name, mm, scale in (
-        ("R34", r45, mu.F), ("R65", r65, mu.F), ("R45", r45, mu.F), ("R12", r23, coarse), ("R63", r63, coarse),
-        ("R23", r23, coarse), ("R61", r61, mu.F),
+        ("R34", r45, mu.F), ("R65", r65, mu.F), ("R45", r45, mu.F), ("R12", r23, mu.F), ("R63", r63, mu.F),
+        ("R23", r23, mu.F), ("R61", r61, mu.F),
     ):  # fmt: skip
         rows.append(Figure("forces", k, name, round(mm, 1), digits(mm * scale, 4), "N"))
     rows.append(Figure("forces", k, "P_bal_forces", None, digits(balance, 4), "N"))

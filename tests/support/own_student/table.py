@@ -138,8 +138,6 @@ def text(figures: Sequence[Figure], manner: Manner, mu: Factors, unit: str = "mm
     plans = list(dict.fromkeys(one.plan for one in figures))
     if manner.mu_rows:
         scale = {"positions": mu.l, "velocities": mu.v, "accelerations": mu.a, "forces": mu.F}
-        if any(one.segment == "R65" for one in figures):
-            del scale["forces"]  # its polygons have two
         rows += [
             [plan, "", "μ", "", _number(scale[plan], manner), UNIT[plan], "", ""]
             for plan in plans
