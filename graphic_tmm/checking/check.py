@@ -17,7 +17,8 @@ from graphic_tmm.checking.lessons.lessons import Teacher
 from graphic_tmm.checking.mutations.diagnosis import diagnosed
 from graphic_tmm.checking.mutations.mistaken_scene import mistaken_scenes
 from graphic_tmm.checking.mutations.mistakes import Mistakes
-from graphic_tmm.checking.mutations.telling import Unseen, likely_mistakes, told_unseen
+from graphic_tmm.checking.mutations.telling import likely_mistakes
+from graphic_tmm.checking.mutations.unseen import Unseen, told_unseen
 from graphic_tmm.checking.readings.mending import mended
 from graphic_tmm.checking.readings.read import TOLD
 from graphic_tmm.checking.readings.signs import with_signs

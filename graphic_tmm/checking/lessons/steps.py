@@ -117,6 +117,7 @@ class Numbers:
         self._due: Mapping[Mark, Any] = {}
         self._values: Mapping[int, Any] = {}
         self._work = work = steps.made.mechanism
+        self._made = {step.it: step for step in work.construction.steps} if work is not None else {}
         if work is not None:
             self._found, grain = as_marks(work, steps.readable, rows, steps.cells, by)
             found = run(work, self._found, grain)
@@ -129,7 +130,7 @@ class Numbers:
         """
         if told.board is not self._work:
             return False
-        log = {step.it: step for step in told.board.construction.steps}
+        log = self._made
         ahead, seen, read = list(told.step.uses), set[Mark](), False
         while ahead:
             mark = ahead.pop()
@@ -186,6 +187,11 @@ class Numbers:
     def _value(self, board: Drawn, mark: Mark, *, own: bool) -> Any:
         if own and mark.slot in self._values:
             return self._values[mark.slot]
+        step = self._made.get(mark) if own else None
+        if step is not None and step.op.formula:
+            values = [self._value(board, one, own=True) for one in step.uses]
+            with np.errstate(all="ignore"):
+                return step.op.run(*values, **step.choice)
         if mark in board.given:
             return as_value(board.given[mark], mark.kind)
         return exact(board, mark)

@@ -1,22 +1,20 @@
-"""What is told of a diagnosis: names, sentences, where a mistake shows first, what cannot be seen."""
+"""What is told of a diagnosis: names, sentences, where a mistake shows first."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from functools import cached_property
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from graphic_tmm.board.findings import step_number
 from graphic_tmm.board.record import Construction, Mark, Step, segment_name
-from graphic_tmm.checking.cells import Key
+from graphic_tmm.checking.cells import Key, taken_figure
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.diagnosis import Diagnosis
-from graphic_tmm.checking.mutations.evidence import VISIBLE, Readings
+from graphic_tmm.checking.mutations.evidence import Readings
 from graphic_tmm.checking.mutations.execution import executed, figures_of
-from graphic_tmm.checking.mutations.grammar import mutations
 from graphic_tmm.checking.mutations.hypotheses import SURE, UNSURE, Hypothesis
-from graphic_tmm.checking.mutations.mistakes import NONE, Mistakes
+from graphic_tmm.checking.mutations.mistakes import NONE
 from graphic_tmm.checking.mutations.mutation import (
     CRANK,
     FACTOR,
@@ -25,11 +23,11 @@ from graphic_tmm.checking.mutations.mutation import (
     Mutation,
     measured_last,
 )
-from graphic_tmm.checking.mutations.tables import EVERYTHING, Variation
+from graphic_tmm.checking.mutations.tables import EVERYTHING, TIMES, Variation
 from graphic_tmm.checking.mutations.words import BY_FAMILY, INSTRUMENT, name_of
 from graphic_tmm.checking.mutations.words import LEFT_OUT as LEFT_OUT_SAYS
 from graphic_tmm.checking.records import INSTRUMENT as OFF
-from graphic_tmm.checking.records import MISTAKE, SLIP, UNKNOWN, Judged, Likely
+from graphic_tmm.checking.records import MISTAKE, SLIP, UNKNOWN, Judged, Likely, Taken
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
@@ -65,42 +63,55 @@ def shown_at(one: Hypothesis, diagnosis: Diagnosis, drawing: Comparison) -> tupl
 def explained(one: Hypothesis, diagnosis: Diagnosis, drawing: Comparison) -> tuple[int, ...]:
     """Return the lines of the wrong readings that a mistake moves, by no small part of what they are off.
 
-    Of a table written down otherwise, those of its place.
+    They are nearer to it than to what is due, unless another mistake moves them, too; there may be none. Of a
+    table written down otherwise, those of its place.
     """
     what = one.what
     some = diagnosis.wrong or diagnosis.doubtful
     if isinstance(what, Mutation):
         moved = _moved(one, what, some, drawing)
-        found = [each for each in some if moved.get(each.taken.at, 0.0) > PART * _off(each)]
-    else:
+        alone = len(diagnosis.named) < 2
         found = [
+            each
+            for each in some
+            if (to := moved.get(each.taken.at)) is not None
+            and _apart(each, *to) > PART * _apart(each, _read(each), to[0])
+            and not (alone and _apart(each, _read(each), to[1]) > _apart(each, _read(each), to[0]))
+        ]
+    else:
+        its = [
             each
             for each in some
             if what.plan in ("", each.taken.plan) and what.segment in ("", each.taken.segment)
         ]
-    return tuple(dict.fromkeys(each.taken.line for each in found or some))
+        found = its or list(some)
+    return tuple(dict.fromkeys(each.taken.line for each in found))
 
 
-def _off(one: Judged) -> float:
-    """Return how far a reading is off, whatever its sign; of a point, how far from its place."""
-    return abs(one.deviation) if one.taken.pointed else abs(abs(one.found) - abs(one.due))
+def _read(one: Judged) -> complex:
+    """Return what was read: a point by its place, else a figure."""
+    return one.taken.spot if one.taken.pointed else one.found
+
+
+def _apart(of: Judged, one: complex, other: complex) -> float:
+    """Return how far two figures of a reading are apart, whatever their signs; of a point, two places."""
+    far = abs(one - other) if of.taken.pointed else abs(abs(one) - abs(other))
+    return float(np.nan_to_num(far, nan=np.inf))
 
 
 def _moved(
     one: Hypothesis, what: Mutation, some: Sequence[Judged], drawing: Comparison
-) -> dict[tuple[Key, bool], float]:
-    """Return by how much a mistake moves the figures of some readings where it was made, and what follows."""
+) -> dict[tuple[Key, bool], tuple[complex, complex]]:
+    """Return what is due of some readings, and what a mistake makes of it where it was made."""
     made, at = drawing.made, drawing.names[one.place] if one.place is not None else ""
     board = made.boards[one.board]
     log = measured_last(board.construction)
     beside = executed(log, board.given, (NONE, what), [step.it for step in log.steps])
-    due = {each.taken.at: abs(each.due) for each in some if at in ("", each.taken.position)}
+    due = {each.taken.at: each.due for each in some if at in ("", each.taken.position)}
     moved = {}
     for key, row in figures_of(made, board, beside, np.arange(2), tuple(due)).items():
-        figures = row if np.iscomplexobj(row) else np.abs(row)
-        far = float(np.nan_to_num(np.abs(figures[1] - figures[0]), nan=np.inf))
-        whole = float(np.abs(figures[0]))
-        moved[key] = far * due[key] / whole if whole and due[key] else far  # as it was written
+        whole = 1.0 if np.iscomplexobj(row) or not row[0] or not due[key] else due[key] / row[0]
+        moved[key] = complex(row[0] * whole), complex(row[1] * whole)  # as it was written
     return moved
 
 
@@ -150,6 +161,9 @@ SLIP_TEN = said("only {segment} is off: its decimal point has perhaps slipped")
 SLIP_BESIDE = said("by itself {segment} is off, too: this reading was read or written down amiss")
 SLIP_TEN_BESIDE = said("by itself {segment} is off, too: its decimal point has perhaps slipped")
 EMPTY = said("the readings of {where} are 0: it was left out, or not measured")
+ABOUT = said("the readings of {where} are about {times} times as large as they should be")
+ROUGHLY = 0.1
+"""By so large a share a factor that readings are told to have may be off; else their own is told."""
 NOTHING = 0.05
 """What is taken so many times as large, or less, and read as 0, was left out."""
 MOST = 3
@@ -247,7 +261,10 @@ def _says(one: Hypothesis, drawing: Comparison, speech: Speech) -> str:
         words = {k: _word(v, speech) for k, v in what.told.items()}
         plan = view_name(what.plan, language) if what.plan else speech(EVERYTHING)
         words["where"] = f"{plan}: {what.segment}" if what.segment else plan
-        return speech(what.says, **words)
+        says = what.says
+        if says == TIMES and (times := _times(what, drawing)):
+            says, words["times"] = ABOUT, number(times, language, 2)
+        return speech(says, **words)
     log = drawing.made.boards[one.board].construction
     sentence = _sentence(what, language, speech)
     if what.at is not None:
@@ -263,6 +280,28 @@ def _says(one: Hypothesis, drawing: Comparison, speech: Speech) -> str:
         position = drawing.made.mechanism.names[one.place]
         sentence = speech(AT_POSITION, told=sentence, position=position)
     return sentence
+
+
+def _times(what: Variation, drawing: Comparison) -> float:
+    """Return how many times as large the readings of a place are, if it is not what is told; else 0."""
+    ratios = [
+        abs(figure / due)
+        for one, factor in zip(drawing.rows, what.factor, strict=True)
+        if factor != 1.0
+        for figure, due in _figures(one, drawing)
+        if due
+    ]
+    median, told = float(np.median(ratios)) if ratios else 0.0, what.told.get("times")
+    right = isinstance(told, float) and abs(median / told - 1.0) < ROUGHLY
+    return 0.0 if right else median
+
+
+def _figures(one: Taken, drawing: Comparison) -> Iterator[tuple[float, float]]:
+    """Yield a reading and what is due, in mm or its unit; nothing of a point or of what is not due."""
+    cell = drawing.due.get(one.key)
+    due = cell and (cell.mm if one.mm is not None else cell.value)
+    if cell is not None and due is not None and not one.pointed:
+        yield taken_figure(one, cell), due
 
 
 def _number(log: Construction, step: Step) -> int:
@@ -338,52 +377,3 @@ def _unknown(diagnosis: Diagnosis, drawing: Comparison, speech: Speech) -> tuple
     )
     found = Likely(name, says, (), count, 1.0, kind=UNKNOWN, plan=step.it.view, step=step.it.letter)
     return (found._replace(segment=segment_name(step.it.letter)),)
-
-
-SAYS = said("these readings do not show what was done on: {plans}")
-
-
-class Unseen:
-    """What readings of a scene show; what is found out of a figure of a table is kept for all drawings."""
-
-    def __init__(self, mistakes: Mistakes) -> None:
-        self.offered = mistakes.boards[0]
-        self._shown: dict[tuple[str, tuple[Key, bool]], bool] = {}
-
-    @cached_property
-    def _behind(self) -> Mapping[Mark, frozenset[str]]:
-        """The views on which each mark hangs, its own among them."""
-        behind: dict[Mark, frozenset[str]] = {}
-        for step in self.offered.base.log.steps:
-            before = (behind.get(mark, frozenset()) for mark in step.uses)
-            behind[step.it] = frozenset({step.it.view}).union(*before)
-        return behind
-
-    def of(self, drawing: Comparison) -> tuple[str, ...]:
-        """Return the views that can be read on which no reading hangs."""
-        steps = [drawing.step(one) for one in drawing.rows]
-        shown = {view for step in steps if step is not None for view in self._behind[step.it]}
-        readable = {step.it.view for step in drawing.steps.values()}
-        views = dict.fromkeys(mark.view for mark in self._behind if mark.view in readable)
-        by = drawing.by.spread
-        tables = [one.at for one, step in zip(drawing.rows, steps, strict=True) if step is None]
-        least = {at: VISIBLE * by[at].rms for at in tables if at in by}
-        return tuple(view for view in views if view not in shown and not self._moves(view, least))
-
-    def _moves(self, view: str, least: Mapping[tuple[Key, bool], float]) -> bool:
-        """Whether a mistake in a view would move a figure of a table by more than a least."""
-        new = {at: size for at, size in least.items() if (view, at) not in self._shown}
-        if new:
-            log = self.offered.base.log
-            own = (step for step in log.steps if step.it.view == view)
-            beside = self.offered.run([NONE, *mutations(log, own)])
-            self._shown |= {(view, at): False for at in new}
-            moved = self.offered.moved(new, beside)
-            self._shown |= {(view, at): bool(rows.any()) for at, rows in moved}
-        return any(self._shown[view, at] for at in least)
-
-
-def told_unseen(views: Sequence[str], language: str) -> tuple[str, ...]:
-    """Return the note on what readings cannot show; none if they show something of every plan."""
-    names = dict.fromkeys(view_name(view, language) for view in views)
-    return (speaking(language)(SAYS, plans=", ".join(names)),) if names else ()

@@ -115,7 +115,7 @@ def finding(one: Likely, language: str) -> str:
         return f"{told[:1].upper()}{told[1:]}."
     kind = one.kind if one.kind in words else MISTAKE
     if kind == MISTAKE and one.like:
-        kind = "alike"
+        kind = "alike" if sure(one) else "perhaps alike"
     elif kind == MISTAKE and not sure(one):
         kind = "perhaps"
     return words[kind].format(says=told)

@@ -46,6 +46,7 @@ TEXTS: dict[str, str] = {
     "not whole": said(" (not wholly: {positions})"),
     "mistake": said("Most likely: {says}."),
     "perhaps": said("Perhaps, but the readings do not say it for sure: {says}."),
+    "perhaps alike": said("Perhaps one of these, but the readings do not say it for sure: {says}."),
     "alike": said("One of these, and the readings do not tell which: {says}."),
     "instrument": said("There is no mistake in the construction: {says}."),
     "unseen": said("These readings cannot tell: {says}."),

@@ -46,7 +46,8 @@ def test_every_kind_has_a_sentence_of_its_own(language: str) -> None:
     told = [finding(likely(kind), language) for kind in KINDS if kind not in WHOLE]
     told.append(finding(likely(chance=0.79), language))
     told.append(finding(likely(like=("other", "third.")), language))
-    assert len(set(told)) == len(KINDS) - len(WHOLE) + 2
+    told.append(finding(likely(like=("other", "third."), chance=0.06), language))
+    assert len(set(told)) == len(KINDS) - len(WHOLE) + 3
     assert finding(likely(chance=0.8), language) == told[0]
     for text in told:
         assert SAYS in text
