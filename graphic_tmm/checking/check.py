@@ -7,6 +7,15 @@ from typing import NamedTuple
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, points, taken_figure
+from graphic_tmm.checking.congruence.congruence import Agreed, Congruence
+from graphic_tmm.checking.congruence.stated import (
+    Stated,
+    is_scale_row,
+    stated_by,
+    stated_in,
+    turns_by,
+)
+from graphic_tmm.checking.congruence.words import head
 from graphic_tmm.checking.judging.comparison import Comparison, worse_of
 from graphic_tmm.checking.judging.groups import groups
 from graphic_tmm.checking.judging.judge import judge
@@ -138,18 +147,36 @@ class Checked(NamedTuple):
     compared: Comparison
 
 
+class Bench(NamedTuple):
+    """A scene drawn exactly, in its own scale factors or a drawing's, with all that drawings are judged by."""
+
+    made: DrawnScene
+    mistakes: Mistakes
+    teacher: Teacher
+    yardsticks: Yardsticks
+    unseen: Unseen
+
+
 class _Judgement(NamedTuple):
     """Readings as the scene knows them, what is told of that, by what they were judged, and their verdicts."""
 
-    rows: tuple[Taken, ...]
+    agreed: Agreed
     notes: tuple[str, ...]
+    bench: Bench
     by: Yardstick
     verdicts: tuple[Judged, ...]
     whole: Whole | None
 
 
+KEPT = 4
+"""So many scale factors of drawings are kept with all that these are judged by; a class has a few more."""
+
+
 class Checker:
-    """A scene drawn exactly, with all that its drawings are checked by: the hand draws once for them."""
+    """A scene drawn exactly, with all that its drawings are checked by: the hand draws once for them.
+
+    A drawing in scale factors of its own is judged by the scene drawn again in these.
+    """
 
     def __init__(
         self,
@@ -160,14 +187,35 @@ class Checker:
         trials: int = TRIALS,
         limits: Limits = Limits(),  # noqa: B008
         given: Composition | None = None,
+        scales: Sequence[str] = (),
+        turns: Sequence[str] = (),
     ) -> None:
         """Draw a scene; for the rest see `check`."""
-        self.scene, self._hand = scene, hand
+        self.scene, self._hand = scene, HANDS[hand]._replace(trials=trials, seed=scene.seed)
+        self.hand, self._limits, self._points = hand, limits, points
         self.made = make(scene, exact=True, given=given)
-        self._mistakes, self._teacher = Mistakes(self.made), Teacher(self.made)
-        drawing = HANDS[hand]._replace(trials=trials, seed=scene.seed)
-        self._yardsticks = Yardsticks(self.made, drawing, limits, points)
-        self._unseen = Unseen(self._mistakes)
+        self._congruence = Congruence(self.made)
+        self._scales, self._turns = tuple(scales), tuple(turns)
+        self._due = self._bench_of(self.made)
+        self._benches: dict[tuple[object, ...], Bench] = {}
+
+    def _bench_of(self, made: DrawnScene) -> Bench:
+        mistakes = Mistakes(made)
+        yardsticks = Yardsticks(made, self._hand, self._limits, self._points)
+        return Bench(made, mistakes, Teacher(made), yardsticks, Unseen(mistakes))
+
+    def _bench(self, agreed: Agreed) -> Bench:
+        """Return what a drawing is judged by: the scene in its scale factors; of the last few it is kept."""
+        if not agreed.times and not agreed.places:
+            return self._due
+        own = {group: tuple(places.items()) for group, places in agreed.places.items()}
+        key = (*sorted(agreed.times.items()), *sorted(own.items()))
+        if key not in self._benches:
+            if len(self._benches) >= KEPT:
+                self._benches.pop(next(iter(self._benches)))
+            made = self._congruence.remaking.of(agreed.times, agreed.places)
+            self._benches[key] = self._bench_of(made)
+        return self._benches[key]
 
     def verdicts(
         self, readings: Sequence[Taken], source: str = "readings"
@@ -177,27 +225,44 @@ class Checker:
         return found.verdicts, found.whole
 
     def _judged(self, readings: Sequence[Taken], source: str) -> _Judgement:
-        rows, notes = known_readings(self.made, readings, source)
-        by = self._yardsticks.of(rows)
-        verdicts, whole = sharpened(self.made, judge(self.made, rows, by), by)
-        return _Judgement(tuple(rows), tuple(notes), by, verdicts, whole)
+        stated = self._stated([one for one in readings if is_scale_row(one)], source)
+        others = [one for one in readings if not is_scale_row(one)]
+        rows, notes = known_readings(self.made, others, source)
+        plans = tuple(dict.fromkeys(plan for plan, _, _ in self._congruence.due))
+        turns = turns_by(self._turns, plans, source) if self._turns else {}
+        agreed = self._congruence.of(rows, stated, turns)
+        bench = self._bench(agreed)
+        by = bench.yardsticks.of(agreed.rows)
+        verdicts, whole = sharpened(bench.made, judge(bench.made, agreed.rows, by), by)
+        return _Judgement(agreed, tuple(notes), bench, by, verdicts, whole)
+
+    def _stated(self, rows: Sequence[Taken], source: str) -> list[Stated]:
+        """Return the scale factors that rows and options state; options go before rows."""
+        if not rows and not self._scales:
+            return []
+        symbols = self._congruence.remaking.symbols
+        stated, faults = stated_in(rows, symbols)
+        if faults:
+            raise SceneError(source, tuple(faults[:TOLD]))
+        return [*stated, *stated_by(self._scales, symbols, source)]
 
     def of(self, readings: Sequence[Taken], source: str = "readings") -> Checked:
         """Return what there is to say of the readings of a drawing; raises as `check`."""
-        made, language = self.made, self.scene.language
-        rows, notes, by, judged, whole = self._judged(readings, source)
-        parts = [part for taken in rows for part in taken.parts()]
-        compared = Comparison(made, parts, by, worse_of([one.times for one in judged]))
-        small = groups(made, judged, by)
-        diagnosis = diagnosed(self._mistakes, compared, judged, rare=bool(small))
+        language = self.scene.language
+        agreed, notes, bench, by, judged, whole = self._judged(readings, source)
+        parts = [part for taken in agreed.rows for part in taken.parts()]
+        compared = Comparison(bench.made, parts, by, worse_of([one.times for one in judged]))
+        small = groups(bench.made, judged, by)
+        diagnosis = diagnosed(bench.mistakes, compared, judged, rare=bool(small))
         found = likely_mistakes(diagnosis, compared, language)
-        wrongly = mistaken_scenes(found, diagnosis, made)
+        wrongly = mistaken_scenes(found, diagnosis, bench.made)
         found = found or small
-        notes = (*notes, *told_unseen(self._unseen.of(compared), language))
-        lessons = self._teacher.lessons(judged, found, by.reader, wrongly)
+        notes = (*notes, *told_unseen(bench.unseen.of(compared), language))
+        lessons = bench.teacher.lessons(judged, found, by.reader, wrongly)
         name, title = scene_name(self.scene.source), self.scene.title
-        report = Report(name, title, language, self._hand, judged, found, notes, lessons, whole)
-        return Checked(report, compared)
+        said = head(agreed.scales, agreed.moves, agreed.unit, language)
+        report = Report(name, title, language, self.hand, judged, found, notes, lessons, whole)
+        return Checked(report._replace(head=said, scales=agreed.scales), compared)
 
 
 def check(
@@ -209,18 +274,22 @@ def check(
     trials: int = TRIALS,
     limits: Limits = Limits(),  # noqa: B008
     given: Composition | None = None,
+    scales: Sequence[str] = (),
+    turns: Sequence[str] = (),
     source: str = "readings",
 ) -> Report:
     """Return the report on readings of a hand-made drawing of a scene.
 
     ``hand``: by whose drawings they are judged; ``points``: how x and y were read, one of ``POINTS``;
-    ``given``: the composition that the drawing's sheets have, as for `make`; ``source``: the file of the
-    readings, for messages.
+    ``given``: the composition that the drawing's sheets have, as for `make`; ``scales``: scale factors that it
+    was drawn in, "velocities=0.02" or "=scene"; ``turns``: plans that are turned, "velocities=90"; ``source``:
+    the file of the readings, for messages.
 
     Raises
     ------
     SceneError
         If readings name what the scene does not have.
     """
-    checker = Checker(scene, hand=hand, points=points, trials=trials, limits=limits, given=given)
+    by = {"hand": hand, "points": points, "trials": trials, "limits": limits}
+    checker = Checker(scene, **by, given=given, scales=scales, turns=turns)  # type: ignore[arg-type]
     return checker.of(readings, source).report

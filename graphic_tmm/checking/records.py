@@ -215,11 +215,35 @@ class Sight(NamedTuple):
         return not any(one.unseen for one in self.plans)
 
 
+class OwnScale(NamedTuple):
+    """A scale factor in which a plan was drawn and is judged, or what speaks for one and against it.
+
+    ``mu``, ``due``: SI a mm, his and the scene's; ``by``: what says so: "stated", "rows", "rates", "round",
+    "lengths", "" where it is as due; ``agree`` figures ``among`` so many. ``first``: the segment that is laid
+    off first; ``places``: μ of positions that have another. ``against``: how many times as long as due the plan
+    is, and how many times his rates say that, where they differ.
+    """
+
+    plan: str
+    view: str
+    symbol: str
+    mu: float
+    due: float
+    unit: str
+    by: str
+    agree: int = 0
+    among: int = 0
+    first: str = ""
+    places: tuple[tuple[str, float], ...] = ()
+    against: tuple[float, float] = (1.0, 1.0)
+
+
 class Report(NamedTuple):
     """A check: the scene, the hand, every reading judged, the mistakes that would explain the wrong ones.
 
     ``lessons``: on the steps that readings or mistakes blame, in the order of the log. ``whole``: how far off
-    the drawing is as a whole, if it is. ``sight``: what was seen of a photograph, if one was read.
+    the drawing is as a whole, if it is. ``sight``: what was seen of a photograph, if one was read. ``head``:
+    sentences on how it was judged, which come first; ``scales``: the scale factors that are not the scene's.
     """
 
     scene: str
@@ -232,6 +256,8 @@ class Report(NamedTuple):
     lessons: tuple[Lesson, ...] = ()
     whole: Whole | None = None
     sight: Sight | None = None
+    head: tuple[str, ...] = ()
+    scales: tuple[OwnScale, ...] = ()
 
     @property
     def wrong(self) -> int:

@@ -7,7 +7,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from graphic_tmm.checking.records import Judged, Lesson, Likely, Report, Sight
+from graphic_tmm.checking.records import Judged, Lesson, Likely, OwnScale, Report, Sight
 from graphic_tmm.checking.report.findings import explained, unexplained
 from graphic_tmm.checking.report.rows import counts
 
@@ -22,7 +22,9 @@ def json_report(report: Report) -> str:
     ``mistakes``: {name, says, like, kind, family, plan, segment, position, step, chance, lines, explains,
     wrong, rest}. ``unexplained``: how many of the wrong readings no mistake explains. ``lessons``, of the steps
     that are blamed: {plan, step, letter, says, why, drawn, position, calculation,
-    own_numbers}. Figures have 12
+    own_numbers}. ``scales``, in which plans were drawn that are not the task's: {plan, view, symbol, mu, due,
+    unit, by ("stated", "rows", "rates", "round", "lengths"), agree, among, positions, lengths_say, rates_say};
+    ``head``: sentences on how it was judged. Figures have 12
     significant digits; one that is not finite is null.
     Text is whole, what is not printable in it as \\u escapes.
     """
@@ -34,6 +36,8 @@ def json_report(report: Report) -> str:
     lines += _rows("readings", [_reading(one) for one in report.readings])
     lines += _rows("mistakes", [_mistake(report, one) for one in report.mistakes])
     lines += _rows("lessons", [_lesson(one) for one in report.lessons])
+    lines += _rows("scales", [_scale(one) for one in report.scales])
+    lines.append(f' "head": {_dumped(list(report.head))},')
     lines.append(f' "unexplained": {len(unexplained(report))},')
     lines.append(f' "notes": {_dumped(list(report.notes))}')
     return "\n".join(["{", *lines, "}"]) + "\n"
@@ -106,6 +110,23 @@ def _lesson(one: Lesson) -> dict[str, Any]:
         "position": one.position,
         "calculation": one.calculation,
         "own_numbers": one.own,
+    }
+
+
+def _scale(one: OwnScale) -> dict[str, Any]:
+    return {
+        "plan": one.plan,
+        "view": one.view,
+        "symbol": one.symbol,
+        "mu": tidy(one.mu),
+        "due": tidy(one.due),
+        "unit": one.unit,
+        "by": one.by,
+        "agree": one.agree,
+        "among": one.among,
+        "positions": {place: tidy(mu) for place, mu in one.places},
+        "lengths_say": tidy(one.against[0]),
+        "rates_say": tidy(one.against[1]),
     }
 
 

@@ -36,7 +36,8 @@ def markdown_report(report: Report) -> str:
     What matters first, then the wrong steps with their lessons, what is doubtful, what is fine (folded), notes.
     """
     words = WORDS[report.language]
-    blocks = [f"# {marked(title(report))}", f"**{marked(headline(report))}**"]
+    blocks = [f"# {marked(title(report))}", *map(opened, report.head)]
+    blocks.append(f"**{marked(headline(report))}**")
     if found := finding_rows(report):
         blocks.append("\n".join(f"- {opened(row)}" for row in found))
     blocks += [opened(text) for text in (summary(report), who(report)) if text]

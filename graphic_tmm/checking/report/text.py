@@ -35,6 +35,7 @@ def text_report(report: Report) -> list[Any]:
     words = WORDS[report.language]
     made: list[Any] = [
         Text(title(report), style="bold"),
+        *map(Text, report.head),
         Text(headline(report), style=STYLES[worst(report)]),
     ]
     made += [Text(f"• {row}") for row in finding_rows(report)]

@@ -1,0 +1,248 @@
+"""How a drawing is congruent to what is due: the scale factor, the move and the unit of each of its plans.
+
+It comes before the grammar of mistakes: a plan that is right in another scale factor, or turned, is right.
+What is decided is used; what only lengths say is used, too, and asked.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from graphic_tmm.board.record import Step
+from graphic_tmm.board.values import Length
+from graphic_tmm.checking.cells import Cell, Key, cells, points
+from graphic_tmm.checking.congruence.lengths import (
+    Group,
+    Read,
+    lengths_of,
+    middle,
+    rates_of,
+    spread_of,
+)
+from graphic_tmm.checking.congruence.moves import Move, Placed, placed
+from graphic_tmm.checking.congruence.remade import Remaking
+from graphic_tmm.checking.congruence.stated import SCENE, Stated
+from graphic_tmm.checking.congruence.witnesses import Verdict, verdict
+from graphic_tmm.checking.judging.taken_marks import steps_of
+from graphic_tmm.checking.records import Last, OwnScale, Taken
+from graphic_tmm.drawn import DrawnScene
+
+ALIKE, COPY = 0.02, 0.16
+"""Scale factors of all plans so nearly alike (logarithms), and no farther off, are those of a copy."""
+UNLIKELY = 0.1
+"""Lengths alone say no scale factor that is nearer to the due one than this."""
+UNITS = {"cm": 10.0, "inch": 25.4}
+"""What may be written where mm are asked for."""
+
+
+class Agreed(NamedTuple):
+    """A drawing as it is to be judged: its readings, how many times larger its plans are, what is said."""
+
+    rows: tuple[Taken, ...]
+    times: Mapping[Group, float]
+    places: Mapping[Group, Mapping[str, float]]
+    scales: tuple[OwnScale, ...]
+    moves: Mapping[str, Move]
+    unit: str
+
+
+@dataclass(frozen=True)
+class Congruence:
+    """What drawings of a scene, which is drawn exactly, are compared with."""
+
+    made: DrawnScene
+
+    @cached_property
+    def due(self) -> Mapping[Key, Cell]:
+        """The figures that are due."""
+        return cells(self.made)
+
+    @cached_property
+    def spots(self) -> Mapping[Key, complex]:
+        """Where points are due, mm from the pole."""
+        return points(self.made)
+
+    @cached_property
+    def groups(self) -> Mapping[tuple[str, str], Group]:
+        """To what each segment is drawn, by plan and segment."""
+        return self.remaking.groups
+
+    @cached_property
+    def remaking(self) -> Remaking:
+        """How the scene is drawn in other scale factors."""
+        return Remaking(self.made)
+
+    @cached_property
+    def _steps(self) -> Mapping[tuple[str, str], Step]:
+        return steps_of(self.made.mechanism)
+
+    @cached_property
+    def _laid(self) -> Mapping[str, str]:
+        """By plan, the segment that is laid off first, the same in all positions."""
+        found: dict[str, tuple[int, str]] = {}
+        for (plan, segment), step in self._steps.items():
+            at = [
+                cell.mm or 0.0 for (p, s, _), cell in self.due.items() if (p, s) == (plan, segment)
+            ]
+            steady = at and max(at) - min(at) < 1e-6 * max(map(abs, at))
+            if step.it.kind is Length and not step.op.reads and steady:
+                found[plan] = min(found.get(plan, (step.it.slot, segment)), (step.it.slot, segment))
+        return {plan: segment for plan, (_, segment) in found.items()}
+
+    @cached_property
+    def _plan_groups(self) -> Mapping[str, Group]:
+        """To what each plan of points is drawn."""
+        found: dict[str, Group] = {}
+        for (plan, _), group in self.groups.items():
+            found.setdefault(plan, group)
+        return {plan: found[plan] for plan, _, _ in self.spots if plan in found}
+
+    def of(
+        self,
+        rows: Sequence[Taken],
+        stated: Sequence[Stated] = (),
+        turns: Mapping[str, Move] = {},
+    ) -> Agreed:
+        """Return how a drawing is to be judged; ``stated``: scale factors that somebody gives; ``turns``."""
+        rows, unit = self._in_mm(rows)
+        moves = self._moves(rows, turns)
+        rows = tuple(_moved(one, moves) for one in rows)
+        lengths = self._lengths(rows)
+        rates = rates_of(rows, self.due, self._steps)
+        given = {one.group: one for one in stated}
+        found: dict[Group, Verdict] = {}
+        for group, read in sorted(lengths.items(), key=lambda one: self._order(one[0])):
+            if group in given:
+                continue
+            others = self._others(group, lengths, found)
+            found[group] = verdict(group, read, rates.get(group.plan, ()), others)
+        found = self._not_copied(found)
+        times = {group: one.times for group, one in found.items() if one.times != 1.0}
+        times |= {g: g.mu / s.mu for g, s in given.items() if s.mu is not SCENE and s.mu != g.mu}
+        places = {group: dict(one.places) for group, one in found.items() if one.places}
+        scales = tuple(self._scales(found, given))
+        plain = {plan: one.move for plan, one in moves.items()}
+        return Agreed(rows, times, places, scales, plain, unit)
+
+    def _order(self, group: Group) -> tuple[int, str, float]:
+        plans = [*dict.fromkeys(plan for plan, _, _ in self.due)]
+        return plans.index(group.plan), group.unit, group.mu
+
+    def _in_mm(self, rows: Sequence[Taken]) -> tuple[tuple[Taken, ...], str]:
+        """Return readings in mm, and the unit that all were written in, "" for mm."""
+        lengths = lengths_of(rows, self.due, self.groups, self._laid)
+        ratios = [middle([one.ratio for one in some]) for some in lengths.values()]
+        if not ratios or max(ratios) > math.log(0.3):
+            return tuple(rows), ""
+        inch = all(abs(one + math.log(UNITS["inch"])) < 0.03 for one in ratios)
+        unit = "inch" if inch else "cm"
+        if any(abs(one + math.log(UNITS[unit])) > math.log(3.0) for one in ratios):
+            return tuple(rows), ""
+        return tuple(_times(one, UNITS[unit]) for one in rows), unit
+
+    def _moves(self, rows: Sequence[Taken], turns: Mapping[str, Move]) -> dict[str, Placed]:
+        plans = [plan for plan in self._plan_groups if any(one.plan == plan for one in rows)]
+        found: dict[str, Placed] = {}
+        for plan in plans:
+            if plan in turns:
+                found[plan] = Placed(turns[plan], 1.0, {})
+            elif (one := placed(rows, self.spots, plan, whole=False)) is not None:
+                found[plan] = one
+        missing = [plan for plan in plans if plan not in found]
+        whole = {plan: placed(rows, self.spots, plan, whole=True) for plan in missing}
+        if len(whole) == len(plans) and all(one and one.move == Move(2) for one in whole.values()):
+            found |= {plan: one for plan, one in whole.items() if one}
+        return found
+
+    def _lengths(self, rows: Sequence[Taken]) -> dict[Group, list[Read]]:
+        lengths = dict(lengths_of(rows, self.due, self.groups, self._laid))
+        for group, some in spread_of(rows, self.spots, self._plan_groups).items():
+            lengths[group] = [*lengths.get(group, []), *some]
+        return lengths
+
+    def _others(
+        self, group: Group, lengths: Mapping[Group, list[Read]], found: Mapping[Group, Verdict]
+    ) -> list[Read]:
+        """Return the lengths of the plan of positions, by which rates may be calculated, as they are due."""
+        return [
+            one._replace(mm=one.mm / found[other].times)
+            for other, some in lengths.items()
+            if other.plan != group.plan
+            and other in found
+            and other.unit == "m"
+            and other.plan in self._plans
+            for one in some
+        ]
+
+    @cached_property
+    def _plans(self) -> Collection[str]:
+        return {plan for plan, _, _ in self.spots}
+
+    def _not_copied(self, found: Mapping[Group, Verdict]) -> dict[Group, Verdict]:
+        """Return the scale factors without those that a copy, or the paper, explains: all plans look alike."""
+        mere = {g: v for g, v in found.items() if v.by in ("round", "lengths")}
+        decided = any(one.by in ("rates", "rows") for one in found.values())
+        ratios = [math.log(one.times) for one in mere.values()]
+        alike = bool(ratios) and not decided and max(ratios) - min(ratios) <= 2 * ALIKE
+        near = {g for g, v in mere.items() if abs(math.log(v.times)) <= UNLIKELY}
+        if alike and max(map(abs, ratios)) <= COPY and (len(mere) > 1 or near):
+            near = set(mere)
+        return {g: Verdict(among=v.among) if g in near else v for g, v in found.items()}
+
+    def _scales(
+        self, found: Mapping[Group, Verdict], given: Mapping[Group, Stated]
+    ) -> list[OwnScale]:
+        rows = []
+        for group, stated in given.items():
+            mu = group.mu if stated.mu is SCENE else stated.mu
+            rows.append(self._scale(group, Verdict(group.mu / mu, "stated")))
+        for group, one in found.items():
+            if one.by or one.against:
+                rows.append(self._scale(group, one))
+        return rows
+
+    def _scale(self, group: Group, one: Verdict) -> OwnScale:
+        symbol, mark = self.remaking.symbol(group), self.remaking.factor(group)
+        own = tuple((place, group.mu / times) for place, times in one.places)
+        first = self._laid.get(group.plan, "")
+        unit = (
+            f"({group.unit})/mm" if "/" in group.unit or "·" in group.unit else f"{group.unit}/mm"
+        )
+        against = one.against or (1.0, 1.0)
+        return OwnScale(
+            group.plan,
+            group.plan if mark is None else mark.view,
+            symbol,
+            float(f"{group.mu / one.times:.4g}"),
+            group.mu,
+            unit,
+            one.by,
+            one.agree,
+            one.among,
+            first,
+            own,
+            against,
+        )
+
+
+def _times(taken: Taken, unit: float) -> Taken:
+    """Return a reading that was written in another unit in mm."""
+    x, y, mm = (None if one is None else unit * one for one in (taken.x, taken.y, taken.mm))
+    last = Last(unit * taken.last.mm, taken.last.value, unit * taken.last.x, unit * taken.last.y)
+    return taken._replace(mm=mm, x=x, y=y, last=last)
+
+
+def _moved(taken: Taken, moves: Mapping[str, Placed]) -> Taken:
+    """Return a reading of a point as its plan stands on the sheet, from its pole."""
+    if not taken.pointed or taken.plan not in moves:
+        return taken
+    one = moves[taken.plan]
+    spot = one.move.back(taken.spot - one.origins.get(taken.position, 0j))
+    last = taken.last
+    if one.move.turns % 2:
+        last = last._replace(x=last.y, y=last.x)
+    return taken._replace(x=spot.real, y=spot.imag, last=last)

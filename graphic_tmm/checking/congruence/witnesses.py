@@ -1,0 +1,199 @@
+"""What says in which scale factor a plan was drawn: mm and value in a row, rates, round numbers, lengths.
+
+Thresholds are those of 184 plans drawn by an independent student in scale factors of his own, with 104 kinds of
+mistakes (none of them was given a false one), but where another source is named.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from graphic_tmm.checking.congruence.lengths import Group, Rate, Read, middle
+
+OWN = 0.025
+"""Nearer to what is due than this (a logarithm) no scale factor is another one: paper is off by it."""
+RANGE = (0.3, 3.4)
+"""So many times as large as due a plan may be in a scale factor of its own; what is beyond is another unit."""
+ROUND, MANTISSAS = 0.012, (1.0, 1.2, 1.25, 1.5, 1.6, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5, 8.0)
+"""Lengths alone tell a scale factor to about 1 %: a round one so near is meant."""
+EXACT = 0.004
+"""Rows and rates tell a scale factor so nearly: a round one so near is meant."""
+ROWS, NEARLY = 0.8, 0.02
+"""Of rows with mm and value this share must have one scale factor, so nearly."""
+STEADY, SAME = 0.004, 0.01
+"""Rates and lengths agree where their quotient scatters by no more; two witnesses where they are so near."""
+FIRST, FIRST_SHARE = 0.03, 0.7
+"""What is laid off first has one ratio, so nearly, in this share of the positions."""
+MANY, MORE, ALONE = 0.5, 0.1, 0.8
+"""The share of the other lengths that must agree, by how much more than with what is due; where nothing is laid
+off first, the share of all."""
+FEWEST = 4
+"""Fewer lengths say nothing of a scale factor."""
+
+
+class Verdict(NamedTuple):
+    """How many times as large as due a plan was drawn, and what says so.
+
+    ``by``: "rows", "rates", "round", "lengths", "" where it is as due; ``agree`` figures ``among`` so many say
+    it; ``places``: positions in which it is another, and how many times; ``against``: what lengths say and
+    what rates say where they differ, None if they agree.
+    """
+
+    times: float = 1.0
+    by: str = ""
+    agree: int = 0
+    among: int = 0
+    places: tuple[tuple[str, float], ...] = ()
+    against: tuple[float, float] | None = None
+
+
+def verdict(
+    group: Group, lengths: Sequence[Read], rates: Sequence[Rate], others: Sequence[Read] = ()
+) -> Verdict:
+    """Return in which scale factor lengths were drawn that are due in that of a group.
+
+    ``others``: lengths of the plan of positions, by which rates may have been calculated, too.
+    """
+    found = _verdict(group, lengths, rates, others)
+    near = rounded(group.mu / found.times)
+    if found.by in ("rows", "rates") and abs(math.log(near * found.times / group.mu)) <= EXACT:
+        return found._replace(times=group.mu / near)
+    return found
+
+
+def _verdict(
+    group: Group, lengths: Sequence[Read], rates: Sequence[Rate], others: Sequence[Read]
+) -> Verdict:
+    if (said := _by_rows(group, lengths)) is not None:
+        return said
+    if len(lengths) < FEWEST:
+        return Verdict()
+    laid = [one.ratio for one in lengths if one.laid]
+    k = middle(laid or [one.ratio for one in lengths])
+    if not _apart(k):
+        return Verdict()
+    if laid and _share(laid, k, FIRST) < FIRST_SHARE:
+        return Verdict()
+    told = _rates_say(lengths, rates, others)
+    if told is not None:
+        return _by_rates(k, told)
+    rest = [one for one in lengths if not one.laid]
+    agree, due = _agreeing(rest, k), _agreeing(rest, 0.0)
+    enough = len(rest) * (MANY if laid else ALONE)
+    if rest and (agree < enough or agree < due + MORE * len(rest)):
+        return Verdict()
+    fit = middle([one.ratio for one in lengths if _near(one, k)])
+    times = math.exp(fit)
+    near = rounded(group.mu / times)
+    if abs(math.log(near * times / group.mu)) <= ROUND:
+        return Verdict(group.mu / near, "round", agree + len(laid), len(lengths))
+    return Verdict(times, "lengths", agree + len(laid), len(lengths))
+
+
+def _by_rows(group: Group, lengths: Sequence[Read]) -> Verdict | None:
+    """Return what rows with mm and value say; None where there are too few, or they differ."""
+    rows = [one for one in lengths if math.isfinite(one.value) and one.value > 0.0]
+    if len(rows) < FEWEST:
+        return None
+    ratios = {one: math.log(group.mu * one.mm / one.value) for one in rows}
+    k = middle([*ratios.values()])
+    agree = sum(abs(one - k) <= NEARLY for one in ratios.values())
+    if agree >= ROWS * len(rows):
+        return Verdict(math.exp(_settled(k)), "rows" if _settled(k) else "", agree, len(rows))
+    by_place: defaultdict[str, list[float]] = defaultdict(list)
+    for one, ratio in ratios.items():
+        by_place[one.position].append(ratio)
+    places = {
+        place: middle(some)
+        for place, some in by_place.items()
+        if len(some) > 1 and np.ptp(some) < 2 * NEARLY
+    }
+    alike = sum(len(by_place[place]) for place in places)
+    if alike < ROWS * len(rows):
+        return None
+    k = middle([*places.values()])
+    own = tuple(
+        (place, math.exp(_settled(one))) for place, one in places.items() if abs(one - k) > OWN
+    )
+    return Verdict(math.exp(_settled(k)), "rows", alike, len(rows), own)
+
+
+def _settled(k: float) -> float:
+    return k if abs(k) > OWN else 0.0
+
+
+def _apart(k: float) -> bool:
+    return abs(k) > OWN and RANGE[0] < math.exp(k) < RANGE[1]
+
+
+def _share(ratios: Sequence[float], k: float, within: float) -> float:
+    return sum(abs(one - k) <= within for one in ratios) / len(ratios)
+
+
+def _near(one: Read, k: float) -> bool:
+    """Whether a length is ``k`` times as long as due (a logarithm), within 2.5 times a usual error."""
+    return abs(one.ratio - k) <= 2.5 * math.hypot(0.9 / one.due, 0.02)
+
+
+def _agreeing(lengths: Sequence[Read], k: float) -> int:
+    return sum(_near(one, k) for one in lengths)
+
+
+def _rates_say(
+    lengths: Sequence[Read], rates: Sequence[Rate], others: Sequence[Read]
+) -> tuple[float, int, int] | None:
+    """Return by the rate and the length that agree best how many times larger the plan is; in how many rows.
+
+    Of a rate that was calculated from a length, rate : length is μ over what is the same everywhere, or over a
+    length of the plan of positions.
+    """
+    best: tuple[tuple[float, float], float] | None = None
+    by_rate, by_length, by_other = map(_by_name, (rates, lengths, others))
+    for rate in by_rate.values():
+        for length in by_length.values():
+            for other in ({}, *by_other.values()):
+                places = rate.keys() & length.keys() & (other or rate).keys()
+                if len(places) < 2:
+                    continue
+                q = np.array([length[n] - rate[n] - other.get(n, 0.0) for n in sorted(places)])
+                k = float(np.median(q))
+                off = np.abs(q - k)
+                wide, agree = float(np.median(off)), int((off <= STEADY).sum())
+                rank = (-agree, wide)
+                if wide < STEADY and 2 * agree > len(q) and (best is None or rank < best[0]):
+                    best = rank, k
+    if best is None:
+        return None
+    return best[1], int(-best[0][0]), max(map(len, by_rate.values()))
+
+
+def _by_name(some: Sequence[Any]) -> dict[str, dict[str, float]]:
+    """Return ratios by segment and position."""
+    found: defaultdict[str, dict[str, float]] = defaultdict(dict)
+    for one in some:
+        found[one.segment][one.position] = one.ratio
+    return found
+
+
+def _by_rates(k: float, told: tuple[float, int, int]) -> Verdict:
+    """Return the verdict where rates say something: the same as lengths, or against them."""
+    said, agree, count = told
+    if abs(said - k) <= FIRST:
+        return Verdict(math.exp(said), "rates", agree, count)
+    return Verdict(against=(math.exp(k), math.exp(_settled(said))), agree=agree, among=count)
+
+
+def rounded(mu: float) -> float:
+    """Return the round number nearest to a scale factor, by their ratio.
+
+    >>> rounded(0.0199), rounded(0.0312)
+    (0.02, 0.03)
+    """
+    power = math.floor(math.log10(mu))
+    tried = [float(f"{m:g}e{p}") for p in (power - 1, power, power + 1) for m in MANTISSAS]
+    return min(tried, key=lambda one: abs(math.log(one / mu)))

@@ -1,0 +1,115 @@
+"""What is said first of a drawing: in which scale factors it was judged, what was turned, its unit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from graphic_tmm.checking.congruence.moves import MOVES, Move
+from graphic_tmm.checking.records import OwnScale
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import number
+from graphic_tmm.language.said import Said, joined, said
+from graphic_tmm.language.symbols import plain
+from graphic_tmm.language.units import unit as unit_name
+from graphic_tmm.scene.captions import view_name
+
+DOWN = Move(0, mirrored=True)
+_DIGITS = 4
+_WHY = {
+    "stated": said("you state it"),
+    "rows": said("mm and values of {agree} rows of {count} say it"),
+    "rates": said("your rates and lengths say it in {agree} positions of {count}"),
+}
+"""Why a scale factor is somebody's own, where that is decided."""
+
+
+def head(
+    scales: Sequence[OwnScale], moves: Mapping[str, Move], unit: str, language: str
+) -> tuple[str, ...]:
+    """Return the sentences on how a drawing was judged."""
+    speech = speaking(language)
+    return tuple(speech(one) for one in _sentences(scales, moves, unit, language))
+
+
+def _sentences(
+    scales: Sequence[OwnScale], moves: Mapping[str, Move], unit: str, language: str
+) -> Iterator[Said]:
+    own = [one for one in scales if one.by in _WHY and one.mu != one.due]
+    if own:
+        told = joined("; ", [_own(one, language) for one in own])
+        yield said("Judged in your own scale factors: {told}.", told=told)
+    for one in scales:
+        if one.by in ("round", "lengths"):
+            yield _asked(one, language)
+        if one.against != (1.0, 1.0):
+            yield _against(one, language)
+    yield from _moved(moves, language)
+    if unit:
+        yield said(
+            "The lengths were written in {unit}, not in mm; they are judged as such.", unit=unit
+        )
+
+
+def _mu(mu: float, one: OwnScale, language: str) -> str:
+    of = unit_name(one.unit.removesuffix("/mm").strip("()"), language)
+    of = f"({of})" if "/" in of or "·" in of else of
+    return f"{plain(one.symbol)} = {number(mu, language, _DIGITS)} {of}/{unit_name('mm', language)}"
+
+
+def _own(one: OwnScale, language: str) -> Said:
+    places = ""
+    if one.places:
+        listed = ", ".join(f"{place}: {number(mu, language, _DIGITS)}" for place, mu in one.places)
+        places = f" ({listed})"
+    return said(
+        "{plan}, {mu}{places}, where the task has {due} ({why})",
+        plan=view_name(one.view, language),
+        mu=_mu(one.mu, one, language),
+        places=places,
+        due=number(one.due, language, _DIGITS),
+        why=said(_WHY[one.by], agree=one.agree, count=one.among),
+    )
+
+
+def _asked(one: OwnScale, language: str) -> Said:
+    return said(
+        "{plan}: all lengths are {times} times as long as due. That is right if you took {mu}; if you took "
+        "{due}, {first} was laid off wrongly. Write your scale factor into the readings.",
+        plan=view_name(one.view, language),
+        times=number(one.due / one.mu, language, 3),
+        mu=_mu(one.mu, one, language),
+        due=number(one.due, language, _DIGITS),
+        first=one.first or said("what is laid off first"),
+    )
+
+
+def _against(one: OwnScale, language: str) -> Said:
+    lengths, rates = (number(times, language, 3) for times in one.against)
+    return said(
+        "{plan}: the lengths are {lengths} times as long as due, but your rates were calculated with a scale "
+        "factor of {rates} times the task's: it is no scale factor of your own, {first} was laid off wrongly.",
+        plan=view_name(one.view, language),
+        lengths=lengths,
+        rates=rates,
+        first=one.first or said("what is laid off first"),
+    )
+
+
+def _moved(moves: Mapping[str, Move], language: str) -> Iterator[Said]:
+    by_move: dict[Move, list[str]] = {}
+    for plan, move in moves.items():
+        by_move.setdefault(move, []).append(view_name(plan, language))
+    for move, plans in by_move.items():
+        if move == Move(0):
+            yield said(
+                "The points are counted from an origin of their own, not from the pole ({plans}).",
+                plans=", ".join(plans),
+            )
+            continue
+        yield said(
+            "The points are taken {how} ({plans}), and are judged so.",
+            how=MOVES[move],
+            plans=", ".join(plans),
+        )
+        if move == DOWN and len(plans) > 1:
+            yield said("Or the crank was turned the other way: these points do not tell which.")
