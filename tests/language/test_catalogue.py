@@ -30,6 +30,7 @@ RUSSIAN_BY_NATURE = {
     "checking/readings/csv_cells.py": "input: titles typed with Cyrillic letters that look like x and y, мм",
     "checking/readings/figures.py": "input: мм behind a figure",
     "checking/readings/names.py": "input: words, endings of names; Cyrillic letters by shape and sound",
+    "checking/congruence/stated.py": "input: what people write for a scale factor",
     "scene/units.py": "input: units as Russian task sheets write them",
     "scene/quantities.py": "input: the word of kgf",
     "scene/misfits.py": "input: yes and no",
