@@ -31,7 +31,8 @@ from graphic_tmm.checking.mutations.unseen import Unseen, told_unseen
 from graphic_tmm.checking.readings.mending import mended
 from graphic_tmm.checking.readings.read import TOLD
 from graphic_tmm.checking.readings.signs import with_signs
-from graphic_tmm.checking.records import Judged, Report, Taken, Whole
+from graphic_tmm.checking.records import INSTRUMENT, MISTAKE, Judged, Report, Taken, Whole
+from graphic_tmm.checking.report.findings import sure
 from graphic_tmm.checking.report.rows import WORDS
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError
@@ -253,9 +254,11 @@ class Checker:
         parts = [part for taken in agreed.rows for part in taken.parts()]
         compared = Comparison(bench.made, parts, by, worse_of([one.times for one in judged]))
         small = groups(bench.made, judged, by)
-        diagnosis = diagnosed(bench.mistakes, compared, judged, rare=bool(small))
+        diagnosis = diagnosed(bench.mistakes, compared, judged, rare=bool(small or whole))
         found = likely_mistakes(diagnosis, compared, language)
         wrongly = mistaken_scenes(found, diagnosis, bench.made)
+        if any(one.kind in (MISTAKE, INSTRUMENT) and sure(one) for one in found):
+            whole = None  # it is off by that
         found = found or small
         notes = (*notes, *told_unseen(bench.unseen.of(compared), language))
         lessons = bench.teacher.lessons(judged, found, by.reader, wrongly)

@@ -8,13 +8,15 @@ what it usually is. The limits are those of the hand's own drawings, not of a no
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Sequence
 from statistics import NormalDist
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
 from graphic_tmm.board.values import Reals
+
+T = TypeVar("T")
 
 RIDGE = 0.04
 """Is added to the variance of every reading, each measured by its size: no reading is known better than a fifth
@@ -31,8 +33,8 @@ FEW, MUCH_WORSE = 20, 1.6
 """Fewer readings do not tell how far off a hand is; none is taken for more than so many times worse, else a
 mistake would hide."""
 EULER = 0.5772156649015329
-KEPT = 400
-"""So many covariances are kept at the most."""
+KEPT = 1000
+"""So much that was found out of readings is kept at the most: of drawings of one form some fifty."""
 
 
 class Covariance(NamedTuple):
@@ -61,7 +63,7 @@ class Covariances:
 
     def __init__(self) -> None:
         self._hand: dict[int, tuple[object, Reals]] = {}
-        self._kept: dict[Hashable, Any] = {}
+        self._kept: dict[tuple[Any, ...], tuple[Any, Sequence[object]]] = {}
 
     def hand(self, by: object, found: Callable[[], Reals]) -> Reals:
         """Return what the hand's drawings have of a reading; ``by``: of what it is known, there to stay."""
@@ -73,19 +75,24 @@ class Covariances:
         """Return how readings go together; None if too few drawings tell. ``rows``: as `hand` returns them."""
         if FEWEST * len(rows) > rows[0].size:
             return None
-        return self._once(tuple(map(id, rows)), lambda: covariance(np.array(rows, np.float64)))  # type: ignore[no-any-return]
+        return self._once("readings", rows, lambda: covariance(np.array(rows, np.float64)))
+
+    def summed(self, rows: Sequence[Reals], shares: Reals) -> tuple[float, Reals]:
+        """Return the root mean square of the sum of readings, each with its share, and the sums so measured."""
+        return self._once("sum", rows, lambda: summed(np.array(rows, np.float64), shares))
 
     def usual(self, some: Sequence[Covariance]) -> Usual:
         """Return what is usual of drawings with all these readings."""
-        # what was kept of them stays as long as they do
-        return self._once(("usual", *map(id, some)), lambda: (usual(some), some))[0]  # type: ignore[no-any-return]
+        return self._once("usual", some, lambda: usual(some))
 
-    def _once(self, key: Hashable, found: Callable[[], Any]) -> Any:
+    def _once(self, kind: str, some: Sequence[object], found: Callable[[], T]) -> T:
+        """Return what is found out of some things, which are kept with it: they are known by being the same."""
+        key = (kind, *map(id, some))
         if key not in self._kept:
             if len(self._kept) >= KEPT:
                 self._kept.clear()
-            self._kept[key] = found()
-        return self._kept[key]
+            self._kept[key] = (found(), tuple(some))
+        return self._kept[key][0]  # type: ignore[no-any-return]
 
 
 def covariance(hand: Reals) -> Covariance:
@@ -101,6 +108,13 @@ def covariance(hand: Reals) -> Covariance:
     root = np.sqrt(np.mean(residuals**2, axis=1))
     sizes = np.maximum(root, np.max(residuals, axis=1) / LOOSE)
     return Covariance(precision, sizes, residuals / sizes[:, None], squares)
+
+
+def summed(hand: Reals, shares: Reals) -> tuple[float, Reals]:
+    """Return the root mean square of the sum of readings, each with its share, and the sums so measured."""
+    row = shares @ hand
+    size = float(np.sqrt(np.mean(row**2)))
+    return size, row / size
 
 
 def without(precision: Reals, at: int) -> Reals:

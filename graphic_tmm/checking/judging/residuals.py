@@ -75,9 +75,12 @@ def _sets(rows: Sequence[CountedReading], by: Yardstick) -> Iterator[_Set]:
             yield _Set(numbers, covariance, pointed)
 
 
+def _times(rows: Sequence[CountedReading], some: _Set) -> Reals:
+    return np.array([rows[k].times for k in some.numbers])
+
+
 def _residuals(rows: Sequence[CountedReading], some: _Set) -> Reals:
-    times = np.array([rows[k].times for k in some.numbers])
-    precision = some.together.precision
+    times, precision = _times(rows, some), some.together.precision
     return np.asarray(np.abs(precision @ times) / np.sqrt(np.diag(precision)))
 
 
@@ -95,7 +98,7 @@ def _eliminated(
     The largest is taken out, and the rest judged without it, as long as it is beyond the limit. One that is
     fine by itself is taken out, too, and yielded with no residual: the rest shall not be blamed for it.
     """
-    times = np.array([rows[k].times for k in some.numbers])
+    times = _times(rows, some)
     precision, sizes = some.together.precision, some.together.sizes
     left: NDArray[Any] = np.arange(times.size)
     for wrong in [i for i, k in enumerate(some.numbers) if rows[k].judged.verdict == WRONG]:
@@ -117,18 +120,47 @@ def _eliminated(
 
 
 def _whole(rows: Sequence[CountedReading], by: Yardstick) -> Whole | None:
-    """Return how rare a drawing is as a whole, by its readings that are not wrong; None if it is not."""
+    """Return how rare a drawing is as a whole, by its readings that are not wrong; None if it is not.
+
+    By how far off they are, position by position; and by the sums of each segment over all positions, in which
+    what is off in the same way adds up. It is rare by the rarer of the two.
+    """
     rows = [one for one in rows if one.judged.verdict != WRONG]
     sets = list(_sets(rows, by))
     if not sets:
         return None
-    here = sum(
-        float(times @ one.together.precision @ times)
-        for one in sets
-        for times in [np.array([rows[k].times for k in one.numbers])]
-    )
-    rare = tail(here, by.covariances.usual([one.together for one in sets]).squares)
+    chances = [_chance([(_times(rows, one), one.together) for one in sets], by)]
+    sums = _sums([rows[k] for one in sets for k in one.numbers], by)
+    together = by.covariances.of([hand for _, hand in sums])
+    if together is not None:
+        chances.append(_chance([(np.array([here for here, _ in sums]), together)], by))
+    rare = len(chances) * min(chances)
     if rare >= RARE:
         return None
     doubtful = sum(one.judged.verdict == DOUBTFUL for one in rows)
     return Whole(rare, doubtful, (1.0 - by.limits.doubtful) * len(rows), len(rows))
+
+
+def _chance(some: Sequence[tuple[Reals, Covariance]], by: Yardstick) -> float:
+    """Return in which share of a hand's drawings sets of figures are together so far off."""
+    here = sum(float(times @ one.precision @ times) for times, one in some)
+    return tail(here, by.covariances.usual([one for _, one in some]).squares)
+
+
+def _sums(rows: Sequence[CountedReading], by: Yardstick) -> list[tuple[float, Reals]]:
+    """Return how far off each segment is in all positions together: here, and in the hand's drawings.
+
+    Long ones count for more: most mistakes make a segment so many times too long. Measured by what is usual.
+    """
+    together: dict[tuple[str, str, bool], list[CountedReading]] = defaultdict(list)
+    for one in rows:
+        taken = one.judged.taken
+        together[taken.plan, taken.segment, taken.pointed].append(one)
+    found = []
+    for some in together.values():
+        shares = np.array([abs(one.judged.due) for one in some])
+        longest = float(np.max(shares))
+        shares = shares / longest if longest > 0.0 else np.ones(len(some))
+        size, hand = by.covariances.summed([one.hand for one in some], shares)
+        found.append((float(shares @ [one.times for one in some]) / size, hand))
+    return found

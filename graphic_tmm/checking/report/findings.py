@@ -66,6 +66,8 @@ def _verdict(report: Report) -> str:
         return finding(report.mistakes[0], report.language)
     if report.wrong:
         return _begin(report)
+    if report.whole is not None:
+        return words["only whole"]
     if report.sight is not None and not report.sight.whole:
         return words["seen right"]
     doubtful = any(one.verdict == DOUBTFUL for one in report.readings)
@@ -91,11 +93,14 @@ def _seen(sight: Sight, language: str) -> str:
 
 
 def summary(report: Report) -> str:
-    """Return how many readings are fine, doubtful, wrong; how many of these no finding explains."""
+    """Return how many readings are fine, doubtful, wrong; the whole; how many wrong no finding explains."""
     words = WORDS[report.language]
     if not report.readings:
         return ""
     said = [words["counts"].format(all=len(report.readings), **counts(report))]
+    if (whole := report.whole) is not None:
+        due = fixed(whole.due, 1, report.language)
+        said.append(words["whole"].format(doubtful=whole.doubtful, of=whole.of, due=due))
     left = unexplained(report)
     if 0 < len(left) < report.wrong:
         lines = runs([one.taken.line for one in left])

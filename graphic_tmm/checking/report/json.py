@@ -19,6 +19,7 @@ def json_report(report: Report) -> str:
     where it was given as a quantity the mm are null and value, due_value, deviation_value and unit follow; x
     and y (mm) where a point was read; own_error_mm where a step is blamed with its own error; follows_from, the
     segment of the earlier reading (follows_from_line) whose deviation it has; line of the file.
+    ``whole``, where the drawing is farther off than a hand's as a whole, else null: {rare, doubtful, due, of}.
     ``mistakes``: {name, says, like, kind, family, plan, segment, position, step, chance, lines, explains,
     wrong, rest}. ``unexplained``: how many of the wrong readings no mistake explains. ``lessons``, of the steps
     that are blamed: {plan, step, letter, says, why, drawn, position, calculation,
@@ -33,6 +34,8 @@ def json_report(report: Report) -> str:
     lines.append(f' "counts": {_dumped(counts(report))},')
     if report.sight is not None:
         lines.append(f' "seen": {_dumped(_sight(report.sight))},')
+    whole = None if report.whole is None else report.whole._asdict()
+    lines.append(f' "whole": {_dumped(whole)},')
     lines += _rows("readings", [_reading(one) for one in report.readings])
     lines += _rows("mistakes", [_mistake(report, one) for one in report.mistakes])
     lines += _rows("lessons", [_lesson(one) for one in report.lessons])

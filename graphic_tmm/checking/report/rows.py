@@ -44,6 +44,11 @@ TEXTS: dict[str, str] = {
     "plans seen": said("{name}: {seen} of {of}"),
     "nothing said": said(", nothing is said about them"),
     "not whole": said(" (not wholly: {positions})"),
+    "only whole": said("No reading is wrong by itself, but the drawing as a whole is."),
+    "whole": said(
+        "As a whole the drawing is farther off than 99.9 % of hands: {doubtful} of {of} readings are doubtful "
+        "where {due} are due."
+    ),
     "mistake": said("Most likely: {says}."),
     "perhaps": said("Perhaps, but the readings do not say it for sure: {says}."),
     "perhaps alike": said("Perhaps one of these, but the readings do not say it for sure: {says}."),

@@ -13,8 +13,9 @@ from support.another_hand import CALCULATED, MACHINES, RULERS, Pencil, csv_of, r
 from support.gallery import CASES
 from support.verdicts import verdicts
 
+from graphic_tmm.checking.check import Checker
 from graphic_tmm.checking.readings.read import read_readings
-from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Taken
+from graphic_tmm.checking.records import DOUBTFUL, FINE, MISTAKE, WRONG, Taken
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 
@@ -143,3 +144,51 @@ def test_small_things_everywhere_are_told_as_a_whole(tmp_path: Path) -> None:
     counted = [one for one in report.readings if one.verdict == DOUBTFUL]
     assert 1 <= report.whole.doubtful <= len(counted)
     assert report.whole.due == pytest.approx(0.03 * report.whole.of)
+
+
+ARM = 1.05
+"""So many times too long is BC of the slotted lever; nobody sees 5 % of one reading."""
+
+
+@pytest.mark.slow
+def test_a_link_of_another_length_is_told_on_the_drawing_as_a_whole(
+    tmp_path: Path, many: Callable[[int, int], int]
+) -> None:
+    """By lengths alone, where hardly a reading is wrong; and no honest drawing of the same."""
+    found: Counter[str] = Counter()
+    for seed in range(9000, 9000 + many(100, 25)):
+        pen = Pencil(np.random.default_rng(seed), RULERS[seed % 3])
+        rows = rows_of("rpr", pen, sheets("rpr", pen), "mm")
+        kept = {at: row for at, row in rows.items() if row[0] and at[2] not in CALCULATED}
+        arm = {
+            at: [f"{float(row[0]) * (ARM if at[2] in ('pc', 'πc') else 1.0):g}", *row[1:]]
+            for at, row in kept.items()
+        }
+        for name, some in (("honest", kept), ("arm", arm)):
+            path = tmp_path / "readings.csv"
+            path.write_text(csv_of(some), "utf-8")
+            (report,) = verdicts(scene("rpr"), [("readings", read_readings(path))])
+            found[name] += report.whole is not None
+        found["drawings"] += 1
+    assert found["arm"] >= 0.8 * found["drawings"]
+    assert found["honest"] == 0
+
+
+def test_where_a_mistake_is_named_it_is_off_by_that() -> None:
+    checker = Checker(scene("sc"))
+    taken = read_readings(CASES / "check" / "normal_from_the_wrong_end_sc.csv")
+    report = checker.of(taken).report
+    assert checker.verdicts(taken)[1] is not None
+    assert report.mistakes[0].kind == MISTAKE
+    assert report.mistakes[0].chance >= 0.8
+    assert report.whole is None
+
+
+def test_what_is_due_to_vanish_is_judged_with_the_others(tmp_path: Path) -> None:
+    """At a dead centre pb is nothing, and is the only reading of its segment."""
+    taken = drawing("sc", Pencil(np.random.default_rng(1), 0.1), tmp_path)
+    dead = tuple(one for one in taken if one.position == "0" and one.mm is not None)
+    assert any(one.segment == "pb" for one in dead)
+    (report,) = verdicts(scene("sc"), [("readings", dead)])
+    assert {one.verdict for one in report.readings} <= {FINE, DOUBTFUL}
+    assert report.whole is None

@@ -17,6 +17,7 @@ from graphic_tmm.checking.records import (
     WRONG,
     Lesson,
     Likely,
+    Whole,
 )
 from graphic_tmm.checking.report.findings import (
     details,
@@ -231,3 +232,28 @@ def test_what_is_calculated_in_another_unit_than_it_was_read_has_both_figures() 
 
     assert told("mm") == "It should be: ab = 2·4 = 8 mm. You have 3.0 mm."
     assert told("m/s") == "It should be: ab = 2·4 = 8 mm. You have 3 m/s; due is 5 m/s."
+
+
+OFF = Whole(rare=1e-4, doubtful=10, due=0.48, of=16)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_drawing_that_is_off_as_a_whole_is_told_at_the_head(language: str) -> None:
+    """In every form, with its figures; and the headline no longer says that all is well."""
+    doubtful = [judged(verdict=DOUBTFUL, line=line) for line in range(2, 12)]
+    fine = report(*doubtful, language=language)
+    whole = fine._replace(whole=OFF)
+    assert headline(whole) != headline(fine)
+    assert summary(fine) in summary(whole)
+    told = re.findall(r"\d+[.,]?\d*", summary(whole).replace(summary(fine), ""))
+    figures = [float(one.replace(",", ".")) for one in told]
+    assert sorted(figures) == [0.5, 10, 16, 99.9]
+    for text in (markdown_report(whole), html_report(whole), printed(whole, 400)):
+        assert summary(whole).split(".")[-2].strip()[-30:] in " ".join(text.split())
+    assert loaded(json_report(whole))["whole"] == OFF._asdict()
+    assert loaded(json_report(fine))["whole"] is None
+
+
+def test_what_is_wrong_goes_before_the_whole() -> None:
+    rows = (judged(verdict=WRONG), judged(verdict=DOUBTFUL, line=3))
+    assert headline(report(*rows)._replace(whole=OFF)) == headline(report(*rows))
