@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
+import numpy as np
+
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Length
 from graphic_tmm.checking.cells import Cell, Key, cells, points
@@ -31,9 +33,9 @@ from graphic_tmm.checking.judging.taken_marks import steps_of
 from graphic_tmm.checking.records import Last, OwnScale, Taken
 from graphic_tmm.drawn import DrawnScene
 
-ALIKE, COPY = 0.02, 0.16
+ALIKE, COPY = 0.015, 0.16
 """Scale factors of all plans so nearly alike (logarithms), and no farther off, are those of a copy."""
-UNLIKELY = 0.1
+UNLIKELY = 0.05
 """Lengths alone say no scale factor that is nearer to the due one than this."""
 UNITS = {"cm": 10.0, "inch": 25.4}
 """What may be written where mm are asked for."""
@@ -96,10 +98,7 @@ class Congruence:
     @cached_property
     def _plan_groups(self) -> Mapping[str, Group]:
         """To what each plan of points is drawn."""
-        found: dict[str, Group] = {}
-        for (plan, _), group in self.groups.items():
-            found.setdefault(plan, group)
-        return {plan: found[plan] for plan, _, _ in self.spots if plan in found}
+        return {plan: group for (plan, segment), group in self.groups.items() if not segment}
 
     def of(
         self,
@@ -129,7 +128,7 @@ class Congruence:
         return Agreed(rows, times, places, scales, plain, unit)
 
     def _order(self, group: Group) -> tuple[int, str, float]:
-        plans = [*dict.fromkeys(plan for plan, _, _ in self.due)]
+        plans = [*dict.fromkeys(plan for plan, _, _ in (*self.spots, *self.due))]
         return plans.index(group.plan), group.unit, group.mu
 
     def _in_mm(self, rows: Sequence[Taken]) -> tuple[tuple[Taken, ...], str]:
@@ -146,17 +145,12 @@ class Congruence:
 
     def _moves(self, rows: Sequence[Taken], turns: Mapping[str, Move]) -> dict[str, Placed]:
         plans = [plan for plan in self._plan_groups if any(one.plan == plan for one in rows)]
-        found: dict[str, Placed] = {}
-        for plan in plans:
-            if plan in turns:
-                found[plan] = Placed(turns[plan], 1.0, {})
-            elif (one := placed(rows, self.spots, plan, whole=False)) is not None:
-                found[plan] = one
-        missing = [plan for plan in plans if plan not in found]
-        whole = {plan: placed(rows, self.spots, plan, whole=True) for plan in missing}
-        if len(whole) == len(plans) and all(one and one.move == Move(2) for one in whole.values()):
-            found |= {plan: one for plan, one in whole.items() if one}
-        return found
+        stated = {plan: Placed(turns[plan], 1.0, {}) for plan in plans if plan in turns}
+        free = [plan for plan in plans if plan not in stated]
+        whole = {plan: placed(rows, self.spots, plan, whole=True) for plan in free}
+        if not all(one and one.move == Move(2) for one in whole.values()):
+            whole = {plan: placed(rows, self.spots, plan, whole=False) for plan in free}
+        return stated | {plan: one for plan, one in whole.items() if one}
 
     def _lengths(self, rows: Sequence[Taken]) -> dict[Group, list[Read]]:
         lengths = dict(lengths_of(rows, self.due, self.groups, self._laid))
@@ -184,12 +178,14 @@ class Congruence:
 
     def _not_copied(self, found: Mapping[Group, Verdict]) -> dict[Group, Verdict]:
         """Return the scale factors without those that a copy, or the paper, explains: all plans look alike."""
-        mere = {g: v for g, v in found.items() if v.by in ("round", "lengths")}
-        decided = any(one.by in ("rates", "rows") for one in found.values())
+        mere = {g: v for g, v in found.items() if v.by in ("round", "lengths", "rates")}
         ratios = [math.log(one.times) for one in mere.values()]
-        alike = bool(ratios) and not decided and max(ratios) - min(ratios) <= 2 * ALIKE
-        near = {g for g, v in mere.items() if abs(math.log(v.times)) <= UNLIKELY}
-        if alike and max(map(abs, ratios)) <= COPY and (len(mere) > 1 or near):
+        near = {
+            group
+            for group, one in mere.items()
+            if one.by != "rates" and abs(math.log(one.times)) <= UNLIKELY
+        }
+        if len(mere) > 1 and max(map(abs, ratios)) <= COPY and np.ptp(ratios) <= 2 * ALIKE:
             near = set(mere)
         return {g: Verdict(among=v.among) if g in near else v for g, v in found.items()}
 

@@ -33,7 +33,8 @@ class Group(NamedTuple):
 class Read(NamedTuple):
     """A length as it was read and as it is due, mm; what it stands for (NaN where that was not written).
 
-    ``laid``: it is the first that is laid off from what is given, as pa is.
+    ``laid``: it is the first that is laid off from what is given, as pa is; ``apart``: it is how far two points
+    that were read stand apart.
     """
 
     position: str
@@ -42,6 +43,7 @@ class Read(NamedTuple):
     due: float
     value: float = math.nan
     laid: bool = False
+    apart: bool = False
 
     @property
     def ratio(self) -> float:
@@ -115,7 +117,8 @@ def spread_of(
             for other in names[:k]:
                 read, due = (abs(pairs[name][j] - pairs[other][j]) for j in (0, 1))
                 if due >= SHORT and read > 0.0:
-                    found[groups[plan]].append(Read(position, f"{other}{name}", read, due))
+                    one = Read(position, f"{other}{name}", read, due, apart=True)
+                    found[groups[plan]].append(one)
     return found
 
 

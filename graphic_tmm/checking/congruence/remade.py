@@ -12,9 +12,10 @@ import numpy as np
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
-from graphic_tmm.checking.cells import cells
+from graphic_tmm.checking.cells import Key, cells, points
 from graphic_tmm.checking.congruence.lengths import Group
 from graphic_tmm.drawn import Drawn, DrawnScene, read_log, view_scales
+from graphic_tmm.readers.columns import unit_of_value
 
 STEP, BASE, MOST, TOGETHER = 1e-9, 5, 2, 8
 """So many scale factors are varied together, by e to so small powers of a base that the change of a length
@@ -104,30 +105,51 @@ def _executed(drawn: Drawn) -> Drawn:
 def groups_of(
     made: DrawnScene, factors: Sequence[tuple[int, Mark]]
 ) -> dict[tuple[str, str], Group]:
-    """Return to what each segment is drawn, by plan and segment.
+    """Return to what each segment, and each plan of points (segment ""), is drawn, by plan and segment.
 
     Where positions have scale factors of their own it is that of the first.
     """
-    due = cells(made)
+    due, there = _sizes(made), cells(made)
     found: dict[tuple[str, str], tuple[int, ...]] = {}
     for first in range(0, len(factors), TOGETHER):
         some = factors[first : first + TOGETHER]
-        moved = cells(_varied(made, some))
+        moved = _sizes(_varied(made, some))
         changes: defaultdict[tuple[str, str], list[float]] = defaultdict(list)
-        for key, cell in due.items():
-            other = moved.get(key)
-            if cell.mm and cell.value and other is not None and other.mm:
-                changes[key[:2]].append(float(np.log(abs(other.mm / cell.mm))))
+        for key, size in due.items():
+            if size and moved.get(key):
+                changes[key[:2]].append(float(np.log(moved[key] / size)))
         for name, row in changes.items():
             found[name] = (*found.get(name, ()), *_powers(float(np.median(row)), len(some)))
     groups: dict[tuple[str, str], Group] = {}
-    scales: dict[tuple[str, tuple[int, ...]], float] = {}
-    for (plan, segment, _), cell in due.items():
+    known: dict[tuple[str, tuple[int, ...]], Group] = {}
+    for (plan, segment, _), cell in there.items():
         if (plan, segment) in found and cell.mm and cell.value:
             powers = found[plan, segment]
-            mu = scales.setdefault((plan, powers), float(f"{abs(cell.value / cell.mm):.5g}"))
-            groups.setdefault((plan, segment), Group(plan, mu, cell.unit, powers))
+            mu = float(f"{abs(cell.value / cell.mm):.5g}")
+            group = known.setdefault((plan, powers), Group(plan, mu, cell.unit, powers))
+            groups.setdefault((plan, segment), group)
+    for (plan, segment), powers in found.items():
+        if not segment:
+            groups[plan, ""] = known.get((plan, powers)) or _of_points(made, factors, plan, powers)
     return groups
+
+
+def _of_points(
+    made: DrawnScene, factors: Sequence[tuple[int, Mark]], plan: str, powers: tuple[int, ...]
+) -> Group:
+    """Return to what a plan is drawn of which only points are read."""
+    (k, mark), *_ = [one for one, power in zip(factors, powers, strict=True) if power] or factors
+    mu = float(np.ravel(np.asarray(made.boards[k].given[mark], dtype=float))[0])
+    return Group(plan, mu, unit_of_value(mark), powers)
+
+
+def _sizes(made: DrawnScene) -> dict[Key, float]:
+    """Return how long segments are, mm, and of points (segment "") how far they are from the pole."""
+    sizes = {key: abs(cell.mm) for key, cell in cells(made).items() if cell.mm and cell.value}
+    far: dict[Key, float] = {}
+    for (plan, _, place), spot in points(made).items():
+        far[plan, "", place] = max(far.get((plan, "", place), 0.0), abs(spot))
+    return sizes | far
 
 
 def _varied(made: DrawnScene, factors: Sequence[tuple[int, Mark]]) -> DrawnScene:

@@ -25,15 +25,15 @@ EXACT = 0.004
 """Rows and rates tell a scale factor so nearly: a round one so near is meant."""
 ROWS, NEARLY = 0.8, 0.02
 """Of rows with mm and value this share must have one scale factor, so nearly."""
-STEADY, SAME = 0.004, 0.01
+STEADY, SAME = 0.004, 0.015
 """Rates and lengths agree where their quotient scatters by no more; two witnesses where they are so near."""
 FIRST, FIRST_SHARE = 0.03, 0.7
 """What is laid off first has one ratio, so nearly, in this share of the positions."""
 MANY, MORE, ALONE = 0.5, 0.1, 0.8
 """The share of the other lengths that must agree, by how much more than with what is due; where nothing is laid
 off first, the share of all."""
-FEWEST = 4
-"""Fewer lengths say nothing of a scale factor."""
+FEWEST, PLENTY = 3, 4
+"""Fewer lengths say nothing of a scale factor; rates of fewer positions are not more exact than lengths."""
 
 
 class Verdict(NamedTuple):
@@ -79,26 +79,36 @@ def _verdict(
         return Verdict()
     if laid and _share(laid, k, FIRST) < FIRST_SHARE:
         return Verdict()
-    told = _rates_say(lengths, rates, others)
-    if told is not None:
-        return _by_rates(k, told)
+    told = _rates_say([one for one in lengths if not one.apart], rates, others)
+    if told is not None and (found := _by_rates(k, told, steady=bool(laid))) is not None:
+        return found
     rest = [one for one in lengths if not one.laid]
     agree, due = _agreeing(rest, k), _agreeing(rest, 0.0)
     enough = len(rest) * (MANY if laid else ALONE)
     if rest and (agree < enough or agree < due + MORE * len(rest)):
         return Verdict()
-    fit = middle([one.ratio for one in lengths if _near(one, k)])
-    times = math.exp(fit)
+    times, off = _fitted([one for one in lengths if one.laid] or lengths, k)
     near = rounded(group.mu / times)
-    if abs(math.log(near * times / group.mu)) <= ROUND:
+    if abs(math.log(near * times / group.mu)) <= max(ROUND, 2.5 * off):
         return Verdict(group.mu / near, "round", agree + len(laid), len(lengths))
     return Verdict(times, "lengths", agree + len(laid), len(lengths))
+
+
+def _fitted(lengths: Sequence[Read], k: float) -> tuple[float, float]:
+    """Return how many times as long as due lengths are, by least squares, and how far off that usually is.
+
+    ``k``: nearly that, as a logarithm; what is farther from it is left out.
+    """
+    near = [one for one in lengths if _near(one, k)]
+    squares = sum(one.due**2 for one in near)
+    times = sum(one.mm * one.due for one in near) / squares
+    return times, 0.9 / (times * math.sqrt(squares))
 
 
 def _by_rows(group: Group, lengths: Sequence[Read]) -> Verdict | None:
     """Return what rows with mm and value say; None where there are too few, or they differ."""
     rows = [one for one in lengths if math.isfinite(one.value) and one.value > 0.0]
-    if len(rows) < FEWEST:
+    if len(rows) < PLENTY:
         return None
     ratios = {one: math.log(group.mu * one.mm / one.value) for one in rows}
     k = middle([*ratios.values()])
@@ -180,12 +190,17 @@ def _by_name(some: Sequence[Any]) -> dict[str, dict[str, float]]:
     return found
 
 
-def _by_rates(k: float, told: tuple[float, int, int]) -> Verdict:
-    """Return the verdict where rates say something: the same as lengths, or against them."""
-    said, agree, count = told
-    if abs(said - k) <= FIRST:
-        return Verdict(math.exp(said), "rates", agree, count)
-    return Verdict(against=(math.exp(k), math.exp(_settled(said))), agree=agree, among=count)
+def _by_rates(k: float, told: tuple[float, int, int], *, steady: bool) -> Verdict | None:
+    """Return the verdict where rates say something: the same as lengths, or against them; None if too little.
+
+    ``steady``: lengths have told ``k`` (a logarithm) by what is laid off, to half a division of the ruler.
+    """
+    says, agree, among = told
+    if abs(says - k) <= (SAME if agree < PLENTY else FIRST):
+        return Verdict(math.exp(k if steady and agree < PLENTY else says), "rates", agree, among)
+    if agree < PLENTY - 1:
+        return None
+    return Verdict(against=(math.exp(k), math.exp(_settled(says))), agree=agree, among=among)
 
 
 def rounded(mu: float) -> float:
