@@ -118,7 +118,7 @@ class Likely(NamedTuple):
     readings were wrong; ``rest``: what of their deviations it leaves, as a share (0 explains all). ``kind``:
     one of `MISTAKE` …; ``family``: of a mistake, which family of mutations it is of ("factor", "operand"),
     for machines. ``plan``, ``segment``, ``position``: where it was made, as readings name it ("" everywhere);
-    ``step``: the letter of its step, "" for none. ``chance``: how sure it is, 0 ... 1.
+    ``step``: the letter of its step in a ``view`` of the log, "" for none. ``chance``: how sure it is, 0 ... 1.
     """
 
     name: str
@@ -134,6 +134,7 @@ class Likely(NamedTuple):
     position: str = ""
     step: str = ""
     chance: float = 0.0
+    view: str = ""
 
 
 class PlanPicture(NamedTuple):

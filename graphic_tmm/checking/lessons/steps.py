@@ -88,6 +88,8 @@ class Steps:
         seen = self._named(finding.plan, finding.segment)
         if not finding.step:
             return seen
+        if finding.view and (finding.view, finding.step) in self._by_letter:
+            return self._by_letter[finding.view, finding.step]
         found = self._named(finding.plan, finding.step)
         if found is not None:
             return found

@@ -7,12 +7,14 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from graphic_tmm.board.findings import step_number
+from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Construction, Mark, Step, segment_name
-from graphic_tmm.checking.cells import Key, taken_figure
+from graphic_tmm.checking.cells import taken_figure
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.diagnosis import Diagnosis
 from graphic_tmm.checking.mutations.evidence import Readings
-from graphic_tmm.checking.mutations.execution import executed, figures_of
+from graphic_tmm.checking.mutations.execution import executed
+from graphic_tmm.checking.mutations.explaining import explained
 from graphic_tmm.checking.mutations.hypotheses import SURE, UNSURE, Hypothesis
 from graphic_tmm.checking.mutations.mistakes import NONE
 from graphic_tmm.checking.mutations.mutation import (
@@ -20,12 +22,16 @@ from graphic_tmm.checking.mutations.mutation import (
     FACTOR,
     GIVEN,
     LEFT_OUT,
+    SENSE,
+    WRONG_END,
     Mutation,
     measured_last,
 )
 from graphic_tmm.checking.mutations.tables import EVERYTHING, TIMES, Variation
-from graphic_tmm.checking.mutations.words import BY_FAMILY, INSTRUMENT, name_of
+from graphic_tmm.checking.mutations.words import BY_FAMILY, INSTRUMENT, TURNED, name_of
 from graphic_tmm.checking.mutations.words import LEFT_OUT as LEFT_OUT_SAYS
+from graphic_tmm.checking.mutations.words import SENSE as SENSE_SAYS
+from graphic_tmm.checking.mutations.words import WRONG_END as WRONG_END_SAYS
 from graphic_tmm.checking.records import INSTRUMENT as OFF
 from graphic_tmm.checking.records import MISTAKE, SLIP, UNKNOWN, Judged, Likely, Taken
 from graphic_tmm.language.catalogue import Speech, speaking
@@ -58,61 +64,6 @@ def shown_at(one: Hypothesis, diagnosis: Diagnosis, drawing: Comparison) -> tupl
         return (found or marks)[0]
     mark = what.at.it if what.at is not None else what.was
     return (mark.view, segment_name(mark.letter)) if mark is not None else ("", "")
-
-
-def explained(one: Hypothesis, diagnosis: Diagnosis, drawing: Comparison) -> tuple[int, ...]:
-    """Return the lines of the wrong readings that a mistake moves, by no small part of what they are off.
-
-    They are nearer to it than to what is due, unless another mistake moves them, too; there may be none. Of a
-    table written down otherwise, those of its place.
-    """
-    what = one.what
-    some = diagnosis.wrong or diagnosis.doubtful
-    if isinstance(what, Mutation):
-        moved = _moved(one, what, some, drawing)
-        alone = len(diagnosis.named) < 2
-        found = [
-            each
-            for each in some
-            if (to := moved.get(each.taken.at)) is not None
-            and _apart(each, *to) > PART * _apart(each, _read(each), to[0])
-            and not (alone and _apart(each, _read(each), to[1]) > _apart(each, _read(each), to[0]))
-        ]
-    else:
-        its = [
-            each
-            for each in some
-            if what.plan in ("", each.taken.plan) and what.segment in ("", each.taken.segment)
-        ]
-        found = its or list(some)
-    return tuple(dict.fromkeys(each.taken.line for each in found))
-
-
-def _read(one: Judged) -> complex:
-    """Return what was read: a point by its place, else a figure."""
-    return one.taken.spot if one.taken.pointed else one.found
-
-
-def _apart(of: Judged, one: complex, other: complex) -> float:
-    """Return how far two figures of a reading are apart, whatever their signs; of a point, two places."""
-    far = abs(one - other) if of.taken.pointed else abs(abs(one) - abs(other))
-    return float(np.nan_to_num(far, nan=np.inf))
-
-
-def _moved(
-    one: Hypothesis, what: Mutation, some: Sequence[Judged], drawing: Comparison
-) -> dict[tuple[Key, bool], tuple[complex, complex]]:
-    """Return what is due of some readings, and what a mistake makes of it where it was made."""
-    made, at = drawing.made, drawing.names[one.place] if one.place is not None else ""
-    board = made.boards[one.board]
-    log = measured_last(board.construction)
-    beside = executed(log, board.given, (NONE, what), [step.it for step in log.steps])
-    due = {each.taken.at: each.due for each in some if at in ("", each.taken.position)}
-    moved = {}
-    for key, row in figures_of(made, board, beside, np.arange(2), tuple(due)).items():
-        whole = 1.0 if np.iscomplexobj(row) or not row[0] or not due[key] else due[key] / row[0]
-        moved[key] = complex(row[0] * whole), complex(row[1] * whole)  # as it was written
-    return moved
 
 
 def _marks(log: Construction, what: Mutation, readings: Readings) -> list[tuple[str, str]]:
@@ -148,8 +99,6 @@ def _columns(
     return sorted(dict.fromkeys(found), key=lambda at: order.get(at, 0))
 
 
-PART = 0.2
-"""A mistake explains a reading if it moves it by so large a share of what it is off."""
 ON_STEP = said("{plan}, step {step}: {told}")
 AT_POSITION = said("{told}, at position {position} only")
 EVERY = said("{told}; in every such step")
@@ -162,6 +111,7 @@ SLIP_BESIDE = said("by itself {segment} is off, too: this reading was read or wr
 SLIP_TEN_BESIDE = said("by itself {segment} is off, too: its decimal point has perhaps slipped")
 EMPTY = said("the readings of {where} are 0: it was left out, or not measured")
 ABOUT = said("the readings of {where} are about {times} times as large as they should be")
+HALF_A_TURN = 180.0
 ROUGHLY = 0.1
 """By so large a share a factor that readings are told to have may be off; else their own is told."""
 NOTHING = 0.05
@@ -218,6 +168,7 @@ def _named(
     if zero and all(zero):
         group = [one._replace(what=_left_out(one.what)) for one in group]
         group = [one for one in group if one.what.says == LEFT_OUT_SAYS] or group
+    group = _once_each(group, drawing)
     says = list(dict.fromkeys(_says(one, drawing, speech) for one in group))
     first = group[0]
     what = first.what
@@ -240,7 +191,40 @@ def _named(
         segment=segment,
         position=drawing.names[first.place] if first.place is not None else "",
         step=mark.letter if mark is not None and plan else "",
+        view=mark.view if mark is not None and plan else "",
     )
+
+
+def _once_each(group: Sequence[Hypothesis], drawing: Comparison) -> list[Hypothesis]:
+    """Return hypotheses that no reading tells apart without those that reverse the very same vector once more.
+
+    Its length, the line that it is laid off on, the point at its end: who draws it back does all three.
+    """
+    kept: list[Hypothesis] = []
+    seen: list[Step] = []
+    for one in group:
+        step = _reversed_at(one)
+        steps = drawing.made.boards[one.board].construction.steps if step is not None else ()
+        if step is not None and any(_together(step, other, steps) for other in seen):
+            continue
+        kept.append(one)
+        seen += [] if step is None else [step]
+    return kept
+
+
+def _reversed_at(one: Hypothesis) -> Step | None:
+    """Return the step whose result is reversed; None where none is."""
+    what = one.what
+    if isinstance(what, Variation) or what.at is None:
+        return None
+    back = what.family in (SENSE, WRONG_END) or (what.says == TURNED and what.times == HALF_A_TURN)
+    return what.at if back else None
+
+
+def _together(one: Step, other: Step, steps: Sequence[Step]) -> bool:
+    """Whether two steps are of one vector: of its length, its line, its end."""
+    laid = (step for step in steps if step.op is lay_off)
+    return any({one.it, other.it} <= {step.it, *step.uses} for step in laid)
 
 
 def _left_out(what: Mutation | Variation) -> Mutation | Variation:
@@ -325,7 +309,8 @@ def _sentence(what: Mutation, language: str, speech: Speech) -> str:
         if what.formula:
             letters = letters_of(what.at, lambda mark: _called(mark, language))
             words["formula"] = what.formula.format(**letters)
-    return speech(what.says, **words)
+    normal = what.says == SENSE_SAYS and what.at is not None and what.at.op.name == "normal"
+    return speech(WRONG_END_SAYS if normal else what.says, **words)
 
 
 def _called(mark: Mark, language: str) -> str:

@@ -8,13 +8,15 @@ from functools import cache
 
 import pytest
 from support.gallery import CASES
-from support.lessons_told import CRANK, MU_A, OMEGA, ROD
+from support.lessons_told import CRANK, MU_A, OMEGA, ROD, by
 
 from graphic_tmm.checking.check import check
+from graphic_tmm.checking.lessons.lessons import Teacher
 from graphic_tmm.checking.readings.read import read_readings
-from graphic_tmm.checking.records import Lesson, Report
+from graphic_tmm.checking.records import Lesson, Likely, Report
 from graphic_tmm.paper.drawing import Bezier, Ink
 from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
 
 
 @cache
@@ -83,3 +85,15 @@ def test_a_mistake_shows_in_a_reading_where_its_own_is_right() -> None:
     assert (told.shown.taken.segment, told.shown.verdict) == ("an2", "fine")
     assert (told.shows.taken.segment, told.shows.verdict) == ("πb", "wrong")
     assert told.position == told.shown.taken.position == told.shows.taken.position
+
+
+def test_the_lesson_is_on_the_step_in_the_plan_where_it_was_made() -> None:
+    """The force of inertia is drawn in three views; the force polygon's was reversed."""
+    made = make(read(CASES / "check" / "fsc.toml"), exact=True)
+    assert made.mechanism is not None
+    marks = [step.it for step in made.mechanism.construction.steps]
+    letter = next(one.letter for one in marks if one.view == "forces 2-3" and "i3" in one.letter)
+    assert sum(one.letter == letter for one in marks) > 1
+    found = Likely("", "it was", (2,), 1, 0.0, plan="forces", segment="R12", step=letter)
+    told = Teacher(made).lessons((), (found._replace(view="forces 2-3"),), by(made))
+    assert [one.view for one in told] == ["forces 2-3"]

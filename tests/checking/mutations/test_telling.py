@@ -41,3 +41,12 @@ def test_a_factor_is_told_as_the_readings_have_it() -> None:
     told = re.search(r"are about (\d+) times as large", first.says)
     assert told
     assert abs(int(told[1]) / 130.0 - 1.0) < 0.1
+
+
+def test_a_vector_drawn_the_other_way_is_told_once() -> None:
+    """Not its length, its line and its end as three mistakes of which nobody could tell which."""
+    rows = read_readings(CASES / "check" / "normal_from_the_wrong_end_sc.csv")
+    (normal,) = check(read(CASES / "check" / "sc.toml"), rows).mistakes
+    assert normal.like == ()
+    assert normal.says.endswith("the normal component an2 points away from the centre of rotation")
+    assert normal.view == "accelerations"
