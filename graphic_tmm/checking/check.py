@@ -29,7 +29,7 @@ from graphic_tmm.checking.mutations.mistakes import Mistakes
 from graphic_tmm.checking.mutations.telling import likely_mistakes
 from graphic_tmm.checking.mutations.unseen import Unseen, told_unseen
 from graphic_tmm.checking.readings.mending import mended
-from graphic_tmm.checking.readings.read import TOLD
+from graphic_tmm.checking.readings.read import TOLD, with_words_of
 from graphic_tmm.checking.readings.signs import with_signs
 from graphic_tmm.checking.records import INSTRUMENT, MISTAKE, Judged, Report, Taken, Whole
 from graphic_tmm.checking.report.findings import sure
@@ -37,6 +37,7 @@ from graphic_tmm.checking.report.rows import WORDS
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.fitting.composition import Composition
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.packaged import scene_name
 from graphic_tmm.scene.records import Scene
@@ -57,8 +58,10 @@ def known_readings(
     """
     due, spots = cells(made), points(made)
     rows = [part for taken in readings for part in taken.parts()]
-    named, told, unclear = mended(made, rows, due, spots)
-    faults, notes = list(unclear), dict.fromkeys(told)
+    beside = with_words_of(readings, readings)
+    named, told, unclear = mended(made, rows, due, spots, beside.letters)
+    speech = speaking(made.scene.language)
+    faults, notes = list(unclear), dict.fromkeys((*map(speech, beside.notes), *told))
     doubted = {fault.line for fault in unclear}
     kept = []
     for taken in named:
@@ -227,7 +230,7 @@ class Checker:
 
     def _judged(self, readings: Sequence[Taken], source: str) -> _Judgement:
         stated = self._stated([one for one in readings if is_scale_row(one)], source)
-        others = [one for one in readings if not is_scale_row(one)]
+        others = with_words_of(readings, [one for one in readings if not is_scale_row(one)])
         rows, notes = known_readings(self.made, others, source)
         plans = tuple(dict.fromkeys(plan for plan, _, _ in self._congruence.due))
         turns = turns_by(self._turns, plans, source) if self._turns else {}

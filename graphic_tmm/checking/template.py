@@ -14,7 +14,8 @@ from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, pointed, point
 from graphic_tmm.checking.judging.taken_marks import steps_of
 from graphic_tmm.checking.pictures import plan_view
 from graphic_tmm.checking.readings.mending import Names, names_of
-from graphic_tmm.checking.readings.names import Meant, plan_meant, position_meant, segment_meant
+from graphic_tmm.checking.readings.names import Meant, plan_meant, segment_meant
+from graphic_tmm.checking.readings.position_names import position_meant
 from graphic_tmm.checking.readings.writing import empty_rows, file_of, result_columns
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import DrawnScene

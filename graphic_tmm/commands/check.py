@@ -87,6 +87,12 @@ def _now(command: click.Command, args: Sequence[str], at: int) -> list[str]:
     show_default=True,
     help=said("How many times larger the overlay shows deviations."),
 )
+@click.option(
+    "--letters",
+    multiple=True,
+    metavar="K=A",
+    help=said("What the student calls K is A in the scene; several are separated by commas."),
+)
 @report_form
 def check(
     scene: str,
@@ -95,6 +101,7 @@ def check(
     by: JudgedBy,
     overlay: str | None,
     enlarge: float,
+    letters: tuple[str, ...],
     form: str | None,
 ) -> None:
     """Compare READINGS of a hand-made drawing (CSV, xlsx) with SCENE; status 1 if something is wrong."""
@@ -107,7 +114,7 @@ def check(
         )
     refuse(scene, readings, output)
     task = read_scene(scene, lettered=True)
-    report = report_on(task, readings, by)
+    report = report_on(task, readings, by, letters)
     if overlay is not None:
         from graphic_tmm.checking import pictures
 

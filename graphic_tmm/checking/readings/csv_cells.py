@@ -21,6 +21,7 @@ from graphic_tmm.language.catalogue import languages, speaking
 from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.misfits import near
+from graphic_tmm.scene.units import UNITS, plain_unit
 
 READINGS = Kind(said("a file of readings"), said("name a CSV or xlsx file of readings"), 8_000_000)
 _BOMS = (
@@ -85,8 +86,40 @@ _LOOKED, _LONGEST = 50, 30
 """So many titles are looked through for one misspelt, if they have no more than so many letters."""
 _LOOK_ALIKE = {"х": "x", "у": "y"}
 """Cyrillic letters that look like the names of columns."""
-_MEASURED = re.compile(r"(?:([xyху]|mm|length|длина)[\s,:(\[]+)?([^\W\d_]+)\.?[)\]]?")
+_CALLED = {
+    "plan": ("diagram", "чертёж", "чертеж", "название плана"),
+    "position": (
+        "pos",
+        "no",
+        "#",
+        "пол",
+        "no положения",
+        "no пол",
+        "номер положения",
+        "position no",
+    ),
+    "segment": ("vector", "symbol", "вектор", "обозначение", "отр", "название отрезка"),
+    "value": ("quantity", "значение", "числовое значение", "значение величины", "знач"),
+    "unit": (
+        "units",
+        "ед",
+        "ед. изм",
+        "единицы",
+        "единица измерения",
+        "ед. измерения",
+        "размерность",
+    ),
+}
+"""Other titles of columns; NFKC makes "no" of №."""
+_MEASURED = re.compile(
+    r"(?:([xyху]|mm|length|значение|длина(?: отрезка| вектора)?)[\s,:(\[]+)?([^\W\d_]+)\.?[)\]]?"
+)
 """A title of lengths, with the unit of the paper in which they are."""
+_OF_QUANTITY = re.compile(r"(.+?)\s*[,:(\[]\s*([^\s,()\[\]]+)\s*[)\]]?")
+_QUANTITIES = frozenset(
+    ("скорость", "ускорение", "сила", "velocity", "speed", "acceleration", "force")
+)
+"""Titles of quantities, with the unit in which they are: "value [m/s]", "скорость, м/с"."""
 _SEPARATOR_LINE = re.compile(r'"?sep=.?"?', re.IGNORECASE)
 
 
@@ -103,7 +136,8 @@ def _names() -> Mapping[str, str]:
         for language in reversed(languages())
         for name, title in zip(HEADS, heads(language), strict=True)
     }
-    return titles | _LOOK_ALIKE
+    called = {title: name for name, titles_ in _CALLED.items() for title in titles_}
+    return called | titles | _LOOK_ALIKE
 
 
 @cache
@@ -125,7 +159,7 @@ class Head(NamedTuple):
     """The first row: the separator, the titles as typed, and the place of each column by its name.
 
     ``twice``: titles of columns named once more; ``wrong``: why the row cannot be split, or "". ``units``: of
-    columns of lengths, the mm of their unit.
+    columns of lengths, the mm of their unit; ``unit``: that of the quantities, where their title has it.
     """
 
     line: int
@@ -135,6 +169,13 @@ class Head(NamedTuple):
     twice: tuple[str, ...] = ()
     wrong: str = ""
     units: Mapping[str, float] = MappingProxyType({})
+    unit: str = ""
+
+    @property
+    def others(self) -> Mapping[int, str]:
+        """The titles that mean nothing, by their places."""
+        used = set(self.places.values())
+        return {k: title for k, title in enumerate(self.titles) if title and k not in used}
 
     @property
     def columns(self) -> tuple[int, ...]:
@@ -211,14 +252,32 @@ def head_of(row: CellRow, separator: str) -> Head:
     while titles and not titles[-1]:
         titles.pop()
     places: dict[str, int] = {}
-    twice, units = [], {}
+    twice, units, of_values = [], {}, ""
     for place, title in enumerate(titles):
         name, unit = _column(title)
         if name in places:
             twice.append(title)
         elif name:
             places[name], units[name] = place, unit
-    return Head(row.line, separator, tuple(titles), places, tuple(twice), row.wrong, units)
+            of_values = of_values or (_quantity_unit(title) if name == "value" else "")
+    return Head(
+        row.line, separator, tuple(titles), places, tuple(twice), row.wrong, units, of_values
+    )
+
+
+def column_of(title: str) -> str:
+    """Return the column that a title names; "" for none."""
+    return _column(title)[0]
+
+
+def _quantity_unit(title: str) -> str:
+    """Return the unit in a title of quantities; "" for none."""
+    found = _OF_QUANTITY.fullmatch(unicodedata.normalize("NFKC", title).strip())
+    unit = found[2] if found else ""
+    if not unit or plain_unit(unit) not in UNITS or unit.casefold() in SHEET:
+        return ""
+    word = _folded(found[1]) if found else ""
+    return unit if word in _QUANTITIES or _names().get(word) == "value" else ""
 
 
 def _column(title: str) -> tuple[str, float]:
@@ -226,11 +285,14 @@ def _column(title: str) -> tuple[str, float]:
     folded = _folded(title)
     name = _names().get(folded, "")
     found = _MEASURED.fullmatch(folded)
+    if not name and _quantity_unit(title):
+        return "value", 1.0
     if name or found is None or found[2] not in SHEET:
         return name, 1.0
-    return _names().get(found[1] or "", "mm"), SHEET[found[2]]
+    named = _names().get(found[1] or "", "mm")
+    return named if named in ("x", "y") else "mm", SHEET[found[2]]
 
 
 def _folded(title: str) -> str:
     """Return a title in the form of `HEADS`."""
-    return unicodedata.normalize("NFKC", title).casefold().strip()
+    return unicodedata.normalize("NFKC", title).casefold().strip().rstrip(":.").strip()

@@ -26,8 +26,47 @@ _COMMA = re.compile(r"[+-]?[0-9]*,[0-9]+(?:[eE][+-]?[0-9]+)?")
 _THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}")
 _LAST = re.compile(r"[0-9]*[.,]?([0-9]*)(?:[eE]([+-]?[0-9]{1,6}))?")
 _DATE = re.compile(r"\d{4}-\d\d-\d\d(?: .*)?|\d{1,2}\.\d{1,2}\.\d{4}|\d\d:\d\d:\d\d.*")
+_NOTHING = frozenset(
+    (*BARE[1:], "−", "--", "нет", "н/д", "n/a", "na", "none", "?", "??", "…", "...", "не снято")
+)
+_ABOUT = re.compile(
+    r"(?:[≈~∼≅≃]|ок\.?|около|примерно|прибл\.?|ca\.|c\.|about|approx\.?)\s*(?=[-+−]?[.,]?\d)",
+    re.IGNORECASE,
+)
+_WITHIN = re.compile(rf"([+-]?{NUMBER})\s*(?:±|\+/-|\+-)\s*({NUMBER})\s*(\D*)")
 _SHORTEST = 40
 """Of a cell that a message quotes so many characters are shown."""
+
+
+def is_nothing(cell: str) -> bool:
+    """Whether a cell says that nothing was read: a dash, "нет", "?"."""
+    return cell.casefold() in _NOTHING
+
+
+def plainly(cell: str, name: str = "") -> str:
+    """Return a figure without what says that it is rough, or of what it is.
+
+    >>> plainly("≈ 60"), plainly("pd = 25,1", "pd"), plainly("25,1±0,5 мм"), plainly("-")
+    ('60', '25,1', '25,1 мм', '')
+    """
+    if is_nothing(cell):
+        return ""
+    if name and cell.startswith(name) and "=" in cell:
+        named, _, rest = cell.partition("=")
+        cell = rest.strip() if named.strip() == name else cell
+    cell = _ABOUT.sub("", cell, count=1) if _ABOUT.match(cell) else cell
+    within = _WITHIN.fullmatch(cell) if "±" in cell or "+-" in cell or "+/" in cell else None
+    return f"{within[1]} {within[3]}".strip() if within else cell
+
+
+def unit_behind(cell: str) -> str:
+    """Return what stands behind the figure of a cell; "" for nothing, or no figure.
+
+    >>> unit_behind("1,004 м/с"), unit_behind("25,1")
+    ('м/с', '')
+    """
+    found = _FIGURE.fullmatch(_straight(plainly(cell)))
+    return "" if found is None else found[2].strip()
 
 
 def decimal_comma(cell: str) -> bool:

@@ -45,7 +45,7 @@ class Sheet(NamedTuple):
     rows: list[CellRow]
 
 
-def sheet_table(file: Path, data: bytes) -> tuple[Head, Iterator[CellRow]] | None:
+def sheet_table(file: Path, sheets: Sequence[Sheet]) -> tuple[Head, Iterator[CellRow]] | None:
     """Return the row of titles of a workbook and its other rows as text; None if no sheet holds anything.
 
     Of several sheets that is taken which has the titles of readings; what stands above them means nothing.
@@ -53,9 +53,8 @@ def sheet_table(file: Path, data: bytes) -> tuple[Head, Iterator[CellRow]] | Non
     Raises
     ------
     SceneError
-        If openpyxl is missing, the file is no workbook, damaged, or too large, or two sheets hold readings.
+        If two sheets hold readings.
     """
-    sheets = [one for one in sheets_of(file, data) if one.rows]
     found = [(one.name, *_below(one.rows)) for one in sheets]
     titled = [one for one in found if one[1] is not None]
     filled = [
@@ -63,7 +62,11 @@ def sheet_table(file: Path, data: bytes) -> tuple[Head, Iterator[CellRow]] | Non
     ]
     if len(filled) > 1:
         names = ", ".join(printable(name)[:30] for name, _, _ in filled[:5])
-        _refuse(file, said("several sheets hold readings ({names}); keep them in one", names=names))
+        says = said(
+            "several sheets hold readings ({names}); keep them in one, or call each by its plan",
+            names=names,
+        )
+        _refuse(file, says)
     for _, head, below in (*filled, *titled):
         if head is not None:
             return head, iter(below)

@@ -3,26 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 from graphic_tmm.checking.cells import Cell, Key, pointed
+from graphic_tmm.checking.readings.filling import listed
+from graphic_tmm.checking.readings.layouts import UNNAMED
+from graphic_tmm.checking.readings.letters import Letters, in_letters
 from graphic_tmm.checking.readings.names import (
     SILENT,
     Aliases,
     Meant,
     meant,
     plan_meant,
-    position_meant,
     segment_meant,
     segments_of,
 )
+from graphic_tmm.checking.readings.position_names import position_meant
 from graphic_tmm.checking.readings.writing import result_columns
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.said import Said, joined, said
-from graphic_tmm.readers.table import scene_columns, scene_results
+from graphic_tmm.readers.table import positions_of, scene_columns, scene_results
 from graphic_tmm.scene.captions import view_name
 
 NEAR = 1.0
@@ -113,8 +117,6 @@ def twice(taken: Sequence[Taken], title: Callable[[str], str] = str) -> Iterator
                 yield Fault(title(name), one.line, says)
 
 
-_LISTED = 6
-"""So many lines are listed in a note."""
 _HOW = {
     "turned": said('"{typed}" was read as {meant}, of the same length ({plan}; line {lines})'),
     "case": said('"{typed}" was read as {meant} ({plan}; line {lines})'),
@@ -129,18 +131,39 @@ _HOW = {
     "pole": said(
         '"{typed}" was read as {meant}: the pole of this plan is π ({plan}; line {lines})'
     ),
+    "letters": said(
+        '"{typed}" was read as {meant}, by the letters that were given ({plan}; line {lines})'
+    ),
+    "unnamed": said(
+        '"{typed}": no plan is named, and only one has such a segment: {meant} ({plan}; line {lines})'
+    ),
+    "above": said(
+        '"{typed}": its position was left out; that above was taken, {meant} ({plan}; line {lines})'
+    ),
+    "roman": said('position "{typed}" was read as {meant} ({plan}; line {lines})'),
+    "angle": said('"{typed}" was read as position {meant}, by its angle ({plan}; line {lines})'),
+    "rate": said(
+        '"{typed}" is no length: its figures were taken as {meant} ({plan}; line {lines})'
+    ),
 }
 """What is said of a name that was mended, by how it was found."""
 
 
 class Names(NamedTuple):
-    """What a scene calls things: its plans, and by plan the segments, points, positions and pole (a letter)."""
+    """What a scene calls things: its plans, and by plan the segments, points, positions and pole (a letter).
+
+    ``angles``: of its positions, as people may count them, degrees; ``units``: of the figures that are not
+    drawn, by plan and segment; ``letters``: the scene's by the student's own.
+    """
 
     plans: tuple[str, ...]
     segments: Mapping[str, Aliases]
     points: Mapping[str, Aliases]
     positions: Mapping[str, tuple[str, ...]]
     poles: Mapping[str, str]
+    angles: Mapping[str, tuple[float, ...]]
+    units: Mapping[tuple[str, str], str]
+    letters: Letters
 
 
 class Mend(NamedTuple):
@@ -157,6 +180,7 @@ def mended(
     parts: Sequence[Taken],
     due: Mapping[Key, Cell],
     spots: Mapping[Key, complex],
+    letters: Letters = MappingProxyType({}),
 ) -> tuple[tuple[Taken, ...], tuple[str, ...], tuple[Fault, ...]]:
     """Return readings by the names of their scene, notes on what was mended, and what may mean several things.
 
@@ -168,15 +192,19 @@ def mended(
         Each of one kind of figure: mm, a value, or x and y.
     due, spots : mapping
         The figures and the points of the scene, as `cells.cells` and `cells.points` find them.
+    letters : mapping
+        The scene's letters by the student's own.
     """
-    if all((part.key in spots) if part.pointed else (part.key in due) for part in parts):
+    if not letters and all(_as_named(part, due, spots) for part in parts):
         return tuple(parts), (), ()
-    names = names_of(made, due, spots)
+    names = names_of(made, due, spots, letters)
     lines: dict[Mend, list[int]] = {}
     faults: list[Fault] = []
     found = []
+    above = Taken("", "", "")
     for part in parts:
-        one, mends, fault = _mended(part, names)
+        one, mends, fault = _mended(part, names, above)
+        above = part if part.position else above
         for mend in mends:
             lines.setdefault(mend, []).append(part.line)
         if fault:
@@ -189,8 +217,19 @@ def mended(
     return kept, (*notes, *shifts), tuple(faults)
 
 
-def names_of(made: DrawnScene, due: Mapping[Key, Cell], spots: Mapping[Key, complex]) -> Names:
-    """Return what a scene calls its figures and points."""
+def _as_named(part: Taken, due: Mapping[Key, Cell], spots: Mapping[Key, complex]) -> bool:
+    if part.pointed:
+        return part.key in spots
+    return part.key in due and (part.mm is None or due[part.key].mm is not None)
+
+
+def names_of(
+    made: DrawnScene,
+    due: Mapping[Key, Cell],
+    spots: Mapping[Key, complex],
+    letters: Letters = MappingProxyType({}),
+) -> Names:
+    """Return what a scene calls its figures and points; ``letters``: its letters by a student's own."""
     positions: dict[str, dict[str, None]] = {}
     for plan, _, name in (*due, *spots):
         positions.setdefault(plan, {})[name] = None
@@ -199,31 +238,56 @@ def names_of(made: DrawnScene, due: Mapping[Key, Cell], spots: Mapping[Key, comp
         view = work.construction.view(plan) if work is not None else None
         if view is not None and view.pole is not None:
             poles[plan] = view.pole.name
-    letters: dict[str, dict[str, frozenset[str]]] = {}
+    of_points: dict[str, dict[str, frozenset[str]]] = {}
     for plan, letter, _ in spots:
-        letters.setdefault(plan, {})[letter] = frozenset()
+        of_points.setdefault(plan, {})[letter] = frozenset()
     columns = (*scene_columns(made), *result_columns(scene_results(made)))
     there = {plan: tuple(names) for plan, names in positions.items()}
-    return Names(tuple(there), segments_of(columns), letters, there, poles)
+    drawn = {(plan, segment) for (plan, segment, _), cell in due.items() if cell.mm is not None}
+    units = {(p, s): cell.unit for (p, s, _), cell in due.items() if (p, s) not in drawn}
+    turns = _angles(made)
+    return Names(tuple(there), segments_of(columns), of_points, there, poles, turns, units, letters)
 
 
-def _mended(part: Taken, names: Names) -> tuple[Taken, list[Mend], str]:
-    """Return a reading by the names of its scene, how they were found, and what cannot be told, or ""."""
-    plan = plan_meant(part.plan, names.plans)
+def _angles(made: DrawnScene) -> dict[str, tuple[float, ...]]:
+    """Return the angles of positions: of the crank from the x axis, and from the first position as it turns."""
+    row = [(name, angle) for name, angle in positions_of(made) if angle is not None]
+    if not row:
+        return {}
+    first = row[0][1]
+    sense = -1.0 if len(row) > 1 and (row[1][1] - first) % 360.0 > 180.0 else 1.0
+    return {name: (angle, sense * (angle - first)) for name, angle in row}
+
+
+def _mended(part: Taken, names: Names, above: Taken) -> tuple[Taken, list[Mend], str]:
+    """Return a reading by the names of its scene, how they were found, and what cannot be told, or "".
+
+    ``above``: the last one before it that has a position.
+    """
+    plan = _unnamed(part, names) if part.plan == UNNAMED else plan_meant(part.plan, names.plans)
     if not plan.only:
         return part, [], _either(part.plan, plan, said("a plan")) if plan.names else ""
-    one, mends = part._replace(plan=plan.only), _mends(part.plan, plan, plan.only)
+    typed = part.segment if part.plan == UNNAMED else part.plan
+    one, mends = part._replace(plan=plan.only), _mends(typed, plan, plan.only)
     segment = _named(part, plan.only, names)
     if len(segment.names) > 1:
         return one, mends, _either(part.segment, segment, said("plan {plan}", plan=plan.only))
     if segment.only:
         one = one._replace(segment=segment.only)
         mends += _mends(part.segment, segment, plan.only)
+    unit = names.units.get((one.plan, one.segment))
+    if one.mm is not None and unit and not one.unit:
+        one = one._replace(mm=None, value=one.mm, last=one.last._replace(value=one.last.mm, mm=0.0))
+        mends.append(Mend(plan.only, part.segment, unit, "rate"))
     everywhere = tuple(dict.fromkeys(name for row in names.positions.values() for name in row))
     here = names.positions[plan.only]
-    position = position_meant(part.position, here)
+    left_out = not part.position and "" not in here and not part.pointed
+    if left_out and above.plan == part.plan and segment.names:
+        part = part._replace(position=above.position)
+        mends.append(Mend(plan.only, part.segment, above.position, "above"))
+    position = position_meant(part.position, here, names.angles)
     if not position.names:
-        position = position_meant(part.position, everywhere)
+        position = position_meant(part.position, everywhere, names.angles)
     if len(position.names) > 1:
         return one, mends, _either(part.position, position, said("plan {plan}", plan=plan.only))
     if position.names:
@@ -232,7 +296,25 @@ def _mended(part: Taken, names: Names) -> tuple[Taken, list[Mend], str]:
     return one, mends, ""
 
 
+def _unnamed(part: Taken, names: Names) -> Meant:
+    """Return the plan that has a segment of a name, where none is named: spelt rightly, or else at all."""
+    found = {plan: _named(part, plan, names) for plan in names.plans}
+    right = tuple(p for p, one in found.items() if one.names and one.how in ("", *SILENT))
+    some = right or tuple(plan for plan, one in found.items() if one.names)
+    return Meant(some, "unnamed")
+
+
 def _named(part: Taken, plan: str, names: Names) -> Meant:
+    """Return what is meant by a name, in the student's own letters if it has a meaning with them."""
+    word = in_letters(part.segment, names.letters) if names.letters else part.segment
+    if word != part.segment:
+        found = _spelt(part._replace(segment=word), plan, names)
+        if found.names:
+            return found._replace(how="letters")
+    return _spelt(part, plan, names)
+
+
+def _spelt(part: Taken, plan: str, names: Names) -> Meant:
     """Return which segment, or which point, or which pole is meant."""
     pole = names.poles.get(plan)
     poles = {pole: frozenset(("0",) if pole == "O" else ())} if pole else {}
@@ -259,7 +341,7 @@ def _either(typed: str, found: Meant, where: Said) -> Said:
 
 
 def _note(mend: Mend, lines: Sequence[int], speech: Speech) -> str:
-    at = sorted(set(lines))
-    told = ", ".join(map(str, at[:_LISTED])) + (", ..." if len(at) > _LISTED else "")
     plan = view_name(mend.plan, speech.language)
-    return speech(_HOW[mend.how], typed=mend.typed, meant=mend.meant, plan=plan, lines=told)
+    meant_by = plan if mend.how == "unnamed" else mend.meant
+    at = listed(lines)
+    return speech(_HOW[mend.how], typed=mend.typed, meant=meant_by, plan=plan, lines=at)

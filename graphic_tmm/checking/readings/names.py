@@ -13,6 +13,7 @@ from itertools import product
 from typing import NamedTuple
 
 from graphic_tmm.checking.cells import RESULTS
+from graphic_tmm.checking.readings.quantity_names import is_coriolis, respelt, turned_round
 from graphic_tmm.language.catalogue import languages
 from graphic_tmm.language.symbols import plain
 from graphic_tmm.readers.columns import Column, renamed
@@ -26,7 +27,7 @@ LEVELS = ("sign", "sound", "shape", "case", "voice")
 shape; small for capital; a Cyrillic letter of the same sound."""
 _LONGEST, _MOST = 24, 256
 """A longer name has no keys but itself; of many ways to mean a name no more than so many are tried."""
-_LEFT_OUT = re.compile(r"[\s_{}^\\$()\u200b-\u200f\u2060\ufeff]+")
+_LEFT_OUT = re.compile(r"[\s_{}^\\$()\[\]→\u0304\u0305\u20d6\u20d7\u200b-\u200f\u2060\ufeff]+")
 _SIGNS = str.maketrans(
     dict.fromkeys("'’‘`´ʹʼ", "′")
     | {"∆": "Δ", "∑": "Σ", "ϵ": "ε", "ɛ": "ε", "ϖ": "π", "ϕ": "φ", "ϑ": "θ", "∗": "*", "⁎": "*"}
@@ -73,7 +74,8 @@ def signs(name: str) -> str:
     >>> signs("ω₃"), signs("P_{i3}"), signs("π a"), signs("O'2")
     ('ω3', 'Pi3', 'πa', 'O′2')
     """
-    same = unicodedata.normalize("NFC", unicodedata.normalize("NFKC", name.translate(_SIGNS)))
+    bare = _LEFT_OUT.sub("", name.translate(_SIGNS))  # a bar over a letter before it is one with it
+    same = unicodedata.normalize("NFC", unicodedata.normalize("NFKC", bare))
     return _LEFT_OUT.sub("", same.translate(_SIGNS))
 
 
@@ -192,8 +194,7 @@ _STEM = 3
 """A stem has so many letters at least: fewer begin too many words."""
 _POINT = re.compile(r"[^\W\d_]\d*′*")
 """The letter of a point."""
-_DASHES = ("-", "–", "—", "−")
-_POSITION = re.compile(r"(?:no|#|pos\.?|пол\.?)?\s*0*(\d+)(?:[.,]0*)?\s*([*×xх]|°|deg|град\.?)?")
+DASHES = ("-", "–", "—", "−")
 
 
 class Meant(NamedTuple):
@@ -232,7 +233,21 @@ def segment_meant(typed: str, plan: str, known: Aliases) -> Meant:
         names = {renamed(plan, word, known) for word in keys(typed, level)} - {""}
         if names:
             return Meant(tuple(sorted(names)), _how(typed, level))
-    return found
+    return found if found.names else _otherwise(typed, known)
+
+
+def _otherwise(typed: str, known: Aliases) -> Meant:
+    """Return what is meant by a quantity whose name is written otherwise, or told from the other end."""
+    word = signs(typed)
+    if is_coriolis(word):
+        of = _having(known, lambda alias: alias.startswith("a_") and alias.endswith("^k"))
+        return Meant(of, "case")
+    for how, spellings in (("case", respelt(word)), ("turned", turned_round(word))):
+        for one in spellings:
+            found = next((f for level in LEVELS if (f := _alike(one, known, level))), ())
+            if found:
+                return Meant(found, how)
+    return NOTHING
 
 
 def meant(typed: str, known: Aliases) -> Meant:
@@ -341,31 +356,3 @@ def _begin(some: Iterable[str], words: Iterable[str]) -> bool:
 
 def _either(one: str, two: str) -> bool:
     return one.startswith(two) or two.startswith(one)
-
-
-def position_meant(typed: str, names: Sequence[str]) -> Meant:
-    """Return which position is meant: "01" and "1.0" are 1, "6 *" is 6*, a dash is none.
-
-    >>> position_meant("01", ["0", "1"]).one, position_meant("6∗", ["6", "6*"]).one
-    ('1', '6*')
-    """
-    if typed in names:
-        return Meant((typed,))
-    if typed in _DASHES and "" in names:
-        return Meant(("",), "sign")
-    number = _numbered(typed)
-    found = tuple(name for name in names if number and _numbered(name) == number)
-    if not found and number and not number[1]:
-        found = tuple(name for name in names if _numbered(name) == (number[0], "°"))
-    if found:
-        return Meant(found, "sign")
-    return meant(typed, {name: frozenset() for name in names if name})
-
-
-def _numbered(name: str) -> tuple[str, str] | None:
-    found = _POSITION.fullmatch(signs(name).casefold())
-    if found is None:
-        return None
-    number, mark = found.groups()
-    sign = "*" if mark in ("*", "×", "x", "х") else "°" if mark else ""
-    return str(int(number)), sign

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -12,6 +12,7 @@ import click
 from graphic_tmm.commands.shared.ending import NOT_SEEN, WRONG
 from graphic_tmm.commands.shared.options import Finite, form_of
 from graphic_tmm.commands.shared.telling import show, waiting
+from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
@@ -96,13 +97,28 @@ def report_form(command: Function) -> Function:
     return click.option("-f", "--format", "form", type=click.Choice(FORMS), help=text)(command)
 
 
-def report_on(scene: Scene, readings: str, by: JudgedBy) -> Report:
-    """Return the report on a file of readings."""
+def report_on(scene: Scene, readings: str, by: JudgedBy, letters: Sequence[str] = ()) -> Report:
+    """Return the report on a file of readings; ``letters``: pairs, the student's own first.
+
+    Raises
+    ------
+    SceneError
+        Also where the file holds no reading.
+    """
     from graphic_tmm.checking.check import check
     from graphic_tmm.checking.judging.scatter import Limits
-    from graphic_tmm.checking.readings.read import read_readings
+    from graphic_tmm.checking.readings.letters import letters_of
+    from graphic_tmm.checking.readings.read import FileReadings, read_readings
 
     taken = read_readings(Path(readings))
+    own, faults = letters_of(letters)
+    if faults:
+        raise click.UsageError(faults[0].message)
+    if not taken:
+        says = said("no row holds a figure: there is nothing to judge")
+        more = tuple(Fault("", 0, note) for note in taken.notes)
+        raise SceneError(readings, (Fault("", 0, says), *more))
+    taken = FileReadings.of(taken, taken.notes, {**taken.letters, **own})
     with waiting(said("drawing by the hand, to tell what is usual")):
         return check(
             scene,

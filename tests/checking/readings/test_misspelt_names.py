@@ -14,10 +14,10 @@ from support.misspelt import misspelt
 from graphic_tmm.checking.readings.names import (
     meant,
     plan_meant,
-    position_meant,
     segment_meant,
     segments_of,
 )
+from graphic_tmm.checking.readings.position_names import position_meant
 from graphic_tmm.checking.readings.writing import result_columns
 from graphic_tmm.readers.table import scene_columns, scene_results
 
