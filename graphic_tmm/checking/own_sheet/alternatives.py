@@ -16,9 +16,10 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.hand import Hand
+from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Complexes, Length, Line, Point, Reals
 from graphic_tmm.checking.cells import pointed
-from graphic_tmm.checking.mutations.execution import as_drawn, executed
+from graphic_tmm.checking.mutations.execution import Executed, as_drawn, executed
 from graphic_tmm.checking.mutations.grammar import mutations
 from graphic_tmm.checking.mutations.mistakes import free, misread, mistaken
 from graphic_tmm.checking.mutations.mutation import (
@@ -50,8 +51,8 @@ MOVED = 1.5
 """A mutation that moves every place of a plan less, mm, is no other plan."""
 SHORT = 1e-3
 """A shorter line has no direction, mm."""
-LARGEST = 3.0
-"""Nobody draws a plan so many times as large as it is due and goes on."""
+LARGEST = 1.6
+"""A plan so many times as large as it is due is another one's pencil."""
 READ = 4
 """So many of these are read."""
 NOTHING: Mapping[int, Mapping[int, Mapping[int, complex]]] = MappingProxyType({})
@@ -78,6 +79,7 @@ class Alternatives:
         self._made = DrawnScene(board.scene, (board,))
         self._plans = pointed()
         self.log = measured_last(board.construction)
+        self._known: dict[tuple[int, ...], Executed] = {}
         self._steps = {step.it.slot: step for step in self.log.steps}
 
     @cached_property
@@ -109,20 +111,23 @@ class Alternatives:
 
     def near(
         self, flat: Flat, due: View, plan: str, position: str, pole: complex
-    ) -> Iterator[View]:
-        """Yield the views of mistakes that the pencil about a ``pole`` agrees with best, the best first.
+    ) -> Iterator[tuple[int, View]]:
+        """Yield mutations that the pencil about a ``pole`` agrees with, the best first, and their views.
 
         ``due``: what the plan is due, as it is turned on the sheet.
         """
-        turn = due.turn
         found = []
         for row in self._nearest(flat, due, pole):
-            view = self._inked(row, plan, position)
-            if view is not None and view.lines:
-                view = view.turned(turn)
-                found.append((agreement(flat, *(pole + view.ends)).worth, view))
-        for _, view in sorted(found, key=lambda one: -one[0])[:READ]:
-            yield view
+            view = self.view(row, plan, position, due.turn)
+            if view is not None:
+                found.append((agreement(flat, *(pole + view.ends)).worth, row, view))
+        for _, row, view in sorted(found, key=lambda one: -one[0])[:READ]:
+            yield row, view
+
+    def view(self, row: int, plan: str, position: str, turn: complex) -> View | None:
+        """Return a plan as a mutation draws it, turned on the sheet; None if nothing can be drawn."""
+        view = self._inked(row, plan, position)
+        return view.turned(turn) if view is not None and view.lines else None
 
     def _nearest(self, flat: Flat, due: View, pole: complex) -> Iterator[int]:
         """Yield the mutations that the pencil about a pole agrees with best as far as places tell."""
@@ -147,8 +152,7 @@ class Alternatives:
 
     def _spots(self, due: View) -> Complexes:
         """Return where mutations have the places of a view, (mutations, places)."""
-        wanted = tuple(one[0] for one in due.marks if one is not None)
-        beside = executed(self.log, self.board.given, self.mutations, wanted)
+        beside = self._executed(tuple(one[0] for one in due.marks if one is not None))
         found = np.empty((len(self.mutations), len(due.places)), np.complex128)
         for n, one in enumerate(due.marks):
             if one is None:
@@ -158,6 +162,13 @@ class Alternatives:
                 with np.errstate(invalid="ignore"):
                     found[:, n] = due.turn * value[:, one[1] if value.shape[1] > 1 else 0]
         return found
+
+    def _executed(self, wanted: tuple[Mark, ...]) -> Executed:
+        """Return all mutations executed as far as some marks need it; once for all positions of a plan."""
+        key = tuple(mark.slot for mark in wanted)
+        if key not in self._known:
+            self._known[key] = executed(self.log, self.board.given, self.mutations, wanted)
+        return self._known[key]
 
     def _starts(self, what: Mutation, due: View, spots: Complexes) -> dict[int, dict[int, complex]]:
         """Return by line of a view which of its places a mutation draws it from instead: where that is."""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -36,6 +37,10 @@ from graphic_tmm.studio import make
 
 CLICKED = 1.5
 """A pole is clicked so near, mm."""
+COMMON, LIKELIER = 3, 3.0
+"""So many mistakes of other plans are tried, and taken if the pencil agrees with them nearly as well, mm."""
+POLE = 0.4
+"""It is known so well by a click, mm."""
 MORE = 6.0
 """A mistake is read if the pencil agrees with so much more of it than of what is due, mm."""
 DRAWN = 0.93
@@ -43,13 +48,17 @@ DRAWN = 0.93
 
 
 class OwnPlan(NamedTuple):
-    """A plan as it was read: its view, where its places stand, the share of its lines on pencil."""
+    """A plan as it was read: its view, where its places stand, the share of its lines on pencil.
+
+    ``worth``: how the pencil agrees with it, mm; ``row``: which mutation it shows, -1 for none.
+    """
 
     view: View
     spots: tuple[Spot, ...]
     shift: complex
     covered: float
     worth: float
+    row: int = -1
 
     @property
     def points(self) -> tuple[Point, ...]:
@@ -130,8 +139,26 @@ class _Drawing:
                 [read_own(flat, self.others, one, turn) for one in some] for turn in scale.turns
             ]
             best = max(ways, key=lambda way: sum(one.worth for one in way))
-            found |= dict(zip(some, best, strict=True))
+            found |= dict(zip(some, self._alike(flat, some, best), strict=True))
         return found
+
+    def _alike(
+        self, flat: Flat, clicked: Sequence[ClickedPlan], read: Sequence[OwnPlan]
+    ) -> Iterator[OwnPlan]:
+        """Yield plans as they were read: who makes a mistake in one makes it in the others, too."""
+        rows = Counter(one.row for one in read if one.row >= 0 and one.covered >= DRAWN)
+        for where, first in zip(clicked, read, strict=True):
+            best = first
+            if first.row < 0 and first.covered >= DRAWN:
+                yield first
+                continue
+            for row, count in rows.most_common(COMMON):
+                view = self.others.view(row, where.plan, where.position, first.view.turn)
+                if row != first.row and count >= rows[first.row] and view is not None:
+                    one = _read(flat, view, where.pole)._replace(row=row)
+                    if one.worth > best.worth - LIKELIER:
+                        best = one
+            yield best
 
 
 def read_own(flat: Flat, others: Alternatives, clicked: ClickedPlan, turn: complex) -> OwnPlan:
@@ -142,8 +169,8 @@ def read_own(flat: Flat, others: Alternatives, clicked: ClickedPlan, turn: compl
     if best.covered >= DRAWN and all(spot.how != UNSEEN for spot in best.spots):
         return best
     least = best.worth + MORE
-    for view in others.near(flat, due, plan, position, pole):
-        one = _read(flat, view, pole)
+    for row, view in others.near(flat, due, plan, position, pole):
+        one = _read(flat, view, pole)._replace(row=row)
         if one.worth > least:
             best, least = one, one.worth
     return best
@@ -152,8 +179,20 @@ def read_own(flat: Flat, others: Alternatives, clicked: ClickedPlan, turn: compl
 def _read(flat: Flat, view: View, pole: complex) -> OwnPlan:
     shift, _ = placed(flat, view, pole, CLICKED)
     spots = with_open_ends(flat, view, seen(flat, view, shift, followed(flat, view, shift)))
+    spots = _with_pole(view, spots, pole)
     starts, ends = moved(view, _standing(view, spots, shift)[None])
     return OwnPlan(view, spots, shift, *agreement(flat, starts[0], ends[0]))
+
+
+def _with_pole(view: View, spots: Sequence[Spot], pole: complex) -> tuple[Spot, ...]:
+    """Return the spots with a pole that is seen, where it is not sure by its lines: somebody has clicked it."""
+    found = list(spots)
+    for k in set(view.poles.values()):
+        spot = spots[k]
+        if spot.how != SEEN:
+            near = spot.how != UNSEEN and abs(spot.at - pole) < CLICKED
+            found[k] = Spot((spot.at + pole) / 2 if near else pole, POLE, SEEN)
+    return tuple(found)
 
 
 def _standing(view: View, spots: Sequence[Spot], shift: complex) -> Complexes:

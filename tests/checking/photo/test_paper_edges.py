@@ -2,17 +2,26 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
+from PIL import Image
+from support.command import invoke
 from support.own_sheets import Paper
 from support.photographed.pencil import DOTS
 from support.photographed.shooting import Light, Sheets, shot
 from support.photographed.taking import Conditions, aimed
 
+from graphic_tmm.checking import pictures
 from graphic_tmm.checking.photo.paper_edges import paper_found
+from graphic_tmm.checking.pictures import laid
 from graphic_tmm.errors import SheetError
+from graphic_tmm.scene.read import read
+from graphic_tmm.scene.records import Scene
 
 pytest.importorskip("cv2")
+SHEETS = Path(__file__).parents[3] / "sheets"
 SIZE = (210.0, 297.0)
 
 
@@ -47,6 +56,34 @@ def test_clicked_corners_are_drawn_to_the_edges() -> None:
     image, due = photograph((12.0, 40.0), Light(), 0.0)
     clicked = [(z.real + 5, z.imag - 4) for z in due[[2, 0, 3, 1]]]
     assert abs(paper_found(image, clicked) - due).max() < 1.5
+
+
+def test_where_no_frame_is_seen_the_papers_edges_are_taken_and_that_is_said(tmp_path: Path) -> None:
+    image, due = photograph((8.0, 40.0), Light(), 0.0)
+    Image.fromarray(image).save(tmp_path / "p.png")
+    shown = laid(read(SHEETS / "crank-rocker" / "scene.toml"), str(tmp_path / "p.png"), "", 2)
+    assert [told for told in shown.flat.warnings if "the edges of the paper were taken" in told]
+    assert abs(shown.flat.corners - due).max() < 1.5
+    own = laid(
+        read(SHEETS / "crank-rocker" / "scene.toml"), str(tmp_path / "p.png"), "", paper="A4"
+    )
+    assert (own.own_paper, own.sheet.width, own.sheet.height) == (True, 210.0, 297.0)
+
+
+@pytest.mark.parametrize("asked", ["en", "ru"])
+def test_the_form_that_is_looked_for_is_the_scenes(
+    asked: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    languages = []
+
+    def stopped(scene: Scene, *_: object) -> None:
+        languages.append(scene.language)
+        raise SheetError("enough")
+
+    monkeypatch.setattr(pictures, "laid", stopped)
+    monkeypatch.chdir(tmp_path)
+    invoke("photo", "windrower", "photo.png", "-l", asked)
+    assert languages == [read(SHEETS / "windrower" / "scene.toml").language]
 
 
 def test_where_no_paper_is_that_is_said() -> None:
