@@ -20,6 +20,9 @@ def _lines() -> list[str]:
     return case_file("slotting", "md").decode().splitlines()
 
 
+RESISTS = "Момент сопротивления отложен выше оси"
+
+
 def test_figures_that_are_told_together_are_named_once() -> None:
     """«рис. 9, 10», not «рис. 9, рис. 10»; a figure whose parts are all meant has no letters."""
     told = [line for line in _lines() if "показано на рис." in line]
@@ -60,11 +63,33 @@ def test_nothing_stands_on_a_line_without_what_it_is_equal_to(count: int) -> Non
 
 
 def test_a_moment_drives_in_one_position_or_in_several() -> None:
-    told = [line for line in _lines() if line.startswith("Момент движущий")]
+    told = [line for line in _lines() if line.startswith(RESISTS)]
     for line in told:
-        assert not re.search(r"положениях \d+\*?[;.]", line)
-        assert not re.search(r"положении \d+\*?,", line)
+        assert not re.search(r"положениях \d+\*?[;.,]? *(?:движ|$)", line)
+        assert not re.search(r"положении \d+\*?, \d", line)
     assert told
+
+
+def test_what_stands_above_the_axis_is_told_of_the_positions_where_it_does() -> None:
+    """Where the driving moment is constant it is the resisting one that stands above."""
+    lines = _lines()
+    (told,) = (line for line in lines if line.startswith(RESISTS))
+    above, below = (re.findall(r"\d+\*?", part) for part in told.split("движущий"))
+    k = next(k for k, line in enumerate(lines) if re.match(r"\| \$`M`\$ +\| +мм", line))
+    names, ordinates = (_cells(line) for line in (lines[k - 2], lines[k]))
+    signs = {name.strip("\\*"): told for name, told in zip(names, ordinates, strict=True)}
+    assert not [at for at in above if "-" in _sign(signs, at)]
+    assert not [at for at in below if "-" not in _sign(signs, at)]
+    assert above
+    assert below
+
+
+def _cells(line: str) -> list[str]:
+    return [cell.strip() for cell in line.strip("|").split("|")][2:]
+
+
+def _sign(signs: dict[str, str], at: str) -> str:
+    return signs[at.strip("*")].replace("−", "-")
 
 
 def test_a_point_that_lines_go_through_is_laid_off_before() -> None:

@@ -64,9 +64,15 @@ BY_LOADS = said(
     "scale. Inertia forces are none of them: they belong to the kinetic energies of the links."
 )
 READ = said("Read off the plans and the indicator diagram")
-SIGNS = said(
-    "The moment drives and stands above the axis in {drives}; it resists and stands below in {resists}."
-)
+SIGNS = {
+    "resisting": said(
+        "The moment drives and stands above the axis in {drives}; it resists and stands below in {resists}."
+    ),
+    "driving": said(
+        "The moment resists and stands above the axis in {resists}; it drives and stands below in {drives}."
+    ),
+}
+"""By the moment that is constant: the other one stands above the axis."""
 IN_POSITIONS = said("position {at}", "positions {at}", context="in positions")
 CYCLE = said(
     "The working cycle takes {turns} turns of the crank, so the base of the graphs stands for all of them; in"
@@ -180,7 +186,7 @@ class SteadyPage(GasPage[T]):
             yield from self.calculation(self.side_calculation.force)
         drives, resists = self._signs()
         if drives and resists:
-            yield self.says(SIGNS, drives=drives, resists=resists)
+            yield self.says(SIGNS[self.flywheel.order.constant], drives=drives, resists=resists)
         turns = KINEMATICS_PLAN.of(self.drawn)
         if turns is not None and turns.turns > 1:
             yield self.says(CYCLE, turns=turns.turns)
