@@ -28,6 +28,7 @@ from graphic_tmm.checking.mutations.mistaken_scene import mistaken_scenes
 from graphic_tmm.checking.mutations.mistakes import Mistakes
 from graphic_tmm.checking.mutations.telling import likely_mistakes
 from graphic_tmm.checking.mutations.unseen import Unseen, told_unseen
+from graphic_tmm.checking.readings.letters import letter_near
 from graphic_tmm.checking.readings.mending import mended
 from graphic_tmm.checking.readings.read import TOLD, with_words_of
 from graphic_tmm.checking.readings.signs import with_signs
@@ -72,7 +73,8 @@ def known_readings(
             continue
         there = taken.line in doubted or (taken.pointed and taken.key in spots)
         if says := "" if there else _unknown(taken, due):
-            faults.append(Fault("", taken.line, says))
+            there_is = letter_near(taken, spots)
+            faults.append(Fault("", taken.line, there_is or says))
         kept.append(taken)
     if faults:
         raise SceneError(source, tuple(faults[:TOLD]))

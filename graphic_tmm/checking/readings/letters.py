@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 
+from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.readings.csv_cells import CellRow
+from graphic_tmm.checking.records import Taken
 from graphic_tmm.errors import Fault
 from graphic_tmm.language.said import said
 
@@ -13,6 +15,8 @@ Letters = Mapping[str, str]
 _TITLE = ("letters", "letter", "буквы", "буква", "обозначения")
 _EQUAL = re.compile(r"([^\W\d_]\d*′*)\s*(?:=|->|→|–|—|-)\s*([^\W\d_]\d*′*)")
 _SIGN = re.compile("=|->|→")
+NEAR = 4.0
+"""So near to a due point another letter may be of it, if no other point is within three times that, mm."""
 _POINT = re.compile(r"[^\W\d_]\d*′*")
 
 
@@ -58,6 +62,29 @@ def without_letters(
         letters |= more
         faults += wrong
     return kept, letters, tuple(faults)
+
+
+def letter_near(taken: Taken, spots: Mapping[Key, complex]) -> str:
+    """Return what is said of a point with a letter that its plan has not, where a due one is near; else ""."""
+    if not taken.pointed:
+        return ""
+    plan, letter, position = taken.key
+    far = sorted(
+        (abs(spot - taken.spot), one)
+        for (p, one, at), spot in spots.items()
+        if (p, at) == (plan, position)
+    )
+    if not far or far[0][0] > NEAR or (len(far) > 1 and far[1][0] < 3.0 * NEAR):
+        return ""
+    return said(
+        'plan {plan} has no point "{letter}"; at this place it has {due}: if that is what you call '
+        "{letter}, say so by a row letters;{own}={theirs}, or --letters {own}={theirs}",
+        plan=plan,
+        letter=letter[:20],
+        due=far[0][1],
+        own=letter[:20].capitalize(),
+        theirs=far[0][1].capitalize(),
+    )
 
 
 def in_letters(name: str, letters: Letters) -> str:

@@ -11,6 +11,7 @@ from support.gallery import CASES
 from support.later_ways_of_writing import LAST
 from support.ways_of_writing import FIRST, HEAD, REFUSED, V, W, book, rows, sv
 
+from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.check import known_readings
 from graphic_tmm.checking.readings.letters import letters_of
 from graphic_tmm.checking.readings.read import FileReadings, readings_of
@@ -130,3 +131,21 @@ def test_the_option_of_letters(tmp_path: Path) -> None:
 def test_a_scale_factor_below_a_position_is_of_all_of_them() -> None:
     data = rows("скорости;1;pa;82,5", ";;pd;25,1", ";;μ;0,04")
     assert [one.position for one in readings_of(Path("r.csv"), data)] == ["1", "1", ""]
+
+
+def test_a_letter_is_proposed_by_its_place_and_taken_only_when_it_is_given() -> None:
+    """a of velocities stands at position 1 where the student has e; c and d are too near each other to tell."""
+    due, other = points(six())[V, "a", "1"], points(six())[V, "d", "1"]
+    text = f"{due.real + 0.6:.1f};{due.imag - 0.4:.1f}"
+    head = "план;положение;отрезок;x;y"
+    with pytest.raises(SceneError, match="letters;E=A"):
+        known_readings(six(), readings_of(Path("r.csv"), sv(head, f"{V};1;e;{text}")), "r")
+    with pytest.raises(SceneError) as far:
+        known_readings(
+            six(),
+            readings_of(Path("r.csv"), sv(head, f"{V};1;e;{other.real:.1f};{other.imag:.1f}")),
+            "r",
+        )
+    assert "letters" not in str(far.value)
+    taken = readings_of(Path("r.csv"), sv("буквы;E=A", head, f"{V};1;e;{text}"))
+    assert [one.key for one in known_readings(six(), taken, "r")[0]] == [(V, "a", "1")]
