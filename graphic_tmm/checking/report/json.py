@@ -7,7 +7,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from graphic_tmm.checking.records import Judged, Lesson, Likely, OwnScale, Report, Sight
+from graphic_tmm.checking.records import DOUBTFUL, Judged, Lesson, Likely, OwnScale, Report, Sight
 from graphic_tmm.checking.report.findings import explained, unexplained
 from graphic_tmm.checking.report.rows import counts
 
@@ -16,6 +16,7 @@ def json_report(report: Report) -> str:
     r"""Return the report as JSON text.
 
     ``readings``: {plan, position, segment, mm, due_mm, deviation_mm, percent_of_plan, verdict, step, quantile};
+    doubt of a doubtful one, 0 as a hand to 1 as good as wrong;
     where it was given as a quantity the mm are null and value, due_value, deviation_value and unit follow; x
     and y (mm) where a point was read; own_error_mm where a step is blamed with its own error; follows_from, the
     segment of the earlier reading (follows_from_line) whose deviation it has; line of the file.
@@ -72,6 +73,7 @@ def _reading(one: Judged) -> dict[str, Any]:
     told |= dict(zip(("mm", "due_mm", "deviation_mm"), mm, strict=True))
     told |= {"percent_of_plan": tidy(one.percent), "verdict": one.verdict, "step": one.step}
     told |= {"quantile": tidy(one.quantile)}
+    told |= {"doubt": tidy(one.doubt)} if one.verdict == DOUBTFUL else {}
     if not drawn:
         told |= dict(zip(("value", "due_value", "deviation_value"), figures, strict=True))
         told |= {"unit": one.unit}

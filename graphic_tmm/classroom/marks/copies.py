@@ -149,7 +149,7 @@ class Other(NamedTuple):
 def is_suspect(row: Row) -> bool:
     """Whether so much of a hand-in is beyond the limits that it may be another variant's."""
     off = sum(_apart(one, one.due) > one.limit for one in row.figures)
-    return off >= FEWEST_TELLING * LEAST_OTHER and off >= SUSPECT * len(row.figures)
+    return row.whole or (off >= FEWEST_TELLING * LEAST_OTHER and off >= SUSPECT * len(row.figures))
 
 
 def looks_like(row: Row, variants: Mapping[str, Dues]) -> Other | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 from typing import Any, NamedTuple
 
 from graphic_tmm.checking.cells import RESULTS, cells, half_of, points
@@ -66,7 +67,9 @@ class Row(NamedTuple):
     """A hand-in judged; ``skipped``: why it is not ("" where it is).
 
     ``wrong``: of every wrong reading its plan and segment, and which of the ``causes`` explains it (-1: none).
-    ``feedback``: what its student is told. ``dues``: what is due of the scene's figures, by key and kind.
+    ``doubts``: how near to wrong the doubtful ones are, together; ``whole``: whether the drawing is off as a
+    whole. ``feedback``: what its student is told. ``dues``: what is due of the scene's figures, by key and
+    kind.
     """
 
     skipped: str = ""
@@ -78,6 +81,8 @@ class Row(NamedTuple):
     feedback: str = ""
     figures: tuple[Figure, ...] = ()
     dues: Mapping[tuple[Key, str], tuple[float, ...]] = {}
+    doubts: float = 0.0
+    whole: bool = False
 
     @property
     def readings(self) -> int:
@@ -98,7 +103,8 @@ def faults(rule: Rule, row: Row) -> Faults:
     plans = plans_due(rule, row)
     missing = tuple(one.plan for one in plans if not one.there)
     unread = sum(one.asked - one.given for one in plans if one.there and not one.pointed)
-    return Faults(row.wrong, row.doubtful, missing, unread)
+    doubts = Fraction(str(row.doubts))
+    return Faults(row.wrong, doubts, missing, unread, whole=row.whole)
 
 
 def text(row: Row) -> str:
@@ -129,6 +135,8 @@ def known(data: bytes | str) -> Row:
         told["feedback"],
         figures,
         {((a, b, c), kind): tuple(due) for a, b, c, kind, *due in told["dues"]},
+        told["doubts"],
+        told["whole"],
     )
 
 
@@ -161,6 +169,8 @@ def row_of(made: DrawnScene, checked: Checked) -> Row:
         feedback=feedback(report),
         figures=tuple(_figures(checked)),
         dues=dues(made),
+        doubts=round(sum(one.doubt for one in report.readings if one.verdict == DOUBTFUL), 2),
+        whole=report.whole is not None,
     )
 
 

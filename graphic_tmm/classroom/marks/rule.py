@@ -20,8 +20,9 @@ class Rule(NamedTuple):
     """A rule; all numbers are fractions. Of 100 points are lost:
 
     ``wrong`` by a wrong reading, and by all those of a segment no more than ``segment``; ``mistake`` by a
-    mistake that is named, but no more than its readings would cost; ``doubtful`` by a doubtful reading, all of
-    them no more than ``doubtful_most``; ``plan`` by a plan that is missing; ``reading`` by a reading that is
+    mistake that is named, but no more than its readings would cost; ``doubtful`` by a doubtful reading that is
+    as good as wrong, by another its share of that, by all of them no more than ``doubtful_most``; ``whole`` by
+    a drawing that is off as a whole; ``plan`` by a plan that is missing; ``reading`` by a reading that is
     missing in a plan that is not; ``variant`` by a hand-in that fits another variant than its own.
 
     The mark: by ``steps``, each a name and from how many points on it is given, the best first, ``below`` them
@@ -38,11 +39,12 @@ class Rule(NamedTuple):
     wrong: Fraction = Fraction(4)
     segment: Fraction = Fraction(10)
     mistake: Fraction = Fraction(16)
-    doubtful: Fraction = Fraction(1, 2)
+    doubtful: Fraction = Fraction(4)
     doubtful_most: Fraction = Fraction(8)
+    whole: Fraction = Fraction(16)
     plan: Fraction = Fraction(25)
     reading: Fraction = Fraction(2)
-    variant: Fraction = Fraction(0)
+    variant: Fraction = Fraction(51)
     plans: tuple[str, ...] = ()
 
 
@@ -57,16 +59,18 @@ class Faults(NamedTuple):
     """What counts in a hand-in.
 
     ``wrong``: of every wrong reading its plan and segment, and by which cause named (a number) it is explained,
-    -1 for none; a reading that several explain counts for the first. ``doubtful``: how many are. ``missing``:
+    -1 for none; a reading that several explain counts for the first. ``doubtful``: the doubts of all doubtful
+    readings together, each up to 1. ``whole``: whether the drawing is off as a whole. ``missing``:
     the plans that are; ``unread``: how many readings are, in those that are not. ``other``: whether the
     readings fit another variant.
     """
 
     wrong: tuple[tuple[Segment, int], ...] = ()
-    doubtful: int = 0
+    doubtful: Fraction = Fraction(0)
     missing: tuple[str, ...] = ()
     unread: int = 0
     other: bool = False
+    whole: bool = False
 
 
 class Mark(NamedTuple):
@@ -94,6 +98,7 @@ def losses(rule: Rule, faults: Faults) -> Mapping[str, Fraction]:
         "wrong": _apart(rule, own),
         "mistake": sum(named, Fraction(0)),
         "doubtful": min(rule.doubtful * faults.doubtful, rule.doubtful_most),
+        "whole": rule.whole * faults.whole,
         "plan": rule.plan * len(faults.missing),
         "reading": rule.reading * faults.unread,
         "variant": rule.variant * faults.other,
@@ -156,10 +161,13 @@ def _sentences(rule: Rule, language: str, plans: tuple[str, ...]) -> Iterator[st
         )
     if rule.doubtful and rule.doubtful_most:
         yield said(
-            "A doubtful reading costs {doubtful}, all of them no more than {most}.",
+            "A doubtful reading costs up to {doubtful}, the more the fewer hands are so far off, all of them "
+            "no more than {most}.",
             doubtful=of(rule.doubtful),
             most=of(rule.doubtful_most),
         )
+    if rule.whole:
+        yield said("A drawing that is off as a whole costs {whole}.", whole=of(rule.whole))
     if plans and (rule.plan or rule.reading):
         listed = joined(", ", (plan_name(plan, language) for plan in plans))
         yield said(

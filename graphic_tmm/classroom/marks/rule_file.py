@@ -14,11 +14,12 @@
     wrong         = 4                    # by a wrong reading, one that only follows from another is none
     segment       = 10                   # by all wrong readings of a segment: no more
     mistake       = 16                   # by a mistake that is named, however much it makes wrong: no more
-    doubtful      = 0.5                  # by a doubtful reading
+    doubtful      = 4                    # by a doubtful reading at the limit; nearer to 2 σ of the hand, less
     doubtful_most = 8                    # by all of them: no more
+    whole         = 16                   # by a drawing that is off as a whole, though hardly a reading is wrong
     plan          = 25                   # by a plan that is missing
     reading       = 2                    # by a reading missing in a plan that is there
-    variant       = 0                    # by readings that fit another variant of the table than the own one
+    variant       = 51                   # by readings that fit another variant of the table than the own one
 
     [asked]
     plans = ["velocities"]               # the plans asked for; left out: those of check --template --short
@@ -46,7 +47,10 @@ TOLD = 20
 LONGEST, MOST = 20, 100
 """A mark has no more letters; there are no more steps, and no more plans."""
 LARGEST = 1_000_000
-_LOST = ("wrong", "segment", "mistake", "doubtful", "doubtful_most", "plan", "reading", "variant")
+_LOST = (
+    *("wrong", "segment", "mistake", "doubtful", "doubtful_most", "whole"),
+    *("plan", "reading", "variant"),
+)
 _KEYS = {
     "mark": ("steps", "below", "scale", "lowest", "round"),
     "points": _LOST,

@@ -84,7 +84,10 @@ def judged_by(command: Function) -> Function:
             type=click.Choice(["cad", "careful", "student"]),
             default="student",
             show_default=True,
-            help=said("By whose drawings readings are judged."),
+            help=said(
+                "By whose drawings readings are judged; careful has a quarter of the student's slips, for who "
+                "wants to be strict."
+            ),
         ),
     ):
         bundled = option(bundled)

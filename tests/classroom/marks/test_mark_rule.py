@@ -43,14 +43,23 @@ def test_one_segment_costs_no_more_than_its_cap() -> None:
 
 
 def test_doubtful_readings_have_a_cap() -> None:
-    assert losses(FIVE, Faults(doubtful=3))["doubtful"] == Fraction(3, 2)
-    assert losses(FIVE, Faults(doubtful=500))["doubtful"] == FIVE.doubtful_most
+    assert losses(FIVE, Faults(doubtful=Fraction(3, 2)))["doubtful"] == 6
+    assert losses(FIVE, Faults(doubtful=Fraction(50)))["doubtful"] == FIVE.doubtful_most
+
+
+def test_what_is_as_good_as_wrong_costs_what_is_wrong() -> None:
+    doubtful = losses(FIVE, Faults(doubtful=Fraction(1)))["doubtful"]
+    assert doubtful == losses(FIVE, Faults(wrong=((AB, -1),)))["wrong"]
+
+
+def test_a_drawing_that_is_off_as_a_whole_costs_as_a_mistake() -> None:
+    assert marked(FIVE, Faults(whole=True)).points == 84
 
 
 def test_another_variant_costs_what_the_rule_says() -> None:
     other = Faults(other=True)
-    assert marked(FIVE, other).points == 100
-    assert marked(FIVE._replace(variant=Fraction(60)), other) == ("2", 40)
+    assert marked(FIVE, other) == ("2", 49)
+    assert marked(FIVE._replace(variant=Fraction(0)), other).points == 100
 
 
 def test_no_mark_is_below_the_lowest() -> None:
@@ -62,7 +71,7 @@ def test_no_mark_is_below_the_lowest() -> None:
 def test_points_are_summed_exactly() -> None:
     """With floats ten times 0.1 is less than 1, and a mark on the step would flicker."""
     rule = FIVE._replace(doubtful=Fraction("0.1"), doubtful_most=Fraction(100))
-    assert marked(rule, Faults(doubtful=150)) == ("5", 85)
+    assert marked(rule, Faults(doubtful=Fraction(150))) == ("5", 85)
 
 
 def test_proportional_marks_are_rounded_as_people_round() -> None:
