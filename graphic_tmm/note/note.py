@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import chain
 
-from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.note.document import Block, Document, once
 from graphic_tmm.note.formats import files
 from graphic_tmm.note.protocol import Known
@@ -14,7 +14,7 @@ from graphic_tmm.note.section_conclusions import conclusions, literature, symbol
 from graphic_tmm.note.section_opening import frame_fields, introduction, title_page
 from graphic_tmm.note.section_scales import scales
 from graphic_tmm.note.section_task import synthesis, task
-from graphic_tmm.scene.chapter import chapters
+from graphic_tmm.scene.chapter import Chapter, chapters
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.tasks import calls_for
 
@@ -31,25 +31,32 @@ def note(made: DrawnScene) -> Document:
     blocks: list[Block] = [*title_page(made, language), *introduction(made, language)]
     blocks += task(made, language)
     blocks += synthesis(made, language)
-    told = [
-        (chapter.number, board, chapter)
-        for board in made.boards
-        for chapter in board.project.chapters
+    told: list[tuple[Chapter, Drawn | None]] = [
+        (chapter, board) for board in made.boards for chapter in board.project.chapters
     ]
-    told.sort(key=lambda one: one[0])
-    blocks += without_result(made.scene, language)
+    told += [(chapter, None) for chapter in chapters() if chapter.name in made.scene.left_out]
+    told.sort(key=lambda one: one[0].number)
     known: Known = set()
-    first = [one for one in told if one[0] < FIRST]
-    for _, board, chapter in first:
-        blocks += chapter_section(board, chapter, language, known)
+    early = [one for one in told if one[0].number < FIRST]
+    late = told[len(early) :]
+    blocks += _sections(made, early, known)
     blocks += scales(made, language)
-    for _, board, chapter in told:
-        if (_, board, chapter) not in first:
-            blocks += chapter_section(board, chapter, language, known)
+    blocks += _sections(made, late, known)
     blocks += conclusions(made, language)
     blocks += symbol_list(made, blocks, language)
     blocks += literature(made, language)
     return Document(made.scene.title, language, once(blocks), frame_fields(made, language))
+
+
+def _sections(
+    made: DrawnScene, told: Sequence[tuple[Chapter, Drawn | None]], known: Known
+) -> Iterator[Block]:
+    """Yield the sections of chapters in their order; of one without a result (no board) why there is none."""
+    for chapter, board in told:
+        if board is None:
+            yield from without_result(made.scene, chapter)
+        else:
+            yield from chapter_section(board, chapter, made.scene.language, known)
 
 
 FIRST = 2

@@ -12,7 +12,7 @@ from graphic_tmm.note.bricks import heading, paired
 from graphic_tmm.note.document import Block, paragraph
 from graphic_tmm.note.page import Page, title
 from graphic_tmm.note.protocol import Known
-from graphic_tmm.scene.chapter import Answer, Chapter, chapters
+from graphic_tmm.scene.chapter import Answer, Chapter
 from graphic_tmm.scene.records import Scene
 
 
@@ -48,9 +48,7 @@ def chapter_section(drawn: Drawn, chapter: Chapter, language: str, known: Known)
         yield from blocks
 
 
-def without_result(scene: Scene, language: str) -> Iterator[Block]:
-    """Yield the sections of chapters that are left out, for they have no result: a sentence that says so."""
-    for chapter in chapters():
-        if chapter.name in scene.left_out:
-            yield heading(title(chapter, language), 1)
-            yield paragraph(f"{speaking(language)(scene.left_out[chapter.name])}.")
+def without_result(scene: Scene, chapter: Chapter) -> Iterator[Block]:
+    """Yield the section of a chapter that is left out, for it has no result: a sentence that says so."""
+    yield heading(title(chapter, scene.language), 1)
+    yield paragraph(f"{speaking(scene.language)(scene.left_out[chapter.name])}.")

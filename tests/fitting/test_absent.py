@@ -93,6 +93,18 @@ def test_the_rest_is_drawn_and_the_chapter_is_named(
     assert "—°" not in note
 
 
+def test_what_is_left_out_keeps_its_place_in_the_note(tmp_path: Path) -> None:
+    """Not before the structure of the mechanism, where nothing of it has been told yet."""
+    file = scene(tmp_path, "diagrams", "en", more=True)
+    status, *_ = ran("note", file, "-o", tmp_path, "-f", "md")
+    assert status == 0
+    note = next(tmp_path.glob("*.md")).read_text("utf-8")
+    heads = [line for line in note.splitlines() if line.startswith("# ")]
+    places = [k for k, line in enumerate(heads) if "Diagrams" in line]
+    before = [k for k, line in enumerate(heads) if "Structure" in line or "Kinematics" in line]
+    assert places == [max(before) + 1]
+
+
 @pytest.mark.slow
 @pytest.mark.turns(2)
 @pytest.mark.parametrize(

@@ -92,6 +92,12 @@ def _sign(signs: dict[str, str], at: str) -> str:
     return signs[at.strip("*")].replace("−", "-")
 
 
+def test_a_scale_factor_of_moments_has_one_unit_throughout() -> None:
+    text = "\n".join(_lines())
+    assert "(Н·м)/мм" in text
+    assert not re.search(r"(?<!\()Н·м/мм", text)
+
+
 def test_a_point_that_lines_go_through_is_laid_off_before() -> None:
     """n₃ of an acceleration plan: its line is not told with the lines that are parallel to it."""
     words = "\n".join(_lines())

@@ -63,7 +63,7 @@ SYMBOLS = (
     ("T", said("kinetic energy"), "J"),
     ("J_F", said("moment of inertia of the flywheel"), "kg·m²"),
     ("δ", said("coefficient of irregularity"), ""),
-    ("μ_M", said("scale factor of moments"), "N·m/mm"),
+    ("μ_M", said("scale factor of moments"), "(N·m)/mm"),
     ("μ_A", said("scale factor of works"), "J/mm"),
 )
 """Its letters in a note: what they stand for, their units."""

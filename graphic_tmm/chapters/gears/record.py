@@ -49,7 +49,7 @@ def record_beside(bench: Bench) -> Aside:
     arc = draft.draw(g.arc_of_engagement, "s_{cd}", path, one.r_w, one.r_b, unit="m")
     for mark in (sizes.h, sizes.h_w, arc):
         drawn[mark] = draft.draw(to_board, f"[{mark.letter}]", mark, line.mu)
-    start = draft.take(Length, "N_{1}", 0.0, "mm")
+    start = draft.take(Length, "N_{1}N_{1}", 0.0, "mm")
     limits = (
         draft.draw(g.specific_sliding, "ϑ_{2N_1}", other.z, one.z, start, line.length),
         draft.draw(g.specific_sliding, "ϑ_{1N_2}", one.z, other.z, start, line.length),

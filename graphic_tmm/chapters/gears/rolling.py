@@ -41,7 +41,7 @@ def along_arc(start: Point, arc: Arc, length: Length, *, sense: int = 1) -> Poin
 @operation(
     symbol=f"{ANGLE} + N1",
     reads=True,
-    why=said("The arc is measured as a student does, by its angle and radius."),
+    why=said("The arc is the angle at its centre, in radians, times its radius."),
 )
 def measure_arc(start: Point, end: Point, arc: Arc, *, sense: int = 1) -> Length:
     """Measure the arc {start}{end} along {arc}.

@@ -63,6 +63,14 @@ def test_what_is_calculated_beside_moves_no_mark_of_the_drawing() -> None:
     assert not {step.it for step in beside} & {mark for step in others for mark in step.uses}
 
 
+def test_the_way_of_no_length_is_named_by_both_its_ends() -> None:
+    """N₁N₁ = 0, not a point that stands for a length."""
+    log = record(read(SCENE), "gears").construction
+    lengths = {mark.name for step in log.steps if step.it.view == VIEW for mark in step.uses}
+    assert "N_{1}N_{1}" in lengths
+    assert "N_{1}" not in lengths
+
+
 @pytest.mark.parametrize(
     "order",
     [
