@@ -152,6 +152,7 @@ def sight_of(found: PhotoPoints, due: Mapping[Name, complex], asked: Iterable[Po
         plan, _, position = one.name
         by.setdefault((plan, position), []).append(one)
     unseen: dict[str, list[str]] = {plan: [] for plan, _ in wanted}
+    partly: dict[str, list[str]] = {plan: [] for plan, _ in wanted}
     for plan, position in wanted:
         own = by.get((plan, position), [])
         sure = [one for one in own if one.how == SEEN]
@@ -160,14 +161,17 @@ def sight_of(found: PhotoPoints, due: Mapping[Name, complex], asked: Iterable[Po
             for one in own
         )
         if 2 * len(sure) < len(own) or not own or not all(rest):
-            unseen[plan].append(position)
+            (partly if sure else unseen)[plan].append(position)
     counts = Counter(plan for plan, _ in wanted)
     known = sum((plan, position) in wanted for plan, _, position in due)
     seen = sum(one.how == SEEN for one in found.points)
     return Sight(
         seen,
         known,
-        tuple(PlanSight(plan, counts[plan], tuple(places)) for plan, places in unseen.items()),
+        tuple(
+            PlanSight(plan, counts[plan], tuple(unseen[plan]), tuple(partly[plan]))
+            for plan in unseen
+        ),
     )
 
 

@@ -196,11 +196,15 @@ class Whole(NamedTuple):
 
 
 class PlanSight(NamedTuple):
-    """How many plans of a kind a photograph was to show, and at which positions it does not."""
+    """How many plans of a kind a photograph was to show, and at which positions it does not.
+
+    ``partly``: those of which some points were seen.
+    """
 
     plan: str
     asked: int
     unseen: tuple[str, ...]
+    partly: tuple[str, ...] = ()
 
 
 class Sight(NamedTuple):
@@ -213,7 +217,7 @@ class Sight(NamedTuple):
     @property
     def whole(self) -> bool:
         """Whether every plan that was asked for was seen."""
-        return not any(one.unseen for one in self.plans)
+        return not any(one.unseen or one.partly for one in self.plans)
 
 
 class OwnScale(NamedTuple):

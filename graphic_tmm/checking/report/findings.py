@@ -79,14 +79,16 @@ def _seen(sight: Sight, language: str) -> str:
     words = WORDS[language]
     plans = []
     for one in sight.plans:
-        seen = one.asked - len(one.unseen)
+        seen = one.asked - len(one.unseen) - len(one.partly)
         told = words["plans seen"].format(
             name=view_name(one.plan, language), seen=seen, of=one.asked
         )
-        if not seen:
+        if len(one.unseen) == one.asked:
             told += words["nothing said"]
         elif one.unseen:
-            told += words["not whole"].format(positions=", ".join(one.unseen))
+            told += words["unseen plans"].format(positions=", ".join(one.unseen))
+        if one.partly:
+            told += words["not whole"].format(positions=", ".join(one.partly))
         plans.append(told)
     counted = words["points seen"].format(points=sight.points, of=sight.of)
     return f"{counted} {'; '.join(plans)}."

@@ -56,7 +56,13 @@ def tidy(value: float | None) -> float | None:
 
 def _sight(sight: Sight) -> dict[str, Any]:
     plans = [
-        {"plan": one.plan, "asked": one.asked, "unseen": list(one.unseen)} for one in sight.plans
+        {
+            "plan": one.plan,
+            "asked": one.asked,
+            "unseen": list(one.unseen),
+            "partly": list(one.partly),
+        }
+        for one in sight.plans
     ]
     return {"points": sight.points, "of": sight.of, "plans": plans}
 

@@ -43,7 +43,8 @@ TEXTS: dict[str, str] = {
     "points seen": said("Seen: {points} of {of} points."),
     "plans seen": said("{name}: {seen} of {of}"),
     "nothing said": said(", nothing is said about them"),
-    "not whole": said(" (not wholly: {positions})"),
+    "unseen plans": said(", not {positions}"),
+    "not whole": said(", in part {positions}"),
     "only whole": said("No reading is wrong by itself, but the drawing as a whole is."),
     "whole": said(
         "As a whole the drawing is farther off than 99.9 % of hands: {doubtful} of {of} readings are doubtful "
