@@ -28,7 +28,7 @@ _NUMBER = r"−?\d+(?:[.,]\d+)?(?:·10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?"
 _FIGURE = _NUMBER + r"(?: [^\s.;,]+)?"
 FIELDS = {
     "lines": r"\d[\d–, …]*", "steps": ".+", "found": _FIGURE, "due": _FIGURE, "off": _NUMBER,
-    "count": r"\d+", "wrong": r"\d+", "fine": r"\d+", "doubtful": r"\d+", "all": r"\d+",
+    "of": r"\d+", "count": r"\d+", "wrong": r"\d+", "fine": r"\d+", "doubtful": r"\d+", "all": r"\d+",
     "percent": _NUMBER, "number": r"\d+", "segment": r"\S+", "position": r"[\w*]+",
 }  # fmt: skip
 """What stands where in a sentence."""
@@ -45,10 +45,7 @@ def near(text: str, *known: float, share: float = FOUR) -> bool:
 
 
 class Reader:
-    """Who looks numbers up: in the file, in the table of what is due, in the log.
-
-    ``rows``: of the file, by the names that the scene has for its segments.
-    """
+    """Who looks numbers up; ``rows``: of the file, by the names that the scene has for its segments."""
 
     def __init__(self, made: DrawnScene, rows: Sequence[Taken], page: str) -> None:
         self.made, self.language = made, made.scene.language
@@ -196,6 +193,8 @@ class Reader:
             "drawn": self._position,
             "drawn due": self._position,
             "drawn so": self._drawn,
+            "whole": lambda f, at, step: worth(f["due"]) < int(f["doubtful"]) <= self.count("doubtful"),
+            "whole alone": lambda f, at, step: True,
             "fine ones": lambda f, at, step: int(f["count"]) == self.count("fine"),
             "begin": lambda f, at, step: (
                 (f["plan"], f["number"]) in self.steps
@@ -216,8 +215,8 @@ class Reader:
 
     def _counts(self, found: re.Match[str], position: str, step: Any) -> bool:
         told = {key: int(found[key]) for key in ("fine", "doubtful", "wrong")}
-        right = all(self.count(key) == value for key, value in told.items())
-        return right and int(found["all"]) == len(self.rows) == sum(told.values())
+        whole = int(found["all"]) == len(self.rows) == sum(told.values())
+        return whole and all(self.count(key) == value for key, value in told.items())
 
     def _lines(self, text: str, sentence: str) -> bool:
         """Whether lines are of the file, and wrong where something is said to explain them."""

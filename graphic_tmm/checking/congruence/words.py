@@ -85,6 +85,14 @@ def _asked(one: OwnScale, language: str) -> Said:
 
 def _against(one: OwnScale, language: str) -> Said:
     lengths, rates = (number(times, language, 3) for times in one.against)
+    if rates == "1":
+        return said(
+            "{plan}: the lengths are {lengths} times as long as due, but your rates were calculated with the "
+            "task's scale factor: it is no scale factor of your own, {first} was laid off wrongly.",
+            plan=view_name(one.view, language),
+            lengths=lengths,
+            first=one.first or said("what is laid off first"),
+        )
     return said(
         "{plan}: the lengths are {lengths} times as long as due, but your rates were calculated with a scale "
         "factor of {rates} times the task's: it is no scale factor of your own, {first} was laid off wrongly.",

@@ -102,7 +102,8 @@ def summary(report: Report) -> str:
     said = [words["counts"].format(all=len(report.readings), **counts(report))]
     if (whole := report.whole) is not None:
         due = fixed(whole.due, 1, report.language)
-        said.append(words["whole"].format(doubtful=whole.doubtful, of=whole.of, due=due))
+        key = "whole" if whole.doubtful > whole.due else "whole alone"
+        said.append(words[key].format(doubtful=whole.doubtful, of=whole.of, due=due))
     left = unexplained(report)
     if 0 < len(left) < report.wrong:
         lines = runs([one.taken.line for one in left])

@@ -46,6 +46,7 @@ TEXTS: dict[str, str] = {
     "unseen plans": said(", not {positions}"),
     "not whole": said(", in part {positions}"),
     "only whole": said("No reading is wrong by itself, but the drawing as a whole is."),
+    "whole alone": said("As a whole the drawing is farther off than 99.9 % of hands."),
     "whole": said(
         "As a whole the drawing is farther off than 99.9 % of hands: {doubtful} of {of} readings are doubtful "
         "where {due} are due."

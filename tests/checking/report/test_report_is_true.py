@@ -136,7 +136,7 @@ def test_what_a_mistake_explains_is_nearer_to_it_than_to_what_is_due(tmp_path: P
 def _nearer(of: Checker, checked: Checked) -> Iterator[list[bool]]:
     """Yield for each mistake that is sure whether each wrong reading of its lines is nearer to its drawing."""
     report = checked.report
-    diagnosis = diagnosed(Mistakes(of.made), checked.compared, report.readings)
+    diagnosis = diagnosed(Mistakes(of.made), checked.compared, report.readings, rare=False)
     scenes = mistaken_scenes(report.mistakes, diagnosis, of.made)
     for finding, scene in zip(report.mistakes, scenes, strict=True):
         if scene is None or finding.chance < 0.8:
