@@ -19,7 +19,7 @@ from graphic_tmm.commands.shared.judging import (
 )
 from graphic_tmm.commands.shared.options import Finite, SceneName, read_scene
 from graphic_tmm.commands.shared.spoken import Command
-from graphic_tmm.commands.shared.telling import waiting
+from graphic_tmm.commands.shared.telling import show, waiting
 from graphic_tmm.language.said import said
 
 FORMER = {"--class": "mark", "--photo": "photo", "--template": "template"}
@@ -93,6 +93,11 @@ def _now(command: click.Command, args: Sequence[str], at: int) -> list[str]:
     metavar="K=A",
     help=said("What the student calls K is A in the scene; several are separated by commas."),
 )
+@click.option(
+    "--power",
+    is_flag=True,
+    help=said("Print what error of each length would be seen, without any READINGS."),
+)
 @report_form
 def check(
     scene: str,
@@ -102,9 +107,15 @@ def check(
     overlay: str | None,
     enlarge: float,
     letters: tuple[str, ...],
+    power: bool,
     form: str | None,
 ) -> None:
     """Compare READINGS of a hand-made drawing (CSV, xlsx) with SCENE; status 1 if something is wrong."""
+    if power:
+        if readings is not None:
+            raise click.UsageError(said("--power looks at the scene alone: leave READINGS out"))
+        _power(scene, by, output)
+        return
     if readings is None:
         raise click.UsageError(
             said(
@@ -122,3 +133,20 @@ def check(
             drawn = pictures.overlay(task, report, overlay, enlarge, composition_of(task))
         click.echo(str(drawn), err=True)  # the report has the other stream to itself
     end_with(report, form, output)
+
+
+def _power(scene: str, by: JudgedBy, output: str | None) -> None:
+    """Print what error of each length of a scene is seen."""
+    from graphic_tmm.board.hand import HANDS
+    from graphic_tmm.checking.judging.power import seen_errors
+    from graphic_tmm.checking.judging.scatter import Limits
+    from graphic_tmm.checking.judging.yardstick import Yardsticks
+    from graphic_tmm.checking.report.power import power_report
+    from graphic_tmm.studio import make
+
+    task = read_scene(scene, lettered=True)
+    with waiting(said("drawing by the hand, to tell what is usual")):
+        made = make(task, exact=True, given=composition_of(task))
+        hand = HANDS[by.hand]._replace(trials=by.trials, seed=task.seed)
+        rows = seen_errors(made, Yardsticks(made, hand, Limits(by.doubtful, by.wrong)))
+    show(power_report(rows, task.language), 160, output)

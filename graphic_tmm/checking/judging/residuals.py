@@ -40,7 +40,7 @@ def sharpened(
     told of the readings that are not wrong, if it is rare.
     """
     rows = counted_readings(made, judged, by)
-    sets = [one for one in _sets(rows, by) if not one.pointed]
+    sets = [one for one in sets_of(rows, by) if not one.pointed]
     if not sets:
         return tuple(judged), _whole(rows, by)
     usual = by.covariances.usual([one.together for one in sets])
@@ -60,7 +60,7 @@ def sharpened(
     return told, _whole([r._replace(judged=found[id(r.judged)]) for r in rows], by)
 
 
-def _sets(rows: Sequence[CountedReading], by: Yardstick) -> Iterator[_Set]:
+def sets_of(rows: Sequence[CountedReading], by: Yardstick) -> Iterator[_Set]:
     """Yield the readings that are judged together: of a position the lengths of its plans, its points.
 
     Figures of tables and diagrams are left out: the hand's own drawings have them without a slip of reading.
@@ -126,7 +126,7 @@ def _whole(rows: Sequence[CountedReading], by: Yardstick) -> Whole | None:
     what is off in the same way adds up. It is rare by the rarer of the two.
     """
     rows = [one for one in rows if one.judged.verdict != WRONG]
-    sets = list(_sets(rows, by))
+    sets = list(sets_of(rows, by))
     if not sets:
         return None
     chances = [_chance([(_times(rows, one), one.together) for one in sets], by)]
