@@ -104,7 +104,7 @@ class _Writer:
             return [made] if block.numbered else self.target.part(made)
         if isinstance(block, Paragraph):
             told = of("Para", self.inlines(block.runs))
-            style = block.style or _set_as(block)
+            style = block.style or _set_as(block) or (LEADING if self.leads(k) else "")
             return self.target.styled(told, style) if style else [told]
         if isinstance(block, Display):
             return [one for rows in wholes(packed(block.formulas)) for one in self.whole(rows)]
@@ -119,6 +119,11 @@ class _Writer:
             return self.target.contents(self.outline())
         assert isinstance(block, Break)
         return self.target.break_page()
+
+    def leads(self, k: int) -> bool:
+        """Whether a formula follows the block of a place: what leads to it stays with it."""
+        following = self.document.blocks[k + 1 : k + 2] if k else ()
+        return any(isinstance(one, Display) for one in following)
 
     def whole(self, rows: Sequence[Sequence[Formula]]) -> list[Tree]:
         """Return a formula line by line, or some beside one another."""

@@ -13,8 +13,10 @@ from graphic_tmm.note.document import (
     Display,
     Document,
     Formula,
+    Number,
     Paragraph,
     Symbol,
+    Text,
     Tree,
     leaves,
     runs_of,
@@ -73,3 +75,16 @@ def test_the_letters_of_the_curvature_are_explained() -> None:
     }
     assert len(letters) == 4
     assert letters <= explained
+
+
+def test_a_pressure_angle_that_is_read_has_the_digits_of_its_table() -> None:
+    """A protractor tells no hundredth of a degree."""
+    told = [
+        run.text
+        for block in noted("cam", "en").blocks
+        if isinstance(block, Paragraph)
+        and any(isinstance(run, Text) and "read between OQ" in run.text for run in block.runs)
+        for run in block.runs
+        if isinstance(run, Number)
+    ]
+    assert [len(angle.partition(".")[2]) for angle in told] == [1]

@@ -11,6 +11,8 @@ from support.laid_out import PageLine, bytes_of, note_of_case, pages_of
 
 from graphic_tmm.board.formula_text import tree_of
 from graphic_tmm.note.document import (
+    Block,
+    Break,
     Display,
     Document,
     Formula,
@@ -115,6 +117,20 @@ def test_a_formula_over_several_lines_stands_on_one_page(above: int) -> None:
     with pdfplumber.open(io.BytesIO(bytes_of(document, "pdf"))) as pdf:
         inside = [k for k, page in enumerate(pdf.pages) if "12345" in page.extract_text()]
     assert len(inside) == 1
+
+
+def test_a_sentence_stands_on_the_page_of_the_formula_that_it_leads_to() -> None:
+    """Whatever it ends with, and however many lines stand above it."""
+    value = Display((Formula((Symbol("M"), Symbol("F_{12345}"))),))
+    blocks: list[Block] = [paragraph("начало")]
+    for above in range(24, 42):
+        blocks += [*[paragraph("слово")] * above, paragraph("приводит это к"), value, Break()]
+    with pdfplumber.open(
+        io.BytesIO(bytes_of(Document("title", "ru", tuple(blocks)), "pdf"))
+    ) as pdf:
+        pages = [page.extract_text() for page in pdf.pages]
+    assert sum("12345" in page for page in pages) == 18
+    assert not [page for page in pages if ("приводит" in page) != ("12345" in page)]
 
 
 def test_letters_of_figures_can_be_read() -> None:

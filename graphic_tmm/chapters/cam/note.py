@@ -126,7 +126,7 @@ class CamPage(Page[Cam]):
             yield from self.worked_out(centre.apex_radius)
         yield self.says(words.CHOSEN, r0=centre.r0)
         yield from self.worked_out(centre.radius)
-        yield self.says(words.ANGLE, angle=centre.pressure)
+        yield self.says(words.ANGLE, angle=self.cell("pressure"))
 
     def _limits(self) -> Iterator[Block]:
         made = self.recorded
