@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, pointed, points, position_names
+from graphic_tmm.checking.congruence.congruence import Congruence
 from graphic_tmm.checking.judging.taken_marks import steps_of
 from graphic_tmm.checking.pictures import plan_view
 from graphic_tmm.checking.readings.mending import Names, names_of
@@ -46,6 +47,7 @@ def explained(made: DrawnScene, rows: Sequence[Taken], due: Mapping[Key, Cell]) 
     yield said("Readings of a drawing: {title}", title=made.scene.title)
     if any(not row.unit for row in rows):
         yield said("Measure on the plan and fill in the column mm; leave the other cells empty.")
+    yield said("If you draw in a scale factor of your own, write it into the row of μ of its plan.")
     if any(row.unit for row in rows):
         yield said("Where a unit stands fill in the value that you have calculated.")
     for plan, place in dict.fromkeys((row.plan, row.position) for row in rows):
@@ -328,7 +330,8 @@ def short_of(
     if picture is not None:
         shows = said("The letters of the plans are shown in {file}.", file=beside)
         told = (*told, speaking(scene.language)(shows))
-    files = {name: file_of(name, asked_for.rows, language=scene.language, told=told)}
+    rows = _with_scales(made, asked_for.rows)
+    files = {name: file_of(name, rows, language=scene.language, told=told)}
     return files if picture is None else {**files, beside: svg(picture)}
 
 
@@ -337,4 +340,16 @@ def rows_of(scene: Scene) -> list[Taken]:
     made = make(scene, exact=True)
     columns = [*scene_columns(made), *result_columns(scene_results(made))]
     letters = dict.fromkeys((plan, letter) for plan, letter, _ in points(made))
-    return empty_rows(columns, position_names(made), tuple(letters))
+    return _with_scales(made, empty_rows(columns, position_names(made), tuple(letters)))
+
+
+def _with_scales(made: DrawnScene, rows: Iterable[Taken]) -> list[Taken]:
+    """Return rows, those of each plan behind its scale factors: a student writes his own there."""
+    scales: dict[str, list[Taken]] = {}
+    for one in Congruence(made).stated_rows():
+        scales.setdefault(one.plan, []).append(one)
+    found: list[Taken] = []
+    for row in rows:
+        found += scales.pop(row.plan, [])
+        found.append(row)
+    return found

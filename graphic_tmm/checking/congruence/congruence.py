@@ -7,7 +7,7 @@ What is decided is used; what only lengths say is used, too, and asked.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -25,13 +25,14 @@ from graphic_tmm.checking.congruence.lengths import (
     rates_of,
     spread_of,
 )
-from graphic_tmm.checking.congruence.moves import Move, Placed, placed
+from graphic_tmm.checking.congruence.moves import HALF, MOVES, NEAR, NONE, Move, Placed, placed
 from graphic_tmm.checking.congruence.remade import Remaking
 from graphic_tmm.checking.congruence.stated import SCENE, Stated
-from graphic_tmm.checking.congruence.witnesses import Verdict, verdict
+from graphic_tmm.checking.congruence.witnesses import EXACT, OWN, Verdict, shared, verdict
 from graphic_tmm.checking.judging.taken_marks import steps_of
 from graphic_tmm.checking.records import Last, OwnScale, Taken
 from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.language.symbols import plain
 
 ALIKE, COPY = 0.015, 0.16
 """Scale factors of all plans so nearly alike (logarithms), and no farther off, are those of a copy."""
@@ -115,17 +116,21 @@ class Congruence:
         given = {one.group: one for one in stated}
         found: dict[Group, Verdict] = {}
         for group, read in sorted(lengths.items(), key=lambda one: self._order(one[0])):
-            if group in given:
-                continue
             others = self._others(group, lengths, found)
             found[group] = verdict(group, read, rates.get(group.plan, ()), others)
-        found = self._not_copied(found)
+        found = _shared(self._not_copied(found), lengths)
+        found |= {g: _as_stated(s, found.get(g, Verdict())) for g, s in given.items()}
         times = {group: one.times for group, one in found.items() if one.times != 1.0}
-        times |= {g: g.mu / s.mu for g, s in given.items() if s.mu is not SCENE and s.mu != g.mu}
         places = {group: dict(one.places) for group, one in found.items() if one.places}
-        scales = tuple(self._scales(found, given))
+        scales = tuple(self._scale(g, one) for g, one in found.items() if one.by or one.against)
         plain = {plan: one.move for plan, one in moves.items()}
         return Agreed(rows, times, places, scales, plain, unit)
+
+    def stated_rows(self) -> Iterator[Taken]:
+        """Yield a row for each scale factor of the scene, as the template has them."""
+        for plan, symbols in self.remaking.symbols.items():
+            for symbol, group in symbols.items():
+                yield Taken(plan, "", plain(symbol), value=group.mu, unit=_per_mm(group.unit))
 
     def _order(self, group: Group) -> tuple[int, str, float]:
         plans = [*dict.fromkeys(plan for plan, _, _ in (*self.spots, *self.due))]
@@ -147,10 +152,21 @@ class Congruence:
         plans = [plan for plan in self._plan_groups if any(one.plan == plan for one in rows)]
         stated = {plan: Placed(turns[plan], 1.0, {}) for plan in plans if plan in turns}
         free = [plan for plan in plans if plan not in stated]
-        whole = {plan: placed(rows, self.spots, plan, whole=True) for plan in free}
-        if not all(one and one.move == Move(2) for one in whole.values()):
-            whole = {plan: placed(rows, self.spots, plan, whole=False) for plan in free}
-        return stated | {plan: one for plan, one in whole.items() if one}
+        found = {plan: placed(rows, self.spots, plan, MOVES) for plan in free}
+        if not all(one and one.move == HALF for one in found.values()):
+            # a plan of another position looks like one that is turned by 180°
+            others = [move for move in MOVES if move != HALF]
+            found = {plan: placed(rows, self.spots, plan, others) for plan in free}
+        common = {one.move for one in found.values() if one} - {NONE}
+        if len(common) == 1:
+            again = [plan for plan in free if found[plan] is None]
+            found |= {p: placed(rows, self.spots, p, common, 0.5 * NEAR) for p in again}
+        mirrored = {one.move.mirrored for one in found.values() if one}
+        if True in mirrored and (len(free) < 2 or not all(found.values()) or len(common) > 1):
+            # a single plan that is mirrored is a mistake: the mechanism was drawn so
+            upright = [move for move in MOVES if not move.mirrored and move != HALF]
+            found = {plan: placed(rows, self.spots, plan, upright) for plan in free}
+        return stated | {plan: one for plan, one in found.items() if one}
 
     def _lengths(self, rows: Sequence[Taken]) -> dict[Group, list[Read]]:
         lengths = dict(lengths_of(rows, self.due, self.groups, self._laid))
@@ -189,25 +205,10 @@ class Congruence:
             near = set(mere)
         return {g: Verdict(among=v.among) if g in near else v for g, v in found.items()}
 
-    def _scales(
-        self, found: Mapping[Group, Verdict], given: Mapping[Group, Stated]
-    ) -> list[OwnScale]:
-        rows = []
-        for group, stated in given.items():
-            mu = group.mu if stated.mu is SCENE else stated.mu
-            rows.append(self._scale(group, Verdict(group.mu / mu, "stated")))
-        for group, one in found.items():
-            if one.by or one.against:
-                rows.append(self._scale(group, one))
-        return rows
-
     def _scale(self, group: Group, one: Verdict) -> OwnScale:
         symbol, mark = self.remaking.symbol(group), self.remaking.factor(group)
         own = tuple((place, group.mu / times) for place, times in one.places)
         first = self._laid.get(group.plan, "")
-        unit = (
-            f"({group.unit})/mm" if "/" in group.unit or "·" in group.unit else f"{group.unit}/mm"
-        )
         against = one.against or (1.0, 1.0)
         return OwnScale(
             group.plan,
@@ -215,7 +216,7 @@ class Congruence:
             symbol,
             float(f"{group.mu / one.times:.4g}"),
             group.mu,
-            unit,
+            _per_mm(group.unit),
             one.by,
             one.agree,
             one.among,
@@ -223,6 +224,40 @@ class Congruence:
             own,
             against,
         )
+
+
+def _per_mm(unit: str) -> str:
+    return f"({unit})/mm" if "/" in unit or "·" in unit else f"{unit or '1'}/mm"
+
+
+def _as_stated(stated: Stated, found: Verdict) -> Verdict:
+    """Return the verdict on a plan whose scale factor is stated; ``found``: what readings say by themselves.
+
+    A row of the template that was left as it was is no statement, where readings decide otherwise.
+    """
+    mu = stated.group.mu if stated.mu is SCENE else stated.mu
+    times = stated.group.mu / mu
+    decided = found.by in ("rows", "rates") and abs(math.log(found.times / times)) > OWN
+    if decided and stated.line and abs(math.log(times)) < EXACT:
+        return found
+    against = (times, found.times) if decided else None
+    return Verdict(times if abs(math.log(times)) > 1e-4 else 1.0, "stated", against=against)
+
+
+def _shared(
+    found: Mapping[Group, Verdict], lengths: Mapping[Group, Sequence[Read]]
+) -> dict[Group, Verdict]:
+    """Return the verdicts; a few lengths may be drawn to the scale factor of others of their plan."""
+    own = [(group, one) for group, one in found.items() if one.times != 1.0]
+    better = dict(found)
+    for group, one in found.items():
+        if one.by or one.against:
+            continue
+        for other, its in own:
+            if (other.plan, other.unit) == (group.plan, group.unit):
+                mu = other.mu / its.times
+                better[group] = shared(group, lengths[group], mu, its) or better[group]
+    return better
 
 
 def _times(taken: Taken, unit: float) -> Taken:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +14,7 @@ from graphic_tmm.language.said import said
 
 NEAR, MUCH = 3.0, 0.35
 """A plan whose points are so near their due, mm in the median, is as it should be; another move must leave no
-more than this share of what is left."""
+more than this share of what is left. Where other plans were moved so, half of the first is enough."""
 FEWEST, FAR = 3, 0.12
 """Fewer points of a plan tell no move; what is left may be such a share of the plan's size at the most."""
 
@@ -35,7 +35,7 @@ class Move(NamedTuple):
         return complex(turned.conjugate() if self.mirrored else turned)
 
 
-NONE = Move(0)
+NONE, HALF = Move(0), Move(2)
 MOVES: Mapping[Move, object] = {
     NONE: said("as it is"),
     Move(1): said("turned by 90°"),
@@ -58,11 +58,15 @@ class Placed(NamedTuple):
 
 
 def placed(
-    rows: Sequence[Taken], spots: Mapping[Key, complex], plan: str, *, whole: bool
+    rows: Sequence[Taken],
+    spots: Mapping[Key, complex],
+    plan: str,
+    moves: Collection[Move],
+    near: float = NEAR,
 ) -> Placed | None:
     """Return how the points of a plan were counted; None where they stand as they should, or as nothing tells.
 
-    ``whole``: it is the only plan, or a turn of all plans: then it may be turned by 180°.
+    ``moves`` are tried; a plan whose points are so ``near`` their due, mm in the median, is as it should be.
     """
     there: defaultdict[str, list[tuple[complex, complex]]] = defaultdict(list)
     for taken in rows:
@@ -75,13 +79,12 @@ def placed(
         return None
     tried = {
         (move, own): _left(pairs, move, own=own)
-        for move in MOVES
+        for move in dict.fromkeys((NONE, *moves))
         for own in (False, True)
-        if move.turns != 2 or move.mirrored or whole
         if not own or all(len(some) > 2 for some in pairs.values())
     }
     as_is, size = tried[NONE, False], _size(pairs)
-    if as_is[0] <= max(NEAR, 0.03 * size * as_is[1]):
+    if as_is[0] <= max(near, 0.03 * size * as_is[1] * near / NEAR):
         return None
     (move, own), best = min(tried.items(), key=lambda one: (one[1][0] / one[1][1], one[0][1]))
     plain = min(
@@ -90,7 +93,7 @@ def placed(
     if plain[1][0] / plain[1][1] < max(NEAR, 1.5 * best[0] / best[1]):
         (move, own), best = plain
     left, times = best
-    if left > MUCH * as_is[0] or left > FAR * size * times:
+    if left > MUCH * as_is[0] * NEAR / near or left > FAR * size * times:
         return None
     origins = {name: _origin(some, move, times) if own else 0j for name, some in pairs.items()}
     return Placed(move, times, origins)

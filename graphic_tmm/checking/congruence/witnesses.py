@@ -19,6 +19,9 @@ OWN = 0.025
 """Nearer to what is due than this (a logarithm) no scale factor is another one: paper is off by it."""
 RANGE = (0.3, 3.4)
 """So many times as large as due a plan may be in a scale factor of its own; what is beyond is another unit."""
+GRAPHS, SPREAD = (0.12, 8.0), 1.5
+"""The same of graphs, whose scale factors follow from one another; their ratio is another one if it differs
+from 1 by so many usual deviations of a single ordinate."""
 ROUND, MANTISSAS = 0.012, (1.0, 1.2, 1.25, 1.5, 1.6, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5, 8.0)
 """Lengths alone tell a scale factor to about 1 %: a round one so near is meant."""
 EXACT = 0.004
@@ -75,7 +78,7 @@ def _verdict(
         return Verdict()
     laid = [one.ratio for one in lengths if one.laid]
     k = middle(laid or [one.ratio for one in lengths])
-    if not _apart(k):
+    if not (_apart(k) if laid else abs(k) > OWN and GRAPHS[0] < math.exp(k) < GRAPHS[1]):
         return Verdict()
     if laid and _share(laid, k, FIRST) < FIRST_SHARE:
         return Verdict()
@@ -86,12 +89,27 @@ def _verdict(
     agree, due = _agreeing(rest, k), _agreeing(rest, 0.0)
     enough = len(rest) * (MANY if laid else ALONE)
     if rest and (agree < enough or agree < due + MORE * len(rest)):
-        return Verdict()
+        return Verdict() if laid else _by_spread(lengths, k)
     times, off = _fitted([one for one in lengths if one.laid] or lengths, k)
     near = rounded(group.mu / times)
     if abs(math.log(near * times / group.mu)) <= max(ROUND, 2.5 * off):
         return Verdict(group.mu / near, "round", agree + len(laid), len(lengths))
     return Verdict(times, "lengths", agree + len(laid), len(lengths))
+
+
+def _by_spread(lengths: Sequence[Read], k: float) -> Verdict:
+    """Return the verdict on lengths of a graph, which scatter more: all about another ratio than due."""
+    off = [abs(one.ratio - k) for one in lengths]
+    usual = 1.5 * middle(off)
+    clear = abs(k) > SPREAD * max(usual, 0.02) and 2.0 * sum(off) < sum(
+        abs(one.ratio) for one in lengths
+    )
+    if len(lengths) < 5 or not clear:
+        return Verdict()
+    squares = sum(one.due**2 for one in lengths)
+    times = sum(one.mm * one.due for one in lengths) / squares
+    within = sum(one <= 2.0 * usual for one in off)
+    return Verdict(times, "lengths", within, len(lengths))
 
 
 def _fitted(lengths: Sequence[Read], k: float) -> tuple[float, float]:
@@ -105,10 +123,22 @@ def _fitted(lengths: Sequence[Read], k: float) -> tuple[float, float]:
     return times, 0.9 / (times * math.sqrt(squares))
 
 
+def shared(group: Group, lengths: Sequence[Read], mu: float, by: Verdict) -> Verdict | None:
+    """Return the verdict on a group whose lengths fit the scale factor of another of its plan, not the due one.
+
+    ``mu``: SI a mm, in which the other was drawn, ``by`` whose verdict.
+    """
+    k = math.log(group.mu / mu)
+    agree = _agreeing(lengths, k)
+    if not _apart(k) or agree < MANY * len(lengths) or agree <= _agreeing(lengths, 0.0):
+        return None
+    return Verdict(math.exp(k), by.by, agree, len(lengths))
+
+
 def _by_rows(group: Group, lengths: Sequence[Read]) -> Verdict | None:
     """Return what rows with mm and value say; None where there are too few, or they differ."""
     rows = [one for one in lengths if math.isfinite(one.value) and one.value > 0.0]
-    if len(rows) < PLENTY:
+    if len(rows) < 2:
         return None
     ratios = {one: math.log(group.mu * one.mm / one.value) for one in rows}
     k = middle([*ratios.values()])

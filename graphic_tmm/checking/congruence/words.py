@@ -42,7 +42,7 @@ def _sentences(
         if one.by in ("round", "lengths"):
             yield _asked(one, language)
         if one.against != (1.0, 1.0):
-            yield _against(one, language)
+            yield _stated(one, language) if one.by == "stated" else _against(one, language)
     yield from _moved(moves, language)
     if unit:
         yield said(
@@ -80,6 +80,15 @@ def _asked(one: OwnScale, language: str) -> Said:
         mu=_mu(one.mu, one, language),
         due=number(one.due, language, _DIGITS),
         first=one.first or said("what is laid off first"),
+    )
+
+
+def _stated(one: OwnScale, language: str) -> Said:
+    return said(
+        "{plan}: you state {mu}, but your figures were calculated with {own}.",
+        plan=view_name(one.view, language),
+        mu=_mu(one.mu, one, language),
+        own=number(one.due / one.against[1], language, _DIGITS),
     )
 
 

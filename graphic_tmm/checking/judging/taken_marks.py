@@ -97,7 +97,8 @@ class Reader(NamedTuple):
         spot = spot + self.pointing * self.chance(key, wide).view(np.complex128)
         if self.points != "paper":
             return spot
-        return np.asarray(self.hand.read(spot.real) + 1j * self.hand.read(spot.imag))
+        parts = np.ascontiguousarray(spot).view(np.float64)  # 1j · NaN would warn
+        return np.asarray(self.hand.read(parts)).view(np.complex128)
 
 
 def reader(scene: Scene, hand: Hand, points: str) -> Reader:

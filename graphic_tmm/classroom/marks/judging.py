@@ -41,6 +41,8 @@ class By(NamedTuple):
     trials: int = 400
     doubtful: float = 0.97
     wrong: float = 5.0
+    scales: tuple[str, ...] = ()
+    turns: tuple[str, ...] = ()
 
 
 class Task(NamedTuple):
@@ -118,6 +120,8 @@ def checker(task: Task, by: By) -> Checker:
         trials=by.trials,
         limits=Limits(by.doubtful, by.wrong),
         given=sizes_of(task),
+        scales=by.scales,
+        turns=by.turns,
     )
 
 

@@ -27,13 +27,18 @@ Function = Callable[..., None]
 
 
 class JudgedBy(NamedTuple):
-    """By whose drawings readings are judged, how points were read, where doubt begins, and wrong."""
+    """By whose drawings readings are judged, how points were read, where doubt begins, and wrong.
+
+    ``scales``, ``turns``: in which scale factors plans were drawn, and how they were turned.
+    """
 
     hand: str
     points: str
     trials: int
     doubtful: float
     wrong: float
+    scales: tuple[str, ...] = ()
+    turns: tuple[str, ...] = ()
 
 
 def judged_by(command: Function) -> Function:
@@ -41,11 +46,38 @@ def judged_by(command: Function) -> Function:
 
     @wraps(command)
     def bundled(
-        hand: str, points: str, trials: int, doubtful: float, wrong: float, **options: Any
+        hand: str,
+        points: str,
+        trials: int,
+        doubtful: float,
+        wrong: float,
+        scales: tuple[str, ...],
+        turns: tuple[str, ...],
+        **options: Any,
     ) -> None:
-        command(by=JudgedBy(hand, points, trials, doubtful, wrong), **options)
+        by = JudgedBy(hand, points, trials, doubtful, wrong, scales, turns)
+        command(by=by, **options)
 
     for option in (
+        click.option(
+            "--turn",
+            "turns",
+            multiple=True,
+            metavar="PLAN=DEGREES",
+            help=said(
+                "How a plan is turned against the scene's: velocities=90; else its points tell."
+            ),
+        ),
+        click.option(
+            "--mu",
+            "scales",
+            multiple=True,
+            metavar="PLAN=VALUE",
+            help=said(
+                "The scale factor in which a plan was drawn, SI a mm: velocities=0.02 (of several of a plan: "
+                "diagrams:μ_V=0.05); velocities=scene where it was prescribed; else readings tell."
+            ),
+        ),
         click.option(
             "--trials",
             type=click.IntRange(20, 100_000),
@@ -109,6 +141,7 @@ def report_on(scene: Scene, readings: str, by: JudgedBy, letters: Sequence[str] 
         Also where the file holds no reading.
     """
     from graphic_tmm.checking.check import check
+    from graphic_tmm.checking.congruence.stated import is_scale_row
     from graphic_tmm.checking.judging.scatter import Limits
     from graphic_tmm.checking.readings.letters import letters_of
     from graphic_tmm.checking.readings.read import FileReadings, read_readings
@@ -117,7 +150,7 @@ def report_on(scene: Scene, readings: str, by: JudgedBy, letters: Sequence[str] 
     own, faults = letters_of(letters)
     if faults:
         raise click.UsageError(faults[0].message)
-    if not taken:
+    if all(map(is_scale_row, taken)):
         says = said("no row holds a figure: there is nothing to judge")
         more = tuple(Fault("", 0, note) for note in taken.notes)
         raise SceneError(readings, (Fault("", 0, says), *more))
@@ -131,6 +164,8 @@ def report_on(scene: Scene, readings: str, by: JudgedBy, letters: Sequence[str] 
             trials=by.trials,
             limits=Limits(by.doubtful, by.wrong),
             given=composition_of(scene),
+            scales=by.scales,
+            turns=by.turns,
             source=readings,
         )
 
