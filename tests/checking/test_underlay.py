@@ -104,7 +104,8 @@ def test_the_photograph_is_seen_and_the_ink_fits_it(
     options = ("--photo", photo, "--corners", corners(), "--sheet", 2, "--overlay", out)
     done = check(scene, *options)
     flat = tmp_path / "under 'it' \"1\" & план-flat.png"
-    assert (done.exit_code, done.stderr) == (0, f"{out}\n{flat}\n"), done.output
+    # not every point of its plans is seen
+    assert (done.exit_code, done.stderr) == (3, f"{out}\n{flat}\n"), done.output
     assert "wrong 0" in done.stdout
     text = out.read_text(encoding="utf-8")
     seen = rendered(text, tmp_path, MM).astype(np.int16)

@@ -161,7 +161,8 @@ def _fault(
     status = result.exit_code
     if result.exception is not None and not isinstance(result.exception, SystemExit):
         return f"traceback: {''.join(traceback.format_exception(result.exception)[-3:])}"
-    if status not in ((0, 1, 2) if {"check", "batch"} & {*one.line} else (0, 2)):
+    ends = {"check": (0, 1, 2), "batch": (0, 1, 2), "photo": (0, 1, 2, 3)}
+    if status not in next((ends[name] for name in one.line if name in ends), (0, 2)):
         return f"exit status {status}: {result.stderr[:300]!r}"
     if status == 2 and not result.stderr.startswith(("graphic-tmm: ", "Usage: ", "Error: ")):
         return f"no message: {result.stderr[:200]!r}"

@@ -39,6 +39,8 @@ CLICKED = 1.5
 """A pole is clicked so near, mm."""
 COMMON, LIKELIER = 3, 3.0
 """So many mistakes of other plans are tried, and taken if the pencil agrees with them nearly as well, mm."""
+SHAPELESS = 3.0
+"""Points no farther from one line, mm (root of their squares), make no shape."""
 POLE = 0.4
 """It is known so well by a click, mm."""
 MORE = 6.0
@@ -166,7 +168,8 @@ def read_own(flat: Flat, others: Alternatives, clicked: ClickedPlan, turn: compl
     plan, position, pole, _ = clicked
     due = others.due(plan, position).turned(turn)
     best = _read(flat, due, pole)
-    if best.covered >= DRAWN and all(spot.how != UNSEEN for spot in best.spots):
+    whole = best.covered >= DRAWN and all(spot.how != UNSEEN for spot in best.spots)
+    if whole or _flat(due):
         return best
     least = best.worth + MORE
     for row, view in others.near(flat, due, plan, position, pole):
@@ -174,6 +177,13 @@ def read_own(flat: Flat, others: Alternatives, clicked: ClickedPlan, turn: compl
         if one.worth > least:
             best, least = one, one.worth
     return best
+
+
+def _flat(view: View) -> bool:
+    """Whether all points of a plan lie on one line, as at a dead centre: such a shape tells no mistake."""
+    off = view.at - view.at.mean()
+    parts = np.stack([off.real, off.imag])
+    return float(np.linalg.svd(parts, compute_uv=False)[-1]) < SHAPELESS
 
 
 def _read(flat: Flat, view: View, pole: complex) -> OwnPlan:
