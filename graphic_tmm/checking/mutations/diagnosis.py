@@ -5,7 +5,7 @@ Hypotheses are weighed by all readings; a name is given where it is sure, and pa
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -39,6 +39,7 @@ from graphic_tmm.checking.mutations.hypotheses import (
     of_written,
     perhaps,
     plausible,
+    slip_alone,
     tempered,
     together,
     told_of,
@@ -129,10 +130,11 @@ def _allowed(readings: Readings, mistakes: Mistakes, first: Hypothesis) -> tuple
     """Return the second mistakes that pass the gate, the likeliest first, scored with the first."""
     assert isinstance(first.what, Mutation)
     base = mistakes.base_of(first.board).mistaken(first.what, first.place)
-    found = _seconds(readings, mistakes, base, first)
+    left = unexplained(readings, base)
+    found = _seconds(readings, mistakes, base, first, left)
     ways: tuple[Callable[[], Sequence[Hypothesis]], ...] = (
         lambda: found,
-        lambda: _written(readings, mistakes, base, first),
+        lambda: _written(readings, mistakes, base, first, left),
         lambda: reweighed(readings, lambda board: base, found),
     )
     for way in ways:  # the dearer ones where the others tell nothing
@@ -143,11 +145,18 @@ def _allowed(readings: Readings, mistakes: Mistakes, first: Hypothesis) -> tuple
 
 
 def _seconds(
-    readings: Readings, mistakes: Mistakes, base: AssumedLog, first: Hypothesis
+    readings: Readings,
+    mistakes: Mistakes,
+    base: AssumedLog,
+    first: Hypothesis,
+    left: Collection[tuple[Key, bool]],
 ) -> list[Hypothesis]:
+    """Return the mutations that move what a first mistake leaves unexplained."""
     offered = mistakes.boards[first.board]
     slots = first.what.slots if isinstance(first.what, Mutation) else frozenset()
-    rows = offered.moving(readings.least)
+    rows = offered.moving(readings.visible(left))
+    if rows.size < 2:
+        return []
     some = [one for one in (offered.mutations[k] for k in rows) if not one.slots & slots]
     some = some if some and some[0] is NONE else [NONE, *some]
     plain = offered.run(some, base)
@@ -157,11 +166,16 @@ def _seconds(
 
 
 def _written(
-    readings: Readings, mistakes: Mistakes, base: AssumedLog, first: Hypothesis
+    readings: Readings,
+    mistakes: Mistakes,
+    base: AssumedLog,
+    first: Hypothesis,
+    left: Collection[tuple[Key, bool]],
 ) -> list[Hypothesis]:
     """Return what may have been amiss with the table of readings, beside a first mistake."""
     plain = mistakes.boards[first.board].run([NONE], base)
-    found = of_written(readings, base, readings.figures(base.board, plain, np.arange(1)))
+    due = readings.figures(base.board, plain, np.arange(1))
+    found = of_written(readings, base, left, due)
     return [one._replace(score=one.score + first.score) for one in found if not one.instrument]
 
 
@@ -205,7 +219,8 @@ def diagnosed(
     rest = Rest(off)
     for number, offered in enumerate(mistakes.boards):
         found += _of_board(readings, offered, number, rest)
-    found += of_written(readings, mistakes.base_of(0))
+    written = of_written(readings, mistakes.base_of(0), readings.least)
+    found += [one for one in written if not slip_alone(one, rest)]
     said = _said(readings, mistakes, found, rest)
     if not said and wrong:
         likely = perhaps(readings, found, rest)

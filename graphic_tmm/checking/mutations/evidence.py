@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -45,9 +45,7 @@ class Readings:
 
     def __init__(self, drawing: Comparison, doubtful: Sequence[Judged]) -> None:
         self.drawing = drawing
-        by = drawing.by.spread
-        at = (one.taken.at for one in doubtful)
-        self.least = {key: VISIBLE * by[key].rms for key in at if key in by}
+        self.least = self.visible(one.taken.at for one in doubtful)
         self.found = dict(drawing.read_marks[0])
         last: dict[tuple[Mark, int], int] = {}
         # links that turn alike share a mark: of what was read of it the last is the one that was taken
@@ -61,6 +59,11 @@ class Readings:
         marked = [drawing.rows[k] for k in self.marked]
         self.columns = column_readings(drawing, marked)
         self.keys = tuple(dict.fromkeys(one.at for one in self.columns))
+
+    def visible(self, some: Iterable[tuple[Key, bool]]) -> dict[tuple[Key, bool], float]:
+        """Return by how much a mistake must move figures to be seen in them."""
+        by = self.drawing.by.spread
+        return {at: VISIBLE * by[at].rms for at in some if at in by}
 
     @property
     def count(self) -> int:

@@ -50,6 +50,9 @@ from graphic_tmm.checking.mutations.mutation import (
     using,
 )
 
+TENFOLD_EVERYWHERE = 20.0
+"""So much rarer is a factor of ten in every step of a kind than in one: cm are written for mm instead."""
+
 
 def mutations(log: Construction, wanted: Iterable[Step] | None = None) -> Iterator[Mutation]:
     """Yield the mutations of the steps of a log: each step's own, then those that every step of a kind has.
@@ -71,7 +74,10 @@ def mutations(log: Construction, wanted: Iterable[Step] | None = None) -> Iterat
         for alike in (*every, *plans.values()):
             if len(alike) > 1:
                 changes = {slot: change for one in alike for slot, change in one.changes.items()}
-                yield alike[0]._replace(changes=changes, wide=True)
+                first = alike[0]
+                tens = first.family == FACTOR and first.times in calculated.POWERS_OF_TEN
+                usual = first.usual * (TENFOLD_EVERYWHERE if tens else 1.0)
+                yield first._replace(changes=changes, wide=True, usual=usual)
 
 
 def _of(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:

@@ -79,6 +79,11 @@ class Hypothesis(NamedTuple):
         return self.beyond - int(self.far.max(initial=0.0))
 
     @property
+    def wide(self) -> bool:
+        """Whether it is that every step of a kind was done otherwise."""
+        return isinstance(self.what, Mutation) and self.what.wide
+
+    @property
     def instrument(self) -> bool:
         """Whether it is no mistake, but an instrument that is off."""
         return isinstance(self.what, Variation) and self.what.kind == INSTRUMENT
@@ -101,10 +106,15 @@ def of_board(
         yield from _scoped(one, board, row, prior, evidence)
 
 
-def of_table(some: Sequence[Variation], evidence: Evidence) -> Iterator[Hypothesis]:
-    """Yield the hypotheses that a table written down otherwise makes; the first row is the base."""
-    off = sum(one.kind == INSTRUMENT for one in some) or 1
-    cost = sum(1.0 / one.cost for one in some[1:] if one.kind != INSTRUMENT) or 1.0
+def of_table(
+    every: Sequence[Variation], some: Sequence[Variation], evidence: Evidence
+) -> Iterator[Hypothesis]:
+    """Yield the hypotheses that a table written down otherwise makes; the first row is the base.
+
+    ``every``: all that it may be, among which these share what is expected beforehand.
+    """
+    off = sum(one.kind == INSTRUMENT for one in every) or 1
+    cost = sum(1.0 / one.cost for one in every if one.kind != INSTRUMENT) or 1.0
     for row, one in enumerate(some):
         if row == 0:
             continue
@@ -181,11 +191,15 @@ FAR = 3.0, 0.01
 
 
 def of_written(
-    readings: Readings, base: AssumedLog, due: Mapping[tuple[Key, bool], Any] | None = None
+    readings: Readings,
+    base: AssumedLog,
+    wanted: Container[tuple[Key, bool]],
+    due: Mapping[tuple[Key, bool], Any] | None = None,
 ) -> Iterator[Hypothesis]:
     """Yield the hypotheses of a table that was written down otherwise, on a board.
 
-    ``due``: what tables say by the board, (1,), where that is not as it should be.
+    ``wanted``: readings of which each must change some; ``due``: what tables say by the board, (1,), where that
+    is not as it should be.
     """
     drawing = readings.drawing
     positions = drawing.names or tuple(dict.fromkeys(t.position for t in drawing.rows))
@@ -206,12 +220,18 @@ def of_written(
     scales = {
         one.symbol: one.value for board in drawing.made.boards for one in board.scales.values()
     }
-    varied = variations(table, drawing.scale, off, scales, apart)
-    some = [table.same(), *varied, *copied(table, apart)]
-    yield from of_table(some, of_variations(readings, base, some, due or {}))
+
+    dues = [_due(drawing, taken) for taken in drawing.rows]
+    varied = variations(table, drawing.scale, off, scales, apart, dues)
+    every = [*varied, *copied(table, apart)]
+    at = np.array([taken.at in wanted for taken in drawing.rows])
+    some = [table.same(), *(one for one in every if one.changes(at))]
+    yield from of_table(every, some, of_variations(readings, base, some, due or {}))
 
 
 def _due(drawing: Comparison, taken: Taken) -> float:
+    if taken.pointed:
+        return abs(drawing.spots.get(taken.key, 0.0))
     cell = drawing.due[taken.key]
     return float((cell.mm if taken.mm is not None else cell.value) or 0.0)
 
@@ -250,7 +270,16 @@ def best(allowed: list[Hypothesis], rest: Rest) -> Told | None:
     if not allowed:
         return None
     allowed.sort(key=by_score)
+    first = allowed[0]
+    if isinstance(first.what, Variation):  # what was only written so was not drawn so everywhere
+        allowed = [one for one in allowed if not one.wide or one.beyond < first.beyond]
     return _sure(groups(allowed[:KEPT]), together(allowed, rest.scores))
+
+
+def slip_alone(one: Hypothesis, rest: Rest) -> bool:
+    """Whether a hypothesis that a whole position was written amiss explains one reading: a slip of that."""
+    positioned = isinstance(one.what, Variation) and "position" in one.what.told
+    return positioned and rest.beyond - one.beyond < REPEATED
 
 
 def _sure(found: Sequence[Sequence[Hypothesis]], whole: float) -> Told | None:

@@ -27,6 +27,7 @@ REVERSED = said("the readings of {where} stand in the order of the positions rev
 EXCHANGED = said("the readings of positions {one} and {other} are exchanged ({where})")
 COPIED = said("the readings of position {one} are those of {other} again ({where})")
 SWAPPED = said("the readings of {one} and {other} are exchanged")
+SWAPPED_AT = said("the readings of {one} and {other} at position {position} are exchanged")
 TIMES = said("the readings of {where} are {times} times as large as they should be")
 OPPOSITE_SIGNS = said("the readings of {where} have the opposite signs")
 INVERTED = said("{where}: the lengths were divided by the scale factor instead of multiplied")
@@ -38,6 +39,14 @@ COMMON = said(
 POLE = said("the points of {where} are read from a pole that stands {times} mm off")
 ASKEW = said("the points of {where} are turned by {times}°: the paper lay askew")
 EVERYTHING = said("the table")
+EMPTY = said("the readings of {where} are 0: it was left out, or not measured")
+FROM_A_CENTIMETRE = said(
+    "the readings of {where} are 10 mm too long: the ruler was read from its 1 cm mark"
+)
+OWN_SCALE = said(
+    "the lengths of {where} are {times} times what is due: this plan was drawn to another scale"
+)
+WHERE_AT = said("{where}, position {position}")
 FACTORS = (10.0, 0.1, 100.0, 0.01, 1000.0, 0.001)
 COMMON_FACTORS = tuple(float(f) for f in np.round(np.arange(0.95, 1.0501, 0.005), 3) if f != 1.0)
 """Up to 5 %: a scale or a copy may be so far off; what is more is a mistake."""
@@ -47,6 +56,14 @@ OPPOSITE, UPSIDE_DOWN = 4.0, 0.2
 TURNS = (-5.0, -4.0, -3.0, -2.0, -1.5, -1.0, -0.5, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0)
 """Degrees: so far askew a sheet may lie. What is turned farther was drawn so."""
 KINDS = ("mm", "value", "xy")
+CENTIMETRE = 10.0
+"""What is read too much from the first mark of a ruler that bears a number, mm."""
+SLIPPED, EXACTLY_NOTHING = 0.02, 0.1
+"""Cm for mm, a decimal comma lost in a whole plan: more usual than anything else in a table. What is 0 where
+something is due was left out."""
+ANOTHER_SCALE, FREE = 0.06, 90.0
+"""A plan is drawn to another scale if it is so much larger or smaller (logarithm); the factor is found from the
+readings, it might be any of so many."""
 Column = tuple[str, str, str]
 """A column of readings: plan, segment, and whether it is "mm", a "value" or "xy"."""
 
@@ -70,6 +87,11 @@ class Variation(NamedTuple):
     position: str = ""
     cost: float = 1.0
     copied: bool = False
+
+    def changes(self, at: NDArray[np.bool_]) -> bool:
+        """Whether any of some rows, (row,), is written otherwise."""
+        same = (self.source == np.arange(self.source.size)) & (self.factor == 1.0)
+        return bool((at & ~(same & (self.plus == 0.0))).any())
 
     def moved(self, says: str, rows: Mapping[int, int], **told: object) -> Variation:
         """Return the readings of some rows (keys) standing in others, −1 nowhere."""
@@ -117,10 +139,23 @@ class ReadingTable:
                 if len(mine) > 1:
                     yield self._together(plan, column[1], [column])
 
-    def _together(self, plan: str, segment: str, columns: Sequence[Column]) -> _Together:
-        named = self.same()._replace(plan=plan, segment=segment)
+    def positions_of_plans(self) -> Iterator[_Together]:
+        """Yield what may have gone wrong together at one position: everything there, a plan."""
+        for plan in ("", *self.plans()):
+            mine = [column for column in self.columns if plan in ("", column[0])]
+            for position in self.positions:
+                yield self._together(plan, "", mine, position)
+
+    def _together(
+        self, plan: str, segment: str, columns: Sequence[Column], position: str = ""
+    ) -> _Together:
+        cost = float(len(self.positions)) if position else 1.0
+        named = self.same()._replace(plan=plan, segment=segment, position=position, cost=cost)
         kinds = [kind for _, _, kind in columns]
-        return _Together(self, named, kinds, [self.columns[column] for column in columns])
+        rows = [self.columns[column] for column in columns]
+        if position:
+            rows = [{position: row[position]} if position in row else {} for row in rows]
+        return _Together(self, named, kinds, rows)
 
     def same(self) -> Variation:
         """Return the table as it is."""
@@ -140,6 +175,11 @@ class _Together(NamedTuple):
     named: Variation
     kinds: Sequence[str]
     columns: Sequence[Mapping[str, int]]
+
+    @property
+    def at(self) -> dict[str, object]:
+        """The name of its position in a sentence; nothing where it is of all positions."""
+        return {"position": self.named.position} if self.named.position else {}
 
     def rows(self, *kinds: str) -> list[int]:
         """Return the rows of the columns of some kinds."""
@@ -161,13 +201,21 @@ def variations(
     off: Callable[[int], complex],
     others: Mapping[str, float],
     apart: Callable[[int, int], bool],
+    dues: Sequence[float],
 ) -> Iterator[Variation]:
     """Yield the variations of a table of readings.
 
     ``scales``: what a mm is in the unit of a reading; ``off``: how far a point that was read is from its
-    due, mm; ``others``: the scale factors by their letters; ``apart``: whether two rows are due to differ.
+    due, mm; ``others``: the scale factors by their letters; ``apart``: whether two rows are due to differ;
+    ``dues``: what is due in each row, of a point how far from its pole.
     """
+    for place in table.positions_of_plans():
+        yield from _times(place, scales)
+        if place.named.plan:
+            yield from _own_scale(place, dues)
     for place in table.places():
+        yield from _from_a_centimetre(place)
+        yield from _empty(place)
         yield from _moved(place)
         if not place.named.segment:
             yield from _other_row(place)
@@ -218,8 +266,12 @@ def copied(table: ReadingTable, apart: Callable[[int, int], bool]) -> Iterator[V
                 yield found._replace(plan=plan, position=one, cost=0.1, copied=True)
 
 
-def _figure(taken: Taken) -> object:
+def _figure(taken: Taken) -> tuple[float | None, ...]:
     return taken.mm, taken.value, taken.x, taken.y
+
+
+NOTHING = ((0.0, None), (None, 0.0), (0.0, 0.0))
+"""Of a length, and a quantity: 0 where anything was written."""
 
 
 def _times(place: _Together, scales: Callable[[Taken], float]) -> Iterator[Variation]:
@@ -228,14 +280,53 @@ def _times(place: _Together, scales: Callable[[Taken], float]) -> Iterator[Varia
         if len(rows) < 2:
             continue
         for factor in FACTORS:
-            yield place.named.scaled(TIMES, rows, 1.0 / factor, times=factor)
+            found = place.named.scaled(TIMES, rows, 1.0 / factor)
+            found = found._replace(told={"times": factor, **place.at})
+            usual = not place.named.segment and factor in (10.0, 0.1)
+            yield found._replace(cost=found.cost * SLIPPED) if usual else found
         some = [place.table.rows[k] for k in rows]
+        if place.named.position:
+            continue
         if kind == "xy":
             yield place.named.scaled(TIMES, rows, -1.0, times=-1.0)._replace(cost=OPPOSITE)
         elif kind == "value" or any(taken.signed for taken in some):
             drawn = all(taken.signed and np.isfinite(scales(taken)) for taken in some)
             cost = UPSIDE_DOWN if drawn else OPPOSITE
             yield place.named.scaled(OPPOSITE_SIGNS, rows, -1.0)._replace(cost=cost)
+
+
+def _from_a_centimetre(place: _Together) -> Iterator[Variation]:
+    """The ruler was read from the mark of 1 cm: all that was measured is that much too long."""
+    rows = place.rows("mm")
+    if len(rows) > 1:
+        found = np.array([place.table.rows[k].mm or 0.0 for k in rows])
+        yield place.named.scaled(FROM_A_CENTIMETRE, rows, 1.0, -CENTIMETRE * np.sign(found))
+
+
+def _empty(place: _Together) -> Iterator[Variation]:
+    """What is 0 in all positions though it is due to be something tells nothing but that."""
+    rows = place.rows(*KINDS)
+    if place.named.segment and all(_figure(place.table.rows[k])[:2] in NOTHING for k in rows):
+        found = place.named.moved(EMPTY, dict.fromkeys(rows, -1))
+        yield found._replace(cost=EXACTLY_NOTHING, copied=True)
+
+
+def _own_scale(place: _Together, dues: Sequence[float]) -> Iterator[Variation]:
+    """A plan of one position is drawn to a scale of its own; what was calculated of it is right, or is not."""
+    rows = place.rows("mm", "xy")
+    some = [place.table.rows[k] for k in rows]
+    read = np.array([abs(one.spot) if one.pointed else abs(one.mm or 0.0) for one in some])
+    whole = np.abs([dues[k] for k in rows])
+    if len(rows) < 3 or not read.sum() > 0.0 or not whole.sum() > 0.0:
+        return
+    with np.errstate(all="ignore"):
+        times = float(np.exp(np.median(np.log(read / whole))))
+    if not np.isfinite(times) or times <= 0.0 or abs(np.log(times)) < ANOTHER_SCALE:
+        return
+    for kinds in (("mm", "xy"), KINDS):
+        found = place.named.scaled(OWN_SCALE, place.rows(*kinds), 1.0 / times)
+        found = found._replace(told={"times": round(times, 2), **place.at})
+        yield found._replace(family=SCALE, cost=found.cost * FREE)
 
 
 def _quantities(
@@ -262,7 +353,14 @@ def _swapped(table: ReadingTable, apart: Callable[[int, int], bool]) -> Iterator
         for one, other in combinations(mine, 2):
             first, second = table.columns[one], table.columns[other]
             common = first.keys() & second.keys() if one[2] == other[2] else set()
-            if sum(apart(first[p], second[p]) for p in common) < 2:
+            told = [p for p in common if apart(first[p], second[p])]
+            for p in told:
+                pair = {first[p]: second[p], second[p]: first[p]}
+                names = {"one": one[1], "other": other[1], "position": p}
+                found = table.same().moved(SWAPPED_AT, pair, **names)
+                cost = float(len(table.positions))
+                yield found._replace(plan=plan, segment=one[1], position=p, cost=cost)
+            if len(told) < 2:
                 continue  # links that turn alike have the same figures
             rows = {first[p]: second[p] for p in common} | {second[p]: first[p] for p in common}
             found = table.same().moved(SWAPPED, rows, one=one[1], other=other[1])

@@ -27,7 +27,7 @@ from graphic_tmm.checking.mutations.mutation import (
     Mutation,
     measured_last,
 )
-from graphic_tmm.checking.mutations.tables import EVERYTHING, TIMES, Variation
+from graphic_tmm.checking.mutations.tables import EMPTY, EVERYTHING, TIMES, WHERE_AT, Variation
 from graphic_tmm.checking.mutations.words import BY_FAMILY, INSTRUMENT, TURNED, name_of
 from graphic_tmm.checking.mutations.words import LEFT_OUT as LEFT_OUT_SAYS
 from graphic_tmm.checking.mutations.words import SENSE as SENSE_SAYS
@@ -109,7 +109,6 @@ SLIP_SAYS = said("only {segment} is off: this reading was read or written down a
 SLIP_TEN = said("only {segment} is off: its decimal point has perhaps slipped")
 SLIP_BESIDE = said("by itself {segment} is off, too: this reading was read or written down amiss")
 SLIP_TEN_BESIDE = said("by itself {segment} is off, too: its decimal point has perhaps slipped")
-EMPTY = said("the readings of {where} are 0: it was left out, or not measured")
 ABOUT = said("the readings of {where} are about {times} times as large as they should be")
 HALF_A_TURN = 180.0
 ROUGHLY = 0.1
@@ -244,8 +243,10 @@ def _says(one: Hypothesis, drawing: Comparison, speech: Speech) -> str:
     if isinstance(what, Variation):
         words = {k: _word(v, speech) for k, v in what.told.items()}
         plan = view_name(what.plan, language) if what.plan else speech(EVERYTHING)
-        words["where"] = f"{plan}: {what.segment}" if what.segment else plan
-        says = what.says
+        where = f"{plan}: {what.segment}" if what.segment else plan
+        if "position" in words:
+            where = speech(WHERE_AT, where=where, position=words["position"])
+        says, words["where"] = what.says, where
         if says == TIMES and (times := _times(what, drawing)):
             says, words["times"] = ABOUT, number(times, language, 2)
         return speech(says, **words)

@@ -1,0 +1,69 @@
+"""What was written down amiss is told as that, not as a construction made so everywhere."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+
+import pytest
+from support.gallery import CASES
+
+from graphic_tmm.checking.check import Checker
+from graphic_tmm.checking.readings.read import read_readings
+from graphic_tmm.checking.records import Likely, Taken
+from graphic_tmm.scene.read import read
+
+Change = Callable[[Taken], float]
+
+
+@cache
+def checker() -> Checker:
+    return Checker(read(CASES / "check" / "six.toml"))
+
+
+def told(where: tuple[str, str, str], change: Change) -> Likely:
+    """Return what is told first of an honest drawing; ``change``: what is written of lengths ``where``."""
+    plan, segment, position = where
+
+    def at(one: Taken) -> bool:
+        return all(
+            wanted in ("", own)
+            for wanted, own in zip((plan, segment, position), one.key, strict=True)
+        )
+
+    rows = [
+        one._replace(mm=change(one)) if one.mm is not None and at(one) else one
+        for one in read_readings(CASES / "check" / "honest_six_mm.csv")
+    ]
+    return checker().of(rows).report.mistakes[0]
+
+
+def ten_times(one: Taken) -> float:
+    return 10.0 * (one.mm or 0.0)
+
+
+def larger(one: Taken) -> float:
+    return round(1.25 * (one.mm or 0.0), 1)
+
+
+def nothing(one: Taken) -> float:
+    return 0.0
+
+
+@pytest.mark.parametrize(
+    ("where", "change", "family", "says"),
+    [
+        (("", "", "3"), ten_times, "table", "10 times"),
+        (("velocities", "", "3"), ten_times, "table", "10 times"),
+        (("accelerations", "", "1"), larger, "scale", "another scale"),
+        (("velocities", "pc", ""), nothing, "table", "left out"),
+    ],
+)
+def test_it_is_told_where_it_was_written(
+    where: tuple[str, str, str], change: Change, family: str, says: str
+) -> None:
+    found = told(where, change)
+    assert (found.plan, found.segment, found.position) == where
+    assert found.family == family
+    assert says in found.says
+    assert found.chance >= 0.4
