@@ -17,7 +17,6 @@ from graphic_tmm.checking.mutations.entries import column_multiples
 from graphic_tmm.checking.mutations.evidence import Readings, of_mutations, unexplained
 from graphic_tmm.checking.mutations.execution import AssumedLog
 from graphic_tmm.checking.mutations.hypotheses import (
-    A_NUMBER,
     CLEAR,
     KEPT,
     LIKELY,
@@ -50,6 +49,10 @@ from graphic_tmm.checking.mutations.mutation import Mutation
 from graphic_tmm.checking.mutations.refinement import fitted, put_amiss, reweighed, scatters_of
 from graphic_tmm.checking.records import FINE, WRONG, Judged
 
+A_NUMBER = 0.01
+"""So rarely is a segment so many times what is due by a number that no mistake that we know makes."""
+OWN_SCALE = 0.1
+"""So often a graph, or the polygons of forces, are: in a scale factor of which nothing was said."""
 FIRST = 4
 """So many explanations are tried as the first of two mistakes."""
 
@@ -300,7 +303,11 @@ def _of_board(
                 rest.off, rest.step = far, steps[mark]
         rest.scores += scores(told.multiples.values(), A_NUMBER)
     if number == 0:
-        rest.scores += scores(column_multiples(readings.columns), A_NUMBER)
+        drawn = [one for one in readings.columns if one.taken.mm is not None]
+        others = [one for one in readings.columns if one.taken.mm is None]
+        rest.scores += scores(column_multiples(others), A_NUMBER)
+        rest.scores += scores(column_multiples(drawn), OWN_SCALE)
+        rest.scores += scores(column_multiples(drawn, whole=True), OWN_SCALE)
     yield from of_board(number, some, evidence, offered.shares)
     if number == 0 or offered.made.mechanism is None:
         free, told_free = fitted(readings, offered)

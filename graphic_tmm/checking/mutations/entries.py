@@ -315,12 +315,13 @@ def column_readings(drawing: Comparison, marked: Sequence[Taken]) -> list[Readin
     return found
 
 
-def column_multiples(rows: Sequence[Reading]) -> list[float]:
-    """Return what the readings of each segment gain by being so many times what is due."""
+def column_multiples(rows: Sequence[Reading], *, whole: bool = False) -> list[float]:
+    """Return what the readings of each segment, or ``whole`` plan, gain by being so many times what is due."""
     segments: dict[tuple[str, str, bool], list[Reading]] = {}
     for one in rows:
         if not one.beside and not one.taken.pointed:
-            key = one.taken.plan, one.taken.segment, one.taken.mm is not None
+            segment = "" if whole else one.taken.segment
+            key = one.taken.plan, segment, one.taken.mm is not None
             segments.setdefault(key, []).append(one)
     found = []
     for some in segments.values():

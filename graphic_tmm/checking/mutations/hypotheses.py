@@ -26,8 +26,6 @@ from graphic_tmm.checking.records import INSTRUMENT, Taken
 Array = NDArray[np.float64]
 NO_MISTAKE, SOMETHING, INSTRUMENTS, KNOWN = 0.6, 0.1, 0.05, 0.25
 """What is expected beforehand: most drawings hold no mistake; of the others the known ones are most."""
-A_NUMBER = 0.01
-"""So rarely is a segment so many times what is due by a number that no mistake that we know makes."""
 EVERYWHERE = 0.75
 """A mistake is made wherever it can be in three of four drawings, else in one position; what is taken from the
 position before rather once."""
@@ -120,8 +118,9 @@ def of_table(
             continue
         known = KNOWN / len(FAMILIES) / cost / one.cost
         prior = INSTRUMENTS / off if one.kind == INSTRUMENT else known
-        # nothing is lost by it: what cannot be drawn was written down so
-        yield _everywhere(one, -1, row, float(np.log(prior)), evidence)._replace(lost=0)
+        found = _everywhere(one, -1, row, float(np.log(prior)), evidence)
+        # nothing is lost by it: what cannot be drawn was written so; the rest of a position can be drawn
+        yield found if "position" in one.told else found._replace(lost=0)
 
 
 def _everywhere(
@@ -271,15 +270,16 @@ def best(allowed: list[Hypothesis], rest: Rest) -> Told | None:
         return None
     allowed.sort(key=by_score)
     first = allowed[0]
-    if isinstance(first.what, Variation):  # what was only written so was not drawn so everywhere
+    if isinstance(first.what, Variation):  # then it was not drawn so everywhere
         allowed = [one for one in allowed if not one.wide or one.beyond < first.beyond]
     return _sure(groups(allowed[:KEPT]), together(allowed, rest.scores))
 
 
 def slip_alone(one: Hypothesis, rest: Rest) -> bool:
-    """Whether a hypothesis that a whole position was written amiss explains one reading: a slip of that."""
-    positioned = isinstance(one.what, Variation) and "position" in one.what.told
-    return positioned and rest.beyond - one.beyond < REPEATED
+    """Whether a position written amiss explains one reading alone, or badly: that is a slip."""
+    if not isinstance(one.what, Variation) or "position" not in one.what.told:
+        return False
+    return rest.beyond - one.beyond < REPEATED or not one.fits
 
 
 def _sure(found: Sequence[Sequence[Hypothesis]], whole: float) -> Told | None:
@@ -349,8 +349,7 @@ def perhaps(readings: Readings, found: Sequence[Hypothesis], rest: Rest) -> Told
 
 def at_step(one: Hypothesis) -> tuple[object, ...]:
     """Return what is said of where and of what kind a mistake is."""
-    what = one.what
-    if not isinstance(what, Mutation):
+    if not isinstance(what := one.what, Mutation):
         return (what.family, what.kind, what.plan, what.segment)
     return (what.family, what.at.it if what.at is not None else what.was)
 

@@ -104,7 +104,7 @@ class Variation(NamedTuple):
         says: str,
         rows: Sequence[int],
         factor: complex | NDArray[np.float64],
-        plus: complex = 0.0,
+        plus: complex | NDArray[np.float64] = 0.0,
         **told: object,
     ) -> Variation:
         """Return the readings of some rows times a factor, (row,) or one for all, and more by ``plus``."""
@@ -211,6 +211,7 @@ def variations(
     """
     for place in table.positions_of_plans():
         yield from _times(place, scales)
+        yield from _from_a_centimetre(place)
         if place.named.plan:
             yield from _own_scale(place, dues)
     for place in table.places():
@@ -230,7 +231,13 @@ def _moved(place: _Together) -> Iterator[Variation]:
     """Rows one further, one too early, in the reversed order; two exchanged."""
     order = [p for p in place.table.positions if any(p in column for column in place.columns)]
     count = len(order)
-    if count < 3 or min(map(len, place.columns)) < count:
+    if count < 3:
+        return
+    for one, other in combinations(order, 2):
+        rows = place.standing({one: other, other: one})
+        found = place.named.moved(EXCHANGED, rows, one=one, other=other)
+        yield found._replace(position=one, cost=float(count))
+    if min(map(len, place.columns)) < count:
         return
     for says, shift in ((SHIFTED, 1), (SHIFTED_BACK, -1)):
         to = {p: order[(k + shift) % count] for k, p in enumerate(order)}
@@ -238,10 +245,6 @@ def _moved(place: _Together) -> Iterator[Variation]:
     for first in (0, count - 1):  # the first position stays, or is the last
         to = {p: order[(first - k) % count] for k, p in enumerate(order)}
         yield place.named.moved(REVERSED, place.standing(to))
-    for one, other in combinations(order, 2):
-        rows = place.standing({one: other, other: one})
-        found = place.named.moved(EXCHANGED, rows, one=one, other=other)
-        yield found._replace(position=one, cost=float(count))
 
 
 def _other_row(place: _Together) -> Iterator[Variation]:
@@ -300,7 +303,8 @@ def _from_a_centimetre(place: _Together) -> Iterator[Variation]:
     rows = place.rows("mm")
     if len(rows) > 1:
         found = np.array([place.table.rows[k].mm or 0.0 for k in rows])
-        yield place.named.scaled(FROM_A_CENTIMETRE, rows, 1.0, -CENTIMETRE * np.sign(found))
+        one = place.named.scaled(FROM_A_CENTIMETRE, rows, 1.0, -CENTIMETRE * np.sign(found))
+        yield one._replace(told=place.at)
 
 
 def _empty(place: _Together) -> Iterator[Variation]:
