@@ -20,6 +20,8 @@ from graphic_tmm.readers.columns import unit_of_value
 STEP, BASE, MOST, TOGETHER = 1e-9, 5, 2, 8
 """So many scale factors are varied together, by e to so small powers of a base that the change of a length
 tells the exponent of each of them, MOST at the most."""
+WHOLE = 0.1
+"""What goes to no whole power of a scale factor is no length drawn to it: a distance between views."""
 
 Times = Mapping[Group, float]
 """How many times as large as due what is drawn to a scale factor is."""
@@ -119,7 +121,10 @@ def groups_of(
             if size and moved.get(key):
                 changes[key[:2]].append(float(np.log(moved[key] / size)))
         for name, row in changes.items():
-            found[name] = (*found.get(name, ()), *_powers(float(np.median(row)), len(some)))
+            change = float(np.median(row)) / STEP
+            if abs(change - round(change)) < WHOLE:
+                found[name] = (*found.get(name, ()), *_powers(round(change), len(some)))
+    found = {name: powers for name, powers in found.items() if len(powers) == len(factors)}
     groups: dict[tuple[str, str], Group] = {}
     known: dict[tuple[str, tuple[int, ...]], Group] = {}
     for (plan, segment, _), cell in there.items():
@@ -160,9 +165,8 @@ def _varied(made: DrawnScene, factors: Sequence[tuple[int, Mark]]) -> DrawnScene
     return made._replace(boards=tuple(map(_executed, boards)))
 
 
-def _powers(change: float, count: int) -> Iterator[int]:
-    """Yield the exponents that a change tells, digit by digit."""
-    rest = round(change / STEP)
+def _powers(rest: int, count: int) -> Iterator[int]:
+    """Yield the exponents that a change tells, in steps, digit by digit."""
     for _ in range(count):
         digit = (rest + MOST) % BASE - MOST
         yield digit

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -142,25 +142,25 @@ def _by_rows(group: Group, lengths: Sequence[Read]) -> Verdict | None:
         return None
     ratios = {one: math.log(group.mu * one.mm / one.value) for one in rows}
     k = middle([*ratios.values()])
-    agree = sum(abs(one - k) <= NEARLY for one in ratios.values())
-    if agree >= ROWS * len(rows):
-        return Verdict(math.exp(_settled(k)), "rows" if _settled(k) else "", agree, len(rows))
+    places = {place: other for place, other in _places(ratios).items() if abs(other - k) > OWN}
+    agree = sum(abs(one - places.get(row.position, k)) <= NEARLY for row, one in ratios.items())
+    if agree < ROWS * len(rows):
+        return None
+    own = tuple((place, math.exp(_settled(one))) for place, one in places.items())
+    by = "rows" if own or _settled(k) else ""
+    return Verdict(math.exp(_settled(k)), by, agree, len(rows), own)
+
+
+def _places(ratios: Mapping[Read, float]) -> dict[str, float]:
+    """Return what the rows of each position say that say the same, two of them at least (logarithms)."""
     by_place: defaultdict[str, list[float]] = defaultdict(list)
     for one, ratio in ratios.items():
         by_place[one.position].append(ratio)
-    places = {
+    return {
         place: middle(some)
         for place, some in by_place.items()
         if len(some) > 1 and np.ptp(some) < 2 * NEARLY
     }
-    alike = sum(len(by_place[place]) for place in places)
-    if alike < ROWS * len(rows):
-        return None
-    k = middle([*places.values()])
-    own = tuple(
-        (place, math.exp(_settled(one))) for place, one in places.items() if abs(one - k) > OWN
-    )
-    return Verdict(math.exp(_settled(k)), "rows", alike, len(rows), own)
 
 
 def _settled(k: float) -> float:

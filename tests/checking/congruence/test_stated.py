@@ -1,0 +1,87 @@
+"""Scale factors and turns as people state them."""
+
+from __future__ import annotations
+
+import pytest
+from support.gallery import CASES
+from support.own_student.machines import MACHINES
+
+from graphic_tmm.checking.check import Checker
+from graphic_tmm.checking.congruence.moves import Move
+from graphic_tmm.checking.congruence.stated import is_scale_row, stated_by, stated_in, turns_by
+from graphic_tmm.checking.readings.read import read_readings
+from graphic_tmm.checking.records import Taken
+from graphic_tmm.errors import SceneError
+from graphic_tmm.scene.read import read
+
+SC, FRC = (Checker(read(MACHINES[name].scene)) for name in ("sc", "frc"))
+SYMBOLS = FRC._congruence.remaking.symbols
+
+
+@pytest.mark.parametrize(
+    ("plan", "segment", "value", "unit", "mu"),
+    [
+        ("velocities", "μ", 0.02, "(m/s)/mm", 0.02),
+        ("скорости", "масштаб", 0.02, "м/с/мм", 0.02),
+        ("velocities", "mu_v", 0.02, "", 0.02),
+        ("План скоростей", "μv", 20.0, "(mm/s)/mm", 0.02),
+        ("positions", "µ_l", 2.0, "mm/mm", 0.002),
+        ("diagrams", "μ_V", 0.05, "", 0.05),
+    ],
+)
+def test_a_row_states_a_scale_factor(
+    plan: str, segment: str, value: float, unit: str, mu: float
+) -> None:
+    row = Taken(plan, "", segment, value=value, unit=unit)
+    assert is_scale_row(row)
+    (stated,), faults = stated_in([row], SYMBOLS)
+    assert not faults
+    assert stated.mu == pytest.approx(mu)
+
+
+@pytest.mark.parametrize(
+    ("plan", "segment", "value", "unit", "says"),
+    [
+        ("diagrams", "μ", 0.05, "", "which scale factor"),
+        ("velocities", "μ_v", 0.02, "kg/mm", "does not fit"),
+        ("velocities", "μ_v", -0.02, "", "more than 0"),
+        ("gears", "μ", 0.02, "", "no scale factor"),
+    ],
+)
+def test_what_is_not_understood_is_refused(
+    plan: str, segment: str, value: float, unit: str, says: str
+) -> None:
+    stated, faults = stated_in([Taken(plan, "", segment, value=value, unit=unit)], SYMBOLS)
+    assert not stated
+    assert says in str(faults[0].message)
+
+
+def test_options_state_scale_factors_and_turns() -> None:
+    (one,) = stated_by(["velocities=0,02"], SYMBOLS, "x")
+    assert (one.group.plan, one.mu) == ("velocities", 0.02)
+    assert turns_by(["velocities=90"], ("velocities",), "x") == {"velocities": Move(1)}
+    for wrong in ("velocities", "velocities=0", "velocities=-1", "gears=1", "diagrams=2"):
+        with pytest.raises(SceneError):
+            stated_by([wrong], SYMBOLS, "x")
+    for wrong in ("velocities=45", "velocities", "gears=90"):
+        with pytest.raises(SceneError):
+            turns_by([wrong], ("velocities",), "x")
+
+
+def test_a_prescribed_scale_factor_forbids_another() -> None:
+    """The lengths are then wrong, and it is said by what the figures were calculated."""
+    scene = read(CASES / "check" / "sc.toml")
+    readings = read_readings(CASES / "check" / "another_mu_v.csv")
+    report = Checker(scene, scales=("velocities=scene",)).of(readings).report
+    assert report.wrong > 10
+    assert "0.02" in report.head[0]
+
+
+def test_a_row_left_as_the_template_has_it_is_no_statement() -> None:
+    """His rates and lengths say another one; a row that was changed is believed."""
+    readings = [*read_readings(CASES / "check" / "another_mu_v.csv")]
+    left = Taken("velocities", "", "μ_v", value=0.025, unit="(m/s)/mm", line=99)
+    assert SC.of([*readings, left]).report.wrong == 0
+    changed = SC.of([*readings, left._replace(value=0.02)]).report
+    assert changed.wrong == 0
+    assert [(one.by, one.mu) for one in changed.scales] == [("stated", 0.02)]
