@@ -28,7 +28,7 @@ from graphic_tmm.checking.congruence.lengths import (
 from graphic_tmm.checking.congruence.moves import HALF, MOVES, NEAR, NONE, Move, Placed, placed
 from graphic_tmm.checking.congruence.remade import Remaking
 from graphic_tmm.checking.congruence.stated import SCENE, Stated
-from graphic_tmm.checking.congruence.witnesses import EXACT, OWN, Verdict, shared, verdict
+from graphic_tmm.checking.congruence.witnesses import EXACT, OWN, Verdict, of_siblings, verdict
 from graphic_tmm.checking.judging.taken_marks import steps_of
 from graphic_tmm.checking.records import Last, OwnScale, Taken
 from graphic_tmm.drawn import DrawnScene
@@ -116,7 +116,7 @@ class Congruence:
         given = {one.group: one for one in stated}
         found: dict[Group, Verdict] = {}
         for group, read in sorted(lengths.items(), key=lambda one: self._order(one[0])):
-            others = self._others(group, lengths, found)
+            others = self._of_positions(group, lengths, found)
             found[group] = verdict(group, read, rates.get(group.plan, ()), others)
         found = _shared(self._not_copied(found), lengths)
         found |= {g: _as_stated(s, found.get(g, Verdict())) for g, s in given.items()}
@@ -174,7 +174,7 @@ class Congruence:
             lengths[group] = [*lengths.get(group, []), *some]
         return lengths
 
-    def _others(
+    def _of_positions(
         self, group: Group, lengths: Mapping[Group, list[Read]], found: Mapping[Group, Verdict]
     ) -> list[Read]:
         """Return the lengths of the plan of positions, by which rates may be calculated, as they are due."""
@@ -256,7 +256,7 @@ def _shared(
         for other, its in own:
             if (other.plan, other.unit) == (group.plan, group.unit):
                 mu = other.mu / its.times
-                better[group] = shared(group, lengths[group], mu, its) or better[group]
+                better[group] = of_siblings(group, lengths[group], mu, its) or better[group]
     return better
 
 

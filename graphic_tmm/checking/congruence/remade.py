@@ -20,8 +20,8 @@ from graphic_tmm.readers.columns import unit_of_value
 STEP, BASE, MOST, TOGETHER = 1e-9, 5, 2, 8
 """So many scale factors are varied together, by e to so small powers of a base that the change of a length
 tells the exponent of each of them, MOST at the most."""
-WHOLE = 0.1
-"""What goes to no whole power of a scale factor is no length drawn to it: a distance between views."""
+WHOLE, FEW = 0.1, 3
+"""What goes to no whole power of scale factors, or to many, is drawn to none: a distance between views."""
 
 Times = Mapping[Group, float]
 """How many times as large as due what is drawn to a scale factor is."""
@@ -124,7 +124,11 @@ def groups_of(
             change = float(np.median(row)) / STEP
             if abs(change - round(change)) < WHOLE:
                 found[name] = (*found.get(name, ()), *_powers(round(change), len(some)))
-    found = {name: powers for name, powers in found.items() if len(powers) == len(factors)}
+    found = {
+        name: powers
+        for name, powers in found.items()
+        if len(powers) == len(factors) and sum(map(abs, powers)) <= FEW
+    }
     groups: dict[tuple[str, str], Group] = {}
     known: dict[tuple[str, tuple[int, ...]], Group] = {}
     for (plan, segment, _), cell in there.items():

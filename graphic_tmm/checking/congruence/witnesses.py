@@ -123,7 +123,7 @@ def _fitted(lengths: Sequence[Read], k: float) -> tuple[float, float]:
     return times, 0.9 / (times * math.sqrt(squares))
 
 
-def shared(group: Group, lengths: Sequence[Read], mu: float, by: Verdict) -> Verdict | None:
+def of_siblings(group: Group, lengths: Sequence[Read], mu: float, by: Verdict) -> Verdict | None:
     """Return the verdict on a group whose lengths fit the scale factor of another of its plan, not the due one.
 
     ``mu``: SI a mm, in which the other was drawn, ``by`` whose verdict.

@@ -40,7 +40,7 @@ def _sentences(
         yield said("Judged in your own scale factors: {told}.", told=told)
     for one in scales:
         if one.by in ("round", "lengths"):
-            yield _asked(one, language)
+            yield _question(one, language)
         if one.against != (1.0, 1.0):
             yield _stated(one, language) if one.by == "stated" else _against(one, language)
     yield from _moved(moves, language)
@@ -71,7 +71,7 @@ def _own(one: OwnScale, language: str) -> Said:
     )
 
 
-def _asked(one: OwnScale, language: str) -> Said:
+def _question(one: OwnScale, language: str) -> Said:
     return said(
         "{plan}: all lengths are {times} times as long as due. That is right if you took {mu}; if you took "
         "{due}, {first} was laid off wrongly. Write your scale factor into the readings.",

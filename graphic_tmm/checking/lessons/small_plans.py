@@ -80,9 +80,9 @@ class SmallPlans:
             if due is None or drawn is None:
                 continue
             step = told.step if view == told.step.it.view else _read_step(work, seen)
-            ends = _shown(work, step, place) if step is not None else ()
+            ends = _ends_of(work, step, place) if step is not None else ()
             amiss = wrongly.steps.get(step.it.slot, step) if step is not None else None
-            found = _shown(board, amiss, place) if amiss is not None else ()
+            found = _ends_of(board, amiss, place) if amiss is not None else ()
             moved = tuple(_moved(drawn, due.drawing))
             if moved or (found and not _same_ends(ends, found)):
                 of = (told.step.it.slot,)
@@ -134,7 +134,7 @@ def _read_step(work: Drawn, seen: Judged | None) -> Step | None:
     return None if seen is None else steps_of(work).get((seen.taken.plan, seen.taken.segment))
 
 
-def _shown(work: Drawn, step: Step, place: int) -> tuple[complex, ...]:
+def _ends_of(work: Drawn, step: Step, place: int) -> tuple[complex, ...]:
     """Return the point that a step leaves in a position (index), or the ends of its length, mm."""
     return _spot(work, step.it, place) or _ends(work, step, place)
 

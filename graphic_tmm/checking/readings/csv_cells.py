@@ -172,7 +172,7 @@ class Head(NamedTuple):
     unit: str = ""
 
     @property
-    def others(self) -> Mapping[int, str]:
+    def ignored(self) -> Mapping[int, str]:
         """The titles that mean nothing, by their places."""
         used = set(self.places.values())
         return {k: title for k, title in enumerate(self.titles) if title and k not in used}

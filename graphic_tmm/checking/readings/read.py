@@ -218,7 +218,9 @@ def _taken(file: Path, table: _Table) -> FileReadings:
         there = row.cells  # before it is made as wide as the titles
         if tuple(map(str.strip, there)) == head.titles:  # they stand once more
             continue
-        left_out |= {t: None for k, t in head.others.items() if k < len(there) and there[k].strip()}
+        left_out |= {
+            t: None for k, t in head.ignored.items() if k < len(there) and there[k].strip()
+        }
         found.append(_cells(row, head, columns, faults))
     cells, filling = filled([one for one in found if one is not None and one.measured])
     commas = head.separator == ";" or head.with_comma or _comma_seen(cells)

@@ -19,7 +19,7 @@ def made_of(name: str) -> DrawnScene:
     return make(read(SHEETS / name), exact=True)
 
 
-@pytest.mark.parametrize("name", ["windrower", "cam", "planetary", "slider-diagrams"])
+@pytest.mark.parametrize("name", ["windrower", "cam", "engine", "slider-diagrams"])
 def test_lengths_of_one_scale_factor_change_and_no_figure_else(name: str) -> None:
     made = made_of(name)
     remaking = Remaking(made)

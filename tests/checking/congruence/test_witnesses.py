@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from graphic_tmm.checking.congruence.lengths import Group, Rate, Read
-from graphic_tmm.checking.congruence.witnesses import rounded, shared, verdict
+from graphic_tmm.checking.congruence.witnesses import of_siblings, rounded, verdict
 
 GROUP = Group("velocities", 0.025, "m/s", (1,))
 DUE = {"ab": (40.0, 62.0, 55.0, 31.0, 20.0), "pb": (70.0, 35.0, 12.0, 48.0, 66.0)}
@@ -80,10 +80,10 @@ def test_a_few_lengths_share_the_scale_factor_of_others() -> None:
     other = Group("forces", 4.0, "N", (0, 1))
     by = verdict(GROUP, lengths(1.25), ())
     single = [Read("1", "R01", 121.0, 93.9)]
-    found = shared(other, single, 4.0 / 1.28, by)
+    found = of_siblings(other, single, 4.0 / 1.28, by)
     assert found is not None
     assert found.times == pytest.approx(1.28)
-    assert shared(other, [Read("1", "R01", 94.5, 93.9)], 4.0 / 1.28, by) is None
+    assert of_siblings(other, [Read("1", "R01", 94.5, 93.9)], 4.0 / 1.28, by) is None
 
 
 @pytest.mark.parametrize(
