@@ -268,7 +268,7 @@ class Checker:
         notes = (*notes, *told_unseen(bench.unseen.of(compared), language))
         lessons = bench.teacher.lessons(judged, found, by.reader, wrongly)
         name, title = scene_name(self.scene.source), self.scene.title
-        said = head(agreed.scales, agreed.moves, agreed.unit, language)
+        said = head(agreed.scales, agreed.moves, agreed.units, language)
         report = Report(name, title, language, self.hand, judged, found, notes, lessons, whole)
         return Checked(report._replace(head=said, scales=agreed.scales), compared)
 

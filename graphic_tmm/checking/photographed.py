@@ -225,9 +225,13 @@ def judged(
     trials: int,
     limits: Limits,
     given: Composition | None = None,
+    stated: tuple[Sequence[str], Sequence[str]] = ((), ()),
     source: str,
 ) -> Report:
-    """Return the report on what a photograph shows; its notes ask for what it does not."""
+    """Return the report on what a photograph shows; its notes ask for what it does not.
+
+    ``stated``: the scale factors in which plans were drawn, and how they were turned, as for `check`.
+    """
     report = check(
         (seen.scene or scene).spoken_in(scene.language),
         seen.taken,
@@ -236,6 +240,8 @@ def judged(
         trials=trials,
         limits=limits,
         given=given,
+        scales=stated[0],
+        turns=stated[1],
         source=source,
     )
     asked = questions(seen.found, scene.language)

@@ -171,6 +171,7 @@ def _seen(
             trials=by.trials,
             limits=Limits(by.doubtful, by.wrong),
             given=composition_of(scene),
+            stated=(by.scales, by.turns),
             source=readings_out or photo,
         )
     points = points_drawing(seen, report, shown.sheet)

@@ -155,6 +155,8 @@ def told(report: Report, drawing: Drawing) -> Told:
     truth = drawing.truth
     assert truth is not None
     first = next((one for one in report.mistakes if one.kind in NAMED), None)
+    if first is None and any(re.search(truth.words, says) for says in report.head):
+        return Told(True, True, True, True, False, report.head[0])
     if first is None:
         text = "; ".join(f"{one.kind}: {one.name}" for one in report.mistakes[:2])
         says = text or f"nothing ({report.wrong} wrong)"

@@ -50,7 +50,7 @@ class Agreed(NamedTuple):
     places: Mapping[Group, Mapping[str, float]]
     scales: tuple[OwnScale, ...]
     moves: Mapping[str, Move]
-    unit: str
+    units: Mapping[str, str]
 
 
 @dataclass(frozen=True)
@@ -108,7 +108,7 @@ class Congruence:
         turns: Mapping[str, Move] = {},
     ) -> Agreed:
         """Return how a drawing is to be judged; ``stated``: scale factors that somebody gives; ``turns``."""
-        rows, unit = self._in_mm(rows)
+        rows, units = self._in_mm(rows)
         moves = self._moves(rows, turns)
         rows = tuple(_moved(one, moves) for one in rows)
         lengths = self._lengths(rows)
@@ -124,7 +124,7 @@ class Congruence:
         places = {group: dict(one.places) for group, one in found.items() if one.places}
         scales = tuple(self._scale(g, one) for g, one in found.items() if one.by or one.against)
         plain = {plan: one.move for plan, one in moves.items()}
-        return Agreed(rows, times, places, scales, plain, unit)
+        return Agreed(rows, times, places, scales, plain, units)
 
     def stated_rows(self) -> Iterator[Taken]:
         """Yield a row for each scale factor of the scene, as the template has them."""
@@ -136,17 +136,15 @@ class Congruence:
         plans = [*dict.fromkeys(plan for plan, _, _ in (*self.spots, *self.due))]
         return plans.index(group.plan), group.unit, group.mu
 
-    def _in_mm(self, rows: Sequence[Taken]) -> tuple[tuple[Taken, ...], str]:
-        """Return readings in mm, and the unit that all were written in, "" for mm."""
+    def _in_mm(self, rows: Sequence[Taken]) -> tuple[tuple[Taken, ...], dict[str, str]]:
+        """Return readings in mm, and by plan the unit that its lengths were written in, if it is another."""
+        plans: dict[str, list[float]] = {}
         lengths = lengths_of(rows, self.due, self.groups, self._laid)
-        ratios = [middle([one.ratio for one in some]) for some in lengths.values()]
-        if not ratios or max(ratios) > math.log(0.3):
-            return tuple(rows), ""
-        inch = all(abs(one + math.log(UNITS["inch"])) < 0.03 for one in ratios)
-        unit = "inch" if inch else "cm"
-        if any(abs(one + math.log(UNITS[unit])) > math.log(3.0) for one in ratios):
-            return tuple(rows), ""
-        return tuple(_times(one, UNITS[unit]) for one in rows), unit
+        for group, some in lengths.items():
+            plans.setdefault(group.plan, []).append(middle([one.ratio for one in some]))
+        units = {plan: unit for plan, ratios in plans.items() if (unit := _unit(ratios))}
+        read = (_times(one, UNITS[units[one.plan]]) if one.plan in units else one for one in rows)
+        return tuple(read), units
 
     def _moves(self, rows: Sequence[Taken], turns: Mapping[str, Move]) -> dict[str, Placed]:
         plans = [plan for plan in self._plan_groups if any(one.plan == plan for one in rows)]
@@ -258,6 +256,16 @@ def _shared(
                 mu = other.mu / its.times
                 better[group] = of_siblings(group, lengths[group], mu, its) or better[group]
     return better
+
+
+def _unit(ratios: Sequence[float]) -> str:
+    """Return the unit that lengths of so many times their due (logarithms) were written in, "" for mm."""
+    if not ratios or max(ratios) > math.log(0.3):
+        return ""
+    inch = all(abs(one + math.log(UNITS["inch"])) < 0.03 for one in ratios)
+    unit = "inch" if inch else "cm"
+    far = max(abs(one + math.log(UNITS[unit])) for one in ratios)
+    return unit if far <= math.log(3.0) else ""
 
 
 def _times(taken: Taken, unit: float) -> Taken:

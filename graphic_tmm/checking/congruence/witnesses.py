@@ -35,6 +35,9 @@ FIRST, FIRST_SHARE = 0.03, 0.7
 MANY, MORE, ALONE = 0.5, 0.1, 0.8
 """The share of the other lengths that must agree, by how much more than with what is due; where nothing is laid
 off first, the share of all."""
+CLEAR, NEARER = 0.2, 0.75
+"""Where what is laid off first has a ratio so far from 1 (a logarithm), it is enough that so many of the others
+are nearer to it: a mistake moves lengths, but not by that."""
 FEWEST, PLENTY = 3, 4
 """Fewer lengths say nothing of a scale factor; rates of fewer positions are not more exact than lengths."""
 
@@ -85,16 +88,33 @@ def _verdict(
     told = _rates_say([one for one in lengths if not one.apart], rates, others)
     if told is not None and (found := _by_rates(k, told, steady=bool(laid))) is not None:
         return found
+    if _from_a_mark(lengths, k):
+        return Verdict()
     rest = [one for one in lengths if not one.laid]
     agree, due = _agreeing(rest, k), _agreeing(rest, 0.0)
     enough = len(rest) * (MANY if laid else ALONE)
-    if rest and (agree < enough or agree < due + MORE * len(rest)):
+    alike = agree >= enough and agree >= due + MORE * len(rest)
+    if rest and not alike and not (laid and _nearer(rest, k)):
         return Verdict() if laid else _by_spread(lengths, k)
     times, off = _fitted([one for one in lengths if one.laid] or lengths, k)
     near = rounded(group.mu / times)
     if abs(math.log(near * times / group.mu)) <= max(ROUND, 2.5 * off):
         return Verdict(group.mu / near, "round", agree + len(laid), len(lengths))
     return Verdict(times, "lengths", agree + len(laid), len(lengths))
+
+
+def _nearer(lengths: Sequence[Read], k: float) -> bool:
+    """Whether lengths are far nearer to a ratio (a logarithm) that is clear of 1: a mistake moves them, too."""
+    near = sum(abs(one.ratio - k) < 0.5 * abs(one.ratio) for one in lengths)
+    return abs(k) > CLEAR and near >= NEARER * len(lengths)
+
+
+def _from_a_mark(lengths: Sequence[Read], k: float) -> bool:
+    """Whether all lengths are too long by the same, as if read from the ruler's 1 cm mark."""
+    more = float(np.median([one.mm - one.due for one in lengths]))
+    left = float(np.median([abs(one.mm - one.due - more) for one in lengths]))
+    scaled = float(np.median([abs(one.mm - math.exp(k) * one.due) for one in lengths]))
+    return abs(more - 10.0) < 1.5 and left < 0.6 * scaled
 
 
 def _by_spread(lengths: Sequence[Read], k: float) -> Verdict:

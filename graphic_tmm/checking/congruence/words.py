@@ -24,15 +24,15 @@ _WHY = {
 
 
 def head(
-    scales: Sequence[OwnScale], moves: Mapping[str, Move], unit: str, language: str
+    scales: Sequence[OwnScale], moves: Mapping[str, Move], units: Mapping[str, str], language: str
 ) -> tuple[str, ...]:
     """Return the sentences on how a drawing was judged."""
     speech = speaking(language)
-    return tuple(speech(one) for one in _sentences(scales, moves, unit, language))
+    return tuple(speech(one) for one in _sentences(scales, moves, units, language))
 
 
 def _sentences(
-    scales: Sequence[OwnScale], moves: Mapping[str, Move], unit: str, language: str
+    scales: Sequence[OwnScale], moves: Mapping[str, Move], units: Mapping[str, str], language: str
 ) -> Iterator[Said]:
     own = [one for one in scales if one.by in _WHY and one.mu != one.due]
     if own:
@@ -44,9 +44,12 @@ def _sentences(
         if one.against != (1.0, 1.0):
             yield _stated(one, language) if one.by == "stated" else _against(one, language)
     yield from _moved(moves, language)
-    if unit:
+    for unit in dict.fromkeys(units.values()):
+        plans = ", ".join(view_name(plan, language) for plan, own in units.items() if own == unit)
         yield said(
-            "The lengths were written in {unit}, not in mm; they are judged as such.", unit=unit
+            "{plans}: the lengths were written in {unit}, not in mm; they are judged as such.",
+            plans=plans,
+            unit=unit,
         )
 
 

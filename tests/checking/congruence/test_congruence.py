@@ -85,7 +85,7 @@ def test_a_copy_has_no_scale_factor_of_its_own(times: float) -> None:
 @pytest.mark.parametrize(("factor", "unit"), [(0.1, "cm"), (1.0 / 25.4, "inch")])
 def test_centimetres_and_inches_are_told(factor: float, unit: str) -> None:
     agreed = checker()._congruence.of(rows_of(factor, 1.0))
-    assert agreed.unit == unit
+    assert agreed.units == {"velocities": unit}
     assert not agreed.times
 
 
