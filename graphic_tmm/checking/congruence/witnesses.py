@@ -81,12 +81,11 @@ def _verdict(
         return Verdict()
     laid = [one.ratio for one in lengths if one.laid]
     k = middle(laid or [one.ratio for one in lengths])
-    if not (_apart(k) if laid else abs(k) > OWN and GRAPHS[0] < math.exp(k) < GRAPHS[1]):
-        return Verdict()
-    if laid and _share(laid, k, FIRST) < FIRST_SHARE:
-        return Verdict()
     told = _rates_say([one for one in lengths if not one.apart], rates, others)
-    if told is not None and (found := _by_rates(k, told, steady=bool(laid))) is not None:
+    clear = _apart(k) if laid else abs(k) > OWN and GRAPHS[0] < math.exp(k) < GRAPHS[1]
+    if not clear or (laid and _share(laid, k, FIRST) < FIRST_SHARE):
+        return _in_spite(group, told) or Verdict()
+    if told is not None and (found := _by_rates(group, k, told, steady=bool(laid))) is not None:
         return found
     if _from_a_mark(lengths, k):
         return Verdict()
@@ -94,7 +93,8 @@ def _verdict(
     agree, due = _agreeing(rest, k), _agreeing(rest, 0.0)
     enough = len(rest) * (MANY if laid else ALONE)
     alike = agree >= enough and agree >= due + MORE * len(rest)
-    if rest and not alike and not (laid and _nearer(rest, k)):
+    usual = laid and (_nearer(rest, k) or (agree >= due and _steady(group, laid, k)))
+    if rest and not alike and not usual:
         return Verdict() if laid else _by_spread(lengths, k)
     times, off = _fitted([one for one in lengths if one.laid] or lengths, k)
     near = rounded(group.mu / times)
@@ -240,7 +240,9 @@ def _by_name(some: Sequence[Any]) -> dict[str, dict[str, float]]:
     return found
 
 
-def _by_rates(k: float, told: tuple[float, int, int], *, steady: bool) -> Verdict | None:
+def _by_rates(
+    group: Group, k: float, told: tuple[float, int, int], *, steady: bool
+) -> Verdict | None:
     """Return the verdict where rates say something: the same as lengths, or against them; None if too little.
 
     ``steady``: lengths have told ``k`` (a logarithm) by what is laid off, to half a division of the ruler.
@@ -250,7 +252,31 @@ def _by_rates(k: float, told: tuple[float, int, int], *, steady: bool) -> Verdic
         return Verdict(math.exp(k if steady and agree < PLENTY else says), "rates", agree, among)
     if agree < PLENTY - 1:
         return None
-    return Verdict(against=(math.exp(k), math.exp(_settled(says))), agree=agree, among=among)
+    if abs(says) <= OWN:
+        return Verdict(against=(math.exp(k), 1.0), agree=agree, among=among)
+    # either all rates are wrong by one factor, or what is laid off
+    return None if _is_round(group, k, ROUND) else _in_spite(group, told)
+
+
+def _in_spite(group: Group, told: tuple[float, int, int] | None) -> Verdict | None:
+    """Return a round scale factor that rates say, though what is laid off does not."""
+    if told is None or told[1] < PLENTY - 1 or not _apart(told[0]):
+        return None
+    if not _is_round(group, told[0], EXACT):
+        return None
+    says, agree, among = told
+    return Verdict(math.exp(says), "rates", agree, among)
+
+
+def _is_round(group: Group, k: float, within: float) -> bool:
+    mu = group.mu / math.exp(k)
+    return abs(math.log(rounded(mu) / mu)) <= within
+
+
+def _steady(group: Group, laid: Sequence[float], k: float) -> bool:
+    """Whether what is laid off first says a round scale factor in all positions: the rest may be wrong."""
+    clear = abs(k) > 0.5 * CLEAR and _is_round(group, k, EXACT)
+    return clear and len(laid) > 1 and _share(laid, k, SAME) == 1.0
 
 
 def rounded(mu: float) -> float:
