@@ -18,6 +18,7 @@ from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Length
 from graphic_tmm.checking.cells import Cell, Key, cells, points
 from graphic_tmm.checking.congruence.lengths import (
+    SHORT,
     Group,
     Read,
     lengths_of,
@@ -97,6 +98,16 @@ class Congruence:
         return {plan: segment for plan, (_, segment) in found.items()}
 
     @cached_property
+    def _first(self) -> Mapping[str, str]:
+        """By plan, the point that is laid off first: as far from the pole in all positions."""
+        found: dict[str, str] = {}
+        for plan, letter in dict.fromkeys(key[:2] for key in self.spots):
+            far = [abs(z) for (p, s, _), z in self.spots.items() if (p, s) == (plan, letter)]
+            if max(far) - min(far) < 1e-6 * max(far) and min(far) > SHORT and len(far) > 1:
+                found.setdefault(plan, letter)
+        return found
+
+    @cached_property
     def _plan_groups(self) -> Mapping[str, Group]:
         """To what each plan of points is drawn."""
         return {plan: group for (plan, segment), group in self.groups.items() if not segment}
@@ -168,7 +179,7 @@ class Congruence:
 
     def _lengths(self, rows: Sequence[Taken]) -> dict[Group, list[Read]]:
         lengths = dict(lengths_of(rows, self.due, self.groups, self._laid))
-        for group, some in spread_of(rows, self.spots, self._plan_groups).items():
+        for group, some in spread_of(rows, self.spots, self._plan_groups, self._first).items():
             lengths[group] = [*lengths.get(group, []), *some]
         return lengths
 

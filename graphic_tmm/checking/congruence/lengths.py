@@ -17,6 +17,9 @@ from graphic_tmm.checking.records import Taken
 SHORT = 6.0
 """A shorter length says little of a scale factor: a hand is off by 0.9 mm (49 published drawings)."""
 
+POLE = ""
+"""The name of the pole among the points of a plan."""
+
 
 class Group(NamedTuple):
     """What is drawn to one scale factor: a plan, μ in SI a mm, the unit of what its lengths stand for.
@@ -100,11 +103,14 @@ def _values(rows: Iterable[Taken], due: Mapping[Key, Cell]) -> dict[Key, float]:
 
 
 def spread_of(
-    rows: Sequence[Taken], spots: Mapping[Key, complex], groups: Mapping[str, Group]
+    rows: Sequence[Taken],
+    spots: Mapping[Key, complex],
+    groups: Mapping[str, Group],
+    first: Mapping[str, str],
 ) -> dict[Group, list[Read]]:
     """Return the distances between points that were read, and from the pole, as lengths of their plans.
 
-    ``groups``: to what each plan of points is drawn.
+    ``groups``: to what each plan of points is drawn; ``first``: by plan the point that is laid off first.
     """
     there: defaultdict[tuple[str, str], dict[str, tuple[complex, complex]]] = defaultdict(dict)
     for taken in rows:
@@ -112,12 +118,14 @@ def spread_of(
             there[taken.plan, taken.position][taken.segment] = taken.spot, spots[taken.key]
     found: defaultdict[Group, list[Read]] = defaultdict(list)
     for (plan, position), pairs in there.items():
+        pairs |= {POLE: (0j, 0j)}
         names = [*pairs]
         for k, name in enumerate(names):
             for other in names[:k]:
                 read, due = (abs(pairs[name][j] - pairs[other][j]) for j in (0, 1))
                 if due >= SHORT and read > 0.0:
-                    one = Read(position, f"{other}{name}", read, due, apart=True)
+                    laid = name == POLE and other == first.get(plan)
+                    one = Read(position, f"{other}{name}", read, due, laid=laid, apart=True)
                     found[groups[plan]].append(one)
     return found
 

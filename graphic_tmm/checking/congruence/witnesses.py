@@ -79,8 +79,8 @@ def _verdict(
         return said
     if len(lengths) < FEWEST:
         return Verdict()
-    laid = [one.ratio for one in lengths if one.laid]
-    k = middle(laid or [one.ratio for one in lengths])
+    laid = [one for one in lengths if one.laid]
+    k = middle([one.ratio for one in laid or lengths])
     told = _rates_say([one for one in lengths if not one.apart], rates, others)
     clear = _apart(k) if laid else abs(k) > OWN and GRAPHS[0] < math.exp(k) < GRAPHS[1]
     if not clear or (laid and _share(laid, k, FIRST) < FIRST_SHARE):
@@ -96,7 +96,7 @@ def _verdict(
     usual = laid and (_nearer(rest, k) or (agree >= due and _steady(group, laid, k)))
     if rest and not alike and not usual:
         return Verdict() if laid else _by_spread(lengths, k)
-    times, off = _fitted([one for one in lengths if one.laid] or lengths, k)
+    times, off = _fitted(laid or lengths, k)
     near = rounded(group.mu / times)
     if abs(math.log(near * times / group.mu)) <= max(ROUND, 2.5 * off):
         return Verdict(group.mu / near, "round", agree + len(laid), len(lengths))
@@ -140,7 +140,8 @@ def _fitted(lengths: Sequence[Read], k: float) -> tuple[float, float]:
     near = [one for one in lengths if _near(one, k)]
     squares = sum(one.due**2 for one in near)
     times = sum(one.mm * one.due for one in near) / squares
-    return times, 0.9 / (times * math.sqrt(squares))
+    # points are fewer than the distances between them
+    return times, (2.0 if near[0].apart else 1.0) * 0.9 / (times * math.sqrt(squares))
 
 
 def of_siblings(group: Group, lengths: Sequence[Read], mu: float, by: Verdict) -> Verdict | None:
@@ -191,8 +192,10 @@ def _apart(k: float) -> bool:
     return abs(k) > OWN and RANGE[0] < math.exp(k) < RANGE[1]
 
 
-def _share(ratios: Sequence[float], k: float, within: float) -> float:
-    return sum(abs(one - k) <= within for one in ratios) / len(ratios)
+def _share(lengths: Sequence[Read], k: float, within: float) -> float:
+    """Return the share of lengths that have a ratio (a logarithm), nearly or as nearly as they can be read."""
+    far = [abs(one.ratio - k) - max(within, 2.2 / one.mm if one.apart else 0.0) for one in lengths]
+    return sum(one <= 0.0 for one in far) / len(far)
 
 
 def _near(one: Read, k: float) -> bool:
@@ -273,7 +276,7 @@ def _is_round(group: Group, k: float, within: float) -> bool:
     return abs(math.log(rounded(mu) / mu)) <= within
 
 
-def _steady(group: Group, laid: Sequence[float], k: float) -> bool:
+def _steady(group: Group, laid: Sequence[Read], k: float) -> bool:
     """Whether what is laid off first says a round scale factor in all positions: the rest may be wrong."""
     clear = abs(k) > 0.5 * CLEAR and _is_round(group, k, EXACT)
     return clear and len(laid) > 1 and _share(laid, k, SAME) == 1.0
