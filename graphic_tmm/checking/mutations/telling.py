@@ -104,6 +104,7 @@ AT_POSITION = said("{told}, at position {position} only")
 EVERY = said("{told}; in every such step")
 UNKNOWN_NAME = said("no known mistake")
 UNKNOWN_SAYS = said("no known mistake explains what is wrong: look at {plan}, step {step}: {it}")
+BEGIN_SAYS = said("no known mistake explains what is wrong: begin with {segment}")
 SLIP_NAME = said("slip of a reading")
 SLIP_SAYS = said("only {segment} is off: this reading was read or written down amiss")
 SLIP_TEN = said("only {segment} is off: its decimal point has perhaps slipped")
@@ -350,11 +351,16 @@ def _tenfold(one: Judged) -> bool:
 
 
 def _unknown(diagnosis: Diagnosis, drawing: Comparison, speech: Speech) -> tuple[Likely, ...]:
-    """Return where to look first; nothing where no step is farther off than others."""
+    """Return where to look first: the step that is farthest off; of figures of tables the first of them."""
     step, language = diagnosis.unknown, speech.language
     name, count = speech(UNKNOWN_NAME), len(diagnosis.wrong)
     if step is None or drawing.made.mechanism is None:
-        return ()
+        own = [one for one in diagnosis.wrong if one.follows is None]
+        first = (diagnosis.left or own or diagnosis.wrong)[0]
+        _, segment, at = first.taken.key
+        says = speech(BEGIN_SAYS, segment=f"{segment} ({at})" if at else segment)
+        found = Likely(name, says, (), count, 1.0, kind=UNKNOWN, plan=first.taken.plan)
+        return (found._replace(segment=segment, step=first.step),)
     says = speech(
         UNKNOWN_SAYS,
         plan=title_of(drawing.made.mechanism.project, step.it.view, language),

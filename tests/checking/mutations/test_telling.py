@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
+import numpy as np
 from support.gallery import CASES
+from support.own_student.machines import MACHINES
+from support.own_student.student import due_factors, student
 
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.readings.read import read_readings
+from graphic_tmm.checking.records import UNKNOWN
 from graphic_tmm.scene.read import read
 
 
@@ -50,3 +55,23 @@ def test_a_vector_drawn_the_other_way_is_told_once() -> None:
     assert normal.like == ()
     assert normal.says.endswith("the normal component an2 points away from the centre of rotation")
     assert normal.view == "accelerations"
+
+
+def test_wrong_figures_of_tables_lead_to_a_finding(tmp_path: Path) -> None:
+    """Forces, which are no step of a log that can be read, off in a way that no mistake makes."""
+    machine = MACHINES["frc"]
+    (file := tmp_path / "forces.csv").write_text(
+        student(machine, 1, mu=due_factors(machine)).csv, encoding="utf-8"
+    )
+    times = np.random.default_rng(5).uniform(1.5, 3.5, 200).tolist()
+    rows = [
+        one._replace(mm=times[k] * one.mm, value=None)
+        if one.mm is not None and one.plan == "forces"
+        else one
+        for k, one in enumerate(read_readings(file))
+    ]
+    report = check(read(machine.scene).spoken_in("en"), rows)
+    assert report.wrong
+    last = report.mistakes[-1]
+    assert (last.kind, last.plan) == (UNKNOWN, "forces")
+    assert last.says.startswith("no known mistake explains what is wrong: begin with R")
