@@ -29,7 +29,14 @@ from graphic_tmm.checking.congruence.lengths import (
 from graphic_tmm.checking.congruence.moves import HALF, MOVES, NEAR, NONE, Move, Placed, placed
 from graphic_tmm.checking.congruence.remade import Remaking
 from graphic_tmm.checking.congruence.stated import SCENE, Stated
-from graphic_tmm.checking.congruence.witnesses import EXACT, OWN, Verdict, of_siblings, verdict
+from graphic_tmm.checking.congruence.witnesses import (
+    EXACT,
+    OWN,
+    PLENTY,
+    Verdict,
+    of_siblings,
+    verdict,
+)
 from graphic_tmm.checking.judging.taken_marks import steps_of
 from graphic_tmm.checking.records import Last, OwnScale, Taken
 from graphic_tmm.drawn import DrawnScene
@@ -152,7 +159,8 @@ class Congruence:
         plans: dict[str, list[float]] = {}
         lengths = lengths_of(rows, self.due, self.groups, self._laid)
         for group, some in lengths.items():
-            plans.setdefault(group.plan, []).append(middle([one.ratio for one in some]))
+            if len(some) >= PLENTY:
+                plans.setdefault(group.plan, []).append(middle([one.ratio for one in some]))
         units = {plan: unit for plan, ratios in plans.items() if (unit := _unit(ratios))}
         read = (_times(one, UNITS[units[one.plan]]) if one.plan in units else one for one in rows)
         return tuple(read), units

@@ -1,6 +1,7 @@
 import { BOARD } from "./board.js";
 import { mildest } from "./equivalents.js";
 import { limitAt, seenOf, shareOfSlip, sizeAt, withOthers } from "./limits.js";
+import { Signs } from "./signs.js";
 
 /**
  * @typedef {import("../types.js").Complex} Complex
@@ -54,8 +55,7 @@ export class Judging {
     this.rows = [...rows].sort((a, b) => a.slot - b.slot);
     const all = [...this.rows, ...beside.flatMap((one) => one.rows)];
     this.found = new Map(all.map((row) => [row.slot, this.read(row)]));
-    /** Columns of rates in which some figure bears a minus: their signs are meant (checking/readings/signs.py). */
-    this.signed = new Set(all.filter(({ found }) => Number(found) < 0).map((row) => this.column(row)));
+    this.signs = new Signs(log, all);
     /** @type {Run} */
     this.run = log.run(this.found);
     this.share = shareOfSlip(seenOf(this), log.data.reader);
@@ -84,24 +84,6 @@ export class Judging {
   /** @param {number} slot */
   kind(slot) {
     return this.log.steps.get(slot)?.read?.as ?? "";
-  }
-
-  /**
-   * Return what is written in one column with a figure: rates of a plan that are called by one letter.
-   * @param {Taken} row
-   */
-  column({ slot }) {
-    const { as, name, key } = this.log.steps.get(slot)?.read ?? {};
-    return as === "rate" ? `${name} ${key?.replace(/\d+$/, "")}` : "";
-  }
-
-  /**
-   * Whether a plus is a sign.
-   * @param {Taken} row
-   */
-  isSigned(row) {
-    const column = this.column(row);
-    return column !== "" && this.signed.has(column);
   }
 
   /**
@@ -156,7 +138,7 @@ export class Judging {
     const goal = rate ? /** @type {number} */ (due) : Math.abs(/** @type {number} */ (due));
     const { half, reading } = this.reader;
     const grain = rate ? (last.value ?? 0) : slips.unblurred(half, last.mm ?? 0, reading);
-    const signed = this.isSigned(row) ? found - goal : slips.excess(found, goal);
+    const signed = this.signs.has(row) ? found - goal : slips.excess(found, goal);
     return { signed, grain, times: slips.times_off(found, goal) };
   }
 
@@ -236,7 +218,7 @@ export class Judging {
     const { slot, found } = row;
     const due = Number(this.log.exact.get(slot));
     const chance = this.manner.total[String(slot)]?.d[this.place] ?? Infinity;
-    if (this.isSigned(row) && due < -chance) return Number(found) > 0;
+    if (this.signs.has(row) && due < -chance) return Number(found) > 0;
     return this.kind(slot) === "rate" && Number(found) < 0 && due > 0;
   }
 
