@@ -7,6 +7,7 @@ What is decided is used; what only lengths say is used, too, and asked.
 from __future__ import annotations
 
 import math
+from collections import defaultdict
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -25,6 +26,7 @@ from graphic_tmm.checking.congruence.lengths import (
     middle,
     rates_of,
     spread_of,
+    values_of,
 )
 from graphic_tmm.checking.congruence.moves import HALF, MOVES, NEAR, NONE, Move, Placed, placed
 from graphic_tmm.checking.congruence.remade import Remaking
@@ -126,6 +128,8 @@ class Congruence:
         turns: Mapping[str, Move] = {},
     ) -> Agreed:
         """Return how a drawing is to be judged; ``stated``: scale factors that somebody gives; ``turns``."""
+        if not stated and not turns and self._is_due(rows):
+            return Agreed(tuple(rows), {}, {}, (), {}, {})
         rows, units = self._in_mm(rows)
         moves = self._moves(rows, turns)
         rows = tuple(_moved(one, moves) for one in rows)
@@ -143,6 +147,26 @@ class Congruence:
         scales = tuple(self._scale(g, one) for g, one in found.items() if one.by or one.against)
         plain = {plan: one.move for plan, one in moves.items()}
         return Agreed(rows, times, places, scales, plain, units)
+
+    def _is_due(self, rows: Sequence[Taken]) -> bool:
+        """Whether lengths, and what they stand for, are as long as due in every plan: nothing is to be told.
+
+        Lengths go by the scale factor that they seem to be drawn to: which it is takes drawing the scene again.
+        """
+        ratios: defaultdict[tuple[str, float, str], list[float]] = defaultdict(list)
+        values = values_of(rows, self.due)
+        for one in rows:
+            if one.pointed:
+                return False
+            cell = self.due[one.key]
+            if one.mm and cell.mm and cell.value and abs(cell.mm) > SHORT:
+                mu = abs(cell.value / cell.mm)
+                of = (one.plan, float(f"{mu:.5g}"))
+                ratios[*of, ""].append(math.log(abs(one.mm / cell.mm)))
+                if values.get(one.key):
+                    own = mu * abs(one.mm) / values[one.key]
+                    ratios[*of, one.position].append(math.log(own))
+        return all(float(np.median(np.abs(some))) < OWN for some in ratios.values())
 
     def stated_rows(self) -> Iterator[Taken]:
         """Yield a row for each scale factor of the scene, as the template has them."""

@@ -78,7 +78,7 @@ def lengths_of(
 
     ``groups``: that, by plan and segment; ``laid``: by plan the segment that is laid off first.
     """
-    values = _values(rows, due)
+    values = values_of(rows, due)
     found: defaultdict[Group, list[Read]] = defaultdict(list)
     for taken in rows:
         cell, group = due.get(taken.key), groups.get(taken.key[:2])
@@ -93,7 +93,8 @@ def lengths_of(
     return found
 
 
-def _values(rows: Iterable[Taken], due: Mapping[Key, Cell]) -> dict[Key, float]:
+def values_of(rows: Iterable[Taken], due: Mapping[Key, Cell]) -> dict[Key, float]:
+    """Return what was written that lengths stand for, without signs, in the units of what is due."""
     found = {}
     for taken in rows:
         cell = due.get(taken.key)

@@ -89,18 +89,19 @@ def test_centimetres_and_inches_are_told(factor: float, unit: str) -> None:
     assert not agreed.times
 
 
-def test_scale_factors_of_single_positions_are_told_by_their_rows() -> None:
+@pytest.mark.parametrize("usual", [1.0, 1.25])
+def test_scale_factors_of_single_positions_are_told_by_their_rows(usual: float) -> None:
     rows = []
     for row in rows_of(1.0, 1.0):
         if row.mm is None:
             continue
-        times = 0.5 if row.position == "3" else 1.25
+        times = 0.5 if row.position == "3" else usual
         due = checker()._congruence.due[row.key]
         assert due.value is not None
         rows.append(row._replace(mm=times * row.mm, value=abs(due.value), unit=due.unit))
     checked = checker().of(rows).report
     (scale,) = checked.scales
-    assert scale.mu == pytest.approx(0.02)
+    assert scale.mu == pytest.approx(0.025 / usual)
     assert dict(scale.places) == {"3": pytest.approx(0.05)}
     assert checked.wrong == 0
 
