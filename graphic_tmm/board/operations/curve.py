@@ -166,7 +166,7 @@ def natural(points: Complexes) -> Complexes:
     return np.asarray(np.linalg.solve(matrix, right))
 
 
-def stationary(p: Complexes, m: Complexes, turned: complex) -> list[Complexes]:
+def stationary(p: Complexes, m: Complexes, turned: complex | Complexes) -> list[Complexes]:
     """Return the points of each arc of an open curve where its height Re(z·``turned``) is stationary.
 
     ``p``, ``m``: knots and tangents, (..., knot). Two arrays (..., arc), NaN where an arc has no such point.

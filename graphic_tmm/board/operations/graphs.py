@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from graphic_tmm.board.geometry import unit
 from graphic_tmm.board.grammar import FREE, SLIDE, WHOLE_ROW, operation
@@ -127,22 +128,27 @@ def _arc(
 ) -> tuple[tuple[Complexes, Complexes], tuple[Complexes, Complexes], Reals]:
     """Return the ends and end tangents of the arc over each foot, and where on it the foot stands, 0 … 1."""
     knots = np.where(np.isfinite(curve.knots), curve.knots, np.nan + np.nan * 1j)
-    x, tangents = _abscissas(curve.knots), curve.tangents
-    trials, last = max(knots.shape[0], foot.shape[0]), knots.shape[1] - 2
-    found = []
-    for k in range(trials):
-        own, at = min(k, knots.shape[0] - 1), foot.real[min(k, foot.shape[0] - 1)]
-        near = np.clip(np.searchsorted(x[own], at, side="right") - 1, 0, last)
-        u = (at - x[own, near]) / (x[own, near + 1] - x[own, near])
-        p, m = knots[own], tangents[own]
-        found.append((p[near], p[near + 1], m[near], m[near + 1], u))
-    p, q, m, n, u = (np.array(rows) for rows in zip(*found, strict=True))
+    x = _abscissas(curve.knots)
+    at, x, points, tangents = alike(foot.real, x, knots, curve.tangents)
+    near = np.clip(_before(x, at), 0, knots.shape[1] - 2)
+    low, high = (np.take_along_axis(x, k, axis=1) for k in (near, near + 1))
+    u = (at - low) / (high - low)
+    p, q = (np.take_along_axis(points, k, axis=1) for k in (near, near + 1))
+    m, n = (np.take_along_axis(tangents, k, axis=1) for k in (near, near + 1))
     within = np.clip(u, 0.0, 1.0)
     beyond = np.abs(u - within)
     tall = np.max(np.abs([p.imag, q.imag, np.broadcast_to(foot.imag, u.shape)]), axis=0)
     near_enough = beyond * np.abs((q - p).real) <= BEYOND + LEAN * tall
     # rounding is left as it is: an end is what it was
     return (p, q), (m, n), np.where(beyond <= 1e-9, u, np.where(near_enough, within, np.nan))
+
+
+def _before(x: Reals, at: Reals) -> NDArray[np.intp]:
+    """Return the last knot that stands at or before each foot, row by row; -1 where none does."""
+    found = np.asarray((x[:, None] <= at[:, :, None]).sum(axis=2))
+    for k in np.flatnonzero(~(np.diff(x) >= 0.0).all(axis=1)):
+        found[k] = np.searchsorted(x[k], at[k], side="right")
+    return np.asarray(found - 1)
 
 
 def _abscissas(knots: Complexes) -> Reals:

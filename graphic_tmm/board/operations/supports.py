@@ -65,17 +65,15 @@ def supporting_curve(curve: Curve, angle: Angle, *, above: int) -> Line:
     ``above``: 1 for the line above the curve, −1 for the one below it.
     """
     way = cis(angle[:, :1])
-    spots = []
-    for trial in range(curve.knots.shape[0]):
-        p, m = curve.knots[trial], curve.tangents[trial]
-        turned = above * np.conj(1j * way[min(trial, way.shape[0] - 1), 0])
-        round_ = np.append(np.arange(p.size), 0)
-        found = np.concatenate([p, *stationary(p[round_], m[round_], turned)])
-        heights = (found * turned).real
-        whole = np.isfinite(p).all() and np.isfinite(m).all()
-        best = found[np.argmax(np.nan_to_num(heights, nan=-np.inf))]
-        spots.append(best if whole else np.nan)
-    spot = np.array(spots, dtype=np.complex128)[:, None]
+    p, m = curve.knots, curve.tangents
+    turned = above * np.conj(1j * way)
+    round_ = np.append(np.arange(p.shape[1]), 0)
+    found = stationary(p[:, round_], m[:, round_], turned)
+    spots = np.concatenate(np.broadcast_arrays(p, *found), axis=1)
+    heights = np.nan_to_num((spots * turned).real, nan=-np.inf)
+    best = np.take_along_axis(spots, np.argmax(heights, axis=1)[:, None], axis=1)
+    whole = (np.isfinite(p) & np.isfinite(m)).all(axis=1, keepdims=True)
+    spot = np.where(whole, best, np.nan)
     return Line(spot, np.broadcast_to(way, spot.shape))
 
 

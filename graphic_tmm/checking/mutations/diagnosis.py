@@ -46,7 +46,13 @@ from graphic_tmm.checking.mutations.hypotheses import (
 from graphic_tmm.checking.mutations.likelihood import scores
 from graphic_tmm.checking.mutations.mistakes import NONE, Mistakes, Offered
 from graphic_tmm.checking.mutations.mutation import Mutation
-from graphic_tmm.checking.mutations.refinement import fitted, put_amiss, reweighed, scatters_of
+from graphic_tmm.checking.mutations.refinement import (
+    fitted,
+    plain_figures,
+    put_amiss,
+    reweighed,
+    scatters_of,
+)
 from graphic_tmm.checking.records import FINE, WRONG, Judged
 
 A_NUMBER = 0.01
@@ -162,8 +168,7 @@ def _seconds(
         return []
     some = [one for one in (offered.mutations[k] for k in rows) if not one.slots & slots]
     some = some if some and some[0] is NONE else [NONE, *some]
-    plain = offered.run(some, base)
-    evidence, _ = of_mutations(readings, base, some, plain, np.arange(len(some)))
+    evidence, _ = of_mutations(readings, base, some, plain_figures(readings, offered, some, base))
     found = of_board(first.board, some, evidence, offered.shares)
     return [one._replace(score=one.score + first.score) for one in found]
 
@@ -291,7 +296,8 @@ def _of_board(
 ) -> Iterator[Hypothesis]:
     rows = offered.moving(readings.least)
     some = [offered.mutations[k] for k in rows]
-    evidence, told = of_mutations(readings, offered.base, some, offered.plain, rows)
+    plain = offered.figures(readings.keys, rows)
+    evidence, told = of_mutations(readings, offered.base, some, plain)
     rest.beyond = int(evidence.beyond[0].sum())
     if told is not None:
         steps = {step.it: step for step in offered.base.log.steps}

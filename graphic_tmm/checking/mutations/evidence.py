@@ -103,12 +103,11 @@ def of_mutations(
     readings: Readings,
     base: AssumedLog,
     mutations: Sequence[Mutation],
-    plain: Executed,
-    rows: NDArray[np.intp],
+    plain: Mapping[tuple[Key, bool], Any],
 ) -> tuple[Evidence, Weighed | None]:
-    """Return the evidence for mutations of a board; ``plain``: they executed without readings, in ``rows``."""
+    """Return the evidence for mutations of a board; ``plain``: what tables say, found without readings."""
     places, count = readings.places, len(mutations)
-    ways = [readings.figures(base.board, plain, rows)]
+    ways = [plain]
     told = readings.weighed(base, mutations, None)
     if told is not None:
         ways.append(readings.figures(base.board, told.beside, np.arange(count)))

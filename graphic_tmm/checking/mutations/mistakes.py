@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import combinations, pairwise
 from typing import Any
@@ -15,9 +15,15 @@ from numpy.typing import NDArray
 from graphic_tmm.board import roles
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Length, Number
-from graphic_tmm.checking.cells import Key
+from graphic_tmm.checking.cells import Key, figures, spots
 from graphic_tmm.checking.mutations.calculated import BY_UNIT, POWERS_OF_TEN
-from graphic_tmm.checking.mutations.execution import AssumedLog, Executed, executed, figures_of
+from graphic_tmm.checking.mutations.execution import (
+    AssumedLog,
+    Executed,
+    Sparse,
+    executed,
+    figures_of,
+)
 from graphic_tmm.checking.mutations.grammar import mutations
 from graphic_tmm.checking.mutations.mutation import (
     CRANK,
@@ -177,6 +183,8 @@ def _exchanged(log: Construction, given: Given) -> Iterator[Mutation]:
         yield Mutation(EXCHANGED, EXCHANGED_WITH, {}, amiss, was=one[0], now=other[0])
 
 
+PART = 2000
+"""So many mutations are executed together: the fewer, the less memory that takes."""
 NONE = Mutation("", "", {}, {})
 """The log as it is."""
 
@@ -212,9 +220,40 @@ class Offered:
         return free(self.base.log, self.base.given)
 
     @cached_property
-    def plain(self) -> Executed:
-        """All of them executed, without readings."""
-        return self.run(self.mutations)
+    def _every(self) -> Mapping[tuple[Key, bool], tuple[Any, Sparse]]:
+        """All figures with all of them, without readings: what is due, and the rows that differ from that.
+
+        They are executed in parts: of the steps nothing is kept.
+        """
+        found: dict[tuple[Key, bool], tuple[Any, list[Sparse]]] = {}
+        named = spots(self.made)
+        keys = [
+            (key, mm) for mm in (True, False) for key in {**figures(self.made, in_mm=mm), **named}
+        ]
+        for start in range(0, len(self.mutations), PART):
+            beside = self.run((NONE, *self.mutations[start : start + PART]))
+            rows = np.arange(beside.size)
+            for at, row in figures_of(self.made, self.board, beside, rows, keys).items():
+                other = np.flatnonzero((row != row[0]) & ~(np.isnan(row) & np.isnan(row[0])))
+                _, some = found.setdefault(at, (row[0], []))
+                some.append(Sparse(other + (start - 1), row[other]))
+        return {
+            at: (due, Sparse(*map(np.concatenate, zip(*some, strict=True))))
+            for at, (due, some) in found.items()
+        }
+
+    def figures(
+        self, wanted: Iterable[tuple[Key, bool]], rows: Any = slice(None)
+    ) -> dict[tuple[Key, bool], Any]:
+        """Return figures of the board with all of them, or some ``rows``, executed without readings."""
+        found: dict[tuple[Key, bool], Any] = {}
+        for at in wanted:
+            if at in self._every:
+                due, sparse = self._every[at]
+                whole = np.full(len(self.mutations), due)
+                whole[sparse.rows] = sparse.value
+                found[at] = whole[rows]
+        return found
 
     def run(self, some: Sequence[Mutation], base: AssumedLog | None = None) -> Executed:
         """Execute mutations without readings."""
@@ -228,19 +267,23 @@ class Offered:
 
         ``wanted``: figures, by key and whether in mm, and by how much they must move.
         """
-        beside = beside or self.plain
-        moves = np.zeros(beside.size, dtype=bool)
+        size = len(self.mutations) if beside is None else beside.size
+        moves = np.zeros(size, dtype=bool)
         moves[0] = True
         for _, moved in self.moved(wanted, beside):
             moves |= moved
         return np.flatnonzero(moves)
 
     def moved(
-        self, wanted: Mapping[tuple[Key, bool], float], beside: Executed
+        self, wanted: Mapping[tuple[Key, bool], float], beside: Executed | None
     ) -> Iterator[tuple[tuple[Key, bool], NDArray[np.bool_]]]:
         """Yield each figure of the board with the rows that move it; ``wanted`` as in `moving`."""
-        rows = np.arange(beside.size)
-        for at, row in figures_of(self.made, self.board, beside, rows, tuple(wanted)).items():
+        if beside is None:
+            told = self.figures(wanted)
+        else:
+            rows = np.arange(beside.size)
+            told = figures_of(self.made, self.board, beside, rows, tuple(wanted))
+        for at, row in told.items():
             with np.errstate(all="ignore"):
                 off = np.abs(row - row[0])
                 if at[1] and not np.iscomplexobj(row):

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from graphic_tmm.board import roles
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
+from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.step_scatter import as_read, where_read
 from graphic_tmm.checking.mutations.entries import EntryEvidence, Own, entry_of
 from graphic_tmm.checking.mutations.evidence import Readings, of_mutations
@@ -158,7 +159,17 @@ def fitted(readings: Readings, offered: Offered) -> tuple[list[Mutation], Eviden
 
 
 def _evidence(readings: Readings, offered: Offered, some: Sequence[Mutation]) -> Evidence:
-    return of_mutations(readings, offered.base, some, offered.run(some), np.arange(len(some)))[0]
+    plain = plain_figures(readings, offered, some, offered.base)
+    return of_mutations(readings, offered.base, some, plain)[0]
+
+
+def plain_figures(
+    readings: Readings, offered: Offered, some: Sequence[Mutation], base: AssumedLog
+) -> dict[tuple[Key, bool], Any]:
+    """Return what tables say with mutations of a log, found without readings."""
+    if not readings.keys:
+        return {}
+    return readings.figures(base.board, offered.run(some, base), np.arange(len(some)))
 
 
 def put_amiss(readings: Readings, offered: Offered) -> tuple[list[Mutation], Evidence]:
