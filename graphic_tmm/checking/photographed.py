@@ -231,22 +231,30 @@ def judged(
     """Return the report on what a photograph shows; its notes ask for what it does not.
 
     ``stated``: the scale factors in which plans were drawn, and how they were turned, as for `check`.
+    Clicked plans are in the student's own, as he turned them: nothing else is sought for them.
     """
+    own = [one.plan for one in seen.scales]
+    scales = [*(f"{plan}=scene" for plan in own), *stated[0]]
+    turns = [*(f"{plan}=0" for plan in own), *stated[1]]
     report = check(
         (seen.scene or scene).spoken_in(scene.language),
         seen.taken,
         hand=hand,
-        points="photo",
+        points="own sheet" if own else "photo",
         trials=trials,
         limits=limits,
         given=given,
-        scales=stated[0],
-        turns=stated[1],
+        scales=scales,
+        turns=turns,
         source=source,
     )
     asked = questions(seen.found, scene.language)
+    due = {one.plan: one.due for one in seen.scales}
+    told = (one._replace(due=due.get(one.plan, one.due)) for one in report.scales)
     return report._replace(
-        notes=(*scale_notes(seen.scales, scene.language), *report.notes, *asked), sight=seen.sight
+        scales=tuple(told),
+        notes=(*scale_notes(seen.scales, scene.language), *report.notes, *asked),
+        sight=seen.sight,
     )
 
 

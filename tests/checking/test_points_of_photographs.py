@@ -7,22 +7,26 @@ from pathlib import Path
 import pytest
 from support.command import invoke
 
+from graphic_tmm.checking.judging.scatter import Limits
+from graphic_tmm.checking.own_sheet.clicked import OwnScale, scene_in
 from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE
 from graphic_tmm.checking.pencil.reading import PhotoPoints, Point, readings
 from graphic_tmm.checking.photographed import (
     Photographed,
+    judged,
     points_drawing,
     poles_of,
     sight_of,
     write_seen,
 )
 from graphic_tmm.checking.readings.read import read_readings
-from graphic_tmm.checking.records import FINE, Judged, PlanSight, Report, Sight, Taken
+from graphic_tmm.checking.records import FINE, WRONG, Judged, PlanSight, Report, Sight, Taken
 from graphic_tmm.checking.report.findings import headline
 from graphic_tmm.commands.shared.judging import end_with
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Drawing, Label, Sheet
 from graphic_tmm.paper.shapes import box
+from graphic_tmm.scene.read import read
 
 
 def test_poles_are_read_as_they_are_clicked() -> None:
@@ -197,3 +201,29 @@ def test_a_clicked_plan_that_is_not_drawn_is_said_to_be_unseen(photo: tuple[obje
     done = invoke("check", "crank-rocker", *photo, *plan)
     assert done.exit_code == 3, done.output
     assert "Velocity plan: 0 of 1, nothing is said about them" in done.stdout
+
+
+REVERSED = {
+    "a": 26.63 + 26.89j,
+    "k2": 35.2 + 25.31j,
+    "n3": -1.75 - 5.83j,
+    "a3": 29.04 - 11.37j,
+    "c": 38.09 - 15.07j,
+}
+"""An acceleration plan whose first vector was drawn outwards."""
+
+
+def test_clicked_plans_are_judged_in_the_scale_factor_that_they_were_read_in() -> None:
+    scene = read(Path(__file__).parents[1] / "cases" / "check" / "rpr.toml")
+    scale = OwnScale("accelerations", 0.317, 0.2, "m/s²/mm")
+    taken = [
+        Taken("accelerations", "1", letter, x=z.real, y=z.imag, line=n)
+        for n, (letter, z) in enumerate(REVERSED.items(), 2)
+    ]
+    own = scene_in(scene, {scale.plan: scale})
+    seen = Photographed(PhotoPoints((), ()), tuple(taken), own, (scale,))
+    report = judged(scene, seen, hand="student", trials=60, limits=Limits(), source="own.jpg")
+    assert [one.taken.segment for one in report.readings if one.verdict == WRONG] == ["a"]
+    assert report.readings[0].due == pytest.approx(37.85, abs=0.01)
+    assert report.head == ()
+    assert {one.due for one in report.scales} == {0.2}

@@ -145,7 +145,7 @@ class Congruence:
         times = {group: one.times for group, one in found.items() if one.times != 1.0}
         places = {group: dict(one.places) for group, one in found.items() if one.places}
         scales = tuple(self._scale(g, one) for g, one in found.items() if one.by or one.against)
-        plain = {plan: one.move for plan, one in moves.items()}
+        plain = {p: one.move for p, one in moves.items() if one.move != NONE or one.origins}
         return Agreed(rows, times, places, scales, plain, units)
 
     def _is_due(self, rows: Sequence[Taken]) -> bool:
@@ -255,7 +255,7 @@ class Congruence:
             group.plan,
             group.plan if mark is None else mark.view,
             symbol,
-            float(f"{group.mu / one.times:.4g}"),
+            group.mu if one.times == 1.0 else float(f"{group.mu / one.times:.4g}"),
             group.mu,
             _per_mm(group.unit),
             one.by,

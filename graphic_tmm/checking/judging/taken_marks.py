@@ -21,18 +21,26 @@ from graphic_tmm.scene.records import Scene
 
 
 class Pointing(NamedTuple):
-    """How x and y are read: the standard deviation of each is ``hand`` of the slip of the hand, or ``mm``."""
+    """How x and y are read: the standard deviation of each is ``hand`` of the slip of the hand, or ``mm``.
+
+    Common to a plan is what its ``pole`` is off, mm, to all of its kind what their ``scale`` factor is off, a
+    share (standard deviations); neither tells how finely points were read.
+    """
 
     hand: float
     mm: float
+    pole: float = 0.0
+    scale: float = 0.0
 
 
 POINTS: Mapping[str, Pointing] = {
     "paper": Pointing(hand=1.0, mm=0.0),
     "screen": Pointing(hand=0.0, mm=0.1),
     "photo": Pointing(hand=0.0, mm=0.5),
+    "own sheet": Pointing(hand=0.0, mm=0.5, pole=0.3, scale=0.005),
 }
-"""With ruler and square on the paper; by a cursor on the drawing itself; by a cursor on a photograph of it.
+"""With ruler and square on the paper; by a cursor on the drawing itself; by a cursor on a photograph of it,
+or of a student's own sheet, on which poles are clicked and scale factors estimated.
 
 0.1 mm is what a cursor on an enlarged drawing leaves; 0.5 mm what corners clicked to 2 px leave of the
 photograph of an A1 (0.7 mm at most). That is the most of it: where many points were read, the drawing
@@ -46,11 +54,12 @@ at least 0.002 to 0.015."""
 class Reader(NamedTuple):
     """Who reads a drawing: the hand that drew it, with the coarser of its ruler and the sheet's.
 
-    ``points``: how points are read.
+    ``points``: how points are read; ``exactly``: without a slip of their own.
     """
 
     hand: Hand
     points: str = "paper"
+    exactly: bool = False
 
     @property
     def half(self) -> float:
@@ -75,13 +84,13 @@ class Reader(NamedTuple):
     @property
     def pointing(self) -> float:
         """The standard deviation of a coordinate, mm."""
-        share, own = POINTS.get(self.points, Pointing(hand=0.0, mm=0.0))
-        return max(share * self.hand.reading, own)
+        by = POINTS[self.points]
+        return 0.0 if self.exactly else max(by.hand * self.hand.reading, by.mm)
 
     @property
     def sharp(self) -> Reader:
         """Who reads the same drawing, but coordinates without a slip."""
-        return self._replace(points="exact")
+        return self._replace(exactly=True)
 
     def chance(self, key: str, shape: tuple[int, int]) -> Reals:
         """Return standard normal numbers of a stream of their own."""
@@ -95,10 +104,20 @@ class Reader(NamedTuple):
         """Return points (trial, position) as their coordinates are read."""
         wide = (spot.shape[0], 2 * spot.shape[1])
         spot = spot + self.pointing * self.chance(key, wide).view(np.complex128)
-        if self.points != "paper":
-            return spot
+        if self.points != "paper" or self.exactly:
+            return self._from_pole(spot, key.partition("|")[0])
         parts = np.ascontiguousarray(spot).view(np.float64)  # 1j · NaN would warn
         return np.asarray(self.hand.read(parts)).view(np.complex128)
+
+    def _from_pole(self, spot: np.ndarray, plan: str) -> np.ndarray:
+        """Return points of a plan with what its pole and its scale factor, common to all of them, are off."""
+        by = POINTS[self.points]
+        if by.scale:
+            spot = spot * (1.0 + by.scale * self.chance(f"scale|{plan}", (spot.shape[0], 1)))
+        if by.pole:
+            wide = (spot.shape[0], 2 * spot.shape[1])
+            spot = spot - by.pole * self.chance(f"pole|{plan}", wide).view(np.complex128)
+        return spot
 
 
 def reader(scene: Scene, hand: Hand, points: str) -> Reader:

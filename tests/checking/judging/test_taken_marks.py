@@ -14,7 +14,7 @@ from support.trials import checks
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking import check as check_module
-from graphic_tmm.checking.cells import Cell, cells
+from graphic_tmm.checking.cells import Cell, cells, points
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.judging.judge import judge
 from graphic_tmm.checking.judging.scatter import Limits, limited
@@ -215,7 +215,7 @@ def test_a_flywheel_a_hundredth_of_what_is_due_is_wrong_by_a_clumsy_hand() -> No
 def test_points_are_read_as_finely_as_is_told() -> None:
     hand = HANDS["student"]
     slips = {how: reader(scene("sc"), hand, how).pointing for how in POINTS}
-    assert slips == {"paper": hand.reading, "screen": 0.1, "photo": 0.5}
+    assert slips == {"paper": hand.reading, "screen": 0.1, "photo": 0.5, "own sheet": 0.5}
     wide = reader(scene("sc"), hand, "photo")
     found = wide.pointed(np.zeros((4000, 1), dtype=complex), "a")
     assert np.std(found.real) == pytest.approx(0.5, rel=0.05)
@@ -255,3 +255,27 @@ def test_many_drawings_are_judged_by_one_yardstick_as_one_by_one(tmp_path: Path)
         r.readings for r in checks(scene("sc"), rows, trials=TRIALS)
     ]
     assert together == [check(scene("sc"), one, trials=TRIALS).readings for _, one in rows]
+
+
+def own_sheet_rows(long: float) -> str:
+    """Velocity plans of which pole, scale factor and points are off a little, pa by ``long`` mm in one."""
+    random = np.random.default_rng(8)
+    spots = {key: z for key, z in points(drawn("sc")).items() if key[0] == "velocities"}
+    poles = {n: 0.3 * complex(*random.standard_normal(2)) for _, _, n in spots}
+    rows = ""
+    for (plan, letter, n), z in spots.items():
+        slip = 0.1 * complex(*random.standard_normal(2))
+        z *= 1.01 if letter != "a" or n != "3" else 1.01 + long / abs(z)
+        z += slip + poles[n]
+        rows += f"{plan},{n},{letter},,,,{z.real:.2f},{z.imag:.2f}\n"
+    return rows
+
+
+@pytest.mark.parametrize(("long", "wrong"), [(0.9, []), (5.0, ["3"])])
+def test_what_is_common_to_a_clicked_plan_is_nobodys_mistake(
+    long: float, wrong: list[str], tmp_path: Path
+) -> None:
+    scales = ["velocities=scene"]
+    report = checked("sc", own_sheet_rows(long), tmp_path, points="own sheet", scales=scales)
+    off = [one.taken.position for one in report.readings if one.verdict == WRONG]
+    assert off == wrong
