@@ -183,7 +183,9 @@ def formulas(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         change = Change(step._replace(op=one.op))
         if is_product(step.op) and one.family != SENSE:
             change = Change(step._replace(op=with_sense(one.op, step.op)))
-        key = (family, step.op.name, one.op.formula)
+        key: Key = (family, step.op.name, one.op.formula)
+        if only_scales and step.it.role and one.family == LEFT_OUT:
+            key = (family, step.it.role, *(mark.slot for mark in marks))
         text = one.op.formula
         yield key, at_step(step, family, words.FORMULA, change, formula=text, usual=usual)
     scales = [(k, m) for k, m in enumerate(step.uses) if is_scale(m)]
@@ -211,7 +213,9 @@ def factors(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         (LEFT_OUT, step.op.name),
         at_step(step, LEFT_OUT, words.LEFT_OUT, Change(step, factor=0.0)),
     )
-    key: Key = (roles.INERTIA,) if step.it.role == roles.INERTIA else (SENSE, step.op.name)
+    key: Key = (SENSE, step.op.name)
+    if step.it.role == roles.INERTIA and scope.alone(step.it):
+        key = (roles.INERTIA, Number)  # of a couple; a force is turned with its line
     yield key, at_step(step, SENSE, words.SENSE, Change(step, factor=-1.0))
 
 

@@ -16,6 +16,7 @@ import numpy as np
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.grammar import Operation
+from graphic_tmm.board.operations.graphs import halve
 from graphic_tmm.board.operations.instruments import (
     lay_off,
     measure_along,
@@ -23,7 +24,8 @@ from graphic_tmm.board.operations.instruments import (
     similar,
     square,
 )
-from graphic_tmm.board.record import Construction, Step
+from graphic_tmm.board.operations.statics import arm
+from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Side
 from graphic_tmm.checking.mutations import calculated, words
 from graphic_tmm.checking.mutations.calculated import is_product, with_sense
@@ -66,6 +68,10 @@ def mutations(log: Construction, wanted: Iterable[Step] | None = None) -> Iterat
             yield one
             if key:
                 together[key].append(one)
+            if key[:1] == (roles.INERTIA,):
+                together[key[:1]].append(one)  # forces and couples of inertia alike
+    if len([key for key in together if key[:1] == (roles.INERTIA,)]) == 2:
+        del together[roles.INERTIA,]  # nothing but what the other has
     for some in together.values():
         plans: dict[str, list[Mutation]] = defaultdict(list)
         for one in some:
@@ -87,6 +93,7 @@ def _of(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         _before,
         _exchanged,
         _openings,
+        _zeros,
         _directions,
         _meetings,
         calculated.formulas,
@@ -116,9 +123,40 @@ def _operands(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
                 other = Change(step._replace(op=with_sense(step.op, step.op), uses=uses))
             usual = 1.0 if now.view == was.view else UNUSUAL
             one = at_step(step, family, says, other, was=was, now=now, usual=usual)
-            yield (), one
+            yield _everywhere(step, k, now, scope), one
             if family == START and (measured := scope.measured(step, was, now)):
                 yield (), one._replace(changes={**one.changes, **measured})
+
+
+def _everywhere(step: Step, k: int, now: Mark, scope: Scope) -> Key:
+    """Return by what another point is taken in several steps: for moments, for the middles of intervals."""
+    was, made = step.uses[k], scope.step(step.uses[k])
+    if was.kind is not Point:
+        return ()
+    if step.op is arm and k == 0:
+        return (OPERAND, arm.name, was.slot, now.slot)
+    if made is not None and made.op is halve and now in made.uses:
+        return (START, halve.name, step.op.name, made.uses.index(now))
+    return ()
+
+
+def _zeros(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
+    """What a graph lays off at its stations is counted from what it is at another of them."""
+    on_graph = scope.rows.get(step.it.view, 0)
+    drawn = any(was.kind is Length and was.view != step.it.view for was in step.uses)
+    if step.it.kind is Length and step.op.formula and drawn:
+        for place in range(1, on_graph):
+            change = Change(step._replace(op=_counted_from(step.op, place)))
+            yield (), at_step(step, START, words.ANOTHER_ZERO, change, times=float(place))
+
+
+@cache
+def _counted_from(op: Operation, place: int) -> Operation:
+    def run(*values: Any) -> Any:
+        found = op.run(*values)
+        return found - found[:, place : place + 1]
+
+    return op._replace(run=run)
 
 
 def _segments(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
@@ -173,8 +211,8 @@ def _exchanged(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     """Two marks of one kind are taken for one another."""
     if step.op is similar or step.op.across or step.op.formula:
         pairs: Iterable[tuple[int, int]] = ((0, 1), (2, 3)) if step.op is similar else ()
-    elif step.it.kind is Line and step.op.takes.count(Point) == 2:
-        first, second = (k for k, kind in enumerate(step.op.takes) if kind is Point)
+    elif step.it.kind is Line and step.op.takes.count(Point) >= 2:
+        first, second = [k for k, kind in enumerate(step.op.takes) if kind is Point][-2:]
         pairs = ((first, second),)
     else:
         pairs = ()
@@ -183,7 +221,9 @@ def _exchanged(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         uses[j], uses[k] = uses[k], uses[j]
         change = Change(step._replace(uses=tuple(uses)))
         family = WRONG_END if step.op is similar else SENSE
-        key = (family, step.op.name, j) if step.it.role != roles.INERTIA else (roles.INERTIA,)
+        key: Key = (family, step.op.name, j)
+        if step.it.role == roles.INERTIA:
+            key = (roles.INERTIA, Line)
         says = words.LETTERS if step.op is similar else words.SENSE
         yield key, at_step(step, family, says, change, was=step.uses[j], now=step.uses[k])
     if step.op is similar:

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.operations.instruments import measure, measure_along
 from graphic_tmm.board.record import Construction, Mark, Step
@@ -153,6 +154,15 @@ class Scope:
                 for mark in step.uses:
                     self.readings[mark.slot].append(step)
         self.given = {mark.slot for mark in log.given}
+        self.rows: dict[str, int] = {}
+        """How many positions a graph has, by the views in which stations are given."""
+        stations = {mark.view for mark in log.given if mark.role == roles.STATION}
+        self.lines: dict[Key, list[Mark]] = defaultdict(list)
+        for step in log.steps:
+            if step.it.view in stations and "row" in step.choice:
+                self.rows[step.it.view] = step.choice["row"]
+            if step.it.kind is Line:
+                self.lines[self._made_as(step)].append(step.it)
         self.scales = [mark for mark in log.given if is_scale(mark)]
         made = {step.it.slot: k for k, step in enumerate(log.steps)}
         self.turn = {mark.slot: made.get(mark.slot, -1) for row in self.of.values() for mark in row}
@@ -166,8 +176,26 @@ class Scope:
         else:
             found = self.of[mark.kind, mark.view]
             if mark.kind is Line and view != mark.view:
-                found = [*found, *self.of[mark.kind, view]]
+                found = [*found, *self.of[mark.kind, view], *self._alike(mark, view)]
         return [one for one in found if self.turn[one.slot] < before and one.slot != mark.slot]
+
+    def _alike(self, line: Mark, view: str) -> list[Mark]:
+        """Return the lines that were drawn as a line on a graph is, on other graphs: chords, tangents."""
+        made = self.steps.get(line.slot)
+        key = self._made_as(made) if made is not None else ()
+        found = self.lines[key] if len(key) > 1 else []
+        return [one for one in found if one.view not in (line.view, view)]
+
+    def _made_as(self, step: Step) -> Key:
+        """Return by what operation a step is made, and by what it uses of other positions."""
+        by = (self.steps.get(mark.slot) for mark in step.uses)
+        return (step.op.name, *(one.op.name for one in by if one is not None and one.op.across))
+
+    def alone(self, quantity: Mark) -> bool:
+        """Whether no line bears the letter of a quantity: a couple, not a force."""
+        return all(
+            mark.letter.strip("()") != quantity.letter for mark in self.of[Line, quantity.view]
+        )
 
     def measured(self, line: Step, was: Mark, now: Mark) -> dict[int, Change]:
         """Return what is measured from a line's start, from another one: who draws from there measures so."""

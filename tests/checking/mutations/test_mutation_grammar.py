@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from support.gallery import exact
+from support.own_told import checker
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.grammar import OPERATIONS, operation
 from graphic_tmm.board.operations.instruments import lay_off, ray
@@ -20,6 +22,7 @@ from graphic_tmm.checking.mutations.mutation import (
     MEETING,
     OPERAND,
     SCALE,
+    START,
     TABLE,
     Mutation,
     measured_last,
@@ -176,3 +179,46 @@ def test_what_is_given_may_be_misread(name: str) -> None:
         for ms in free(board.construction, board.given)
         for m in ms
     )
+
+
+def _of_forces() -> list[Mutation]:
+    (board,) = checker("frc").made.boards
+    return list(mutations(measured_last(board.construction)))
+
+
+def test_inertia_forces_are_turned_all_at_once_each_by_its_line_alone() -> None:
+    """A force turned in its size and in its line would stand as it should."""
+    found = [one for one in _of_forces() if one.wide and one.family == mutation.SENSE]
+    turned = [one for one in found if one.at is not None and one.at.it.role == roles.INERTIA]
+    letters = [sorted(change.step.it.letter for change in one.changes.values()) for one in turned]
+    forces = ["(P_{i2})", "(P_{i3})"]
+    assert forces in letters
+    assert ["(P_{i2})", "(P_{i3})", "M_{i2}"] in letters
+    assert all(len({name.strip("()") for name in some}) == len(some) for some in letters)
+
+
+def test_moments_are_taken_about_another_point_all_at_once() -> None:
+    found = [one for one in _of_forces() if one.wide and one.family == OPERAND]
+    about = [one for one in found if one.was is not None and one.was.letter == "B"]
+    names = {one.now.letter for one in about if one.now is not None and len(one.changes) == 2}
+    assert "A" in names
+
+
+def test_ordinates_are_counted_from_another_zero() -> None:
+    """The displacement alone is so: by as many zeros as there are other positions."""
+    found = [one for one in _of_forces() if one.family == START and "zero" in str(one.says)]
+    assert [one.times for one in found] == [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]
+    assert {one.at.it.letter for one in found if one.at is not None} == {"y_S"}
+    (change,) = found[2].changes.values()
+    row = np.array([[1.0, 5.0, 2.0, 7.0]])
+    shifted = change.step.op.run(row, np.array([[1.0]]), np.array([[1.0]]))
+    assert shifted.tolist() == [[-6.0, -2.0, -5.0, 0.0]]
+
+
+def test_chords_are_those_of_another_graph_or_stand_at_ends_of_intervals() -> None:
+    found = _of_forces()
+    chords = [one for one in found if one.now is not None and one.now.letter == "(s,s+1)"]
+    assert "diagram a" in {one.at.it.view for one in chords if one.at is not None}
+    ends = [one for one in found if one.wide and one.family == START and one.was is not None]
+    feet = [(one.was.letter, one.now.letter) for one in ends if one.was and one.now]
+    assert ("m", "i") in feet
