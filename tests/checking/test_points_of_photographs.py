@@ -227,3 +227,4 @@ def test_clicked_plans_are_judged_in_the_scale_factor_that_they_were_read_in() -
     assert report.readings[0].due == pytest.approx(37.85, abs=0.01)
     assert report.head == ()
     assert {one.due for one in report.scales} == {0.2}
+    assert [one.family for one in report.mistakes] == ["sense"]

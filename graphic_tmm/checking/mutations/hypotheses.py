@@ -35,7 +35,7 @@ UNEXPLAINED = 0.03
 """No name is given that leaves a larger share of the readings beyond what a hand does."""
 THOUSANDTH = 3.09
 """Of a normal distribution one of a thousand is farther off, standard deviations."""
-ALIKE = 0.5
+ALIKE = 0.6
 """Mistakes whose likelihoods differ by no more at any position (natural logarithm) no reading tells apart."""
 
 
