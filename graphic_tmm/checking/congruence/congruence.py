@@ -36,6 +36,7 @@ from graphic_tmm.checking.congruence.witnesses import (
     OWN,
     PLENTY,
     Verdict,
+    fitting,
     of_siblings,
     verdict,
 )
@@ -140,7 +141,7 @@ class Congruence:
         for group, read in sorted(lengths.items(), key=lambda one: self._order(one[0])):
             others = self._of_positions(group, lengths, found)
             found[group] = verdict(group, read, rates.get(group.plan, ()), others)
-        found = _shared(self._not_copied(found), lengths)
+        found = _shared(self._not_spoilt(self._not_copied(found), lengths), lengths)
         found |= {g: _as_stated(s, found.get(g, Verdict())) for g, s in given.items()}
         times = {group: one.times for group, one in found.items() if one.times != 1.0}
         places = {group: dict(one.places) for group, one in found.items() if one.places}
@@ -245,6 +246,24 @@ class Congruence:
         if len(mere) > 1 and max(map(abs, ratios)) <= COPY and np.ptp(ratios) <= 2 * ALIKE:
             near = set(mere)
         return {g: Verdict(among=v.among) if g in near else v for g, v in found.items()}
+
+    def _not_spoilt(
+        self, found: Mapping[Group, Verdict], lengths: Mapping[Group, Sequence[Read]]
+    ) -> dict[Group, Verdict]:
+        """Return the scale factors without those of graphs and forces that may follow from a wrong plan."""
+        fine = all(
+            fitting(lengths[group], one.times)
+            for group, one in found.items()
+            if group.plan in self._plans and len(lengths[group]) > PLENTY
+        )
+        if fine:
+            return dict(found)
+        mere = {
+            group
+            for group, one in found.items()
+            if group.plan not in self._plans and one.by in ("round", "lengths")
+        }
+        return {g: Verdict(among=v.among) if g in mere else v for g, v in found.items()}
 
     def _scale(self, group: Group, one: Verdict) -> OwnScale:
         symbol, mark = self.remaking.symbol(group), self.remaking.factor(group)

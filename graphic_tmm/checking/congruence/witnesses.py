@@ -144,6 +144,11 @@ def _fitted(lengths: Sequence[Read], k: float) -> tuple[float, float]:
     return times, (2.0 if near[0].apart else 1.0) * 0.9 / (times * math.sqrt(squares))
 
 
+def fitting(lengths: Sequence[Read], times: float) -> bool:
+    """Whether lengths are so many times as long as due, most of them."""
+    return _agreeing(lengths, math.log(times)) >= ALONE * len(lengths)
+
+
 def of_siblings(group: Group, lengths: Sequence[Read], mu: float, by: Verdict) -> Verdict | None:
     """Return the verdict on a group whose lengths fit the scale factor of another of its plan, not the due one.
 
