@@ -11,7 +11,7 @@ from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.judging.scatter import Limits
-from graphic_tmm.checking.own_sheet.clicked import FACTOR, ClickedPlan, OwnScale, scale_notes
+from graphic_tmm.checking.own_sheet.clicked import FACTOR, ClickedPlan, ClickedScale, scale_notes
 from graphic_tmm.checking.own_sheet.plans import read_clicked
 from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import Name, views
@@ -55,7 +55,7 @@ class Photographed(NamedTuple):
     found: PhotoPoints
     taken: tuple[Taken, ...]
     scene: Scene | None = None
-    scales: tuple[OwnScale, ...] = ()
+    scales: tuple[ClickedScale, ...] = ()
     sight: Sight | None = None
     plans: tuple[Drawing, ...] = ()
 

@@ -8,7 +8,7 @@ import pytest
 from support.command import invoke
 
 from graphic_tmm.checking.judging.scatter import Limits
-from graphic_tmm.checking.own_sheet.clicked import OwnScale, scene_in
+from graphic_tmm.checking.own_sheet.clicked import ClickedScale, scene_in
 from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE
 from graphic_tmm.checking.pencil.reading import PhotoPoints, Point, readings
 from graphic_tmm.checking.photographed import (
@@ -215,7 +215,7 @@ REVERSED = {
 
 def test_clicked_plans_are_judged_in_the_scale_factor_that_they_were_read_in() -> None:
     scene = read(Path(__file__).parents[1] / "cases" / "check" / "rpr.toml")
-    scale = OwnScale("accelerations", 0.317, 0.2, "m/s²/mm")
+    scale = ClickedScale("accelerations", 0.317, 0.2, "m/s²/mm")
     taken = [
         Taken("accelerations", "1", letter, x=z.real, y=z.imag, line=n)
         for n, (letter, z) in enumerate(REVERSED.items(), 2)

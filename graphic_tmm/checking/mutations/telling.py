@@ -104,7 +104,7 @@ AT_POSITION = said("{told}, at position {position} only")
 EVERY = said("{told}; in every such step")
 UNKNOWN_NAME = said("no known mistake")
 UNKNOWN_SAYS = said("no known mistake explains what is wrong: look at {plan}, step {step}: {it}")
-BEGIN_SAYS = said("no known mistake explains what is wrong: begin with {segment}")
+BEGIN_SAYS = said("no known mistake explains what is wrong: begin with {segment} ({plan})")
 SLIP_NAME = said("slip of a reading")
 SLIP_SAYS = said("only {segment} is off: this reading was read or written down amiss")
 SLIP_TEN = said("only {segment} is off: its decimal point has perhaps slipped")
@@ -357,9 +357,10 @@ def _unknown(diagnosis: Diagnosis, drawing: Comparison, speech: Speech) -> tuple
     if step is None or drawing.made.mechanism is None:
         own = [one for one in diagnosis.wrong if one.follows is None]
         first = (diagnosis.left or own or diagnosis.wrong)[0]
-        _, segment, at = first.taken.key
-        says = speech(BEGIN_SAYS, segment=f"{segment} ({at})" if at else segment)
-        found = Likely(name, says, (), count, 1.0, kind=UNKNOWN, plan=first.taken.plan)
+        plan, segment, at = first.taken.key
+        of = f"{segment} ({at})" if at else segment
+        says = speech(BEGIN_SAYS, segment=of, plan=view_name(plan, language))
+        found = Likely(name, says, (), count, 1.0, kind=UNKNOWN, plan=plan)
         return (found._replace(segment=segment, step=first.step),)
     says = speech(
         UNKNOWN_SAYS,

@@ -47,7 +47,7 @@ class ClickedPlan(NamedTuple):
     first: complex | None = None
 
 
-class OwnScale(NamedTuple):
+class ClickedScale(NamedTuple):
     """A student's own scale factor, SI per mm, beside the scene's; by what his plans may be turned."""
 
     plan: str
@@ -90,7 +90,7 @@ def plans_of(given: Iterable[str]) -> tuple[ClickedPlan, ...]:
     return tuple(found)
 
 
-def own_scales(made: DrawnScene, clicked: Sequence[ClickedPlan]) -> dict[str, OwnScale]:
+def own_scales(made: DrawnScene, clicked: Sequence[ClickedPlan]) -> dict[str, ClickedScale]:
     """Return the scale factors that plans were drawn with, by plan; ``clicked``: mm on the sheet.
 
     All plans of a kind share one: the median of what their first vectors say.
@@ -100,7 +100,7 @@ def own_scales(made: DrawnScene, clicked: Sequence[ClickedPlan]) -> dict[str, Ow
     }
 
 
-def _scale(made: DrawnScene, plan: str, clicked: Sequence[ClickedPlan]) -> OwnScale:
+def _scale(made: DrawnScene, plan: str, clicked: Sequence[ClickedPlan]) -> ClickedScale:
     assert made.mechanism is not None
     scale = made.mechanism.scales[plan]
     due = points(made)
@@ -114,12 +114,12 @@ def _scale(made: DrawnScene, plan: str, clicked: Sequence[ClickedPlan]) -> OwnSc
             firsts.append(one.first - one.pole)
             ratios.append(firsts[-1] / at)
     if not ratios:
-        return OwnScale(plan, scale.value, scale.value, scale.unit)
+        return ClickedScale(plan, scale.value, scale.value, scale.unit)
     times = float(np.median(np.abs(ratios)))
     long = float(np.median([abs(one) for one in firsts])) * len(firsts) ** 0.5
     near = min(max(DEVIATIONS * SLIP / long, LEAST), MOST)
     mu = scale.value if abs(math.log(times)) < near else _rounded(scale.value / times, near)
-    return OwnScale(plan, mu, scale.value, scale.unit, _turns(ratios))
+    return ClickedScale(plan, mu, scale.value, scale.unit, _turns(ratios))
 
 
 def first_letter(made: DrawnScene, plan: str) -> str:
@@ -153,7 +153,7 @@ def _rounded(mu: float, near: float) -> float:
     return float(f"{mu:.4g}")
 
 
-def scene_in(scene: Scene, scales: Mapping[str, OwnScale]) -> Scene:
+def scene_in(scene: Scene, scales: Mapping[str, ClickedScale]) -> Scene:
     """Return a scene that is drawn with a student's own scale factors."""
     changed = scene.scales
     for plan, scale in scales.items():
@@ -169,7 +169,7 @@ JUDGED_BY = said(
 TURNED = said("{name}: drawn turned by {turn}°")
 
 
-def scale_notes(scales: Iterable[OwnScale], language: str) -> tuple[str, ...]:
+def scale_notes(scales: Iterable[ClickedScale], language: str) -> tuple[str, ...]:
     """Return what is said of a student's own scale factors and turns, as they were found."""
     speech, told = speaking(language), []
     for one in scales:

@@ -13,7 +13,7 @@ from graphic_tmm.board.values import Complexes
 from graphic_tmm.checking.own_sheet.alternatives import Alternatives, agreement, moved
 from graphic_tmm.checking.own_sheet.clicked import (
     ClickedPlan,
-    OwnScale,
+    ClickedScale,
     first_letter,
     own_scales,
     scene_in,
@@ -80,7 +80,7 @@ class OwnPlans(NamedTuple):
 
     made: DrawnScene
     found: PhotoPoints
-    scales: tuple[OwnScale, ...]
+    scales: tuple[ClickedScale, ...]
     plans: tuple[Drawing, ...]
 
 
@@ -126,7 +126,7 @@ def _as_seen(clicked: ClickedPlan, read: OwnPlan, letter: str) -> ClickedPlan:
 class _Drawing:
     """A scene as a student's scale factors draw it, and its plans as they may have been drawn."""
 
-    def __init__(self, made: DrawnScene, scales: Mapping[str, OwnScale], hand: Hand) -> None:
+    def __init__(self, made: DrawnScene, scales: Mapping[str, ClickedScale], hand: Hand) -> None:
         scene = scene_in(made.scene, scales)
         self.made = made if scene is made.scene else make(scene, exact=True)
         assert self.made.mechanism is not None
