@@ -26,6 +26,7 @@ from graphic_tmm.checking.lessons.lessons import Teacher
 from graphic_tmm.checking.mutations.diagnosis import diagnosed
 from graphic_tmm.checking.mutations.mistaken_scene import mistaken_scenes
 from graphic_tmm.checking.mutations.mistakes import Mistakes
+from graphic_tmm.checking.mutations.scaling import Scaling
 from graphic_tmm.checking.mutations.telling import likely_mistakes
 from graphic_tmm.checking.mutations.unseen import Unseen, told_unseen
 from graphic_tmm.checking.readings.letters import letter_near
@@ -259,7 +260,8 @@ class Checker:
         parts = [part for taken in agreed.rows for part in taken.parts()]
         compared = Comparison(bench.made, parts, by, worse_of([one.times for one in judged]))
         small = groups(bench.made, judged, by)
-        diagnosis = diagnosed(bench.mistakes, compared, judged, rare=bool(small or whole))
+        rare, scaling = bool(small or whole), Scaling.of(agreed.scales)
+        diagnosis = diagnosed(bench.mistakes, compared, judged, rare=rare, scaling=scaling)
         found = likely_mistakes(diagnosis, compared, language)
         wrongly = mistaken_scenes(found, diagnosis, bench.made)
         if any(one.kind in (MISTAKE, INSTRUMENT) and sure(one) for one in found):

@@ -53,6 +53,7 @@ from graphic_tmm.checking.mutations.refinement import (
     reweighed,
     scatters_of,
 )
+from graphic_tmm.checking.mutations.scaling import Scaling
 from graphic_tmm.checking.records import FINE, WRONG, Judged
 
 A_NUMBER = 0.01
@@ -209,11 +210,17 @@ class Diagnosis(NamedTuple):
 
 
 def diagnosed(
-    mistakes: Mistakes, drawing: Comparison, judged: Sequence[Judged], *, rare: bool
+    mistakes: Mistakes,
+    drawing: Comparison,
+    judged: Sequence[Judged],
+    *,
+    rare: bool,
+    scaling: Scaling | None = None,
 ) -> Diagnosis:
     """Return what happened to a drawing; nothing where chance is enough: no mistake is looked for then.
 
-    ``rare``: readings, none of them wrong, are together farther off than chance brings about.
+    ``rare``: readings, none of them wrong, are together farther off than chance brings about; ``scaling``: what
+    is known of scale factors, None where all are the scene's.
     """
     wrong = tuple(one for one in judged if one.verdict == WRONG)
     if not wrong and not rare:
@@ -230,6 +237,7 @@ def diagnosed(
     written = of_written(readings, mistakes.base_of(0), readings.least)
     found += [one for one in written if not slip_alone(one, rest)]
     said = _said(readings, mistakes, found, rest)
+    said = said if scaling is None else scaling.weighed(said)
     if not said and wrong:
         likely = perhaps(readings, found, rest)
         said = () if likely is None else (likely,)
@@ -312,8 +320,8 @@ def _of_board(
         drawn = [one for one in readings.columns if one.taken.mm is not None]
         others = [one for one in readings.columns if one.taken.mm is None]
         rest.scores += scores(column_multiples(others), A_NUMBER)
-        rest.scores += scores(column_multiples(drawn), OWN_SCALE)
-        rest.scores += scores(column_multiples(drawn, whole=True), OWN_SCALE)
+        rest.scores += scores(column_multiples(drawn, own=True), OWN_SCALE)
+        rest.scores += scores(column_multiples(drawn, whole=True, own=True), OWN_SCALE)
     yield from of_board(number, some, evidence, offered.shares)
     if number == 0 or offered.made.mechanism is None:
         free, told_free = fitted(readings, offered)

@@ -315,8 +315,13 @@ def column_readings(drawing: Comparison, marked: Sequence[Taken]) -> list[Readin
     return found
 
 
-def column_multiples(rows: Sequence[Reading], *, whole: bool = False) -> list[float]:
-    """Return what the readings of each segment, or ``whole`` plan, gain by being so many times what is due."""
+def column_multiples(
+    rows: Sequence[Reading], *, whole: bool = False, own: bool = False
+) -> list[float]:
+    """Return what the readings of each segment, or ``whole`` plan, gain by being so many times what is due.
+
+    ``own``: by a scale factor of the student's own.
+    """
     segments: dict[tuple[str, str, bool], list[Reading]] = {}
     for one in rows:
         if not one.beside and not one.taken.pointed:
@@ -330,7 +335,8 @@ def column_multiples(rows: Sequence[Reading], *, whole: bool = False) -> list[fl
             [float(apart(one.found.real, one.due.real, one.taken.signed)) for one in some]
         )
         scatter = np.array([one.scatter for one in some])
-        found.append(multiple(read, due, scatter, np.abs(read), max(one.mm for one in some)))
+        mm = max(one.mm for one in some)
+        found.append(multiple(read, due, scatter, np.abs(read), mm, own=own))
     return found
 
 

@@ -121,11 +121,14 @@ DECADES = float(2.0 * np.log(10.0))
 """The number is of these orders of magnitude (natural logarithm)."""
 
 
-def multiple(found: Array, due: Array, scatter: Array, figure: Array, mm: float) -> float:
+def multiple(
+    found: Array, due: Array, scatter: Array, figure: Array, mm: float, *, own: bool = False
+) -> float:
     """Return what readings gain, (logarithm) by being so many times as large as is due; 0 where they are few.
 
     All of one segment, (position,), NaN where it was not read. The number is the likeliest; what is lost by its
-    being any other is Laplace's: the width of its peak against all that it may be.
+    being any other is Laplace's: the width of its peak against all that it may be. ``own``: the number is of a
+    scale factor, which has no sign to reverse.
     """
     size = size_of(scatter, figure, mm)
     known = np.isfinite(found + due + size) & (np.abs(due) > size)
@@ -134,6 +137,8 @@ def multiple(found: Array, due: Array, scatter: Array, figure: Array, mm: float)
     found, due, size, figure, scatter = (one[known] for one in (found, due, size, figure, scatter))
     weights = np.abs(due / size)
     times = _median(found / due, weights)
+    if times <= 0.0 and own:
+        return 0.0
     size_now = size_of(scatter, figure, mm, (times - 1.0) * due)
     width = 1.0 / float(np.sqrt(np.sum((due / size_now) ** 2)))
     cost = np.log(np.sqrt(2.0 * np.pi) * width / max(abs(times), width)) - np.log(DECADES)

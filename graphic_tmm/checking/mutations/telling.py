@@ -15,7 +15,7 @@ from graphic_tmm.checking.mutations.diagnosis import Diagnosis
 from graphic_tmm.checking.mutations.evidence import Readings
 from graphic_tmm.checking.mutations.execution import executed
 from graphic_tmm.checking.mutations.explaining import explained
-from graphic_tmm.checking.mutations.hypotheses import SURE, UNSURE, Hypothesis
+from graphic_tmm.checking.mutations.hypotheses import REPEATED, SURE, UNSURE, Hypothesis
 from graphic_tmm.checking.mutations.mistakes import NONE
 from graphic_tmm.checking.mutations.mutation import (
     CRANK,
@@ -109,6 +109,7 @@ SLIP_NAME = said("slip of a reading")
 SLIP_SAYS = said("only {segment} is off: this reading was read or written down amiss")
 SLIP_TEN = said("only {segment} is off: its decimal point has perhaps slipped")
 SLIP_BESIDE = said("by itself {segment} is off, too: this reading was read or written down amiss")
+SLIP_OR_BEFORE = said("{segment} is off, or what it is found from: no other reading tells which")
 SLIP_TEN_BESIDE = said("by itself {segment} is off, too: its decimal point has perhaps slipped")
 ABOUT = said("the readings of {where} are about {times} times as large as they should be")
 HALF_A_TURN = 180.0
@@ -131,7 +132,7 @@ def likely_mistakes(diagnosis: Diagnosis, drawing: Comparison, language: str) ->
     alone = len({one.taken.key for one in roots}) == 1
     sure = [row for row in diagnosis.named if row[1] >= SURE]
     if alone and not sure and _tenfold(roots[0]):
-        return (_slip(roots, diagnosis, speech),)
+        return (_slip(roots, diagnosis, drawing, speech),)
     found = [_named(group, chance, diagnosis, drawing, speech) for group, chance in diagnosis.named]
     if any(_contradicted(one, diagnosis) for one in found):
         lower = [one._replace(chance=min(one.chance, UNSURE)) for one in found]
@@ -141,7 +142,8 @@ def likely_mistakes(diagnosis: Diagnosis, drawing: Comparison, language: str) ->
         return tuple(found)
     unknown = _unknown(diagnosis, drawing, speech)
     slip = alone and not (unknown and roots[0].taken.key in diagnosis.followed)
-    return (*found, *((_slip(roots, diagnosis, speech),) if slip else unknown))
+    told = (_slip(roots, diagnosis, drawing, speech),) if slip else unknown
+    return (*found, *told)
 
 
 def _contradicted(one: Likely, diagnosis: Diagnosis) -> bool:
@@ -319,14 +321,18 @@ def _called(mark: Mark, language: str) -> str:
     return spoken(mark, language) or view_name(mark.view, language)
 
 
-def _slip(wrong: Sequence[Judged], diagnosis: Diagnosis, speech: Speech) -> Likely:
+def _slip(
+    wrong: Sequence[Judged], diagnosis: Diagnosis, drawing: Comparison, speech: Speech
+) -> Likely:
     one = wrong[0]
     tenfold, key = _tenfold(one), one.taken.key
     off = (*diagnosis.wrong, *diagnosis.doubtful)
     only = all(each.taken.key == key or each.follows is not None for each in off)
     alone, beside = (SLIP_TEN, SLIP_TEN_BESIDE) if tenfold else (SLIP_SAYS, SLIP_BESIDE)
     place = "" if only or not one.taken.position else f" ({one.taken.position})"
-    says = speech(alone if only else beside, segment=one.taken.segment + place)
+    certain = tenfold or _only_read_amiss(one, diagnosis, drawing)
+    sentence = (alone if only else beside) if certain else SLIP_OR_BEFORE
+    says = speech(sentence, segment=one.taken.segment + place)
     lines = tuple(dict.fromkeys(each.taken.line for each in wrong))
     return Likely(
         speech(SLIP_NAME),
@@ -340,8 +346,26 @@ def _slip(wrong: Sequence[Judged], diagnosis: Diagnosis, speech: Speech) -> Like
         segment=one.taken.segment,
         position=one.taken.position,
         step=one.step,
-        chance=1.0,
+        chance=1.0 if certain else UNSURE,
     )
+
+
+def _only_read_amiss(one: Judged, diagnosis: Diagnosis, drawing: Comparison) -> bool:
+    """Whether fine readings, of other positions or found from it, say that a figure was only read amiss."""
+    key, step = one.taken.key, drawing.step(one.taken)
+    off = {each.taken.key for each in (*diagnosis.wrong, *diagnosis.doubtful)}
+    fine = [taken for taken in drawing.rows if taken.key not in off]
+    again = {taken.position for taken in fine if taken.key[:2] == key[:2]}
+    if len(again) >= REPEATED:
+        return True
+    if step is None or drawing.made.mechanism is None:
+        return False
+    slots = {step.it.slot}
+    for each in drawing.made.mechanism.construction.steps:
+        if any(mark.slot in slots for mark in each.uses):
+            slots.add(each.it.slot)
+    here = [drawing.step(taken) for taken in fine if taken.position == one.taken.position]
+    return any(each is not None and each.it.slot in slots for each in here)
 
 
 def _tenfold(one: Judged) -> bool:

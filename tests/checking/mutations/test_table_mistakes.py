@@ -8,7 +8,7 @@ from functools import cache
 import pytest
 from support.gallery import CASES
 
-from graphic_tmm.checking.check import Checker
+from graphic_tmm.checking.check import Checker, check
 from graphic_tmm.checking.readings.read import read_readings
 from graphic_tmm.checking.records import Likely, Taken
 from graphic_tmm.scene.read import read
@@ -67,3 +67,16 @@ def test_it_is_told_where_it_was_written(
     assert found.family == family
     assert says in found.says
     assert found.chance >= 0.4
+
+
+@pytest.mark.parametrize("times", [0.87, 1.0, 1.25])
+def test_a_reversed_diagram_is_told_in_whatever_scale(times: float) -> None:
+    """All signs of a are reversed, and it is 1.3, 1.5, 1.9 times as long as due: no scale factor does that."""
+    rows = [
+        one._replace(mm=times * one.mm) if one.segment == "a" and one.mm is not None else one
+        for one in read_readings(CASES / "check" / "reversed_acceleration_diagram_frc.csv")
+    ]
+    first = check(read(CASES / "check" / "frc.toml"), rows).mistakes[0]
+    assert (first.family, first.segment) == ("table", "a")
+    assert "opposite signs" in first.says
+    assert first.chance >= 0.8

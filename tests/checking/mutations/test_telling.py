@@ -6,9 +6,11 @@ import re
 from pathlib import Path
 
 import numpy as np
+import pytest
 from support.gallery import CASES
 from support.own_student.machines import MACHINES
 from support.own_student.student import due_factors, student
+from support.own_told import kind_of, report_of, with_mistake
 
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.readings.read import read_readings
@@ -75,3 +77,27 @@ def test_wrong_figures_of_tables_lead_to_a_finding(tmp_path: Path) -> None:
     last = report.mistakes[-1]
     assert (last.kind, last.plan) == (UNKNOWN, "forces")
     assert last.says.startswith("no known mistake explains what is wrong: begin with R")
+
+
+@pytest.mark.parametrize("name", ["moments about A", "balancing force by the diameter, header"])
+def test_a_result_that_no_other_reading_confirms_is_no_sure_slip(name: str) -> None:
+    """It may be what it was found from: here it is."""
+    report = report_of(with_mistake(kind_of(name), 0))
+    assert not isinstance(report, str)
+    (first, *_) = report.mistakes
+    assert first.kind == "slip"
+    assert first.chance < 0.8
+    assert first.says.endswith("or what it is found from: no other reading tells which")
+
+
+def test_a_reading_among_fine_ones_of_its_segment_is_a_sure_slip() -> None:
+    """An ordinate of S, the signs of a being as they should."""
+    rows = [
+        one._replace(mm=-one.mm) if one.segment == "a" and one.mm is not None else one
+        for one in read_readings(CASES / "check" / "reversed_acceleration_diagram_frc.csv")
+    ]
+    rows = [
+        one._replace(mm=-50.0) if (one.segment, one.position) == ("S", "5") else one for one in rows
+    ]
+    (first,) = check(read(CASES / "check" / "frc.toml"), rows).mistakes
+    assert (first.kind, first.segment, first.chance) == ("slip", "S", 1.0)
