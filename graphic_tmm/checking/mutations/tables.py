@@ -30,6 +30,7 @@ SWAPPED = said("the readings of {one} and {other} are exchanged")
 SWAPPED_AT = said("the readings of {one} and {other} at position {position} are exchanged")
 TIMES = said("the readings of {where} are {times} times as large as they should be")
 OPPOSITE_SIGNS = said("the readings of {where} have the opposite signs")
+OTHER_WAY = said("the {axis} of the points of {where} were counted the other way")
 INVERTED = said("{where}: the lengths were divided by the scale factor instead of multiplied")
 OTHER_SCALE = said("{where}: the lengths were multiplied by the scale factor {now}")
 DEGREES = said("{where}: degrees were written for radians")
@@ -104,7 +105,7 @@ class Variation(NamedTuple):
         says: str,
         rows: Sequence[int],
         factor: complex | NDArray[np.float64],
-        plus: complex | NDArray[np.float64] = 0.0,
+        plus: complex | NDArray[np.float64] | NDArray[np.complex128] = 0.0,
         **told: object,
     ) -> Variation:
         """Return the readings of some rows times a factor, (row,) or one for all, and more by ``plus``."""
@@ -292,6 +293,10 @@ def _times(place: _Together, scales: Callable[[Taken], float]) -> Iterator[Varia
             continue
         if kind == "xy":
             yield place.named.scaled(TIMES, rows, -1.0, times=-1.0)._replace(cost=OPPOSITE)
+            stand = np.array([taken.spot for taken in some])
+            for axis, there in (("x", -stand.conjugate()), ("y", stand.conjugate())):
+                found = place.named.scaled(OTHER_WAY, rows, 1.0, there - stand, axis=axis)
+                yield found._replace(cost=OPPOSITE)
         elif kind == "value" or any(taken.signed for taken in some):
             drawn = all(taken.signed and np.isfinite(scales(taken)) for taken in some)
             cost = UPSIDE_DOWN if drawn else OPPOSITE

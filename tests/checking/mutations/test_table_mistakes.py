@@ -80,3 +80,20 @@ def test_a_reversed_diagram_is_told_in_whatever_scale(times: float) -> None:
     assert (first.family, first.segment) == ("table", "a")
     assert "opposite signs" in first.says
     assert first.chance >= 0.8
+
+
+@pytest.mark.parametrize(
+    ("axis", "there"),
+    [("x", lambda one: one._replace(x=-one.x)), ("y", lambda one: one._replace(y=-one.y))],
+)
+def test_points_of_a_plan_counted_the_other_way_are_told_as_that(
+    axis: str, there: Callable[[Taken], Taken]
+) -> None:
+    """Not as a vector drawn the other way and two positions exchanged, both sure."""
+    rows = [
+        there(one) if one.plan == "accelerations" and one.x is not None else one
+        for one in read_readings(CASES / "check" / "honest_six_points.csv")
+    ]
+    (first,) = checker().of(rows).report.mistakes
+    assert (first.family, first.plan) == ("table", "accelerations")
+    assert first.says.startswith(f"the {axis} of the points")
