@@ -106,7 +106,8 @@ def test_a_diagram_of_reversed_signs_is_named_as_that(mm: bool) -> None:
     first = report.mistakes[0]
     assert (first.kind, first.plan, first.segment) == (MISTAKE, D, "a")
     assert "все знаки обратные" in first.says
-    assert first.chance > (0.8 if mm else 0.6)
+    # a pole on the other side gives the same quantities
+    assert first.chance > (0.8 if mm else 0.5)
 
 
 def test_magnitudes_of_a_diagram_pass() -> None:
