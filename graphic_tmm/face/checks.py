@@ -25,7 +25,7 @@ Readings = (
 """What readings may be taken from."""
 Judge = Literal["cad", "careful", "student"]
 """Hands by whose drawings readings may be judged: those that slip."""
-Way = Literal["paper", "screen", "photo"]
+Way = Literal["paper", "screen", "photo", "own sheet"]
 """How points are read."""
 WIDTH = 110
 """Characters of a line of a printed report."""

@@ -34,6 +34,8 @@ from graphic_tmm.checking.mutations.mutation import (
 
 OTHERS = {"sin": "cos", "cos": "sin", "tan": "sin", "min": "max", "max": "min"}
 """Functions that are taken for one another."""
+FORCE = "N"
+"""The unit of forces: what has another one and is an inertia load is a couple."""
 
 
 class Otherwise(NamedTuple):
@@ -214,7 +216,7 @@ def factors(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         at_step(step, LEFT_OUT, words.LEFT_OUT, Change(step, factor=0.0)),
     )
     key: Key = (SENSE, step.op.name)
-    if step.it.role == roles.INERTIA and scope.alone(step.it):
+    if step.it.role == roles.INERTIA and step.it.unit != FORCE:
         key = (roles.INERTIA, Number)  # of a couple; a force is turned with its line
     yield key, at_step(step, SENSE, words.SENSE, Change(step, factor=-1.0))
 

@@ -191,12 +191,6 @@ class Scope:
         by = (self.steps.get(mark.slot) for mark in step.uses)
         return (step.op.name, *(one.op.name for one in by if one is not None and one.op.across))
 
-    def alone(self, quantity: Mark) -> bool:
-        """Whether no line bears the letter of a quantity: a couple, not a force."""
-        return all(
-            mark.letter.strip("()") != quantity.letter for mark in self.of[Line, quantity.view]
-        )
-
     def measured(self, line: Step, was: Mark, now: Mark) -> dict[int, Change]:
         """Return what is measured from a line's start, from another one: who draws from there measures so."""
         return {
