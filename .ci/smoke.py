@@ -12,11 +12,12 @@ ENDS = "118,3478 4937,3478 4937,30 118,30"
 """Of the frame of an A1 at 150 dots to the inch: 20 mm and 5 mm from its edges."""
 
 
-def run(program: str, *arguments: object) -> str:
-    """Return what a command prints."""
+def run(program: str, *arguments: object, status: int = 0) -> str:
+    """Return what a command prints that ends with a status."""
     command = [program, *map(str, arguments)]
     print("+", *command[1:], flush=True)
-    done = subprocess.run(command, check=True, stdout=subprocess.PIPE, encoding="utf-8")
+    done = subprocess.run(command, check=False, stdout=subprocess.PIPE, encoding="utf-8")
+    assert done.returncode == status, (command, done.returncode)
     return done.stdout
 
 
@@ -47,9 +48,9 @@ def main(program: str, home: Path) -> None:
     short = home / "short.xlsx"
     written = run(program, "check", home / "mine", "--template", "--short", "-o", short)
     assert written.split() == [str(short), str(home / "short.svg")]
-    assert json.loads(run(program, "check", home / "mine", short, "-f", "json"))["readings"] == []
+    run(program, "check", home / "mine", short, "-f", "json", status=2)  # nothing is filled in
     photo = ("--photo", home / "engine.png", "--corners", ENDS, "--overlay", home / "under.svg")
-    assert run(program, "check", "engine", *photo, "-f", "md")
+    assert run(program, "check", "engine", *photo, "-f", "md", status=3)  # not every plan is seen
     assert (home / "under-flat.png").exists()
     run(program, "accuracy", "cam", "--trials", 10, "--no-time", "-o", home)
     (home / "variants.csv").write_text("variant,drive.speed\n1,1100 rpm\n2,1300 rpm\n")
