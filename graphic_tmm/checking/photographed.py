@@ -11,7 +11,12 @@ from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.judging.scatter import Limits
-from graphic_tmm.checking.own_sheet.clicked import FACTOR, ClickedPlan, ClickedScale, scale_notes
+from graphic_tmm.checking.own_sheet.clicked import (
+    ClickedPlan,
+    ClickedScale,
+    may_be_clicked,
+    turn_notes,
+)
 from graphic_tmm.checking.own_sheet.plans import read_clicked
 from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import Name, views
@@ -48,13 +53,12 @@ LETTERS = 2.5
 class Photographed(NamedTuple):
     """What a photograph gave: the points of its plans, the readings of those that were seen.
 
-    ``scene``: as the student's own ``scales`` draw it, None where no plan was clicked;
-    ``sight``: how much was seen; ``plans``: as they were drawn due at clicked poles.
+    ``scales``: those of the student, where plans were clicked; ``sight``: how much was seen; ``plans``: as they
+    were drawn due at clicked poles.
     """
 
     found: PhotoPoints
     taken: tuple[Taken, ...]
-    scene: Scene | None = None
     scales: tuple[ClickedScale, ...] = ()
     sight: Sight | None = None
     plans: tuple[Drawing, ...] = ()
@@ -128,9 +132,7 @@ def photographed(
     there = [_clicked(shown.made, shot, photo.area, one) for one in plans]
     read = read_clicked(shown.made, flat, there, HANDS[hand])
     both = PhotoPoints((*found.points, *read.found.points), (*found.missing, *read.found.missing))
-    return _whole(read.made, both, asked)._replace(
-        scene=read.made.scene, scales=read.scales, plans=read.plans
-    )
+    return _whole(read.made, both, asked)._replace(scales=read.scales, plans=read.plans)
 
 
 def _whole(made: DrawnScene, found: PhotoPoints, asked: Iterable[Pole]) -> Photographed:
@@ -178,7 +180,7 @@ def sight_of(found: PhotoPoints, due: Mapping[Name, complex], asked: Iterable[Po
 def _clicked(made: DrawnScene, shot: Shot, sheet: Box, one: ClickedPlan) -> ClickedPlan:
     """Return a clicked plan where it stands on the sheet, mm."""
     pole = one.plan, one.position
-    if one.plan not in FACTOR or not any((p, n) == pole for p, _, n in points(made)):
+    if not may_be_clicked(made, one.plan) or not any((p, n) == pole for p, _, n in points(made)):
         raise SheetError(
             said(
                 "--plan: there is no plan {plan}, position {position}; plans of velocities and accelerations "
@@ -233,11 +235,11 @@ def judged(
     ``stated``: the scale factors in which plans were drawn, and how they were turned, as for `check`.
     Clicked plans are in the student's own, as he turned them: nothing else is sought for them.
     """
-    own = [one.plan for one in seen.scales]
-    scales = [*(f"{plan}=scene" for plan in own), *stated[0]]
-    turns = [*(f"{plan}=0" for plan in own), *stated[1]]
+    own = seen.scales
+    scales = [*(f"{one.plan}={one.mu if one.another else 'scene'}" for one in own), *stated[0]]
+    turns = [*(f"{one.plan}=0" for one in own), *stated[1]]
     report = check(
-        (seen.scene or scene).spoken_in(scene.language),
+        scene,
         seen.taken,
         hand=hand,
         points="own sheet" if own else "photo",
@@ -249,13 +251,8 @@ def judged(
         source=source,
     )
     asked = questions(seen.found, scene.language)
-    due = {one.plan: one.due for one in seen.scales}
-    told = (one._replace(due=due.get(one.plan, one.due)) for one in report.scales)
-    return report._replace(
-        scales=tuple(told),
-        notes=(*scale_notes(seen.scales, scene.language), *report.notes, *asked),
-        sight=seen.sight,
-    )
+    notes = (*turn_notes(own, scene.language), *report.notes, *asked)
+    return report._replace(notes=notes, sight=seen.sight)
 
 
 def write_seen(file: str, seen: Photographed, language: str) -> tuple[Path, ...]:

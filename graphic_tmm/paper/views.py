@@ -199,14 +199,14 @@ def _above(lines: Sequence[_Line], view: Drawing) -> Drawing:
     return view._replace(labels=tuple(labels), cell=cell, apart=None, foot=foot)
 
 
-_COMMA, _WORD, _SPACE = map(re.compile, (", ", r"(?<!\d) (?=\D)", " "))
+_COMMA, _WORD, _SPACE = map(re.compile, (", ", r"(?<![\d=]) (?![\d=])", " "))
 """Where lines are broken, the best places first."""
 
 
 def wrapped(text: str, size: float, width: float) -> list[str]:
     """Return mark-up in lines no wider than ``width`` mm, broken behind commas, else at spaces.
 
-    A number stays with the word before it, and with its unit, if it can.
+    A number stays with the word before it and with its unit, an equals sign with both sides, if they can.
     """
     if letter(text, size=size).width <= width:
         return [text]

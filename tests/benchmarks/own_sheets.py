@@ -96,9 +96,8 @@ def outcome(sheet: Sheet, seed: int, *, both: bool, corners: bool) -> Outcome:
             errors.append(abs(one.spot - truth.spot))
             right += truth.off > WRONGLY and errors[-1] < NEAR
     assert seen.sight is not None
-    assert seen.scene is not None
-    mine = {"velocities": seen.scene.scales.mu_v, "accelerations": seen.scene.scales.mu_a}
-    mu = tuple(abs(mine[plan] / due - 1) for plan, due in sheet.mu.items() if mine[plan])
+    mine = {one.plan: one.mu for one in seen.scales}
+    mu = tuple(abs(mine[plan] / due - 1) for plan, due in sheet.mu.items() if plan in mine)
     missing = len(seen.found.missing)
     status = 1 if report.wrong else 0 if seen.sight.whole else 3
     plans = len(clicked) - missing, len(clicked)

@@ -51,6 +51,9 @@ UNLIKELY = 0.05
 """Lengths alone say no scale factor that is nearer to the due one than this."""
 UNITS = {"cm": 10.0, "inch": 25.4}
 """What may be written where mm are asked for."""
+WITHIN = 2.1
+"""A scale factor of his own makes lengths in another unit so many times longer or shorter at the most: most are
+within twice the task's. A plan drawn 0.25 times as large is in no other unit."""
 
 
 class Agreed(NamedTuple):
@@ -322,12 +325,12 @@ def _shared(
 
 def _unit(ratios: Sequence[float]) -> str:
     """Return the unit that lengths of so many times their due (logarithms) were written in, "" for mm."""
-    if not ratios or max(ratios) > math.log(0.3):
+    if not ratios:
         return ""
     inch = all(abs(one + math.log(UNITS["inch"])) < 0.03 for one in ratios)
     unit = "inch" if inch else "cm"
     far = max(abs(one + math.log(UNITS[unit])) for one in ratios)
-    return unit if far <= math.log(3.0) else ""
+    return unit if far <= math.log(WITHIN) else ""
 
 
 def _times(taken: Taken, unit: float) -> Taken:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number
+from graphic_tmm.board.values import Length, Number
 from graphic_tmm.checking.cells import Key, cells, points
 from graphic_tmm.checking.congruence.lengths import Group
 from graphic_tmm.drawn import Drawn, DrawnScene, read_log, view_scales
@@ -40,9 +40,14 @@ class Remaking:
 
     @cached_property
     def factors(self) -> list[tuple[int, Mark]]:
-        """The scale factors, each with its board (an index)."""
+        """The scale factors, and the lengths that are chosen as they are, each with its board (an index)."""
         boards = enumerate(self.made.boards)
-        return [(k, mark) for k, drawn in boards for mark in drawn.given if is_scale(mark)]
+        given = ((k, mark, value) for k, drawn in boards for mark, value in drawn.given.items())
+        return [
+            (k, mark)
+            for k, mark, value in given
+            if is_scale(mark) or (mark.kind is Length and np.all(np.asarray(value, float) != 0.0))
+        ]
 
     @cached_property
     def groups(self) -> Mapping[tuple[str, str], Group]:
@@ -57,7 +62,7 @@ class Remaking:
     def symbol(self, group: Group) -> str:
         """Return the letter of the scale factor of a group; "μ" of several."""
         mark = self.factor(group)
-        return "μ" if mark is None else mark.name
+        return "μ" if mark is None or not is_scale(mark) else mark.name
 
     @cached_property
     def symbols(self) -> Mapping[str, Mapping[str, Group]]:

@@ -35,6 +35,8 @@ FIRST, FIRST_SHARE = 0.03, 0.7
 MANY, MORE, ALONE = 0.5, 0.1, 0.8
 """The share of the other lengths that must agree, by how much more than with what is due; where nothing is laid
 off first, the share of all."""
+DIVISION = 0.15
+"""A length that is laid off is off by half a division of a ruler, mm: 0.5 over √12."""
 CLEAR, NEARER = 0.2, 0.75
 """Where what is laid off first has a ratio so far from 1 (a logarithm), it is enough that so many of the others
 are nearer to it: a mistake moves lengths, but not by that."""
@@ -96,7 +98,7 @@ def _verdict(
     usual = laid and (_nearer(rest, k) or (agree >= due and _steady(group, laid, k)))
     if rest and not alike and not usual:
         return Verdict() if laid else _by_spread(lengths, k)
-    times, off = _fitted(laid or lengths, k)
+    times, off = min((_fitted(some, k) for some in (laid, lengths) if some), key=lambda one: one[1])
     near = rounded(group.mu / times)
     if abs(math.log(near * times / group.mu)) <= max(ROUND, 2.5 * off):
         return Verdict(group.mu / near, "round", agree + len(laid), len(lengths))
@@ -135,13 +137,17 @@ def _by_spread(lengths: Sequence[Read], k: float) -> Verdict:
 def _fitted(lengths: Sequence[Read], k: float) -> tuple[float, float]:
     """Return how many times as long as due lengths are, by least squares, and how far off that usually is.
 
-    ``k``: nearly that, as a logarithm; what is farther from it is left out.
+    ``k``: nearly that, as a logarithm; what is farther from it is left out. What is laid off first is off by
+    its own scatter alone; others of a position have what scatters in its plan in common.
     """
     near = [one for one in lengths if _near(one, k)]
-    squares = sum(one.due**2 for one in near)
-    times = sum(one.mm * one.due for one in near) / squares
-    # points are fewer than the distances between them
-    return times, (2.0 if near[0].apart else 1.0) * 0.9 / (times * math.sqrt(squares))
+    size = math.sqrt(sum(one.due**2 for one in near))
+    times = sum(one.mm * one.due for one in near) / size**2
+    if all(one.laid for one in near):
+        left = math.sqrt(sum((one.mm - times * one.due) ** 2 for one in near) / len(near))
+        return times, max(left, DIVISION) / (times * size)
+    positions = len({one.position for one in near})
+    return times, math.hypot(0.9 / (times * size), 0.02 / math.sqrt(positions))
 
 
 def fitting(lengths: Sequence[Read], times: float) -> bool:
@@ -199,7 +205,9 @@ def _apart(k: float) -> bool:
 
 def _share(lengths: Sequence[Read], k: float, within: float) -> float:
     """Return the share of lengths that have a ratio (a logarithm), nearly or as nearly as they can be read."""
-    far = [abs(one.ratio - k) - max(within, 2.2 / one.mm if one.apart else 0.0) for one in lengths]
+    far = [
+        abs(one.ratio - k) - max(within, (2.2 if one.apart else 1.6) / one.mm) for one in lengths
+    ]
     return sum(one <= 0.0 for one in far) / len(far)
 
 

@@ -16,7 +16,7 @@ from graphic_tmm.scene.captions import view_name
 DOWN = Move(0, mirrored=True)
 _DIGITS = 4
 _WHY = {
-    "stated": said("you state it"),
+    "stated": said("as stated, or as clicks show it"),
     "rows": said("mm and values of {agree} rows of {count} say it"),
     "rates": said("your rates and lengths say it in {agree} positions of {count}"),
 }

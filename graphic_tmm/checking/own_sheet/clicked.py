@@ -3,33 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.checking.cells import points
+from graphic_tmm.checking.congruence.remade import Remaking
+from graphic_tmm.checking.congruence.witnesses import rounded
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import view_name
-from graphic_tmm.scene.drawing import Scales
-from graphic_tmm.scene.records import Scene
 
-FACTOR: Mapping[str, Callable[[Scales, float], Scales]] = {
-    "velocities": lambda scales, mu: replace(scales, mu_v=mu, pa=None, mu_v_is_mu_l_omega=False),
-    "accelerations": lambda scales, mu: replace(scales, mu_a=mu, pi_a=None),
-}
-"""How the scale factor of a plan that can be clicked is fixed in a scene."""
 SLIP = 0.5
 """A first vector is laid off, seen or clicked to so much, mm (one standard deviation)."""
 LEAST, MOST = 0.004, 0.03
 """A scale factor is known no better, as a share, and no worse."""
-ROUND = (1.0, 1.2, 1.25, 1.5, 1.6, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
-"""Scale factors that people take, times a power of ten."""
 DEVIATIONS = 2.2
 """One that is no farther from the scene's, or else from a round one, is that."""
 QUARTER = 12.0
@@ -146,38 +138,34 @@ def _turns(ratios: Sequence[complex]) -> tuple[complex, ...]:
 
 def _rounded(mu: float, near: float) -> float:
     """Return a scale factor as people take it, if there is one so ``near``, as a share."""
-    power = 10.0 ** math.floor(math.log10(mu))
-    nearest = min(ROUND, key=lambda one: abs(math.log(mu / power / one)))
-    if abs(math.log(mu / power / nearest)) < near:
-        return float(f"{nearest * power:.6g}")
-    return float(f"{mu:.4g}")
+    taken = rounded(mu)
+    return taken if abs(math.log(mu / taken)) < near else float(f"{mu:.4g}")
 
 
-def scene_in(scene: Scene, scales: Mapping[str, ClickedScale]) -> Scene:
-    """Return a scene that is drawn with a student's own scale factors."""
-    changed = scene.scales
-    for plan, scale in scales.items():
-        if scale.another:
-            changed = FACTOR[plan](changed, scale.mu)
-    return scene if changed is scene.scales else replace(scene, scales=changed)
+def scene_in(made: DrawnScene, scales: Mapping[str, ClickedScale]) -> DrawnScene:
+    """Return a scene, drawn exactly, in a student's own scale factors."""
+    own = {plan: one.due / one.mu for plan, one in scales.items() if one.another}
+    if not own:
+        return made
+    remaking = Remaking(made)
+    return remaking.of({remaking.groups[plan, ""]: times for plan, times in own.items()}, {})
 
 
-JUDGED_BY = said(
-    "{name}: judged by the student's own scale factor, {mu} {unit} (the scene's is {due}), as the clicked "
-    "plans show it"
-)
+def may_be_clicked(made: DrawnScene, plan: str) -> bool:
+    """Whether a plan is one of vectors: its pole and the end of its first vector can be clicked."""
+    work = made.mechanism
+    view = None if work is None else work.construction.view(plan)
+    pole = None if view is None else view.pole
+    return pole is not None and pole.role in (roles.VELOCITY, roles.ACCELERATION)
+
+
 TURNED = said("{name}: drawn turned by {turn}°")
 
 
-def scale_notes(scales: Iterable[ClickedScale], language: str) -> tuple[str, ...]:
-    """Return what is said of a student's own scale factors and turns, as they were found."""
+def turn_notes(scales: Iterable[ClickedScale], language: str) -> tuple[str, ...]:
+    """Return what is said of how clicked plans are turned."""
     speech, told = speaking(language), []
     for one in scales:
-        name = view_name(one.plan, language)
-        if one.another:
-            mu, due = (number(value, language) for value in (one.mu, one.due))
-            told.append(speech(JUDGED_BY, name=name, mu=mu, due=due, unit=one.unit))
-        turn = round(math.degrees(np.angle(one.turns[0])))
-        if turn:
-            told.append(speech(TURNED, name=name, turn=turn))
+        if turn := round(math.degrees(np.angle(one.turns[0]))):
+            told.append(speech(TURNED, name=view_name(one.plan, language), turn=turn))
     return tuple(told)

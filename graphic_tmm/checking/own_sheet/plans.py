@@ -33,7 +33,6 @@ from graphic_tmm.checking.pencil.reading import (
 )
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.paper.drawing import Drawing
-from graphic_tmm.studio import make
 
 CLICKED = 1.5
 """A pole is clicked so near, mm."""
@@ -127,8 +126,7 @@ class _Drawing:
     """A scene as a student's scale factors draw it, and its plans as they may have been drawn."""
 
     def __init__(self, made: DrawnScene, scales: Mapping[str, ClickedScale], hand: Hand) -> None:
-        scene = scene_in(made.scene, scales)
-        self.made = made if scene is made.scene else make(scene, exact=True)
+        self.made = scene_in(made, scales)
         assert self.made.mechanism is not None
         self.others, self._scales = Alternatives(self.made.mechanism, hand), scales
 

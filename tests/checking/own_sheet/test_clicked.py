@@ -13,8 +13,8 @@ from graphic_tmm.checking.own_sheet.clicked import (
     ClickedPlan,
     own_scales,
     plans_of,
-    scale_notes,
     scene_in,
+    turn_notes,
 )
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SheetError
@@ -75,8 +75,8 @@ def test_one_that_is_not_round_is_told_to_a_share_of_a_percent() -> None:
 def test_the_scenes_own_is_nothing_to_be_told(times: float) -> None:
     scales = own_scales(slider_crank(), clicked(times, off=0.2))
     assert not scales["velocities"].another
-    assert scene_in(slider_crank().scene, scales) is slider_crank().scene
-    assert scale_notes(scales.values(), "en") == ()
+    assert scene_in(slider_crank(), scales) is slider_crank()
+    assert turn_notes(scales.values(), "en") == ()
 
 
 def test_a_pole_alone_tells_no_scale_factor() -> None:
@@ -102,9 +102,10 @@ def test_plans_may_be_turned_by_a_quarter_and_by_nothing_else(
 
 def test_the_scene_is_drawn_again_in_the_students_scale_factor() -> None:
     scales = own_scales(slider_crank(), clicked(1.25))
-    own = make(scene_in(slider_crank().scene, scales), exact=True)
+    own = scene_in(slider_crank(), scales)
     due, found = points(slider_crank()), points(own)
     key = ("velocities", "s2", "3")
     assert found[key] == pytest.approx(1.25 * due[key])
     assert found["accelerations", "b", "3"] == pytest.approx(due["accelerations", "b", "3"])
-    assert "0.02" in scale_notes(scales.values(), "en")[0]
+    turned = scales["velocities"]._replace(turns=(1j,))
+    assert "turned by 90°" in turn_notes([turned], "en")[0]

@@ -102,7 +102,12 @@ def test_a_right_drawing_is_read_in_its_own_scale_and_turn(number: int) -> None:
         assert scale.mu == pytest.approx(due, rel=0.02)
         turn = np.exp(1j * np.radians(kind.turn if scale.plan == V else 0.0))
         assert scale.turns == pytest.approx((turn,))
-    report = check(one.found.made.scene, readings(one.found.found.points), points="photo")
+    report = check(
+        one.found.made.scene,
+        readings(one.found.found.points),
+        points="photo",
+        scales=[f"{scale.plan}={scale.mu}" for scale in one.found.scales],
+    )
     assert not report.wrong
 
 
@@ -126,7 +131,12 @@ def test_a_wrong_drawing_is_read_as_it_was_drawn(machine: str, mistake: str) -> 
     errors = far(one, one.wrong)
     assert len(errors) >= 0.5 * len(one.wrong)
     assert np.quantile(errors, 0.75) < 1.0
-    report = check(one.found.made.scene, readings(one.found.found.points), points="photo")
+    report = check(
+        one.found.made.scene,
+        readings(one.found.found.points),
+        points="photo",
+        scales=[f"{scale.plan}={scale.mu}" for scale in one.found.scales],
+    )
     assert report.wrong
 
 
