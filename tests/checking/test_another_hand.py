@@ -128,6 +128,7 @@ def test_its_honest_drawings_pass_however_they_were_read(
     passes(total)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("all_measured", [True, False])
 def test_estimated_tenths_are_no_more_wrong_than_halves(all_measured: bool, tmp_path: Path) -> None:
     """What was laid off is as long as it was drawn, whether that is written to 0.1 or 0.5 mm."""

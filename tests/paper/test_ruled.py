@@ -16,7 +16,7 @@ from graphic_tmm.paper.formats import HEIGHTS
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.ruled import Box, Slot, fit, ruled_table, set_text
-from graphic_tmm.paper.views import captioned
+from graphic_tmm.paper.views import captioned, wrapped
 
 DRAWABLE = [chr(k) for k in range(32, 0x2300) if not letters.missing(chr(k))]
 
@@ -250,3 +250,11 @@ def test_a_note_below_a_table_is_no_wider_than_the_table() -> None:
     assert right - left < 15 * HEIGHTS["A1"].number
     words = [label.text for label in told.labels if label not in narrow.labels]
     assert " ".join(words) == note
+
+
+@pytest.mark.parametrize("width", [30.0, 34.0, 38.0, 44.0, 50.0])
+def test_what_is_equal_and_a_number_with_its_unit_stand_in_one_line(width: float) -> None:
+    lines = wrapped("по 360 положениям J = 43,12 кг меньше должного на 2,2 %", 3.5, width)
+    assert len(lines) > 1
+    assert any("J = 43,12 кг" in line for line in lines)
+    assert any("2,2 %" in line for line in lines)

@@ -100,7 +100,7 @@ def _verdict(
         return Verdict() if laid else _by_spread(lengths, k)
     times, off = min((_fitted(some, k) for some in (laid, lengths) if some), key=lambda one: one[1])
     near = rounded(group.mu / times)
-    if abs(math.log(near * times / group.mu)) <= max(ROUND, 2.5 * off):
+    if abs(math.log(near * times / group.mu)) <= max(ROUND, min(2.5 * off, NEARLY)):
         return Verdict(group.mu / near, "round", agree + len(laid), len(lengths))
     return Verdict(times, "lengths", agree + len(laid), len(lengths))
 

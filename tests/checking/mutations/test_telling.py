@@ -59,6 +59,7 @@ def test_a_vector_drawn_the_other_way_is_told_once() -> None:
     assert normal.view == "accelerations"
 
 
+@pytest.mark.slow
 def test_wrong_figures_of_tables_lead_to_a_finding(tmp_path: Path) -> None:
     """Forces, which are no step of a log that can be read, off in a way that no mistake makes."""
     machine = MACHINES["frc"]
@@ -79,10 +80,19 @@ def test_wrong_figures_of_tables_lead_to_a_finding(tmp_path: Path) -> None:
     assert last.says.startswith("no known mistake explains what is wrong: begin with R")
 
 
-@pytest.mark.parametrize("name", ["moments about A", "balancing force by the diameter, header"])
-def test_a_result_that_no_other_reading_confirms_is_no_sure_slip(name: str) -> None:
+def test_a_force_that_was_found_about_another_point_is_no_slip() -> None:
+    """Perhaps it is that: the scale factor of the forces is the student's own."""
+    report = report_of(with_mistake(kind_of("moments about A"), 0))
+    assert not isinstance(report, str)
+    (first, *_) = report.mistakes
+    assert (first.kind, first.plan) == ("mistake", "forces")
+    assert first.chance < 0.8
+    assert "A was taken instead of B" in first.says
+
+
+def test_a_result_that_no_other_reading_confirms_is_no_sure_slip() -> None:
     """It may be what it was found from: here it is."""
-    report = report_of(with_mistake(kind_of(name), 0))
+    report = report_of(with_mistake(kind_of("balancing force by the diameter, header"), 0))
     assert not isinstance(report, str)
     (first, *_) = report.mistakes
     assert first.kind == "slip"

@@ -124,6 +124,7 @@ WRONG = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("machine", "mistake"), WRONG)
 def test_a_wrong_drawing_is_read_as_it_was_drawn(machine: str, mistake: str) -> None:
     one = own(Kind(machine, mistake, mu={V: 1.25, A: 1.0}), 2)

@@ -52,12 +52,14 @@ def test_corners_are_where_the_edges_of_the_paper_meet(
     assert abs(paper_found(image) - due).max() < 1.5
 
 
+@pytest.mark.slow
 def test_clicked_corners_are_drawn_to_the_edges() -> None:
     image, due = photograph((12.0, 40.0), Light(), 0.0)
     clicked = [(z.real + 5, z.imag - 4) for z in due[[2, 0, 3, 1]]]
     assert abs(paper_found(image, clicked) - due).max() < 1.5
 
 
+@pytest.mark.slow
 def test_where_no_frame_is_seen_the_papers_edges_are_taken_and_that_is_said(tmp_path: Path) -> None:
     image, due = photograph((8.0, 40.0), Light(), 0.0)
     Image.fromarray(image).save(tmp_path / "p.png")
