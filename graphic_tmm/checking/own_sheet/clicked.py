@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board import roles
+from graphic_tmm.board.hand import EXACT
 from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.congruence.remade import Remaking
 from graphic_tmm.checking.congruence.witnesses import rounded
@@ -147,7 +148,9 @@ def scene_in(made: DrawnScene, scales: Mapping[str, ClickedScale]) -> DrawnScene
     own = {plan: one.due / one.mu for plan, one in scales.items() if one.another}
     if not own:
         return made
-    remaking = Remaking(made)
+    # what a ruler rounds does not tell to which scale factor it is drawn
+    exact = made._replace(boards=tuple(one.drawn_by(EXACT) for one in made.boards))
+    remaking = Remaking(exact)
     return remaking.of({remaking.groups[plan, ""]: times for plan, times in own.items()}, {})
 
 

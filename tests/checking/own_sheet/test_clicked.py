@@ -11,6 +11,7 @@ import pytest
 from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.own_sheet.clicked import (
     ClickedPlan,
+    ClickedScale,
     own_scales,
     plans_of,
     scene_in,
@@ -109,3 +110,17 @@ def test_the_scene_is_drawn_again_in_the_students_scale_factor() -> None:
     assert found["accelerations", "b", "3"] == pytest.approx(due["accelerations", "b", "3"])
     turned = scales["velocities"]._replace(turns=(1j,))
     assert "turned by 90°" in turn_notes([turned], "en")[0]
+
+
+def test_a_scene_that_is_read_off_a_ruler_is_drawn_again_in_the_scale_factors_that_were_clicked() -> (
+    None
+):
+    made = make(read(CASES / "fb.toml"))
+    assert not made.exact
+    assert made.mechanism is not None
+    due = {plan: made.mechanism.scales[plan].value for plan in ("velocities", "accelerations")}
+    scales = {plan: ClickedScale(plan, 1.25 * mu, mu, "") for plan, mu in due.items()}
+    own = scene_in(made, scales).mechanism
+    assert own is not None
+    for plan, mu in due.items():
+        assert own.scales[plan].value == pytest.approx(1.25 * mu, rel=1e-6)
