@@ -10,15 +10,13 @@ from typing import TYPE_CHECKING
 from graphic_tmm.checking.records import FINE, Report
 from graphic_tmm.checking.report import rows
 from graphic_tmm.checking.report.charts import COLOURS, chart, render, small_plan
-from graphic_tmm.checking.report.findings import (
+from graphic_tmm.checking.report.findings import finding_rows, headline, summary
+from graphic_tmm.checking.report.parts import (
     Part,
-    finding_rows,
     fine_grids,
     fine_ones,
     grids,
-    headline,
     legend,
-    summary,
     verdict_parts,
 )
 from graphic_tmm.checking.report.rows import WORDS, plan_name

@@ -11,16 +11,8 @@ from collections.abc import Mapping
 
 from graphic_tmm.checking.records import FINE, Report
 from graphic_tmm.checking.report.charts import small_plan
-from graphic_tmm.checking.report.findings import (
-    finding_rows,
-    fine_grids,
-    fine_ones,
-    grids,
-    headline,
-    legend,
-    summary,
-    verdict_parts,
-)
+from graphic_tmm.checking.report.findings import finding_rows, headline, summary
+from graphic_tmm.checking.report.parts import fine_grids, fine_ones, grids, legend, verdict_parts
 from graphic_tmm.checking.report.rows import FIGURES, SIGNS, WORDS, Grid, notes, title, who
 
 ENTITIES = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", "|": "&#124;"})

@@ -6,14 +6,8 @@ from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG, Report
-from graphic_tmm.checking.report.findings import (
-    finding_rows,
-    fine_ones,
-    headline,
-    legend,
-    summary,
-    verdict_parts,
-)
+from graphic_tmm.checking.report.findings import finding_rows, headline, summary
+from graphic_tmm.checking.report.parts import fine_ones, legend, verdict_parts
 from graphic_tmm.checking.report.rows import FIGURES, SIGNS, WORDS, Grid, notes, title, who, worst
 
 STYLES = {FINE: "green", DOUBTFUL: "yellow", WRONG: "bold red", "": ""}

@@ -20,9 +20,9 @@ from graphic_tmm.checking.records import DOUBTFUL, WRONG
 from graphic_tmm.checking.report import markdown as report_markdown
 from graphic_tmm.checking.report import rows as report_rows
 from graphic_tmm.checking.report import rows as report_words
-from graphic_tmm.checking.report.findings import grids
 from graphic_tmm.checking.report.json import json_report
 from graphic_tmm.checking.report.markdown import markdown_report
+from graphic_tmm.checking.report.parts import grids
 from graphic_tmm.checking.report.rows import LEGEND, WORDS, printable_text, runs
 
 

@@ -12,16 +12,9 @@ from support.each import each
 from support.lessons_told import lessons, plan_of_velocities, row
 from support.reports import HOSTILE, LANGUAGES, engine, hostile, report
 
-from graphic_tmm.checking.report.findings import (
-    doubtful_parts,
-    finding_rows,
-    fine_grids,
-    grids,
-    headline,
-    summary,
-    wrong_parts,
-)
+from graphic_tmm.checking.report.findings import finding_rows, headline, summary
 from graphic_tmm.checking.report.html import html_report
+from graphic_tmm.checking.report.parts import doubtful_parts, fine_grids, grids, wrong_parts
 from graphic_tmm.checking.report.rows import notes, printable_text, title, who
 
 TAGS = {"html", "head", "meta", "title", "style", "body", "h1", "h2", "p", "span", "ul", "li"}

@@ -23,20 +23,18 @@ from support.reports import (
 )
 
 from graphic_tmm.checking.records import DOUBTFUL, FINE, WRONG
-from graphic_tmm.checking.report.findings import (
-    doubtful_parts,
-    finding_rows,
-    fine_grids,
-    fine_ones,
-    grids,
-    headline,
-    legend,
-    summary,
-    wrong_parts,
-)
+from graphic_tmm.checking.report.findings import finding_rows, headline, summary
 from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.json import json_report
 from graphic_tmm.checking.report.markdown import markdown_report
+from graphic_tmm.checking.report.parts import (
+    doubtful_parts,
+    fine_grids,
+    fine_ones,
+    grids,
+    legend,
+    wrong_parts,
+)
 from graphic_tmm.checking.report.rows import SIGNS, WORDS, notes, title, who
 from graphic_tmm.checking.report.text import LISTED
 
