@@ -63,7 +63,7 @@ def wrong_parts(report: Report) -> tuple[Part, ...]:
     found: list[Part] = []
     told = set[int]()
 
-    def beside(mistake: int) -> None:
+    def follow(mistake: int) -> None:
         lesson, lines = named[mistake]
         its = [n for n, one in enumerate(rows) if one.taken.line in lines and n not in told]
         says = (
@@ -79,7 +79,7 @@ def wrong_parts(report: Report) -> tuple[Part, ...]:
     turns += [(mistake, -1) for mistake, (lesson, _) in named.items() if lesson is None]
     for mistake, k in sorted(turns):
         if k < 0:
-            beside(mistake)
+            follow(mistake)
             continue
         lesson, names = report.lessons[k], [one for one, its in named.items() if its[0] == k]
         own = [n for n, one in enumerate(rows) if _blames(lesson, one)]
@@ -89,7 +89,7 @@ def wrong_parts(report: Report) -> tuple[Part, ...]:
             found.append(_lesson(lesson, [rows[n] for n in left], language))
             told.update(left)
         for one in names:
-            beside(one)
+            follow(one)
     rest = [one for n, one in enumerate(rows) if n not in told]
     return (*found, *_tables(rest, words["wrong ones"], language))
 
