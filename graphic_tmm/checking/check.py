@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+import numpy as np
+
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, points, taken_figure
 from graphic_tmm.checking.congruence.congruence import Agreed, Congruence
@@ -15,6 +17,7 @@ from graphic_tmm.checking.congruence.stated import (
     stated_in,
     turns_by,
 )
+from graphic_tmm.checking.congruence.supposed import MERE
 from graphic_tmm.checking.congruence.words import head
 from graphic_tmm.checking.judging.comparison import Comparison, worse_of
 from graphic_tmm.checking.judging.groups import groups
@@ -23,9 +26,11 @@ from graphic_tmm.checking.judging.residuals import sharpened
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.judging.yardstick import Yardstick, Yardsticks
 from graphic_tmm.checking.lessons.lessons import Teacher
-from graphic_tmm.checking.mutations.diagnosis import diagnosed
+from graphic_tmm.checking.mutations.diagnosis import Diagnosis, diagnosed
+from graphic_tmm.checking.mutations.hypotheses import FITTED
 from graphic_tmm.checking.mutations.mistaken_scene import mistaken_scenes
 from graphic_tmm.checking.mutations.mistakes import Mistakes
+from graphic_tmm.checking.mutations.rescaled import rescaled
 from graphic_tmm.checking.mutations.scaling import Scaling
 from graphic_tmm.checking.mutations.telling import likely_mistakes
 from graphic_tmm.checking.mutations.unseen import Unseen, told_unseen
@@ -33,7 +38,7 @@ from graphic_tmm.checking.readings.letters import letter_near
 from graphic_tmm.checking.readings.mending import mended
 from graphic_tmm.checking.readings.read import TOLD, with_words_of
 from graphic_tmm.checking.readings.signs import with_signs
-from graphic_tmm.checking.records import INSTRUMENT, MISTAKE, Judged, Report, Taken, Whole
+from graphic_tmm.checking.records import INSTRUMENT, MISTAKE, Judged, Likely, Report, Taken, Whole
 from graphic_tmm.checking.report.findings import sure
 from graphic_tmm.checking.report.rows import WORDS
 from graphic_tmm.drawn import DrawnScene
@@ -175,6 +180,23 @@ class _Judgement(NamedTuple):
     whole: Whole | None
 
 
+class _Explained(NamedTuple):
+    """A drawing as it was judged, and what happened to it."""
+
+    judged: _Judgement
+    compared: Comparison
+    small: Sequence[Likely]
+    diagnosis: Diagnosis
+
+    @property
+    def score(self) -> float:
+        """How likely its readings are, by these scale factors and with what happened (logarithm)."""
+        fitted = sum(one.by in MERE for one in self.judged.agreed.scales)
+        return self.diagnosis.score - FITTED * fitted if self.diagnosis.wrong else np.inf
+
+
+CLEAR = 8.0
+"""By so much more likely (natural logarithm) readings must be in other scale factors than were decided."""
 KEPT = 4
 """So many scale factors of drawings are kept with all that these are judged by; a class has a few more."""
 
@@ -237,11 +259,44 @@ class Checker:
         rows, notes = known_readings(self.made, others, source)
         plans = tuple(dict.fromkeys(plan for plan, _, _ in self._congruence.due))
         turns = turns_by(self._turns, plans, source) if self._turns else {}
-        agreed = self._congruence.of(rows, stated, turns)
+        return self._judgement(self._congruence.of(rows, stated, turns), notes)
+
+    def _judgement(self, agreed: Agreed, notes: tuple[str, ...]) -> _Judgement:
         bench = self._bench(agreed)
         by = bench.yardsticks.of(agreed.rows)
         verdicts, whole = sharpened(bench.made, judge(bench.made, agreed.rows, by), by)
-        return _Judgement(agreed, tuple(notes), bench, by, verdicts, whole)
+        return _Judgement(agreed, notes, bench, by, verdicts, whole)
+
+    def _explained(self, one: _Judgement) -> _Explained:
+        """Return what happened to a drawing as it was judged."""
+        parts = [part for taken in one.agreed.rows for part in taken.parts()]
+        worse = worse_of([each.times for each in one.verdicts])
+        compared = Comparison(one.bench.made, parts, one.by, worse)
+        small = groups(one.bench.made, one.verdicts, one.by)
+        rare, scaling = bool(small or one.whole), Scaling.of(one.agreed.scales)
+        found = diagnosed(one.bench.mistakes, compared, one.verdicts, rare=rare, scaling=scaling)
+        return _Explained(one, compared, small, found)
+
+    def _likeliest(self, first: _Explained) -> _Explained:
+        """Return what happened, by other scale factors where these, with a mistake, explain readings better."""
+        best = first
+        for agreed in first.judged.agreed.others:
+            if best.diagnosis.certain:
+                break
+            other = self._explained(self._judgement(agreed, first.judged.notes))
+            best = other if other.score > best.score + CLEAR else best
+        readings, agreed = best.diagnosis.readings, best.judged.agreed
+        free = first.judged.agreed.free - {*agreed.times}
+        if best.diagnosis.certain or readings is None or not free:
+            return best
+        drawn = {at: one.of for at, one in self._congruence.groups.items() if one in free}
+        k = rescaled(readings, best.judged.bench.mistakes.boards[0], drawn)
+        if k:
+            times = {group: k[group.of] for group in free if group.of in k}
+            supposed = self._congruence.supposing(agreed, times)
+            other = self._explained(self._judgement(supposed, first.judged.notes))
+            best = other if other.score > best.score + CLEAR else best
+        return best
 
     def _stated(self, rows: Sequence[Taken], source: str) -> list[Stated]:
         """Return the scale factors that rows and options state; options go before rows."""
@@ -256,17 +311,13 @@ class Checker:
     def of(self, readings: Sequence[Taken], source: str = "readings") -> Checked:
         """Return what there is to say of the readings of a drawing; raises as `check`."""
         language = self.scene.language
-        agreed, notes, bench, by, judged, whole = self._judged(readings, source)
-        parts = [part for taken in agreed.rows for part in taken.parts()]
-        compared = Comparison(bench.made, parts, by, worse_of([one.times for one in judged]))
-        small = groups(bench.made, judged, by)
-        rare, scaling = bool(small or whole), Scaling.of(agreed.scales)
-        diagnosis = diagnosed(bench.mistakes, compared, judged, rare=rare, scaling=scaling)
+        explained = self._likeliest(self._explained(self._judged(readings, source)))
+        (agreed, notes, bench, by, judged, whole), compared, small, diagnosis = explained
         found = likely_mistakes(diagnosis, compared, language)
         wrongly = mistaken_scenes(found, diagnosis, bench.made)
         if any(one.kind in (MISTAKE, INSTRUMENT) and sure(one) for one in found):
             whole = None  # it is off by that
-        found = found or small
+        found = found or tuple(small)
         notes = (*notes, *told_unseen(bench.unseen.of(compared), language))
         lessons = bench.teacher.lessons(judged, found, by.reader, wrongly)
         name, title = scene_name(self.scene.source), self.scene.title

@@ -20,19 +20,32 @@ from graphic_tmm.board.values import Length
 from graphic_tmm.checking.cells import Cell, Key, cells, points
 from graphic_tmm.checking.congruence.lengths import (
     SHORT,
+    UNITS,
     Group,
     Read,
     lengths_of,
     middle,
     rates_of,
     spread_of,
+    unit_of,
     values_of,
 )
-from graphic_tmm.checking.congruence.moves import HALF, MOVES, NEAR, NONE, Move, Placed, placed
+from graphic_tmm.checking.congruence.moves import (
+    HALF,
+    MOVES,
+    NEAR,
+    NONE,
+    Move,
+    Placed,
+    placed,
+    turned_back,
+)
 from graphic_tmm.checking.congruence.remade import Remaking
 from graphic_tmm.checking.congruence.stated import SCENE, Stated
+from graphic_tmm.checking.congruence.supposed import settled, supposed
 from graphic_tmm.checking.congruence.witnesses import (
     EXACT,
+    NEARLY,
     OWN,
     PLENTY,
     Verdict,
@@ -49,11 +62,6 @@ ALIKE, COPY = 0.015, 0.16
 """Scale factors of all plans so nearly alike (logarithms), and no farther off, are those of a copy."""
 UNLIKELY = 0.05
 """Lengths alone say no scale factor that is nearer to the due one than this."""
-UNITS = {"cm": 10.0, "inch": 25.4}
-"""What may be written where mm are asked for."""
-WITHIN = 2.1
-"""A scale factor of his own makes lengths in another unit so many times longer or shorter at the most: most are
-within twice the task's. A plan drawn 0.25 times as large is in no other unit."""
 
 
 class Agreed(NamedTuple):
@@ -65,6 +73,10 @@ class Agreed(NamedTuple):
     scales: tuple[OwnScale, ...]
     moves: Mapping[str, Move]
     units: Mapping[str, str]
+    free: frozenset[Group] = frozenset()
+    """Plans in the task's scale factor, which nobody states."""
+    others: tuple[Agreed, ...] = ()
+    """As it may be judged, too, if there is a mistake in it: the likelier first."""
 
 
 @dataclass(frozen=True)
@@ -139,18 +151,54 @@ class Congruence:
         rows = tuple(_moved(one, moves) for one in rows)
         lengths = self._lengths(rows)
         rates = rates_of(rows, self.due, self._steps)
-        given = {one.group: one for one in stated}
-        found: dict[Group, Verdict] = {}
+        given = self._given(stated)
+        alone: dict[Group, Verdict] = {}
         for group, read in sorted(lengths.items(), key=lambda one: self._order(one[0])):
-            others = self._of_positions(group, lengths, found)
-            found[group] = verdict(group, read, rates.get(group.plan, ()), others)
-        found = _shared(self._not_spoilt(self._not_copied(found), lengths), lengths)
+            others = self._of_positions(group, lengths, alone)
+            alone[group] = verdict(group, read, rates.get(group.plan, ()), others)
+        plain = self._not_copied(alone)
+        found = _shared(self._not_spoilt(plain, lengths), lengths)
         found |= {g: _as_stated(s, found.get(g, Verdict())) for g, s in given.items()}
+        agreed = self._agreed(found, rows, moves, units)
+        if any(plain[group].times != one.times for group, one in alone.items()):
+            return agreed  # a copy
+        some = supposed(found, plain, lengths, given)
+        more = tuple(self._agreed(one, rows, moves, units) for one in some)
+        free = frozenset(g for g, v in found.items() if v.times == 1.0 and g not in given)
+        return agreed._replace(free=free, others=more)
+
+    def _given(self, stated: Sequence[Stated]) -> dict[Group, Stated]:
+        """Return what is stated, by groups: one letter of a plan is of all that bear it, as polygons do."""
+        every = dict.fromkeys(self.groups.values())
+        symbol = self.remaking.symbol
+        return {
+            group: one._replace(group=group)
+            for one in stated
+            for group in every
+            if group.of == one.group.of and symbol(group) == symbol(one.group)
+        }
+
+    def supposing(self, agreed: Agreed, k: Mapping[Group, float]) -> Agreed:
+        """Return how a drawing is judged if plans are so many times as large (logarithms) as was agreed."""
+        lengths = self._lengths(agreed.rows)
+        found = {g: settled(g, lengths[g], math.exp(one), NEARLY) for g, one in k.items()}
+        times = {**agreed.times, **{group: one.times for group, one in found.items()}}
+        scales = tuple(self._scale(group, one) for group, one in found.items())
+        return agreed._replace(times=times, scales=(*agreed.scales, *scales))
+
+    def _agreed(
+        self,
+        found: Mapping[Group, Verdict],
+        rows: tuple[Taken, ...],
+        moves: Mapping[str, Placed],
+        units: Mapping[str, str],
+    ) -> Agreed:
+        """Return how readings are judged in scale factors that are found."""
         times = {group: one.times for group, one in found.items() if one.times != 1.0}
         places = {group: dict(one.places) for group, one in found.items() if one.places}
         scales = tuple(self._scale(g, one) for g, one in found.items() if one.by or one.against)
-        plain = {p: one.move for p, one in moves.items() if one.move != NONE or one.origins}
-        return Agreed(rows, times, places, scales, plain, units)
+        turned = {p: one.move for p, one in moves.items() if one.move != NONE or one.origins}
+        return Agreed(rows, times, places, scales, turned, units)
 
     def _is_due(self, rows: Sequence[Taken]) -> bool:
         """Whether lengths, and what they stand for, are as long as due in every plan: nothing is to be told.
@@ -189,7 +237,7 @@ class Congruence:
         for group, some in lengths.items():
             if len(some) >= PLENTY:
                 plans.setdefault(group.plan, []).append(middle([one.ratio for one in some]))
-        units = {plan: unit for plan, ratios in plans.items() if (unit := _unit(ratios))}
+        units = {plan: unit for plan, ratios in plans.items() if (unit := unit_of(ratios))}
         read = (_times(one, UNITS[units[one.plan]]) if one.plan in units else one for one in rows)
         return tuple(read), units
 
@@ -202,6 +250,7 @@ class Congruence:
             # a plan of another position looks like one that is turned by 180°
             others = [move for move in MOVES if move != HALF]
             found = {plan: placed(rows, self.spots, plan, others) for plan in free}
+        found |= turned_back(found)
         common = {one.move for one in found.values() if one} - {NONE}
         if len(common) == 1:
             again = [plan for plan in free if found[plan] is None]
@@ -321,16 +370,6 @@ def _shared(
                 mu = other.mu / its.times
                 better[group] = of_siblings(group, lengths[group], mu, its) or better[group]
     return better
-
-
-def _unit(ratios: Sequence[float]) -> str:
-    """Return the unit that lengths of so many times their due (logarithms) were written in, "" for mm."""
-    if not ratios:
-        return ""
-    inch = all(abs(one + math.log(UNITS["inch"])) < 0.03 for one in ratios)
-    unit = "inch" if inch else "cm"
-    far = max(abs(one + math.log(UNITS[unit])) for one in ratios)
-    return unit if far <= math.log(WITHIN) else ""
 
 
 def _times(taken: Taken, unit: float) -> Taken:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Collection, Mapping, Sequence
 from typing import NamedTuple
 
@@ -17,6 +17,9 @@ NEAR, MUCH = 3.0, 0.35
 more than this share of what is left. Where other plans were moved so, half of the first is enough."""
 FEWEST, FAR = 3, 0.12
 """Fewer points of a plan tell no move; what is left may be such a share of the plan's size at the most."""
+ASIDE = 0.4
+"""An origin of their own is so far from the pole (a share of the size) at least: a mistake, by which some
+points stand elsewhere, looks like one that is nearer."""
 
 
 class Move(NamedTuple):
@@ -62,11 +65,11 @@ def placed(
     spots: Mapping[Key, complex],
     plan: str,
     moves: Collection[Move],
-    near: float = NEAR,
+    within: float = NEAR,
 ) -> Placed | None:
     """Return how the points of a plan were counted; None where they stand as they should, or as nothing tells.
 
-    ``moves`` are tried; a plan whose points are so ``near`` their due, mm in the median, is as it should be.
+    ``moves`` are tried; a plan whose points are ``within`` so many mm of their due in the median stands right.
     """
     there: defaultdict[str, list[tuple[complex, complex]]] = defaultdict(list)
     for taken in rows:
@@ -84,19 +87,33 @@ def placed(
         if not own or all(len(some) > 2 for some in pairs.values())
     }
     as_is, size = tried[NONE, False], _size(pairs)
-    if as_is[0] <= max(near, 0.03 * size * as_is[1] * near / NEAR):
+    if as_is[0] <= max(within, 0.03 * size * as_is[1] * within / NEAR):
         return None
     (move, own), best = min(tried.items(), key=lambda one: (one[1][0] / one[1][1], one[0][1]))
     plain = min(
         (one for one in tried.items() if not one[0][1]), key=lambda one: one[1][0] / one[1][1]
     )
-    if plain[1][0] / plain[1][1] < max(NEAR, 1.5 * best[0] / best[1]):
+    origins = {name: _origin(some, move, best[1]) for name, some in pairs.items()}
+    near = own and float(np.median(np.abs([*origins.values()]))) < ASIDE * size * best[1]
+    if near or plain[1][0] / plain[1][1] < max(NEAR, 1.5 * best[0] / best[1]):
         (move, own), best = plain
     left, times = best
-    if left > MUCH * as_is[0] * NEAR / near or left > FAR * size * times:
+    if left > MUCH * as_is[0] * NEAR / within or left > FAR * size * times:
         return None
-    origins = {name: _origin(some, move, times) if own else 0j for name, some in pairs.items()}
+    origins = origins if own else dict.fromkeys(pairs, 0j)
     return Placed(move, times, origins)
+
+
+def turned_back(found: Mapping[str, Placed | None]) -> dict[str, Placed]:
+    """Return plans that are turned by 180° against most others, counted as these: a mistake turned them."""
+    moves = Counter(one.move for one in found.values() if one)
+    if len(moves) != 2 or any(any(one.origins.values()) for one in found.values() if one):
+        return {}
+    (most, count), (other, fewer) = moves.most_common()
+    opposite = (most.turns - other.turns) % 4 == 2 and most.mirrored == other.mirrored
+    if count <= fewer or not opposite:
+        return {}
+    return {p: Placed(most, one.times, {}) for p, one in found.items() if one and one.move == other}
 
 
 def _size(pairs: Mapping[str, np.ndarray]) -> float:

@@ -49,7 +49,7 @@ class Verdict(NamedTuple):
 
     ``by``: "rows", "rates", "round", "lengths", "" where it is as due; ``agree`` figures ``among`` so many say
     it; ``places``: positions in which it is another, and how many times; ``against``: what lengths say and
-    what rates say where they differ, None if they agree.
+    what rates say where they differ, None if they agree. ``rates``: how many times as large rates alone say.
     """
 
     times: float = 1.0
@@ -58,6 +58,7 @@ class Verdict(NamedTuple):
     among: int = 0
     places: tuple[tuple[str, float], ...] = ()
     against: tuple[float, float] | None = None
+    rates: float = 1.0
 
 
 def verdict(
@@ -67,42 +68,47 @@ def verdict(
 
     ``others``: lengths of the plan of positions, by which rates may have been calculated, too.
     """
-    found = _verdict(group, lengths, rates, others)
+    told = _rates_say([one for one in lengths if not one.apart], rates, others)
+    found = _verdict(group, lengths, told)
+    if told is not None and told[1] >= PLENTY - 1:
+        found = found._replace(rates=math.exp(told[0]))
     near = rounded(group.mu / found.times)
     if found.by in ("rows", "rates") and abs(math.log(near * found.times / group.mu)) <= EXACT:
         return found._replace(times=group.mu / near)
     return found
 
 
-def _verdict(
-    group: Group, lengths: Sequence[Read], rates: Sequence[Rate], others: Sequence[Read]
-) -> Verdict:
+def _verdict(group: Group, lengths: Sequence[Read], told: tuple[float, int, int] | None) -> Verdict:
     if (said := _by_rows(group, lengths)) is not None:
         return said
     if len(lengths) < FEWEST:
         return Verdict()
     laid = [one for one in lengths if one.laid]
     k = middle([one.ratio for one in laid or lengths])
-    told = _rates_say([one for one in lengths if not one.apart], rates, others)
     clear = _apart(k) if laid else abs(k) > OWN and GRAPHS[0] < math.exp(k) < GRAPHS[1]
-    if not clear or (laid and _share(laid, k, FIRST) < FIRST_SHARE):
+    if not clear or (laid and share(laid, k, FIRST) < FIRST_SHARE):
         return _in_spite(group, told) or Verdict()
     if told is not None and (found := _by_rates(group, k, told, steady=bool(laid))) is not None:
         return found
     if _from_a_mark(lengths, k):
         return Verdict()
     rest = [one for one in lengths if not one.laid]
-    agree, due = _agreeing(rest, k), _agreeing(rest, 0.0)
+    agree, due = agreeing(rest, k), agreeing(rest, 0.0)
     enough = len(rest) * (MANY if laid else ALONE)
     alike = agree >= enough and agree >= due + MORE * len(rest)
     usual = laid and (_nearer(rest, k) or (agree >= due and _steady(group, laid, k)))
     if rest and not alike and not usual:
         return Verdict() if laid else _by_spread(lengths, k)
-    times, off = min((_fitted(some, k) for some in (laid, lengths) if some), key=lambda one: one[1])
+    times, off = min((fitted(some, k) for some in (laid, lengths) if some), key=lambda one: one[1])
     near = rounded(group.mu / times)
-    if abs(math.log(near * times / group.mu)) <= max(ROUND, min(2.5 * off, NEARLY)):
+    if abs(math.log(near * times / group.mu)) <= meant(off):
         return Verdict(group.mu / near, "round", agree + len(laid), len(lengths))
     return Verdict(times, "lengths", agree + len(laid), len(lengths))
+
+
+def meant(off: float) -> float:
+    """Return how near (a logarithm) a round scale factor must be to be meant; ``off``: how far lengths are."""
+    return max(ROUND, min(2.5 * off, NEARLY))
 
 
 def _nearer(lengths: Sequence[Read], k: float) -> bool:
@@ -134,7 +140,7 @@ def _by_spread(lengths: Sequence[Read], k: float) -> Verdict:
     return Verdict(times, "lengths", within, len(lengths))
 
 
-def _fitted(lengths: Sequence[Read], k: float) -> tuple[float, float]:
+def fitted(lengths: Sequence[Read], k: float) -> tuple[float, float]:
     """Return how many times as long as due lengths are, by least squares, and how far off that usually is.
 
     ``k``: nearly that, as a logarithm; what is farther from it is left out. What is laid off first is off by
@@ -152,7 +158,7 @@ def _fitted(lengths: Sequence[Read], k: float) -> tuple[float, float]:
 
 def fitting(lengths: Sequence[Read], times: float) -> bool:
     """Whether lengths are so many times as long as due, most of them."""
-    return _agreeing(lengths, math.log(times)) >= ALONE * len(lengths)
+    return agreeing(lengths, math.log(times)) >= ALONE * len(lengths)
 
 
 def of_siblings(group: Group, lengths: Sequence[Read], mu: float, by: Verdict) -> Verdict | None:
@@ -161,8 +167,8 @@ def of_siblings(group: Group, lengths: Sequence[Read], mu: float, by: Verdict) -
     ``mu``: SI a mm, in which the other was drawn, ``by`` whose verdict.
     """
     k = math.log(group.mu / mu)
-    agree = _agreeing(lengths, k)
-    if not _apart(k) or agree < MANY * len(lengths) or agree <= _agreeing(lengths, 0.0):
+    agree = agreeing(lengths, k)
+    if not _apart(k) or agree < MANY * len(lengths) or agree <= agreeing(lengths, 0.0):
         return None
     return Verdict(math.exp(k), by.by, agree, len(lengths))
 
@@ -203,7 +209,7 @@ def _apart(k: float) -> bool:
     return abs(k) > OWN and RANGE[0] < math.exp(k) < RANGE[1]
 
 
-def _share(lengths: Sequence[Read], k: float, within: float) -> float:
+def share(lengths: Sequence[Read], k: float, within: float) -> float:
     """Return the share of lengths that have a ratio (a logarithm), nearly or as nearly as they can be read."""
     far = [
         abs(one.ratio - k) - max(within, (2.2 if one.apart else 1.6) / one.mm) for one in lengths
@@ -216,7 +222,8 @@ def _near(one: Read, k: float) -> bool:
     return abs(one.ratio - k) <= 2.5 * math.hypot(0.9 / one.due, 0.02)
 
 
-def _agreeing(lengths: Sequence[Read], k: float) -> int:
+def agreeing(lengths: Sequence[Read], k: float) -> int:
+    """Return how many lengths are ``k`` times as long as due (a logarithm)."""
     return sum(_near(one, k) for one in lengths)
 
 
@@ -292,7 +299,7 @@ def _is_round(group: Group, k: float, within: float) -> bool:
 def _steady(group: Group, laid: Sequence[Read], k: float) -> bool:
     """Whether what is laid off first says a round scale factor in all positions: the rest may be wrong."""
     clear = abs(k) > 0.5 * CLEAR and _is_round(group, k, EXACT)
-    return clear and len(laid) > 1 and _share(laid, k, SAME) == 1.0
+    return clear and len(laid) > 1 and share(laid, k, SAME) == 1.0
 
 
 def rounded(mu: float) -> float:

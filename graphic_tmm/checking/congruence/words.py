@@ -19,6 +19,7 @@ _WHY = {
     "stated": said("as stated, or as clicks show it"),
     "rows": said("mm and values of {agree} rows of {count} say it"),
     "rates": said("your rates and lengths say it in {agree} positions of {count}"),
+    "supposed": said("so the lengths fit, with the mistake that is named"),
 }
 """Why a scale factor is somebody's own, where that is decided."""
 

@@ -14,7 +14,7 @@ from graphic_tmm.board.record import Step
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.entries import column_multiples
-from graphic_tmm.checking.mutations.evidence import Readings, of_mutations, unexplained
+from graphic_tmm.checking.mutations.evidence import Readings, likely, of_mutations, unexplained
 from graphic_tmm.checking.mutations.execution import AssumedLog
 from graphic_tmm.checking.mutations.hypotheses import (
     CLEAR,
@@ -197,7 +197,8 @@ class Diagnosis(NamedTuple):
 
     ``unknown``: the step that is farthest off where no name is given; None where there is one that leaves
     nothing. ``left``: the wrong readings that a sure name leaves unexplained. ``followed``: those with which
-    others were drawn, so that they were not only read amiss.
+    others were drawn, so that they were not only read amiss. ``score``: how likely the readings are with the
+    best of what may have happened (logarithm).
     """
 
     named: tuple[Told, ...]
@@ -207,6 +208,14 @@ class Diagnosis(NamedTuple):
     doubtful: tuple[Judged, ...] = ()
     left: tuple[Judged, ...] = ()
     followed: frozenset[Key] = frozenset()
+    score: float = 0.0
+
+    @property
+    def certain(self) -> bool:
+        """Whether nothing is left to be explained: a name is sure, or nothing is wrong."""
+        return not self.wrong or (
+            self.unknown is None and any(one[1] >= SURE for one in self.named)
+        )
 
 
 def diagnosed(
@@ -239,20 +248,28 @@ def diagnosed(
     said = _said(readings, mistakes, found, rest)
     said = said if scaling is None else scaling.weighed(said)
     if not said and wrong:
-        likely = perhaps(readings, found, rest)
-        said = () if likely is None else (likely,)
+        known = perhaps(readings, found, rest)
+        said = () if known is None else (known,)
     if not wrong and said and (said[0][1] < CERTAIN or said[0][0][0].gain.sum() < 1.5 * CLEAR):
         said = ()
+    score = likely(readings, mistakes.base_of(0)) + max(
+        (*rest.scores, *_allowed_scores(readings, found))
+    )
     told = (told_of(one, off) for one in said)
     said = tuple(one for one in told if one[1] >= PERHAPS)
     whole = len(said) > 1 or (bool(said) and acceptable(readings, said[0][0][0]))
     certain = whole and said[0][1] >= SURE
     if not certain:
-        return Diagnosis(said, rest.step, wrong, readings, doubtful, (), followed)
+        return Diagnosis(said, rest.step, wrong, readings, doubtful, (), followed, score)
     left = _left(readings, mistakes, said, wrong)
     steps = [step for one in left if (step := drawing.step(one.taken)) is not None]
     first = min(steps, key=lambda step: step.it.slot, default=None)
-    return Diagnosis(said, first, wrong, readings, doubtful, left, followed)
+    return Diagnosis(said, first, wrong, readings, doubtful, left, followed, score)
+
+
+def _allowed_scores(readings: Readings, found: Iterable[Hypothesis]) -> Iterator[float]:
+    """Yield the scores of the mistakes that pass the gate."""
+    return (one.score for one in found if acceptable(readings, one))
 
 
 def _left(
@@ -293,7 +310,8 @@ def _said(
     if named is None:
         return ()
     group, sure = named
-    if rest.beyond - group[0].beyond < REPEATED:
+    small = group[0].instrument and float(group[0].gain.sum()) > 1.5 * CLEAR
+    if rest.beyond - group[0].beyond < REPEATED and not small:
         sure = min(sure, UNSURE)  # one reading alone is like many things
     other = second_mistake(readings, mistakes, group[0]) if group[0].beyond else None
     return ((group, sure),) if other is None else ((group, sure), other)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -119,25 +119,33 @@ def unexplained(
     readings: Readings, base: AssumedLog, scatters: Mapping[Mark, Array] | None = None
 ) -> set[tuple[Key, bool]]:
     """Return the readings that are beyond what a hand does on a board; ``scatters``: as `weighed`'s."""
-    found: set[tuple[Key, bool]] = set()
+    return {at for at, _, off in _plainly(readings, base, scatters) if off > BEYOND}
+
+
+def likely(readings: Readings, base: AssumedLog) -> float:
+    """Return how likely all readings are on a board without a mistake (logarithm)."""
+    return sum(one for _, one, _ in _plainly(readings, base, None))
+
+
+def _plainly(
+    readings: Readings, base: AssumedLog, scatters: Mapping[Mark, Array] | None
+) -> Iterator[tuple[tuple[Key, bool], float, float]]:
+    """Yield each reading, how likely it is (logarithm), and how far off, standard deviations."""
     ways: list[Mapping[tuple[Key, bool], Any]] = []
     told = readings.weighed(base, (), scatters)
     if told is not None:
-        at = readings.by_mark
-        found |= {
-            at[mark, int(place)].at
-            for mark, entry in told.entries.items()
-            for place in np.flatnonzero(entry.base.off > BEYOND)
-            if (mark, int(place)) in at
-        }
+        for (mark, place), taken in readings.by_mark.items():
+            if mark in told.entries:
+                here = told.entries[mark].base
+                yield taken.at, float(here.likely[place]), float(here.off[place])
         ways.append(readings.figures(base.board, told.beside, np.arange(1)))
     plain = executed(base.log, base.given, (), base.marks if readings.keys else ())
     ways.append(readings.figures(base.board, plain, np.arange(1)))
     for one in readings.columns:
-        off = [float(np.ravel(one.evidence(way[one.at]).off)[0]) for way in ways if one.at in way]
-        if off and min(off) > BEYOND and not one.beside:
-            found.add(one.at)
-    return found
+        some = [one.evidence(way[one.at]) for way in ways if one.at in way]
+        if some and not one.beside:
+            most = max(float(np.ravel(each.likely)[0]) for each in some)
+            yield one.at, most, min(float(np.ravel(each.off)[0]) for each in some)
 
 
 def of_variations(

@@ -147,6 +147,20 @@ def multiple(
     return max(0.0, float(np.sum(gains)) + min(0.0, float(cost)))
 
 
+SHORT, NEAR = 6.0, 2.5
+"""Shorter lengths, mm, tell no number that all have; nor do those that are so many usual errors off it."""
+
+
+def common(read: Array, due: Array) -> float:
+    """Return how many times as long as due most lengths are, by least squares; 1 where few are long."""
+    long = due > SHORT
+    if long.sum() < LEAST:
+        return 1.0
+    read, due = read[long], due[long]
+    near = np.abs(read / due - np.median(read / due)) <= NEAR * np.hypot(0.9 / due, 0.02)
+    return float((read * due)[near].sum() / (due**2)[near].sum())
+
+
 def _median(of: Array, weights: Array) -> float:
     """Return a weighted median: a slip of one reading does not move it far."""
     order = np.argsort(of, kind="stable")

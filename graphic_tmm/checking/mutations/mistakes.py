@@ -30,6 +30,7 @@ from graphic_tmm.checking.mutations.mutation import (
     EXCHANGED,
     FACTOR,
     GIVEN,
+    LEFT_OUT,
     SENSE,
     WRONG_END,
     Amiss,
@@ -41,6 +42,7 @@ from graphic_tmm.checking.mutations.words import (
     DIVIDED,
     EXCHANGED_WITH,
     GIVEN_TIMES,
+    NO_GIVEN,
     OPPOSITE_GIVEN,
     OTHER_END,
     OTHER_WAY,
@@ -53,7 +55,9 @@ PARTS = (6, 8, 10, 12, 16, 24)
 """Into so many parts circles are divided."""
 DIGITS = 6
 """What has so many digits nobody has written down."""
-SENSED = ("1/s", "1/s²", "N", "N·m")
+LOADS = ("N", "N·m")
+"""Units of what may be left out altogether."""
+SENSED = ("1/s", "1/s²", *LOADS)
 """Units of what has a sense; a length has one only where it is a coordinate, and below zero."""
 
 
@@ -133,6 +137,8 @@ def _of(marks: Sequence[Mark], value: object) -> Iterator[Mutation]:
         return
     if marks[0].unit in SENSED or np.all(np.asarray(value) < 0.0):
         yield _all(SENSE, OPPOSITE_GIVEN, marks, -1.0)
+    if marks[0].unit in LOADS:
+        yield _all(LEFT_OUT, NO_GIVEN, marks, 0.0)
     for factor in (2.0, 0.5, *POWERS_OF_TEN, *BY_UNIT.get(marks[0].unit, ())):
         yield _all(FACTOR, GIVEN_TIMES, marks, factor, times=factor)
     for factor in digits_exchanged(float(np.ravel(np.asarray(value))[0])):

@@ -10,7 +10,7 @@ from graphic_tmm.checking.mutations.mutation import FACTOR, GIVEN, POWER, SCALE,
 from graphic_tmm.checking.mutations.tables import TIMES
 from graphic_tmm.checking.records import OwnScale
 
-STATED, LENGTHS = "stated", ("lengths", "round")
+STATED, LENGTHS = "stated", ("lengths", "round", "supposed")
 """What says a scale factor: a row of readings or an option; that lengths agree, no more."""
 POSITIONS = "positions"
 NUMBERS = (FACTOR, POWER, SCALE, GIVEN)

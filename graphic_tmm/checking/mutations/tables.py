@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from graphic_tmm.checking.mutations.likelihood import common
 from graphic_tmm.checking.mutations.mutation import SCALE, TABLE
 from graphic_tmm.checking.records import INSTRUMENT, MISTAKE, Taken
 from graphic_tmm.language.said import said
@@ -49,8 +50,8 @@ OWN_SCALE = said(
 )
 WHERE_AT = said("{where}, position {position}")
 FACTORS = (10.0, 0.1, 100.0, 0.01, 1000.0, 0.001)
-COMMON_FACTORS = tuple(float(f) for f in np.round(np.arange(0.95, 1.0501, 0.005), 3) if f != 1.0)
-"""Up to 5 %: a scale or a copy may be so far off; what is more is a mistake."""
+COPY, PLAN_COPY, LEAST_COPY = 0.16, 0.055, 0.004
+"""A copy is larger or smaller by so much (a logarithm) at the most, a plan alone by less, and at least."""
 OPPOSITE, UPSIDE_DOWN = 4.0, 0.2
 """Rates all of the opposite sign are rather calculated so than written down so; what is drawn and bears signs
 (ordinates of a diagram) is rather read with the axis upside down than drawn by another construction."""
@@ -65,6 +66,7 @@ something is due was left out."""
 ANOTHER_SCALE, FREE = 0.06, 90.0
 """A plan is drawn to another scale if it is so much larger or smaller (logarithm); the factor is found from the
 readings, it might be any of so many."""
+Lengths = NDArray[np.float64]
 Column = tuple[str, str, str]
 """A column of readings: plan, segment, and whether it is "mm", a "value" or "xy"."""
 
@@ -224,7 +226,7 @@ def variations(
         yield from _times(place, scales)
         yield from _quantities(place, scales, others)
         if not place.named.segment:
-            yield from _instruments(place, off)
+            yield from _instruments(place, off, dues)
     yield from _swapped(table, apart)
 
 
@@ -323,9 +325,7 @@ def _empty(place: _Together) -> Iterator[Variation]:
 def _own_scale(place: _Together, dues: Sequence[float]) -> Iterator[Variation]:
     """A plan of one position is drawn to a scale of its own; what was calculated of it is right, or is not."""
     rows = place.rows("mm", "xy")
-    some = [place.table.rows[k] for k in rows]
-    read = np.array([abs(one.spot) if one.pointed else abs(one.mm or 0.0) for one in some])
-    whole = np.abs([dues[k] for k in rows])
+    read, whole = _lengths(place, dues)
     if len(rows) < 3 or not read.sum() > 0.0 or not whole.sum() > 0.0:
         return
     with np.errstate(all="ignore"):
@@ -336,6 +336,13 @@ def _own_scale(place: _Together, dues: Sequence[float]) -> Iterator[Variation]:
         found = place.named.scaled(OWN_SCALE, place.rows(*kinds), 1.0 / times)
         found = found._replace(told={"times": round(times, 2), **place.at})
         yield found._replace(family=SCALE, cost=found.cost * FREE)
+
+
+def _lengths(place: _Together, dues: Sequence[float]) -> tuple[Lengths, Lengths]:
+    """Return the lengths of a place, of points how far from their pole, and what they should be, mm."""
+    rows, every = place.rows("mm", "xy"), place.table.rows
+    read = [abs(every[k].spot) if every[k].pointed else abs(every[k].mm or 0.0) for k in rows]
+    return np.array(read), np.abs([dues[k] for k in rows])
 
 
 def _quantities(
@@ -376,12 +383,14 @@ def _swapped(table: ReadingTable, apart: Callable[[int, int], bool]) -> Iterator
             yield found._replace(plan=plan, segment=one[1])
 
 
-def _instruments(place: _Together, off: Callable[[int], complex]) -> Iterator[Variation]:
+def _instruments(
+    place: _Together, off: Callable[[int], complex], dues: Sequence[float]
+) -> Iterator[Variation]:
     one = place.named._replace(kind=INSTRUMENT, family="")
     drawn, points = place.rows("mm", "xy"), place.rows("xy")
-    if len(drawn) > 2:
-        for factor in COMMON_FACTORS:
-            yield one.scaled(COMMON, drawn, 1.0 / factor, times=factor)
+    times = common(*_lengths(place, dues)) if len(drawn) > 2 else 1.0
+    if LEAST_COPY < abs(np.log(times)) < (PLAN_COPY if place.named.plan else COPY):
+        yield one.scaled(COMMON, drawn, 1.0 / times, times=round(times, 2))
     if len(points) > 2:
         for degrees in TURNS:
             turn = complex(np.exp(-1j * np.radians(degrees)))

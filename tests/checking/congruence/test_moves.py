@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from graphic_tmm.checking.congruence.moves import MOVES, NONE, Move, placed
+from graphic_tmm.checking.congruence.moves import MOVES, NONE, Move, Placed, placed, turned_back
 from graphic_tmm.checking.records import Taken
 
 DUE = {
@@ -57,3 +57,21 @@ def test_points_of_another_figure_are_no_move() -> None:
 
 def test_two_points_tell_no_move() -> None:
     assert placed(rows(Move(1), 1.0, 0j)[:2], DUE, "velocities", MOVES) is None
+
+
+def test_a_plan_turned_against_the_others_is_counted_as_they_are() -> None:
+    down, left = Move(0, mirrored=True), Move(2, mirrored=True)
+    found = {p: Placed(down, 1.0, {}) for p in ("positions", "accelerations")}
+    found["velocities"] = Placed(left, 2.0, {})
+    assert turned_back(found) == {"velocities": Placed(down, 2.0, {})}
+    assert turned_back({**found, "accelerations": None}) == {}
+    assert turned_back({**found, "velocities": Placed(Move(1), 1.0, {})}) == {}
+
+
+def test_points_of_a_mistake_are_no_origin_nearby() -> None:
+    """One point of three stands elsewhere: its plan is not counted from between them."""
+    some = [
+        row._replace(x=row.x + 22.0) if row.segment != "a" and row.x is not None else row
+        for row in rows(NONE, 1.0, 0j, slip=0.1)
+    ]
+    assert placed(some, DUE, "velocities", MOVES) is None

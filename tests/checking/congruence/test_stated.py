@@ -85,3 +85,12 @@ def test_a_row_left_as_the_template_has_it_is_no_statement() -> None:
     changed = SC.of([*readings, left._replace(value=0.02)]).report
     assert changed.wrong == 0
     assert [(one.by, one.mu) for one in changed.scales] == [("stated", 0.02)]
+
+
+def test_one_letter_is_of_all_polygons_of_forces() -> None:
+    """Who states μ_F states it for the polygon of link 1, too."""
+    own = FRC._congruence
+    (mu,) = (one for one in own.stated_rows() if one.plan == "forces")
+    stated, _ = stated_in([mu._replace(value=2.0)], SYMBOLS)
+    agreed = own.of([], stated)
+    assert [(one.of, times) for one, times in agreed.times.items()] == [(("forces", "N"), 2.0)] * 2

@@ -7,6 +7,8 @@ from functools import cache
 
 import pytest
 from support.gallery import CASES
+from support.own_told import kind_of, report_of, with_mistake
+from support.own_told import told as compared
 
 from graphic_tmm.checking.check import Checker, check
 from graphic_tmm.checking.readings.read import read_readings
@@ -97,3 +99,14 @@ def test_points_of_a_plan_counted_the_other_way_are_told_as_that(
     (first,) = checker().of(rows).report.mistakes
     assert (first.family, first.plan) == ("table", "accelerations")
     assert first.says.startswith(f"the {axis} of the points")
+
+
+@pytest.mark.parametrize(("name", "turn"), [("copy 0.9", 0), ("copy 0.9", 1), ("copy 1.03", 3)])
+def test_a_copy_is_told_by_the_number_that_all_lengths_have(name: str, turn: int) -> None:
+    """Also where none of them is wrong by itself."""
+    drawing = with_mistake(kind_of(name), turn, 61000)
+    report = report_of(drawing)
+    assert not isinstance(report, str)
+    one = compared(report, drawing)
+    assert one.name
+    assert one.sure
