@@ -39,9 +39,10 @@ def _sentences(
     if own:
         told = joined("; ", [_own(one, language) for one in own])
         yield said("Judged in your own scale factors: {told}.", told=told)
+    unsure = [one for one in scales if one.by in ("round", "lengths")]
+    if unsure:
+        yield _question(unsure, language)
     for one in scales:
-        if one.by in ("round", "lengths"):
-            yield _question(one, language)
         if one.against != (1.0, 1.0):
             yield _stated(one, language) if one.by == "stated" else _against(one, language)
     yield from _moved(moves, language)
@@ -75,15 +76,29 @@ def _own(one: OwnScale, language: str) -> Said:
     )
 
 
-def _question(one: OwnScale, language: str) -> Said:
+def _question(scales: Sequence[OwnScale], language: str) -> Said:
+    """Return what nothing but lengths says of scale factors, and what to do about it, once for all plans."""
+    factors: dict[tuple[str, float, float], list[OwnScale]] = {}
+    for one in scales:
+        factors.setdefault((one.symbol, one.mu, one.due), []).append(one)
+    told = [_scale_of(same, language) for same in factors.values()]
+    laid = ", ".join(dict.fromkeys(one.first for one in scales if one.first))
     return said(
-        "{plan}: all lengths are {times} times as long as due. That is right if you took {mu}; if you took "
-        "{due}, {first} was laid off wrongly. Write your scale factor into the readings.",
-        plan=view_name(one.view, language),
-        times=number(one.due / one.mu, language, 3),
-        mu=_mu(one.mu, one, language),
-        due=number(one.due, language, _DIGITS),
-        first=one.first or said("what is laid off first"),
+        "Drawn to scale factors of your own? {told}. Only lengths say so: if you took these, the lengths are "
+        "right; if you took those of the task, they are wrong, and what is laid off first{laid} is to be "
+        "looked at. Write your μ into the readings.",
+        told=joined("; ", told),
+        laid=f" ({laid})" if laid else "",
+    )
+
+
+def _scale_of(same: Sequence[OwnScale], language: str) -> Said:
+    return said(
+        "{plan}: {mu}, where the task has {due} (lengths {times} times as long as due)",
+        plan=", ".join(view_name(one.view, language) for one in same),
+        mu=_mu(same[0].mu, same[0], language),
+        due=number(same[0].due, language, _DIGITS),
+        times=number(same[0].due / same[0].mu, language, 3),
     )
 
 

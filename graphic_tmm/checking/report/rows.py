@@ -6,6 +6,7 @@ import math
 from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
+from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import RESULTS
 from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Judged, Report
 from graphic_tmm.language.catalogue import Tongues
@@ -21,7 +22,7 @@ LONGEST = 80
 """Of a name, a letter or a unit so many characters are shown."""
 LONGEST_SENTENCE = 600
 """Of a sentence (a mistake's, a note) so many characters are shown."""
-HANDS = Tongues(
+NAMES = Tongues(
     {
         "exact": said("exact"),
         "cad": said("CAD"),
@@ -32,13 +33,15 @@ HANDS = Tongues(
 
 TEXTS: dict[str, str] = {
     "check": said("Check: {title}"),
-    "who": said("Scene: {scene}. Hand: {hand}."),
+    "who": said("Scene: {scene}. Judged by the hand: {hand}{slips}."),
+    "slips": said(" (lines ±{swing}°, readings ±{reading} mm{strict})"),
+    "strict": said("; more strictly: --hand careful"),
     "counts": said("Readings: {all}. Fine {fine}, doubtful {doubtful}, wrong {wrong}."),
     "none": said("There are no readings."),
     "all right": said(
         "Nothing is wrong: every reading agrees with the exact drawing as well as a hand can draw."
     ),
-    "look again": said("Nothing is wrong, but look once more at what is doubtful."),
+    "look again": said("No mistake was found, but look once more at what is doubtful."),
     "seen right": said("What was seen is right as far as it goes, but not every plan was seen."),
     "points seen": said("Seen: {points} of {of} points."),
     "plans seen": said("{name}: {seen} of {of}"),
@@ -48,8 +51,8 @@ TEXTS: dict[str, str] = {
     "only whole": said("No reading is wrong by itself, but the drawing as a whole is."),
     "whole alone": said("As a whole the drawing is farther off than 99.9 % of hands."),
     "whole": said(
-        "As a whole the drawing is farther off than 99.9 % of hands: {doubtful} of {of} readings are doubtful "
-        "where {due} are due."
+        "As a whole the drawing is farther off than 99.9 % of hands: of {of} lengths (wrong ones apart) "
+        "{doubtful} are doubtful, usually {due}."
     ),
     "mistake": said("Most likely: {says}."),
     "perhaps": said("Perhaps, but the readings do not say it for sure: {says}."),
@@ -183,11 +186,19 @@ def title(report: Report) -> str:
 
 
 def who(report: Report) -> str:
-    """Return which scene was checked against whose hand."""
-    words = WORDS[report.language]
+    """Return which scene was checked against whose hand, and how far that is off (standard deviations)."""
+    words, language = WORDS[report.language], report.language
+    slips, hand = "", HANDS.get(report.hand)
+    if hand is not None:
+        slips = words["slips"].format(
+            swing=number(hand.swing, language),
+            reading=number(hand.reading, language),
+            strict=words["strict"] if report.hand == "student" else "",
+        )
     return words["who"].format(
         scene=printable_text(report.scene),
-        hand=printable_text(HANDS[report.language].get(report.hand, report.hand)),
+        hand=printable_text(NAMES[language].get(report.hand, report.hand)),
+        slips=slips,
     )
 
 

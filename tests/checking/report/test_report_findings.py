@@ -169,3 +169,10 @@ def test_a_drawing_that_is_off_as_a_whole_is_told_at_the_head(language: str) -> 
 def test_what_is_wrong_goes_before_the_whole() -> None:
     rows = (judged(verdict=WRONG), judged(verdict=DOUBTFUL, line=3))
     assert headline(report(*rows)._replace(whole=OFF)) == headline(report(*rows))
+
+
+@pytest.mark.parametrize(("language", "never"), [("en", "Nothing is wrong"), ("ru", "Ошибок нет")])
+def test_what_is_doubtful_is_not_told_to_be_right(language: str, never: str) -> None:
+    doubtful = report(judged(verdict=DOUBTFUL), language=language)
+    assert never not in headline(doubtful)
+    assert never in headline(report(judged(), language=language))
