@@ -20,6 +20,7 @@ from graphic_tmm.commands.shared.options import SceneName, language_of, read_sce
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import tell, waiting
 from graphic_tmm.language.said import said
+from graphic_tmm.paper.formats import PAPERS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -29,10 +30,6 @@ if TYPE_CHECKING:
     from graphic_tmm.checking.pictures import Laid
     from graphic_tmm.checking.records import Report
     from graphic_tmm.scene.records import Scene
-
-
-PAPERS = ("A4", "A3", "A2", "A1", "A0")
-"""Formats of paper that somebody's own sheet may have; it is seen whether it stands or lies."""
 
 
 @click.command(cls=Command)

@@ -25,6 +25,7 @@ from graphic_tmm.checking.report.findings import headline
 from graphic_tmm.commands.shared.judging import end_with
 from graphic_tmm.errors import SheetError
 from graphic_tmm.paper.drawing import Drawing, Label, Sheet
+from graphic_tmm.paper.formats import PAPERS
 from graphic_tmm.paper.shapes import box
 from graphic_tmm.scene.read import read
 
@@ -201,6 +202,12 @@ def test_a_clicked_plan_that_is_not_drawn_is_said_to_be_unseen(photo: tuple[obje
     done = invoke("check", "crank-rocker", *photo, *plan)
     assert done.exit_code == 3, done.output
     assert "Velocity plan: 0 of 1, nothing is said about them" in done.stdout
+
+
+def test_every_format_of_own_paper_that_is_offered_is_known(photo: tuple[object, ...]) -> None:
+    for paper in PAPERS:
+        done = invoke("check", "crank-rocker", *photo, "--paper", paper)
+        assert done.exit_code == 0, done.output
 
 
 REVERSED = {
