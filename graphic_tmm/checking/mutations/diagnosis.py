@@ -46,6 +46,7 @@ from graphic_tmm.checking.mutations.hypotheses import (
 from graphic_tmm.checking.mutations.likelihood import scores
 from graphic_tmm.checking.mutations.mistakes import NONE, Mistakes, Offered
 from graphic_tmm.checking.mutations.mutation import Mutation
+from graphic_tmm.checking.mutations.promising import promising
 from graphic_tmm.checking.mutations.refinement import (
     fitted,
     plain_figures,
@@ -87,9 +88,9 @@ def two(
     for group in groups(firsts[:KEPT]):
         tried.setdefault(at_step(group[0]), group)  # the best of each step and family
     pairs = []
-    for group in list(tried.values())[:FIRST]:
+    for k, group in enumerate(list(tried.values())[:FIRST]):
         first = min(group, key=plausible)
-        seconds = _allowed(readings, mistakes, first)
+        seconds = _allowed(readings, mistakes, first, whole=not k)
         if seconds:
             pairs.append(_Pairs(tuple(sorted(group, key=plausible)), seconds))
     if not pairs:
@@ -136,8 +137,13 @@ def second_mistake(readings: Readings, mistakes: Mistakes, first: Hypothesis) ->
     return tuple(sorted(group, key=plausible)), min(chance, UNSURE)
 
 
-def _allowed(readings: Readings, mistakes: Mistakes, first: Hypothesis) -> tuple[Hypothesis, ...]:
-    """Return the second mistakes that pass the gate, the likeliest first, scored with the first."""
+def _allowed(
+    readings: Readings, mistakes: Mistakes, first: Hypothesis, *, whole: bool = True
+) -> tuple[Hypothesis, ...]:
+    """Return the second mistakes that pass the gate, the likeliest first, scored with the first.
+
+    ``whole``: where no mutation does, look for what is written down amiss, and by a hand that draws with both.
+    """
     assert isinstance(first.what, Mutation)
     base = mistakes.base_of(first.board).mistaken(first.what, first.place)
     left = unexplained(readings, base)
@@ -147,7 +153,7 @@ def _allowed(readings: Readings, mistakes: Mistakes, first: Hypothesis) -> tuple
         lambda: _written(readings, mistakes, base, first, left),
         lambda: reweighed(readings, lambda board: base, found),
     )
-    for way in ways:  # the dearer ones where the others tell nothing
+    for way in ways if whole else ways[:1]:  # the dearer ones where the others tell nothing
         allowed = [one for one in way() if acceptable(readings, one) and one.fits]
         if allowed:
             return tuple(sorted(allowed, key=by_score)[:KEPT])
@@ -164,11 +170,10 @@ def _seconds(
     """Return the mutations that move what a first mistake leaves unexplained."""
     offered = mistakes.boards[first.board]
     slots = first.what.slots if isinstance(first.what, Mutation) else frozenset()
-    rows = offered.moving(readings.visible(left))
-    if rows.size < 2:
+    rows = promising(readings, offered, base, left, slots)
+    if len(rows) < 2:
         return []
-    some = [one for one in (offered.mutations[k] for k in rows) if not one.slots & slots]
-    some = some if some and some[0] is NONE else [NONE, *some]
+    some = [offered.mutations[k] for k in rows]
     evidence, _ = of_mutations(readings, base, some, plain_figures(readings, offered, some, base))
     found = of_board(first.board, some, evidence, offered.shares)
     return [one._replace(score=one.score + first.score) for one in found]
@@ -320,9 +325,9 @@ def _said(
 def _of_board(
     readings: Readings, offered: Offered, number: int, rest: Rest
 ) -> Iterator[Hypothesis]:
-    rows = offered.moving(readings.least)
+    rows = promising(readings, offered, offered.base, readings.least)
     some = [offered.mutations[k] for k in rows]
-    plain = offered.figures(readings.keys, rows)
+    plain = offered.figures(readings.keys, np.array(rows))
     evidence, told = of_mutations(readings, offered.base, some, plain)
     rest.beyond = int(evidence.beyond[0].sum())
     if told is not None:

@@ -25,7 +25,7 @@ from graphic_tmm.checking.mutations.entries import (
 from graphic_tmm.checking.mutations.execution import AssumedLog, Executed, executed, figures_of
 from graphic_tmm.checking.mutations.likelihood import BEYOND, Evidence, Likelihood
 from graphic_tmm.checking.mutations.mutation import Mutation
-from graphic_tmm.checking.mutations.tables import Variation
+from graphic_tmm.checking.mutations.tables import ReadingTable, Variation, copied, variations
 from graphic_tmm.checking.records import Judged, Taken
 from graphic_tmm.drawn import Drawn
 
@@ -35,6 +35,8 @@ Array = NDArray[np.float64]
 VISIBLE = 0.5
 """A mistake must move some reading that is not fine by this share of what a hand scatters by, with no
 reading put in: else it explains noise."""
+FAR = 3.0, 0.01
+"""Two readings are told apart if they should differ by so many deviations, and by such a share."""
 
 
 class Readings:
@@ -91,12 +93,60 @@ class Readings:
         base: AssumedLog,
         mutations: Sequence[Mutation],
         scatters: Mapping[Mark, Array] | None,
+        *,
+        tables: bool = True,
     ) -> Weighed | None:
-        """Return what readings of marks tell; None where a board has none that was read."""
+        """Return what readings of marks tell; None where a board has none that was read.
+
+        ``tables``: go on to the marks that figures of tables are found from.
+        """
         if not self.found or base.board is not self.drawing.made.mechanism:
             return None
-        marks = base.marks if self.keys else ()
+        marks = base.marks if self.keys and tables else ()
         return weighed(self.drawing, self.found, base, mutations, scatters, marks)
+
+    @cached_property
+    def written(self) -> tuple[ReadingTable, tuple[Variation, ...]]:
+        """The table of readings, and all that it may have been written down otherwise."""
+        drawing = self.drawing
+        rows = drawing.rows
+        positions = drawing.names or tuple(dict.fromkeys(t.position for t in rows))
+        table, dues = ReadingTable(rows, positions), [self._due(taken) for taken in rows]
+
+        def off(k: int) -> complex:
+            return rows[k].spot - drawing.spots.get(rows[k].key, rows[k].spot)
+
+        def apart(k: int, j: int) -> bool:
+            one = rows[k]
+            if one.pointed:
+                return abs(drawing.spots[one.key] - drawing.spots[rows[j].key]) > 1.0
+            scatters, share = FAR
+            least = scatters * drawing.by.spread[one.at].rms + share * abs(dues[k])
+            return abs(dues[k] - dues[j]) > least
+
+        scales = {
+            one.symbol: one.value for board in drawing.made.boards for one in board.scales.values()
+        }
+        varied = variations(table, drawing.scale, off, scales, apart, dues)
+        return table, (*varied, *copied(table, apart))
+
+    def _due(self, taken: Taken) -> float:
+        if taken.pointed:
+            return abs(self.drawing.spots.get(taken.key, 0.0))
+        cell = self.drawing.due[taken.key]
+        return float((cell.mm if taken.mm is not None else cell.value) or 0.0)
+
+    def ways_of(
+        self, base: AssumedLog, told: Weighed | None = None
+    ) -> tuple[Mapping[tuple[Key, bool], Any], ...]:
+        """Return what tables say by a log: drawn without readings, and with them where its marks were read.
+
+        ``told``: what readings of marks tell, if that is known.
+        """
+        plain = executed(base.log, base.given, (), base.marks if self.keys else ())
+        told = told or self.weighed(base, (), None)
+        every = (plain,) if told is None else (plain, told.beside)
+        return tuple(self.figures(base.board, one, np.arange(1)) for one in every)
 
 
 def of_mutations(
@@ -131,16 +181,13 @@ def _plainly(
     readings: Readings, base: AssumedLog, scatters: Mapping[Mark, Array] | None
 ) -> Iterator[tuple[tuple[Key, bool], float, float]]:
     """Yield each reading, how likely it is (logarithm), and how far off, standard deviations."""
-    ways: list[Mapping[tuple[Key, bool], Any]] = []
     told = readings.weighed(base, (), scatters)
     if told is not None:
         for (mark, place), taken in readings.by_mark.items():
             if mark in told.entries:
                 here = told.entries[mark].base
                 yield taken.at, float(here.likely[place]), float(here.off[place])
-        ways.append(readings.figures(base.board, told.beside, np.arange(1)))
-    plain = executed(base.log, base.given, (), base.marks if readings.keys else ())
-    ways.append(readings.figures(base.board, plain, np.arange(1)))
+    ways = readings.ways_of(base, told)
     for one in readings.columns:
         some = [one.evidence(way[one.at]) for way in ways if one.at in way]
         if some and not one.beside:

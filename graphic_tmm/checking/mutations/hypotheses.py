@@ -14,14 +14,13 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.checking.cells import Key
-from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.evidence import Readings, of_variations
 from graphic_tmm.checking.mutations.execution import AssumedLog
 from graphic_tmm.checking.mutations.likelihood import Evidence
 from graphic_tmm.checking.mutations.mutation import FAMILIES, PREVIOUS, Mutation
-from graphic_tmm.checking.mutations.tables import ReadingTable, Variation, copied, variations
+from graphic_tmm.checking.mutations.tables import Variation
 from graphic_tmm.checking.mutations.words import usual
-from graphic_tmm.checking.records import INSTRUMENT, Taken
+from graphic_tmm.checking.records import INSTRUMENT
 
 Array = NDArray[np.float64]
 NO_MISTAKE, SOMETHING, INSTRUMENTS, KNOWN = 0.6, 0.1, 0.05, 0.25
@@ -185,10 +184,6 @@ def same(one: Hypothesis, other: Hypothesis) -> bool:
     )
 
 
-FAR = 3.0, 0.01
-"""Two readings are told apart if they should differ by so many deviations, and by such a share."""
-
-
 def of_written(
     readings: Readings,
     base: AssumedLog,
@@ -200,39 +195,10 @@ def of_written(
     ``wanted``: readings of which each must change some; ``due``: what tables say by the board, (1,), where that
     is not as it should be.
     """
-    drawing = readings.drawing
-    positions = drawing.names or tuple(dict.fromkeys(t.position for t in drawing.rows))
-    table = ReadingTable(drawing.rows, positions)
-
-    def off(k: int) -> complex:
-        taken = drawing.rows[k]
-        return taken.spot - drawing.spots.get(taken.key, taken.spot)
-
-    def apart(k: int, j: int) -> bool:
-        one, other = drawing.rows[k], drawing.rows[j]
-        if one.pointed:
-            return abs(drawing.spots[one.key] - drawing.spots[other.key]) > 1.0
-        here, there = (_due(drawing, taken) for taken in (one, other))
-        scatters, share = FAR
-        return abs(here - there) > scatters * drawing.by.spread[one.at].rms + share * abs(here)
-
-    scales = {
-        one.symbol: one.value for board in drawing.made.boards for one in board.scales.values()
-    }
-
-    dues = [_due(drawing, taken) for taken in drawing.rows]
-    varied = variations(table, drawing.scale, off, scales, apart, dues)
-    every = [*varied, *copied(table, apart)]
-    at = np.array([taken.at in wanted for taken in drawing.rows])
+    table, every = readings.written
+    at = np.array([taken.at in wanted for taken in readings.drawing.rows])
     some = [table.same(), *(one for one in every if one.changes(at))]
     yield from of_table(every, some, of_variations(readings, base, some, due or {}))
-
-
-def _due(drawing: Comparison, taken: Taken) -> float:
-    if taken.pointed:
-        return abs(drawing.spots.get(taken.key, 0.0))
-    cell = drawing.due[taken.key]
-    return float((cell.mm if taken.mm is not None else cell.value) or 0.0)
 
 
 Told = tuple[tuple[Hypothesis, ...], float]

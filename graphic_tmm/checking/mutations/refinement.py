@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -43,9 +44,10 @@ def reweighed(
         if float(one.gain.sum()) > LEAST and not one.lost and isinstance(one.what, Mutation)
     ][:KEPT]
     anew: dict[int, Hypothesis] = {}
+    of = cache(lambda board: Own(readings.drawing, readings.found, base_of(board)).base)
     for group in groups(best)[:FINALISTS]:
         first = group[0]
-        now = refined(readings, base_of(first.board), first)
+        now = refined(readings, base_of(first.board), first, lambda: of(first.board))  # noqa: B023
         for one in group:
             anew[id(one)] = now._replace(
                 what=one.what,
@@ -57,20 +59,28 @@ def reweighed(
     return [anew.get(id(one), one) for one in found]
 
 
-def refined(readings: Readings, base: AssumedLog, one: Hypothesis) -> Hypothesis:
-    """Return a hypothesis weighed by the scatter of a hand that draws with it; of readings of marks only."""
+def refined(
+    readings: Readings,
+    base: AssumedLog,
+    one: Hypothesis,
+    right: Callable[[], Mapping[Mark, Array]],
+) -> Hypothesis:
+    """Return a hypothesis weighed by the scatter of a hand that draws with it; of readings of marks only.
+
+    ``right``: the errors of marks by the base, (part, trial, position).
+    """
     what = one.what
     work = readings.drawing.made.mechanism
     if not isinstance(what, Mutation) or base.board is not work or not readings.found:
         return one
     other = base.mistaken(what, one.place)
     scatters = scatters_of(readings, other)
-    own, right = (Own(readings.drawing, readings.found, log) for log in (other, base))
+    own, due = Own(readings.drawing, readings.found, other), right()
     gain, far, fit = one.gain.copy(), one.far.copy(), np.array([one.moved, one.squares])
     places = readings.places
     for mark, errors in own.base.items():
         read = readings.found[mark][0]
-        known = entry_of(readings.drawing, mark, right.base[mark][:, 0], read, None)
+        known = entry_of(readings.drawing, mark, due[mark][:, 0], read, None)
         mine = entry_of(readings.drawing, mark, errors[:, 0], read, scatters)
         if known is None or mine is None:
             continue
@@ -149,7 +159,11 @@ def fitted(readings: Readings, offered: Offered) -> tuple[list[Mutation], Eviden
         return np.asarray(found.reshape(len(free), -1))
 
     first = gains([GRID] * len(free))
-    at = np.log(np.array(GRID)[np.argmax(first, axis=1)])
+    some = np.flatnonzero(first.max(axis=1) > 0.0)  # what is nearer gains more
+    if not some.size:
+        return [], Evidence.none(1, readings.places)
+    free = [free[k] for k in some]
+    at = np.log(np.array(GRID)[np.argmax(first[some], axis=1)])
     for _ in range(ROUNDS):
         told = gains([np.exp(x + np.array([-STEP, 0.0, STEP])).tolist() for x in at])
         at = at + np.clip(_newton(told.T, STEP), -FARTHEST, FARTHEST)
@@ -187,12 +201,17 @@ def put_amiss(readings: Readings, offered: Offered) -> tuple[list[Mutation], Evi
 
     def gains(angles: Array) -> Array:
         """Return what the crank gains that stands amiss by angles; both (angle, position)."""
-        some = [amiss_by(marks, row) for row in angles]
-        found = _evidence(readings, offered, [NONE, *some]).gain[1:, :-1]
+        some = [NONE, *(amiss_by(marks, row) for row in angles)]
+        told = readings.weighed(base, some, None, tables=False)
+        evidence = _evidence(readings, offered, some) if told is None else told.evidence
+        found = evidence.gain[1:, :-1]
         return np.asarray(np.broadcast_to(found, (len(angles), readings.places)))
 
     grid = np.repeat(np.array(STANDS)[:, None], readings.places, axis=1)
-    at = np.array(STANDS)[np.argmax(gains(grid), axis=0)]
+    first = gains(grid)
+    if not (first > 0.0).any():
+        return [], Evidence.none(1, readings.places)
+    at = np.array(STANDS)[np.argmax(first, axis=0)]
     for _ in range(ROUNDS):
         told = gains(at + np.array([[-TURN], [0.0], [TURN]]))
         at = at + np.clip(_newton(told, TURN), -FARTHEST_TURN, FARTHEST_TURN)
