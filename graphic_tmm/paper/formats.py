@@ -39,7 +39,7 @@ FORMATS: Mapping[str, Format] = MappingProxyType(
     }
 )
 """By name. All are landscape by default but A4, which is portrait (ГОСТ 2.301; lines by ГОСТ 2.303)."""
-PAPERS = tuple(name for name in reversed(FORMATS) if " " not in name)
+PAPERS = tuple(name for name in tuple(FORMATS)[::-1] if " " not in name)
 """Formats of paper, the smallest first, whether it stands or lies."""
 USUAL = "A1"
 """The format of a sheet that does not say."""
