@@ -158,6 +158,8 @@ def common(read: Array, due: Array) -> float:
         return 1.0
     read, due = read[long], due[long]
     near = np.abs(read / due - np.median(read / due)) <= NEAR * np.hypot(0.9 / due, 0.02)
+    if not near.any():
+        return 1.0
     return float((read * due)[near].sum() / (due**2)[near].sum())
 
 

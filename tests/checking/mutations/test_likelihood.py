@@ -10,6 +10,7 @@ from graphic_tmm.checking.mutations.likelihood import (
     BEYOND,
     DECADES,
     SLIP,
+    common,
     explained,
     log_density,
     multiple,
@@ -100,3 +101,15 @@ def test_two_readings_tell_nothing_of_a_number() -> None:
 def test_more_segments_make_each_less_likely() -> None:
     assert scores([12.0, 0.0], 0.01) == pytest.approx([12.0 + np.log(0.005)])
     assert scores([], 0.01) == []
+
+
+@pytest.mark.parametrize(
+    ("ratios", "times"),
+    [((1.1, 1.1, 1.1, 3.0), 1.1), ((1.0, 1.0, 3.0, 3.0), 1.0), ((1.1, 1.1), 1.0)],
+)
+def test_what_lengths_have_in_common_is_that_of_most(
+    ratios: tuple[float, ...], times: float
+) -> None:
+    """Half as long and half three times as long have nothing in common, nor have two lengths."""
+    due = np.linspace(30.0, 60.0, len(ratios))
+    assert common(np.array(ratios) * due, due) == pytest.approx(times)
