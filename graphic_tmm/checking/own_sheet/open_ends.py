@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.checking.pencil.darkness import Flat
+from graphic_tmm.checking.pencil.darkness import Flat, Greys
 from graphic_tmm.checking.pencil.expected import View
-from graphic_tmm.checking.pencil.points import DOUBLE, SEEN, UNSURE, Spot
+from graphic_tmm.checking.pencil.points import DOUBLE, SEEN, UNSEEN, UNSURE, Spot
 
 REACH = 8.0
 """An end is sought as far before and behind the place where it is expected, mm."""
@@ -35,8 +35,12 @@ RADII = (0.6, 0.8, 1.0, 1.3)
 """Rings about points, mm."""
 ROUND, BETTER = 0.55, 0.15
 """So much more pencil there is on a ring than about it, and than on any other place of the line."""
-POLE, POLE_ERROR = 2.5, 0.25
-"""A pole is no farther from where its lines seem to cross, mm, and known so well where they begin."""
+RINGS = 0.6
+"""A ring's pencil ends no farther behind its circle, mm."""
+SIDES = 0.7
+"""Of a ring what stands aside of the line is pencil, too: of directions whose cosine is less."""
+POLE, POLE_ERROR, CLICKED = 1.5, 0.25, 0.4
+"""A pole is no farther from where it was clicked, mm; known so well where its lines begin, and by a click."""
 BOTH = 2
 """So many lines must begin there."""
 FADING = 4
@@ -49,11 +53,16 @@ ERROR = 0.3
 """How far such an end may be off, mm."""
 
 
-def with_open_ends(flat: Flat, view: View, spots: Sequence[Spot]) -> tuple[Spot, ...]:
-    """Return the spots of a view; those that were not sure, but are where a line ends in the open, are seen."""
+def with_open_ends(
+    flat: Flat, view: View, spots: Sequence[Spot], clicked: complex
+) -> tuple[Spot, ...]:
+    """Return the spots of a view; those that were not sure, but are where a line ends in the open, are seen.
+
+    ``clicked``: its pole, mm.
+    """
     found = list(spots)
     for k in set(view.poles.values()):
-        found[k] = _begun(flat, view, spots, k)
+        found[k] = _begun(flat, view, spots, k, clicked)
     spots = tuple(found)
     for k, spot in enumerate(spots):
         beside = float(np.delete(abs(view.at - view.at[k]), k).min(initial=np.inf))
@@ -75,14 +84,18 @@ def with_open_ends(flat: Flat, view: View, spots: Sequence[Spot]) -> tuple[Spot,
     return tuple(found)
 
 
-def _begun(flat: Flat, view: View, spots: Sequence[Spot], k: int) -> Spot:
-    """Return a pole where its lines begin, if they go to one side: where they cross is not so clear then."""
+def _begun(flat: Flat, view: View, spots: Sequence[Spot], k: int, clicked: complex) -> Spot:
+    """Return a pole: where its lines begin, if they go to one side; where they cross; where it was clicked."""
     spot = spots[k]
     ends = [end for way in _ways(view, spots, k) if (end := _end(flat, spot.at, way))]
-    near = [end for end in ends if abs(end - spot.at) < POLE]
-    if len(near) < BOTH or max(abs(a - b) for a in near for b in near) > 2 * POLE_ERROR:
+    near = [end for end in ends if abs(end - clicked) < POLE]
+    if len(near) >= BOTH and max(abs(a - b) for a in near for b in near) < 2 * POLE_ERROR:
+        return Spot(complex(np.mean(near)), POLE_ERROR, SEEN)
+    if spot.how == SEEN and spot.error < POLE_ERROR:
         return spot
-    return Spot(complex(np.mean(near)), POLE_ERROR, SEEN)
+    # its sign is another one than ours: a click tells as much
+    close = spot.how != UNSEEN and abs(spot.at - clicked) < POLE
+    return Spot((spot.at + clicked) / 2 if close else clicked, CLICKED, SEEN)
 
 
 def _ways(view: View, spots: Sequence[Spot], k: int) -> list[complex]:
@@ -122,10 +135,20 @@ def _end(flat: Flat, at: complex, way: complex) -> complex | None:
     fading = [k for k in ends if pencil[k] > 0.5 and pencil[k + 1 : k + FADING].min() < 0.5]
     if not fading:
         return None
-    end = complex(at + way * along[fading[0]])
+    dark = flat.darkness(np.asarray(places, np.complex128)).max(axis=1)
+    last = int(fading[0])
+    half = _half(dark, last)
+    while last and dark[last] < half:
+        last -= 1
+    end = complex(at + way * along[last])
     around = way * np.exp(1j * np.radians(np.arange(-OPEN, OPEN + 1, 15.0)))
     beside = flat.pencil(np.asarray(end + around[:, None] * ABOUT, np.complex128)).mean(axis=1)
     return end if beside.mean() < BLANK and beside.max() < 0.5 else None
+
+
+def _half(dark: Reals | Greys, last: int) -> float:
+    """Return half of how dark a line is before a place of its profile: sure pencil is far fainter."""
+    return 0.5 * float(np.median(dark[max(last - round(LINE / STEP), 0) : last + 1]))
 
 
 def _ring(flat: Flat, at: complex, way: complex) -> complex | None:
@@ -133,21 +156,39 @@ def _ring(flat: Flat, at: complex, way: complex) -> complex | None:
     along = np.arange(-REACH, REACH + STEP / 2, STEP)
     turns: Complexes = way * np.exp(1j * np.radians(np.arange(0, 360, 15.0)))
     ahead = np.extract(abs(np.angle(turns / way)) < np.radians(OPEN), turns)
+    sides = np.extract(abs((turns / way).real) < SIDES, turns)
     middles = np.asarray(at + way * along, np.complex128)
-    on = [_about(flat, middles, turns, radius) for radius in RADII]
-    off = [_about(flat, middles, ahead, radius + 0.8) for radius in RADII]
-    worth = (np.array(on) - np.array(off)).max(axis=0)
-    best = int(np.argmax(worth))
-    other = worth[abs(along - along[best]) > 2 * RADII[-1]].max(initial=-1.0)
-    drawn = np.max(on, axis=0)[best] > DRAWN and worth[best] > ROUND
-    clear = drawn and worth[best] - other > BETTER
-    return complex(middles[best]) if clear else None
+    dark = flat.darkness(middles)
+    level = _half(dark, int(np.flatnonzero(abs(along) < STEP / 2)[0]))
+    on = [_about(flat, middles, turns, radius, level) for radius in RADII]
+    off = [_about(flat, middles, ahead, radius + 0.8, level) for radius in RADII]
+    # a line so thick that it fills a ring does so all along
+    thick = [_about(flat, middles, sides, radius, level) for radius in RADII]
+    wider = np.array(thick) - np.median(thick, axis=1, keepdims=True)
+    worth = np.minimum(np.array(on) - np.array(off), wider)
+    whole = worth.max(axis=0)
+    drawn = (np.array(on) > DRAWN) & (worth > ROUND)
+    if not drawn.any():
+        return None
+    # smaller circles lie in a thick ring's pencil, and before its middle in that of the line: the largest tells
+    row = int(np.flatnonzero(drawn.any(axis=1))[-1])
+    own = worth[row]
+    best = int(np.argmax(own))
+    # with a ring pencil ends: the broad part of a head has its tip ahead, a line that crosses goes on
+    paper = np.flatnonzero(dark[best:] < level)
+    if not paper.size or paper[0] * STEP > RADII[row] + RINGS:
+        return None
+    other = whole[abs(along - along[best]) > 2 * RADII[-1]].max(initial=-1.0)
+    if whole[best] - other < BETTER:
+        return None
+    near = (abs(along - along[best]) < RADII[-1]) & (own > own[best] - BETTER)
+    return complex(middles[near].mean())
 
 
-def _about(flat: Flat, middles: Complexes, turns: Complexes, radius: float) -> Reals:
+def _about(flat: Flat, middles: Complexes, turns: Complexes, radius: float, level: float) -> Reals:
     """Return how much pencil there is on a circle, or an arc of it, about each of some places."""
     places = np.asarray(middles[:, None] + radius * turns, np.complex128)
-    return np.asarray(flat.pencil(places).mean(axis=1), dtype=np.float64)
+    return np.asarray((flat.darkness(places) > level).mean(axis=1), dtype=np.float64)
 
 
 def _mean(pencil: Reals, along: Reals, low: float, high: float) -> Reals:

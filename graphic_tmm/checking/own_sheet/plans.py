@@ -40,8 +40,6 @@ COMMON, LIKELIER = 3, 3.0
 """So many mistakes of other plans are tried, and taken if the pencil agrees with them nearly as well, mm."""
 SHAPELESS = 3.0
 """Points no farther from one line, mm (root of their squares), make no shape."""
-POLE = 0.4
-"""It is known so well by a click, mm."""
 MORE = 6.0
 """A mistake is read if the pencil agrees with so much more of it than of what is due, mm."""
 DRAWN = 0.93
@@ -186,21 +184,10 @@ def _flat(view: View) -> bool:
 
 def _read(flat: Flat, view: View, pole: complex) -> OwnPlan:
     shift, _ = placed(flat, view, pole, CLICKED)
-    spots = with_open_ends(flat, view, seen(flat, view, shift, followed(flat, view, shift)))
-    spots = _with_pole(view, spots, pole)
+    spots = seen(flat, view, shift, followed(flat, view, shift))
+    spots = with_open_ends(flat, view, spots, pole)
     starts, ends = moved(view, _standing(view, spots, shift)[None])
     return OwnPlan(view, spots, shift, *agreement(flat, starts[0], ends[0]))
-
-
-def _with_pole(view: View, spots: Sequence[Spot], pole: complex) -> tuple[Spot, ...]:
-    """Return the spots with a pole that is seen, where it is not sure by its lines: somebody has clicked it."""
-    found = list(spots)
-    for k in set(view.poles.values()):
-        spot = spots[k]
-        if spot.how != SEEN:
-            near = spot.how != UNSEEN and abs(spot.at - pole) < CLICKED
-            found[k] = Spot((spot.at + pole) / 2 if near else pole, POLE, SEEN)
-    return tuple(found)
 
 
 def _standing(view: View, spots: Sequence[Spot], shift: complex) -> Complexes:
