@@ -14,7 +14,6 @@ from typing import Any
 
 import numpy as np
 
-from graphic_tmm.board.hand import HANDS
 from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Angle, Length, Number, Point
 from graphic_tmm.checking.cells import cells, points
@@ -30,8 +29,7 @@ _FIGURE = _NUMBER + r"(?: [^\s.;,]+)?"
 FIELDS = {
     "lines": r"\d[\d–, …]*", "steps": ".+", "found": _FIGURE, "due": _FIGURE, "off": _NUMBER,
     "of": r"\d+", "count": r"\d+", "wrong": r"\d+", "fine": r"\d+", "doubtful": r"\d+", "all": r"\d+",
-    "percent": _NUMBER, "number": r"\d+", "segment": r"\S+", "position": r"[\w*]+", "swing": _NUMBER,
-    "reading": _NUMBER, "strict": "[^)]*",
+    "percent": _NUMBER, "number": r"\d+", "segment": r"\S+", "position": r"[\w*]+",
 }  # fmt: skip
 """What stands where in a sentence."""
 FOUR = 6e-4
@@ -196,9 +194,7 @@ class Reader:
             "drawn due": self._position,
             "drawn so": self._drawn,
             "whole": lambda f, at, step: worth(f["due"]) < int(f["doubtful"]) <= self.count("doubtful"),
-            "slips": lambda f, at, step: any(
-                near(f["swing"], hand.swing) and near(f["reading"], hand.reading) for hand in HANDS.values()
-            ),
+            "slips": lambda f, at, step: (worth(f["swing"]), worth(f["reading"])) == (0.6, 0.75),
             "whole alone": lambda f, at, step: True,
             "fine ones": lambda f, at, step: int(f["count"]) == self.count("fine"),
             "begin": lambda f, at, step: (

@@ -15,7 +15,7 @@ from graphic_tmm.checking.mutations.diagnosis import Diagnosis
 from graphic_tmm.checking.mutations.evidence import Readings
 from graphic_tmm.checking.mutations.execution import executed
 from graphic_tmm.checking.mutations.explaining import explained
-from graphic_tmm.checking.mutations.hypotheses import REPEATED, SURE, UNSURE, Hypothesis
+from graphic_tmm.checking.mutations.hypotheses import SURE, UNSURE, Hypothesis
 from graphic_tmm.checking.mutations.mistakes import NONE
 from graphic_tmm.checking.mutations.mutation import (
     CRANK,
@@ -27,13 +27,14 @@ from graphic_tmm.checking.mutations.mutation import (
     Mutation,
     measured_last,
 )
+from graphic_tmm.checking.mutations.slip_of_reading import AT_POSITION_OF, slip_of, tenfold
 from graphic_tmm.checking.mutations.tables import EMPTY, EVERYTHING, TIMES, WHERE_AT, Variation
 from graphic_tmm.checking.mutations.words import BY_FAMILY, INSTRUMENT, TURNED, name_of
 from graphic_tmm.checking.mutations.words import LEFT_OUT as LEFT_OUT_SAYS
 from graphic_tmm.checking.mutations.words import SENSE as SENSE_SAYS
 from graphic_tmm.checking.mutations.words import WRONG_END as WRONG_END_SAYS
 from graphic_tmm.checking.records import INSTRUMENT as OFF
-from graphic_tmm.checking.records import MISTAKE, SLIP, UNKNOWN, Judged, Likely, Taken
+from graphic_tmm.checking.records import MISTAKE, UNKNOWN, Judged, Likely, Taken
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
@@ -105,12 +106,6 @@ EVERY = said("{told}; in every such step")
 UNKNOWN_NAME = said("no known mistake")
 UNKNOWN_SAYS = said("no known mistake explains what is wrong: look at {plan}, step {step}: {it}")
 BEGIN_SAYS = said("no known mistake explains what is wrong: begin with {segment} ({plan})")
-SLIP_NAME = said("slip of a reading")
-SLIP_SAYS = said("only {segment} is off: this reading was read or written down amiss")
-SLIP_TEN = said("only {segment} is off: its decimal point has perhaps slipped")
-SLIP_BESIDE = said("by itself {segment} is off, too: this reading was read or written down amiss")
-SLIP_OR_BEFORE = said("{segment} is off, or what it is found from: no other reading tells which")
-SLIP_TEN_BESIDE = said("by itself {segment} is off, too: its decimal point has perhaps slipped")
 ABOUT = said("the readings of {where} are about {times} times as large as they should be")
 HALF_A_TURN = 180.0
 ROUGHLY = 0.1
@@ -121,8 +116,6 @@ MOST = 3
 """So many mistakes at the most are told of those that no reading tells apart."""
 MANY = 10
 """One of so many wrong readings of a segment may be a slip beside what explains the others."""
-TENFOLD = 0.05
-"""So near (as a share) to ten or a hundred times too much a reading is perhaps a slipped decimal point."""
 
 
 def likely_mistakes(diagnosis: Diagnosis, drawing: Comparison, language: str) -> tuple[Likely, ...]:
@@ -131,8 +124,8 @@ def likely_mistakes(diagnosis: Diagnosis, drawing: Comparison, language: str) ->
     roots = list(diagnosis.left) or [one for one in diagnosis.wrong if one.follows is None]
     alone = len({one.taken.key for one in roots}) == 1
     sure = [row for row in diagnosis.named if row[1] >= SURE]
-    if alone and not sure and _tenfold(roots[0]):
-        return (_slip(roots, diagnosis, drawing, speech),)
+    if alone and not sure and tenfold(roots[0]):
+        return (slip_of(roots, diagnosis, drawing, speech),)
     found = [_named(group, chance, diagnosis, drawing, speech) for group, chance in diagnosis.named]
     if any(_contradicted(one, diagnosis) for one in found):
         lower = [one._replace(chance=min(one.chance, UNSURE)) for one in found]
@@ -142,7 +135,7 @@ def likely_mistakes(diagnosis: Diagnosis, drawing: Comparison, language: str) ->
         return tuple(found)
     unknown = _unknown(diagnosis, drawing, speech)
     slip = alone and not (unknown and roots[0].taken.key in diagnosis.followed)
-    told = (_slip(roots, diagnosis, drawing, speech),) if slip else unknown
+    told = (slip_of(roots, diagnosis, drawing, speech),) if slip else unknown
     return (*found, *told)
 
 
@@ -321,68 +314,15 @@ def _called(mark: Mark, language: str) -> str:
     return spoken(mark, language) or view_name(mark.view, language)
 
 
-def _slip(
-    wrong: Sequence[Judged], diagnosis: Diagnosis, drawing: Comparison, speech: Speech
-) -> Likely:
-    one = wrong[0]
-    tenfold, key = _tenfold(one), one.taken.key
-    off = (*diagnosis.wrong, *diagnosis.doubtful)
-    only = all(each.taken.key == key or each.follows is not None for each in off)
-    alone, beside = (SLIP_TEN, SLIP_TEN_BESIDE) if tenfold else (SLIP_SAYS, SLIP_BESIDE)
-    place = "" if only or not one.taken.position else f" ({one.taken.position})"
-    certain = tenfold or _only_read_amiss(one, diagnosis, drawing)
-    sentence = (alone if only else beside) if certain else SLIP_OR_BEFORE
-    says = speech(sentence, segment=one.taken.segment + place)
-    lines = tuple(dict.fromkeys(each.taken.line for each in wrong))
-    return Likely(
-        speech(SLIP_NAME),
-        says,
-        lines,
-        len(wrong),
-        0.0,
-        kind=SLIP,
-        family="table" if tenfold else "",
-        plan=one.taken.plan,
-        segment=one.taken.segment,
-        position=one.taken.position,
-        step=one.step,
-        chance=1.0 if certain else UNSURE,
-    )
-
-
-def _only_read_amiss(one: Judged, diagnosis: Diagnosis, drawing: Comparison) -> bool:
-    """Whether fine readings, of other positions or found from it, say that a figure was only read amiss."""
-    key, step = one.taken.key, drawing.step(one.taken)
-    off = {each.taken.key for each in (*diagnosis.wrong, *diagnosis.doubtful)}
-    fine = [taken for taken in drawing.rows if taken.key not in off]
-    again = {taken.position for taken in fine if taken.key[:2] == key[:2]}
-    if len(again) >= REPEATED:
-        return True
-    if step is None or drawing.made.mechanism is None:
-        return False
-    slots = {step.it.slot}
-    for each in drawing.made.mechanism.construction.steps:
-        if any(mark.slot in slots for mark in each.uses):
-            slots.add(each.it.slot)
-    here = [drawing.step(taken) for taken in fine if taken.position == one.taken.position]
-    return any(each is not None and each.it.slot in slots for each in here)
-
-
-def _tenfold(one: Judged) -> bool:
-    """Whether a reading is ten or a hundred times too large or too small."""
-    times = abs(one.found / one.due) if one.due else 1.0
-    return any(abs(times / ten - 1.0) < TENFOLD for ten in (10.0, 0.1, 100.0, 0.01))
-
-
 def _unknown(diagnosis: Diagnosis, drawing: Comparison, speech: Speech) -> tuple[Likely, ...]:
-    """Return where to look first: the step that is farthest off; of figures of tables the first of them."""
-    step, language = diagnosis.unknown, speech.language
+    """Return where to look first: the first step that is wrong; of figures of tables the first one."""
+    step, language = _first_wrong(diagnosis, drawing), speech.language
     name, count = speech(UNKNOWN_NAME), len(diagnosis.wrong)
     if step is None or drawing.made.mechanism is None:
         own = [one for one in diagnosis.wrong if one.follows is None]
         first = (diagnosis.left or own or diagnosis.wrong)[0]
         plan, segment, at = first.taken.key
-        of = f"{segment} ({at})" if at else segment
+        of = speech(AT_POSITION_OF, segment=segment, position=at) if at else segment
         says = speech(BEGIN_SAYS, segment=of, plan=view_name(plan, language))
         found = Likely(name, says, (), count, 1.0, kind=UNKNOWN, plan=plan)
         return (found._replace(segment=segment, step=first.step),)
@@ -394,3 +334,13 @@ def _unknown(diagnosis: Diagnosis, drawing: Comparison, speech: Speech) -> tuple
     )
     found = Likely(name, says, (), count, 1.0, kind=UNKNOWN, plan=step.it.view, step=step.it.letter)
     return (found._replace(segment=segment_name(step.it.letter)),)
+
+
+def _first_wrong(diagnosis: Diagnosis, drawing: Comparison) -> Step | None:
+    """Return the step of the first wrong reading, as the log draws them: later ones may follow from it."""
+    if diagnosis.unknown is None or drawing.made.mechanism is None:
+        return diagnosis.unknown
+    own = diagnosis.left or [one for one in diagnosis.wrong if one.follows is None]
+    slots = {step.it.slot for one in own if (step := drawing.step(one.taken)) is not None}
+    log = drawing.made.mechanism.construction
+    return next((step for step in log.steps if step.it.slot in slots), diagnosis.unknown)

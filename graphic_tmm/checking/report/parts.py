@@ -24,6 +24,7 @@ from graphic_tmm.checking.report.rows import (
     Grid,
     by_plan,
     figure_of,
+    own_error,
     plan_name,
     printable_text,
     reading_grid,
@@ -222,7 +223,8 @@ def _yours(one: Judged, language: str, calculation: str, both: str = "") -> str:
     """
     words = WORDS[language]
     if one.taken.pointed:
-        key, off = ("off", one.deviation) if one.own is None else ("off itself", abs(one.own))
+        own = own_error(one)
+        key, off = ("off", one.deviation) if own is None else ("off itself", abs(own))
         return words[key].format(
             segment=printable_text(one.taken.segment), off=figure_of(off, 1, language)
         )

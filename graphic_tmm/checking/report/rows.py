@@ -125,7 +125,7 @@ LEGENDS: dict[str, str] = {
     "percent": said("% of plan: of its longest vector."),
     "farther": said("Farther: so many of the hand's own drawings are farther off."),
     "step": said("Step: where the error was made."),
-    "own": said("Own: the error that this step made itself."),
+    "own": said("Own: the error that this step made itself, as far as earlier readings tell it."),
     "follows": said(
         "Follows from: the earlier reading whose deviation it has, though it is found from it rightly."
     ),
@@ -162,6 +162,8 @@ LARGE = 1e6
 """From here on a figure is written with a power of ten."""
 NOISE = 1e-12
 """A deviation below this share of its figure is none: numbers of the machine agree no better."""
+ROUNDED = 0.005
+"""mm: figures of two decimals that differ by less are told as the same."""
 RUNS = 12
 """So many runs of lines are listed; the JSON has all of them."""
 FIGURES = frozenset({"line", "found", "due", "deviation", "percent", "farther", "own"})
@@ -298,9 +300,16 @@ def _reading(one: Judged, language: str) -> dict[str, str]:
         "percent": figure_of(one.percent, 1, language),
         "farther": _share(one.quantile, language),
         "step": printable_text(plain(one.step)),
-        "own": "" if one.own is None else signed(one.own, 2, language),
+        "own": "" if (own := own_error(one)) is None else signed(own, 2, language),
         "follows": _source(one, language),
     }
+
+
+def own_error(one: Judged) -> float | None:
+    """Return the error that a step made itself; None where it is not known apart from the whole deviation."""
+    if one.own is None or abs(abs(one.own) - abs(one.deviation)) < ROUNDED:
+        return None
+    return one.own
 
 
 def _source(one: Judged, language: str) -> str:

@@ -33,7 +33,9 @@ def test_a_slip_beside_a_mistake_is_not_explained_by_it_nor_the_only_thing_off()
     wrong = {one.taken.line for one in report.readings if one.verdict == "wrong"}
     assert wrong == {*normal.lines, line}
     assert slip.lines == (line,)
-    assert slip.says == "by itself pb (3) is off, too: its decimal point has perhaps slipped"
+    assert (
+        slip.says == "by itself pb at position 3 is off, too: its decimal point has perhaps slipped"
+    )
 
 
 def test_a_factor_is_told_as_the_readings_have_it() -> None:
@@ -77,7 +79,9 @@ def test_wrong_figures_of_tables_lead_to_a_finding(tmp_path: Path) -> None:
     assert report.wrong
     last = report.mistakes[-1]
     assert (last.kind, last.plan) == (UNKNOWN, "forces")
-    assert last.says.startswith("no known mistake explains what is wrong: begin with R")
+    assert re.match(
+        r"no known mistake explains what is wrong: begin with R\w+ at position \d", last.says
+    )
 
 
 def test_a_force_that_was_found_about_another_point_is_no_slip() -> None:
@@ -111,3 +115,17 @@ def test_a_reading_among_fine_ones_of_its_segment_is_a_sure_slip() -> None:
     ]
     (first,) = check(read(CASES / "check" / "frc.toml"), rows).mistakes
     assert (first.kind, first.segment, first.chance) == ("slip", "S", 1.0)
+
+
+def test_what_nobody_knows_is_begun_where_the_drawing_goes_wrong_first() -> None:
+    """ab, by a factor that changes with the position, and pb much more so: pb comes later."""
+    rng = np.random.default_rng(3)
+    rows = [
+        one._replace(mm=one.mm * by * rng.uniform(0.8, 1.25))
+        if one.plan == "velocities" and one.mm and (by := {"ab": 1.5, "pb": 3.0}.get(one.segment))
+        else one
+        for one in read_readings(CASES / "check" / "normal_from_the_wrong_end_sc.csv")
+    ]
+    report = check(read(CASES / "check" / "sc.toml"), rows)
+    (unknown,) = [one for one in report.mistakes if one.kind == UNKNOWN]
+    assert unknown.says.endswith(": ab")
