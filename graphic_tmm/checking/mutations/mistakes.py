@@ -16,6 +16,7 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.checking.cells import Key, figures, spots
+from graphic_tmm.checking.judging.taken_marks import steps_of
 from graphic_tmm.checking.mutations.calculated import BY_UNIT, POWERS_OF_TEN
 from graphic_tmm.checking.mutations.execution import (
     AssumedLog,
@@ -195,6 +196,38 @@ NONE = Mutation("", "", {}, {})
 """The log as it is."""
 
 
+class _Part:
+    """Some mutations of a board, executed together when it is asked what they move.
+
+    ``rows``: which of all; ``reached``: the slots of what they change and of all that hangs on it.
+    """
+
+    def __init__(self, offered: Offered, rows: NDArray[np.intp]) -> None:
+        self.offered, self.rows = offered, rows
+
+    @cached_property
+    def reached(self) -> frozenset[int]:
+        """The slots that any of them may move."""
+        found = {slot for k in self.rows for slot in self.offered.mutations[k].slots}
+        for step in self.offered.base.log.steps:
+            if any(mark.slot in found for mark in step.uses):
+                found.add(step.it.slot)
+        return frozenset(found)
+
+    @cached_property
+    def figures(self) -> Mapping[tuple[Key, bool], Sparse]:
+        """All figures, without readings, in the rows that differ from what is due; of steps nothing is kept."""
+        offered = self.offered
+        beside = offered.run((NONE, *(offered.mutations[k] for k in self.rows)))
+        every = np.arange(beside.size)
+        told = figures_of(offered.made, offered.board, beside, every, offered.keys)
+        found: dict[tuple[Key, bool], Sparse] = {}
+        for at, row in told.items():
+            other = np.flatnonzero((row != row[0]) & ~(np.isnan(row) & np.isnan(row[0])))
+            found[at] = Sparse(self.rows[other - 1], row[other])
+        return found
+
+
 class Offered:
     """The mutations of a board; the first is none at all."""
 
@@ -226,39 +259,48 @@ class Offered:
         return free(self.base.log, self.base.given)
 
     @cached_property
-    def _every(self) -> Mapping[tuple[Key, bool], tuple[Any, Sparse]]:
-        """All figures with all of them, without readings: what is due, and the rows that differ from that.
-
-        They are executed in parts: of the steps nothing is kept.
-        """
-        found: dict[tuple[Key, bool], tuple[Any, list[Sparse]]] = {}
+    def keys(self) -> tuple[tuple[Key, bool], ...]:
+        """Every figure of the scene, by key and whether in mm."""
         named = spots(self.made)
-        keys = [
-            (key, mm) for mm in (True, False) for key in {**figures(self.made, in_mm=mm), **named}
-        ]
-        for start in range(0, len(self.mutations), PART):
-            beside = self.run((NONE, *self.mutations[start : start + PART]))
-            rows = np.arange(beside.size)
-            for at, row in figures_of(self.made, self.board, beside, rows, keys).items():
-                other = np.flatnonzero((row != row[0]) & ~(np.isnan(row) & np.isnan(row[0])))
-                _, some = found.setdefault(at, (row[0], []))
-                some.append(Sparse(other + (start - 1), row[other]))
-        return {
-            at: (due, Sparse(*map(np.concatenate, zip(*some, strict=True))))
-            for at, (due, some) in found.items()
-        }
+        both = ((mm, figures(self.made, in_mm=mm)) for mm in (True, False))
+        return tuple((key, mm) for mm, of in both for key in {**of, **named})
+
+    @cached_property
+    def _parts(self) -> tuple[_Part, ...]:
+        """All of them in parts, in the order of the steps that they change: the later move little."""
+        first = [min(one.slots) for one in self.mutations[1:]]
+        rows = 1 + np.argsort(first, kind="stable")
+        return tuple(_Part(self, rows[k : k + PART]) for k in range(0, rows.size, PART))
+
+    @cached_property
+    def _due(self) -> Mapping[tuple[Key, bool], Any]:
+        one = np.arange(1)
+        return figures_of(self.made, self.board, self.run([NONE]), one, self.keys)
+
+    @cached_property
+    def _slots(self) -> Mapping[tuple[str, str], int]:
+        """What is measured, and what is marked, by plan and name."""
+        steps = steps_of(self.board if self.board is self.made.mechanism else None)
+        return {at: step.it.slot for at, step in steps.items()}
 
     def figures(
-        self, wanted: Iterable[tuple[Key, bool]], rows: Any = slice(None)
+        self, wanted: Iterable[tuple[Key, bool]], rows: NDArray[np.intp] | None = None
     ) -> dict[tuple[Key, bool], Any]:
         """Return figures of the board with all of them, or some ``rows``, executed without readings."""
         found: dict[tuple[Key, bool], Any] = {}
+        parts = [one for one in self._parts if rows is None or np.isin(one.rows, rows).any()]
         for at in wanted:
-            if at in self._every:
-                due, sparse = self._every[at]
-                whole = np.full(len(self.mutations), due)
-                whole[sparse.rows] = sparse.value
-                found[at] = whole[rows]
+            if at not in self._due:
+                continue
+            whole = np.full(len(self.mutations), self._due[at])
+            slot = (
+                self._slots.get(at[0][:2]) if at[1] else None
+            )  # a quantity is of other steps, too
+            for part in parts:
+                if slot is None or slot in part.reached:
+                    sparse = part.figures[at]
+                    whole[sparse.rows] = sparse.value
+            found[at] = whole if rows is None else whole[rows]
         return found
 
     def run(self, some: Sequence[Mutation], base: AssumedLog | None = None) -> Executed:

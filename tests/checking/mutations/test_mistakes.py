@@ -7,6 +7,7 @@ import pytest
 from support.gallery import exact
 
 from graphic_tmm.checking.cells import figures
+from graphic_tmm.checking.judging.taken_marks import steps_of
 from graphic_tmm.checking.mutations import mistakes
 from graphic_tmm.checking.mutations.execution import figures_of
 
@@ -28,3 +29,30 @@ def test_figures_of_parts_are_those_of_each_mistake(monkeypatch: pytest.MonkeyPa
             assert some[at][row] == pytest.approx(whole[at][k], nan_ok=True)
             moved += not np.isclose(figure[1], figure[0], equal_nan=True)
     assert moved > rows.size
+
+
+@pytest.mark.parametrize("name", ["crank-rocker", "engine"])
+def test_what_no_part_reaches_none_of_it_moves(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    made = exact(name)
+    offered = mistakes.Offered(made, made.boards[0])
+    every = figures_of(
+        made,
+        offered.board,
+        offered.run(offered.mutations),
+        np.arange(len(offered.mutations)),
+        offered.keys,
+    )
+    monkeypatch.setattr(mistakes, "PART", len(offered.mutations) // 60)
+    parts: list[int] = []
+    run = mistakes.Offered.run
+    monkeypatch.setattr(
+        mistakes.Offered, "run", lambda self, some, *base: parts.append(0) or run(self, some, *base)
+    )
+    plans = [at for at in offered.keys if at[1] and at[0][:2] in steps_of(made.mechanism)]
+    plans = [at for at in plans if at[0][0] in ("positions", "velocities")]
+    drawn = offered.figures(plans)
+    assert 1 < len(parts) < 50, "what comes after these plans is not calculated"
+    for at, figure in (drawn | offered.figures([at for at in offered.keys if not at[1]])).items():
+        np.testing.assert_allclose(
+            figure, np.broadcast_to(every[at], figure.shape), rtol=1e-9, atol=1e-9
+        )
