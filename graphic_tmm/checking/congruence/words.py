@@ -15,6 +15,7 @@ from graphic_tmm.scene.captions import view_name
 
 DOWN = Move(0, mirrored=True)
 _DIGITS = 4
+_UNITS = {"cm": said("centimetres"), "inch": said("inches")}
 _WHY = {
     "stated": said("as stated, or as clicks show it"),
     "rows": said("mm and values of {agree} rows of {count} say it"),
@@ -51,7 +52,7 @@ def _sentences(
         yield said(
             "{plans}: the lengths were written in {unit}, not in mm; they are judged as such.",
             plans=plans,
-            unit=unit,
+            unit=_UNITS[unit],
         )
 
 

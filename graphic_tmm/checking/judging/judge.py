@@ -90,12 +90,14 @@ def _judged(drawing: Comparison, taken: Taken, verdicts: Mapping[Taken, str]) ->
     if own is not None:
         still = _none(drawing, taken, off, own.error)
         mine = FINE if still else own.scatter.verdict(own.counted)
-        error = None if _rate(drawing, taken) else own.error
         if _strict(drawing, taken, verdicts) or _milder(mine, total):
+            error = None if _rate(drawing, taken) else own.error
             verdict, blamed = mine, own.step
             quantile = own.scatter.quantile(0.0 if still else own.counted)
             scatter, counted_off = own.scatter, own.counted
             follows = _follows(drawing, taken, off) if mine == FINE != total else None
+        else:  # it is as it should be, and an earlier reading, which is off, was not drawn with
+            own = None
     return Judged(
         taken=taken,
         found=off.found,

@@ -14,9 +14,9 @@ from graphic_tmm.language.said import said
 SLIP_NAME = said("slip of a reading")
 SLIP_SAYS = said("only {segment} is off: this reading was read or written down amiss")
 SLIP_TEN = said("only {segment} is off: its decimal point has perhaps slipped")
-SLIP_BESIDE = said("by itself {segment} is off, too: this reading was read or written down amiss")
+SLIP_BESIDE = said("by itself {segment} is off: this reading was read or written down amiss")
 SLIP_OR_BEFORE = said("{segment} is off, or what it is found from: no other reading tells which")
-SLIP_TEN_BESIDE = said("by itself {segment} is off, too: its decimal point has perhaps slipped")
+SLIP_TEN_BESIDE = said("by itself {segment} is off: its decimal point has perhaps slipped")
 AT_POSITION_OF = said("{segment} at position {position}")
 TENFOLD = 0.05
 """So near (as a share) to ten or a hundred times too much a reading is perhaps a slipped decimal point."""

@@ -102,7 +102,7 @@ def _columns(
 
 ON_STEP = said("{plan}, step {step}: {told}")
 AT_POSITION = said("{told}, at position {position} only")
-EVERY = said("{told}; in every such step")
+EVERY = said("{told}, in every such step")
 UNKNOWN_NAME = said("no known mistake")
 UNKNOWN_SAYS = said("no known mistake explains what is wrong: look at {plan}, step {step}: {it}")
 BEGIN_SAYS = said("no known mistake explains what is wrong: begin with {segment} ({plan})")

@@ -29,6 +29,8 @@ from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.readers.table import positions_of, scene_columns, scene_results
 from graphic_tmm.scene.captions import view_name
 
+LISTED = 4
+"""So many lines are named where a note is of many."""
 NEAR = 1.0
 """A pole that was read nearer to the origin than this is the origin, mm: a coordinate read off paper scatters
 by 0.75 mm, and a shift by that would be put into all points of the plan."""
@@ -63,7 +65,7 @@ def from_poles(
             kept.append(part)
     far = {at: one for at, one in found.items() if abs(one.spot) > NEAR}
     shifted = tuple(_shifted(one, far) for one in kept)
-    return shifted, tuple(_pole_text(one, speech) for one in far.values())
+    return shifted, tuple(_pole_texts(tuple(far.values()), speech))
 
 
 def _shifted(part: Taken, poles: Mapping[tuple[str, str], Taken]) -> Taken:
@@ -72,6 +74,26 @@ def _shifted(part: Taken, poles: Mapping[tuple[str, str], Taken]) -> Taken:
         return part
     spot = part.spot - pole.spot
     return part._replace(x=spot.real, y=spot.imag)
+
+
+def _pole_texts(poles: Sequence[Taken], speech: Speech) -> Iterator[str]:
+    """Yield a note on the poles of each plan that do not stand at 0: on many of them one note."""
+    for plan in dict.fromkeys(one.plan for one in poles):
+        its = [one for one in poles if one.plan == plan]
+        if len(its) == 1:
+            yield _pole_text(its[0], speech)
+            continue
+        some = ", ".join(str(one.line) for one in its[:LISTED])
+        yield speech(
+            said(
+                "{plan}: {count} poles {pole} do not stand at 0 (lines {lines}); the points of each plan are "
+                "counted from its own",
+                plan=view_name(plan, speech.language),
+                count=len(its),
+                pole=its[0].segment,
+                lines=f"{some}, …" if len(its) > LISTED else some,
+            )
+        )
 
 
 def _pole_text(pole: Taken, speech: Speech) -> str:

@@ -192,3 +192,19 @@ def test_what_is_due_to_vanish_is_judged_with_the_others(tmp_path: Path) -> None
     (report,) = verdicts(scene("sc"), [("readings", dead)])
     assert {one.verdict for one in report.readings} <= {FINE, DOUBTFUL}
     assert report.whole is None
+
+
+@pytest.mark.parametrize("segment", ["πa", "pa"])
+def test_a_figure_that_was_written_down_amiss_puts_no_other_off(
+    segment: str, tmp_path: Path
+) -> None:
+    """What was found rightly beside it is right as it is, and so is the drawing as a whole."""
+    taken = drawing("sc", Pencil(np.random.default_rng(3), 0.1), tmp_path)
+    k = next(k for k, one in enumerate(taken) if (one.segment, one.position) == (segment, "1"))
+    report = Checker(scene("sc")).of(off(taken, k, 25.0)).report
+    (wrong,) = [one for one in report.readings if one.verdict == WRONG]
+    assert wrong.taken.line == taken[k].line
+    assert report.whole is None
+    others = [one for one in report.readings if one is not wrong]
+    assert max(abs(one.times) for one in others) < 4.0
+    assert max(abs(one.own) for one in others if one.own is not None) < 10.0

@@ -33,9 +33,7 @@ def test_a_slip_beside_a_mistake_is_not_explained_by_it_nor_the_only_thing_off()
     wrong = {one.taken.line for one in report.readings if one.verdict == "wrong"}
     assert wrong == {*normal.lines, line}
     assert slip.lines == (line,)
-    assert (
-        slip.says == "by itself pb at position 3 is off, too: its decimal point has perhaps slipped"
-    )
+    assert slip.says == "by itself pb at position 3 is off: its decimal point has perhaps slipped"
 
 
 def test_a_factor_is_told_as_the_readings_have_it() -> None:

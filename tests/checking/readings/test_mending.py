@@ -136,6 +136,16 @@ def test_a_row_for_the_pole_is_no_reading(tmp_path, made, plan, pole):
     assert not [note for note in notes if "counted" in note]
 
 
+def test_of_many_poles_that_stand_elsewhere_there_is_one_note(tmp_path, made):
+    rows = [f"velocities;{k};p;;;;{100 * k};50" for k in range(1, 7)]
+    found, notes = typed(tmp_path, made, [*rows, "velocities;2;b;;;;203;54"])
+    assert [(one.x, one.y) for one in found] == [(3, 4)]
+    assert list(notes) == [
+        "Velocity plan: 6 poles p do not stand at 0 (lines 2, 3, 4, 5, …); the points of each plan are counted "
+        "from its own"
+    ]
+
+
 def test_points_are_counted_from_a_pole_that_stands_elsewhere(tmp_path, made):
     rows = ["velocities;1;p;;;;100;50", "velocities;1;b;;;;112,5;47", "velocities;2;b;;;;3;4"]
     found, notes = typed(
