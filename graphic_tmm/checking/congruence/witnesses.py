@@ -24,6 +24,8 @@ GRAPHS, SPREAD = (0.12, 8.0), 1.5
 from 1 by so many usual deviations of a single ordinate."""
 ROUND, MANTISSAS = 0.012, (1.0, 1.2, 1.25, 1.5, 1.6, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5, 8.0)
 """Lengths alone tell a scale factor to about 1 %: a round one so near is meant."""
+COARSELY = 0.03
+"""A few lengths tell it less well: within the gaps between round ones."""
 EXACT = 0.004
 """Rows and rates tell a scale factor so nearly: a round one so near is meant."""
 ROWS, NEARLY = 0.8, 0.02
@@ -108,7 +110,7 @@ def _verdict(group: Group, lengths: Sequence[Read], told: tuple[float, int, int]
 
 def meant(off: float) -> float:
     """Return how near (a logarithm) a round scale factor must be to be meant; ``off``: how far lengths are."""
-    return max(ROUND, min(2.5 * off, NEARLY))
+    return max(ROUND, min(2.5 * off, COARSELY))
 
 
 def _nearer(lengths: Sequence[Read], k: float) -> bool:
@@ -162,13 +164,14 @@ def fitting(lengths: Sequence[Read], times: float) -> bool:
 
 
 def of_siblings(group: Group, lengths: Sequence[Read], mu: float, by: Verdict) -> Verdict | None:
-    """Return the verdict on a group whose lengths fit the scale factor of another of its plan, not the due one.
+    """Return the verdict on a group whose lengths do not fit the due scale factor; another of its plan is own.
 
     ``mu``: SI a mm, in which the other was drawn, ``by`` whose verdict.
     """
     k = math.log(group.mu / mu)
-    agree = agreeing(lengths, k)
-    if not _apart(k) or agree < MANY * len(lengths) or agree <= agreeing(lengths, 0.0):
+    agree, due = agreeing(lengths, k), agreeing(lengths, 0.0)
+    alike = agree >= MANY * len(lengths) and agree > due
+    if not _apart(k) or (due and not alike):
         return None
     return Verdict(math.exp(k), by.by, agree, len(lengths))
 

@@ -189,6 +189,11 @@ def formulas(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         if only_scales and step.it.role and one.family == LEFT_OUT:
             key = (family, step.it.role, *(mark.slot for mark in marks))
         text = one.op.formula
+        if FORMULAS[step.op.name].tree.head == "+" and family in words.OF_SUM and len(marks) == 1:
+            usual = UNUSUAL if marks[0].role else 1.0  # what was summed up before
+            says, was = words.OF_SUM[family], marks[0]
+            yield (), at_step(step, family, says, change, was=was, usual=usual)
+            continue
         yield key, at_step(step, family, words.FORMULA, change, formula=text, usual=usual)
     scales = [(k, m) for k, m in enumerate(step.uses) if is_scale(m)]
     for k, was in scales:
@@ -222,7 +227,7 @@ def factors(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
 
 
 def units(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
-    """What is given is taken in another unit in one formula: turns a minute for rad/s, kilograms for N."""
+    """What is given is taken in another unit in one formula: turns a minute for rad/s, mm for m."""
     if not step.op.formula or step.op.across:
         return
     for k, was in enumerate(step.uses):
@@ -231,6 +236,21 @@ def units(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
                 change = Change(step._replace(op=_used_times(step.op, k, factor)))
                 one = at_step(step, FACTOR, words.USED_TIMES, change, was=was, times=factor)
                 yield (FACTOR, step.op.name, was.name, factor), one._replace(usual=2.0)
+        measured = any(mark.kind is Length for mark in step.uses)
+        if measured and is_scale(was) and was.unit == "m/mm":
+            change = Change(step._replace(op=_on_paper(step.op, k)))
+            one = at_step(step, SCALE, words.ON_PAPER, change, was=was)
+            yield (SCALE, step.op.name, "on paper"), one
+
+
+MILLIMETRE = 0.001
+"""In m: what a millimetre of the paper stands for where nobody has drawn to scale."""
+
+
+@cache
+def _on_paper(op: Operation, k: int) -> Operation:
+    run: Callable[..., Any] = op.run
+    return op._replace(run=lambda *v, **c: run(*v[:k], 0.0 * v[k] + MILLIMETRE, *v[k + 1 :], **c))
 
 
 @cache

@@ -49,6 +49,7 @@ from graphic_tmm.checking.mutations.mutation import Mutation
 from graphic_tmm.checking.mutations.promising import promising
 from graphic_tmm.checking.mutations.refinement import (
     fitted,
+    multiplied,
     plain_figures,
     put_amiss,
     reweighed,
@@ -339,6 +340,10 @@ def _of_board(
             if mark in rest.marks and (far := float(entry.base.off.max())) > rest.off:
                 rest.off, rest.step = far, steps[mark]
         rest.scores += scores(told.multiples.values(), A_NUMBER)
+        if more := multiplied(readings, offered, told):
+            plain = plain_figures(readings, offered, more, offered.base)
+            numbers, _ = of_mutations(readings, offered.base, more, plain)
+            yield from of_board(number, more, numbers, {}, fitted=True)
     if number == 0:
         drawn = [one for one in readings.columns if one.taken.mm is not None]
         others = [one for one in readings.columns if one.taken.mm is None]

@@ -8,7 +8,7 @@ into. What a step may be mistaken for hangs on kinds, units, views and roles alo
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from functools import cache
 from typing import Any
 
@@ -38,6 +38,7 @@ from graphic_tmm.checking.mutations.mutation import (
     MEETING,
     MIRRORED,
     OPERAND,
+    POWER,
     PREVIOUS,
     SENSE,
     START,
@@ -131,6 +132,8 @@ def _operands(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
 def _everywhere(step: Step, k: int, now: Mark, scope: Scope) -> Key:
     """Return by what another point is taken in several steps: for moments, for the middles of intervals."""
     was, made = step.uses[k], scope.step(step.uses[k])
+    if was.kind is Length:
+        return _whole(step, scope, was, scope.uses(now)[:2])
     if was.kind is not Point:
         return ()
     if step.op is arm and k == 0:
@@ -180,7 +183,16 @@ def _segments(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
                 change = Change(step._replace(op=_by_segment(step.op, k), uses=uses))
                 now = was._replace(letter=f"{first.letter}{last.letter}")
                 one = at_step(step, OPERAND, words.CALCULATED, change, was=was, now=now)
-                yield (), one._replace(usual=1.5)
+                yield _whole(step, scope, was, (end, other)), one._replace(usual=1.5)
+
+
+def _whole(step: Step, scope: Scope, was: Mark, ends: Collection[Mark]) -> Key:
+    """Return by what a whole vector is taken, in several steps, for the rest of it beside what was laid off."""
+    made = scope.step(was)
+    if made is None or made.op.name not in MEASURES:
+        return ()
+    whole = {scope.begun(made.uses[0]), made.uses[1]}
+    return (OPERAND, "whole", step.op.name) if whole == {*ends} else ()
 
 
 @cache
@@ -204,7 +216,9 @@ def _before(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     for k, was in enumerate(step.uses):
         if was.kind in (Line, Length) and scope.step(was) is not None:
             one = at_step(step, PREVIOUS, words.BEFORE, Change(step, before=k), was=was)
-            yield (), one._replace(usual=1.0 if was.kind is Line else UNUSUAL)
+            # a plan drawn by that of the position before is one mistake
+            key = (PREVIOUS, was.view) if was.kind is Line and was.view != step.it.view else ()
+            yield key, one._replace(usual=1.0 if was.kind is Line else UNUSUAL)
 
 
 def _exchanged(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
@@ -229,6 +243,11 @@ def _exchanged(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
     if step.op is similar:
         change = Change(step._replace(op=_mirrored(step.op)))
         yield (MIRRORED, "similar"), at_step(step, MIRRORED, words.MIRRORED, change)
+        turned = Change(step._replace(op=_by_ratio(step.op, 0.0)))
+        yield (), at_step(step, POWER, words.UPSIDE_DOWN, turned)
+        for factor in (2.0, 0.5):
+            change = Change(step._replace(op=_by_ratio(step.op, factor)))
+            yield (), at_step(step, FACTOR, words.AS_FAR, change, times=factor, usual=2.0)
 
 
 def _openings(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
@@ -266,6 +285,17 @@ def _apart(op: Operation) -> Operation:
 
 
 @cache
+def _by_ratio(op: Operation, times: float) -> Operation:
+    """Return a similarity by a ratio so many times as large, or (0) by that upside down."""
+
+    def run(base_a: Any, base_b: Any, A: Any, B: Any, S: Any) -> Any:
+        ratio = times * (S - A) / (B - A) if times else (B - A) / (S - A)
+        return base_a + (base_b - base_a) * ratio
+
+    return op._replace(run=run)
+
+
+@cache
 def _mirrored(op: Operation) -> Operation:
     def run(base_a: Any, base_b: Any, A: Any, B: Any, S: Any) -> Any:
         return base_a + (base_b - base_a) * np.conj((S - A) / (B - A))
@@ -295,7 +325,11 @@ def _directions(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
                 step._replace(choice={"quarters": (step.choice["quarters"] + quarters) % 4})
             )
             key = (DIRECTION, step.op.name, quarters)
-            yield key, at_step(step, DIRECTION, words.TURNED, change, times=90.0 * quarters)
+            told = {
+                "times": 90.0 * quarters,
+                "usual": 2.0 if change.step.choice["quarters"] else 0.5,
+            }
+            yield key, at_step(step, DIRECTION, words.TURNED, change, **told)
     if step.it.kind is Line and step.op not in (parallel, square):
         for quarters in (1, 2, 3):
             change = Change(step._replace(op=_turned(step.op, quarters)))

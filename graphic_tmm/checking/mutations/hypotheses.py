@@ -17,7 +17,7 @@ from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.mutations.evidence import Readings, of_variations
 from graphic_tmm.checking.mutations.execution import AssumedLog
 from graphic_tmm.checking.mutations.likelihood import Evidence
-from graphic_tmm.checking.mutations.mutation import FAMILIES, PREVIOUS, Mutation
+from graphic_tmm.checking.mutations.mutation import FAMILIES, LEFT_OUT, PREVIOUS, Mutation
 from graphic_tmm.checking.mutations.tables import Variation
 from graphic_tmm.checking.mutations.words import usual
 from graphic_tmm.checking.records import INSTRUMENT
@@ -330,6 +330,10 @@ def plausible(one: Hypothesis, off: Container[Mark] = ()) -> tuple[float, ...]:
         return (what.cost - 0.5, 0.0, 0.0, 0.0)
     odd = what.usual + (1.0 if what.wide else 0.0) - (1.0 if usual(what) else 0.0)
     odd -= DIRECT if what.at is not None and what.at.it in off else 0.0
+    odd += (
+        0.1 if what.formula and what.family == LEFT_OUT else 0.0
+    )  # rather as a whole than in part
+    odd -= what.usual if what.family == PREVIOUS and one.place is not None else 0.0
     at = 0.0 if one.place is None else 1.0
     return (odd, at, float(FAMILIES.index(what.family)), float(min(what.slots, default=0)))
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.grammar import Operation
-from graphic_tmm.board.operations.instruments import measure, measure_along
+from graphic_tmm.board.operations.instruments import lay_off, measure, measure_along
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Line, Number
 from graphic_tmm.board.values import given as as_value
@@ -205,6 +205,12 @@ class Scope:
         """Return what a mark was made from."""
         made = self.steps.get(mark.slot)
         return () if made is None else made.uses
+
+    def begun(self, point: Mark) -> Mark | None:
+        """Return the point from which another was laid off; None where it was found otherwise."""
+        laid = self.step(point)
+        on = self.uses(laid.uses[0]) if laid is not None and laid.op is lay_off else ()
+        return on[0] if on else None
 
     def step(self, mark: Mark) -> Step | None:
         """Return the step that makes a mark; None if it is given."""

@@ -12,15 +12,18 @@ from numpy.typing import NDArray
 from graphic_tmm.board import roles
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length, Number
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.step_scatter import as_read, where_read
-from graphic_tmm.checking.mutations.entries import EntryEvidence, Own, entry_of
+from graphic_tmm.checking.mutations import words
+from graphic_tmm.checking.mutations.calculated import POWERS_OF_TEN
+from graphic_tmm.checking.mutations.entries import EntryEvidence, Own, Weighed, entry_of
 from graphic_tmm.checking.mutations.evidence import Readings, of_mutations
 from graphic_tmm.checking.mutations.execution import AssumedLog
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis, groups
 from graphic_tmm.checking.mutations.likelihood import BEYOND, Evidence, explained
 from graphic_tmm.checking.mutations.mistakes import NONE, Offered, amiss_by, misread
-from graphic_tmm.checking.mutations.mutation import Mutation
+from graphic_tmm.checking.mutations.mutation import FACTOR, Change, Mutation, at_step
 
 Array = NDArray[np.float64]
 FINALISTS, KEPT = 8, 100
@@ -170,6 +173,39 @@ def fitted(readings: Readings, offered: Offered) -> tuple[list[Mutation], Eviden
     factors = np.exp(at)
     kept = [misread(m, float(f)) for m, f in zip(free, factors, strict=True) if abs(f - 1.0) > NEAR]
     return [NONE, *kept], _evidence(readings, offered, [NONE, *kept])
+
+
+MULTIPLE, USUAL = 8.0, (2.0, 0.5, *POWERS_OF_TEN)
+"""What is gained at least by a number that all readings of a segment have; numbers that the grammar has."""
+
+
+def multiplied(readings: Readings, offered: Offered, told: Weighed) -> list[Mutation]:
+    """Return steps whose results are so many times as large as due, in all positions or, if calculated, in one.
+
+    The number is found from what was read; the first is the log as it is.
+    """
+    steps = {step.it: step for step in offered.base.log.steps}
+    found = []
+    for mark, entry in told.entries.items():
+        step = steps[mark]
+        if mark.kind not in (Length, Number):
+            continue
+        read = readings.found[mark][0]
+        with np.errstate(all="ignore"):
+            ratios = read / (read - entry.entry.error[0])
+        off = entry.base.off > BEYOND
+        if told.multiples.get(mark, 0.0) > MULTIPLE:
+            times = float(np.nanmedian(ratios))
+        elif off.sum() == 1 and not step.op.reads:
+            times = float(ratios[off][0])
+        else:
+            continue
+        known = any(abs(times / usual - 1.0) < NEAR for usual in USUAL)
+        if np.isfinite(times) and times > 0.0 and abs(times - 1.0) > NEAR and not known:
+            says = words.AS_LONG if step.op.reads else words.FACTOR
+            change = Change(step, factor=times)
+            found.append(at_step(step, FACTOR, says, change, times=times, usual=2.0))
+    return [NONE, *found] if found else []
 
 
 def _evidence(readings: Readings, offered: Offered, some: Sequence[Mutation]) -> Evidence:

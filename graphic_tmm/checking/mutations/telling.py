@@ -116,6 +116,8 @@ MOST = 3
 """So many mistakes at the most are told of those that no reading tells apart."""
 MANY = 10
 """One of so many wrong readings of a segment may be a slip beside what explains the others."""
+MUCH = 0.3
+"""A mistake that explains one reading alone must be so likely, or it is a slip: many mistakes explain one."""
 
 
 def likely_mistakes(diagnosis: Diagnosis, drawing: Comparison, language: str) -> tuple[Likely, ...]:
@@ -124,7 +126,9 @@ def likely_mistakes(diagnosis: Diagnosis, drawing: Comparison, language: str) ->
     roots = list(diagnosis.left) or [one for one in diagnosis.wrong if one.follows is None]
     alone = len({one.taken.key for one in roots}) == 1
     sure = [row for row in diagnosis.named if row[1] >= SURE]
-    if alone and not sure and tenfold(roots[0]):
+    likely = max((row[1] for row in diagnosis.named), default=0.0) >= MUCH
+    only = alone and not likely and roots[0].taken.key not in diagnosis.followed
+    if alone and not sure and (only or tenfold(roots[0])):
         return (slip_of(roots, diagnosis, drawing, speech),)
     found = [_named(group, chance, diagnosis, drawing, speech) for group, chance in diagnosis.named]
     if any(_contradicted(one, diagnosis) for one in found):

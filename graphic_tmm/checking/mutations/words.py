@@ -37,8 +37,16 @@ FORMULA = said("{it} was calculated as {formula}")
 LAID_TIMES = said("{was} was laid off {times} times as long for {it}")
 FACTOR = said("{it} was taken {times} times as large")
 USED_TIMES = said("{it} was calculated with {was} taken {times} times as large")
+ON_PAPER = said("{it} was calculated with lengths as they are on the paper, without {was}")
 ANOTHER_SCALE = said("{it} was calculated with the scale factor {now} instead of {was}")
 ANOTHER_ZERO = said("{it} was counted from another zero: from where it is {times} positions later")
+OF_SUM = {
+    mutation.LEFT_OUT: said("{was} was left out of {it}"),
+    mutation.SENSE: said("{was} was taken with the opposite sense in {it}"),
+}
+UPSIDE_DOWN = said("{it} was found by the ratio upside down")
+AS_FAR = said("{it} was found {times} times as far off")
+AS_LONG = said("{it} is {times} times as long as it should be")
 OTHER_WAY = said("the crank was turned the other way")
 COUNTED = said("the crank's angles were counted from {times}° further on")
 DIVIDED = said("the circle was divided into {times} parts")
@@ -89,6 +97,10 @@ BY_OPERATION: dict[tuple[str, str], Said] = {
     (mutation.OPERAND, "similar"): said("another letter in the similarity"),
     (mutation.OPERAND, "arm"): said("another arm"),
     (mutation.SENSE, "moment"): said("sense of a moment reversed"),
+    (mutation.LEFT_OUT, "moment"): said("a moment left out"),
+    (mutation.LEFT_OUT, "on_lever"): said("a moment left out"),
+    (mutation.LEFT_OUT, "added"): said("something left out of a sum"),
+    (mutation.DIRECTION, "carry"): said("the plan of the lever turned otherwise"),
 }
 INERTIA = said("inertia not reversed")
 BY_FAMILY: dict[str, Said] = {

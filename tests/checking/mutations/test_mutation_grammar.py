@@ -13,15 +13,19 @@ from graphic_tmm.board.grammar import OPERATIONS, operation
 from graphic_tmm.board.operations.instruments import lay_off, ray
 from graphic_tmm.board.record import Board, Construction, Step
 from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Side
-from graphic_tmm.checking.mutations import mutation
+from graphic_tmm.checking.mutations import mutation, words
 from graphic_tmm.checking.mutations.grammar import count, mutations
 from graphic_tmm.checking.mutations.mistakes import digits_exchanged, free, mistaken
 from graphic_tmm.checking.mutations.mutation import (
+    DIRECTION,
     EXCHANGED,
     FAMILIES,
+    LEFT_OUT,
     MEETING,
     OPERAND,
+    PREVIOUS,
     SCALE,
+    SENSE,
     START,
     TABLE,
     Mutation,
@@ -222,3 +226,69 @@ def test_chords_are_those_of_another_graph_or_stand_at_ends_of_intervals() -> No
     ends = [one for one in found if one.wide and one.family == START and one.was is not None]
     feet = [(one.was.letter, one.now.letter) for one in ends if one.was and one.now]
     assert ("m", "i") in feet
+
+
+def offered(name: str) -> list[Mutation]:
+    return [*mutations(measured_last(checker(name).made.boards[0].construction))]
+
+
+def test_one_term_is_left_out_of_a_sum_or_taken_with_the_other_sign() -> None:
+    for family in (LEFT_OUT, SENSE):
+        found = [one for one in offered("frc") if one.says == words.OF_SUM[family]]
+        named = {(one.was.letter, one.at.it.view) for one in found if one.was and one.at}
+        assert {("M(F_3)", "lever"), ("M_{i2}", "group 2-3")} <= named
+
+
+def test_lengths_are_taken_as_they_are_on_the_paper() -> None:
+    """Arms in all equations of moments at once; what is drawn by a calculation is no such length."""
+    found = [one for one in offered("frc") if one.says == words.ON_PAPER and one.at is not None]
+    wide = [one for one in found if one.wide and one.at and one.at.op.name == "moment"]
+    assert max(len(one.changes) for one in wide) == 3
+    assert not [one for one in found if one.at and one.at.op.name == "to_board"]
+
+
+def test_a_point_is_found_by_the_ratio_upside_down_or_half_as_far_off() -> None:
+    made = checker("rpr").made.boards[0]
+    log = measured_last(made.construction)
+    due = execute(log, made.given)
+    step = next(s for s in log.steps if s.it.view == "velocities" and s.op.name == "similar")
+    base, end, B, A, C = (due[mark] for mark in step.uses)
+    found = {(one.says, one.times): one for one in mutations(log, [step])}
+    ratio = (C - B) / (A - B)
+    for says, times, by in (
+        (words.UPSIDE_DOWN, 1.0, 1.0 / ratio),
+        (words.AS_FAR, 0.5, 0.5 * ratio),
+    ):
+        (change,) = found[says, times].changes.values()
+        where = change.step.op.run(base, end, B, A, C)
+        np.testing.assert_allclose(where, base + (end - base) * by)
+
+
+def test_a_plan_is_drawn_by_that_of_the_position_before() -> None:
+    """All lines of a plan at once, each by its own."""
+    found = [one for one in offered("sc") if one.family == PREVIOUS and one.wide]
+    views = [{c.step.it.view for c in one.changes.values()} for one in found]
+    assert {"velocities"} in views
+    assert all(c.before >= 0 for one in found for c in one.changes.values())
+
+
+def test_whole_vectors_are_taken_for_what_is_left_beside_their_normal_components() -> None:
+    (one,) = (one for one in offered("fb") if one.wide and one.family == OPERAND and len(one.changes) == 2
+              and {c.step.it.letter for c in one.changes.values()} == {"ε_2", "ε_3"})  # fmt: skip
+    taken = {c.step.it.letter: [m.letter for m in c.step.uses] for c in one.changes.values()}
+    assert taken["ε_2"][:2] == ["a", "b"]
+    assert taken["ε_3"][0] == "πb"
+
+
+def test_a_load_may_be_left_out_altogether() -> None:
+    board = checker("frc").made.boards[0]
+    found = [one for one in mistaken(board.construction, board.given) if one.family == LEFT_OUT]
+    assert [
+        (one.was.letter, [a.factor for a in one.amiss.values()]) for one in found if one.was
+    ] == [("|F_3|", [0.0])]
+
+
+def test_a_plan_of_the_lever_that_is_not_turned_is_more_usual() -> None:
+    some = [one for one in offered("frc") if one.at is not None and one.at.op.name == "carry"]
+    turned = {one.times: one.usual for one in some if one.family == DIRECTION and one.wide}
+    assert min(turned, key=lambda times: turned[times]) == 90.0
