@@ -246,7 +246,10 @@ class Congruence:
         stated = {plan: Placed(turns[plan], 1.0, {}) for plan in plans if plan in turns}
         free = [plan for plan in plans if plan not in stated]
         found = {plan: placed(rows, self.spots, plan, MOVES) for plan in free}
-        if not all(one and one.move == HALF for one in found.values()):
+        halves = {plan: one for plan, one in found.items() if one and one.move == HALF}
+        if len(halves) > 1 and 2 * len(halves) > len(found):
+            found = dict.fromkeys(found, Placed(HALF, 1.0, {})) | halves  # another one is a mistake
+        else:
             # a plan of another position looks like one that is turned by 180°
             others = [move for move in MOVES if move != HALF]
             found = {plan: placed(rows, self.spots, plan, others) for plan in free}

@@ -38,7 +38,6 @@ from graphic_tmm.checking.mutations.mutation import (
     MEETING,
     MIRRORED,
     OPERAND,
-    POWER,
     PREVIOUS,
     SENSE,
     START,
@@ -244,7 +243,7 @@ def _exchanged(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         change = Change(step._replace(op=_mirrored(step.op)))
         yield (MIRRORED, "similar"), at_step(step, MIRRORED, words.MIRRORED, change)
         turned = Change(step._replace(op=_by_ratio(step.op, 0.0)))
-        yield (), at_step(step, POWER, words.UPSIDE_DOWN, turned)
+        yield (), at_step(step, FACTOR, words.UPSIDE_DOWN, turned)
         for factor in (2.0, 0.5):
             change = Change(step._replace(op=_by_ratio(step.op, factor)))
             yield (), at_step(step, FACTOR, words.AS_FAR, change, times=factor, usual=2.0)

@@ -100,6 +100,7 @@ BY_OPERATION: dict[tuple[str, str], Said] = {
     (mutation.LEFT_OUT, "moment"): said("a moment left out"),
     (mutation.LEFT_OUT, "on_lever"): said("a moment left out"),
     (mutation.LEFT_OUT, "added"): said("something left out of a sum"),
+    (mutation.FACTOR, "similar"): said("another ratio"),
     (mutation.DIRECTION, "carry"): said("the plan of the lever turned otherwise"),
 }
 INERTIA = said("inertia not reversed")

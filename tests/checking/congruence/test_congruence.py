@@ -12,7 +12,7 @@ from support.another_hand import MACHINES as DRAWN
 from support.gallery import CASES, SHEETS
 from support.own_student.machines import MACHINES
 from support.own_student.student import student
-from support.own_told import report_of
+from support.own_told import kind_of, report_of, told, with_mistake
 
 from graphic_tmm.checking.check import Checker
 from graphic_tmm.checking.readings.read import read_readings
@@ -165,3 +165,12 @@ def test_whatever_is_drawn_may_be_drawn_larger(name: str, times: float) -> None:
     for group in sure:
         some = [one for one in found if groups.get(one.taken.key[:2]) == group]
         assert sum(one.verdict == WRONG for one in some) <= 0.2 * len(some), group
+
+
+@pytest.mark.parametrize("name", ["pa the other way", "πa outwards, points"])
+def test_a_plan_against_the_others_is_a_mistake_in_points_that_are_turned(name: str) -> None:
+    """All plans stand by 180° but the one whose first vector was reversed, which stands as due."""
+    drawing = with_mistake(kind_of(name), 1, 83000)
+    report = report_of(drawing)
+    assert not isinstance(report, str)
+    assert (drawing.manner.move, told(report, drawing).name) == ("turned by 180", True)
