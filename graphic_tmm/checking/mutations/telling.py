@@ -31,6 +31,7 @@ from graphic_tmm.checking.mutations.slip_of_reading import AT_POSITION_OF, slip_
 from graphic_tmm.checking.mutations.tables import EMPTY, EVERYTHING, TIMES, WHERE_AT, Variation
 from graphic_tmm.checking.mutations.words import BY_FAMILY, INSTRUMENT, TURNED, name_of
 from graphic_tmm.checking.mutations.words import LEFT_OUT as LEFT_OUT_SAYS
+from graphic_tmm.checking.mutations.words import LETTERS as LETTERS_SAYS
 from graphic_tmm.checking.mutations.words import SENSE as SENSE_SAYS
 from graphic_tmm.checking.mutations.words import WRONG_END as WRONG_END_SAYS
 from graphic_tmm.checking.records import INSTRUMENT as OFF
@@ -195,13 +196,18 @@ def _named(
 
 
 def _once_each(group: Sequence[Hypothesis], drawing: Comparison) -> list[Hypothesis]:
-    """Return hypotheses that no reading tells apart without those that reverse the very same vector once more.
+    """Return hypotheses that no reading tells apart without those that tell the very same once more.
 
-    Its length, the line that it is laid off on, the point at its end: who draws it back does all three.
+    Who draws a vector back reverses its length, the line that it is laid off on, the point at its end. A crank
+    that stands amiss in one position was counted there in whatever way; who exchanges a and b, A and B.
     """
     kept: list[Hypothesis] = []
     seen: list[Step] = []
+    meanings = set[object]()
     for one in group:
+        if (meaning := _meaning(one)) in meanings:
+            continue
+        meanings.add(meaning)
         step = _reversed_at(one)
         steps = drawing.made.boards[one.board].construction.steps if step is not None else ()
         if step is not None and any(_together(step, other, steps) for other in seen):
@@ -209,6 +215,19 @@ def _once_each(group: Sequence[Hypothesis], drawing: Comparison) -> list[Hypothe
         kept.append(one)
         seen += [] if step is None else [step]
     return kept
+
+
+def _meaning(one: Hypothesis) -> object:
+    """Return what is the same of hypotheses that mean the same."""
+    what = one.what
+    if isinstance(what, Variation):
+        return id(what)
+    if what.family == CRANK and one.place is not None:
+        return CRANK, one.place
+    at = what.at.it if what.at is not None else None
+    if what.says == LETTERS_SAYS:
+        return LETTERS_SAYS, at, one.place
+    return what.says, at, what.was, what.now, what.times, what.formula, one.place
 
 
 def _reversed_at(one: Hypothesis) -> Step | None:

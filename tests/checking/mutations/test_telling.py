@@ -127,3 +127,18 @@ def test_what_nobody_knows_is_begun_where_the_drawing_goes_wrong_first() -> None
     report = check(read(CASES / "check" / "sc.toml"), rows)
     (unknown,) = [one for one in report.mistakes if one.kind == UNKNOWN]
     assert unknown.says.endswith(": ab")
+
+
+@pytest.mark.parametrize(
+    ("kind", "turn", "once"),
+    [
+        ("s2 from b", 0, "exchanged in the similarity"),
+        ("the plan of the position before", 1, "crank"),
+    ],
+)
+def test_what_means_the_same_is_told_once(kind: str, turn: int, once: str) -> None:
+    report = report_of(with_mistake(kind_of(kind), turn, 33000))
+    assert not isinstance(report, str)
+    (first, *_) = report.mistakes
+    says = (first.says, *first.like)
+    assert [once in one or "circle" in one for one in says].count(True) == 1
