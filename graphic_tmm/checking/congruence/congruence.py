@@ -248,8 +248,8 @@ class Congruence:
         found = {plan: placed(rows, self.spots, plan, MOVES) for plan in free}
         halves = {plan: one for plan, one in found.items() if one and one.move == HALF}
         if len(halves) > 1 and 2 * len(halves) > len(found):
-            others = (plan for plan in found if plan not in halves)  # turned by a mistake
-            found |= {plan: Placed(HALF, 1.0, {}) for plan in others}
+            # one that is not was turned by a mistake
+            found = {plan: halves.get(plan, Placed(HALF, 1.0, {})) for plan in found}
         else:
             # a plan of another position looks like one that is turned by 180°
             others = [move for move in MOVES if move != HALF]
