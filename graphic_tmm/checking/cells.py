@@ -11,8 +11,10 @@ from graphic_tmm.board.values import Complexes, Point, Reals
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import DrawnScene, single
 from graphic_tmm.language.said import said
+from graphic_tmm.language.symbols import plain
 from graphic_tmm.readers.columns import Column, Readings
 from graphic_tmm.readers.table import positions_of, scene_columns, scene_results
+from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.units import UNITS, plain_unit
 
@@ -181,3 +183,20 @@ def _factor(taken: Taken, cell: Cell) -> float:
             )
         )
     return float(own.factor) / (float(other.factor) if other is not None else 1.0)
+
+
+GREEK = {"omega": "ω", "epsilon": "ε"}
+"""The letters of rates, by what code calls them."""
+
+
+def segment_text(segment: str, language: str) -> str:
+    """Return a segment, or a quantity by its letter as sheets of a language have it.
+
+    >>> segment_text("P_bal_forces", "ru"), segment_text("omega2", "en"), segment_text("pb", "ru")
+    ('P_ур', 'ω_2', 'pb')
+    """
+    name = segment.rstrip("0123456789")
+    if name in GREEK and name != segment:
+        return f"{GREEK[name]}_{segment.removeprefix(name)}"
+    called = captions(language).get(segment, "")
+    return plain(called) if "_" in called else segment

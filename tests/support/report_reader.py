@@ -16,7 +16,7 @@ import numpy as np
 
 from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Angle, Length, Number, Point
-from graphic_tmm.checking.cells import cells, points
+from graphic_tmm.checking.cells import cells, points, segment_text
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.checking.report.rows import WORDS
 from graphic_tmm.drawn import Drawn, DrawnScene
@@ -52,6 +52,7 @@ class Reader:
         self.words, self.page = WORDS[self.language], Page(page)
         self.due, self.spots = cells(made), points(made)
         self.rows = list(rows)
+        self.called = lambda one: segment_text(one.segment, self.language)
         self.by_line = defaultdict(list)
         for one in self.rows:
             self.by_line[one.line].append(one)
@@ -116,7 +117,7 @@ class Reader:
             cell = self.due.get(one.key)
             if position and one.position not in (position, ""):
                 continue
-            if (segment and one.segment != segment) or cell is None or one.pointed:
+            if segment not in ("", self.called(one)) or cell is None or one.pointed:
                 continue
             if one.mm is not None and cell.mm is not None:
                 yield one.mm, cell.mm, one.segment
@@ -249,7 +250,7 @@ class Reader:
         off = [
             abs(one.spot - self.spots[one.key])
             for one in self.rows
-            if one.pointed and one.segment == found["segment"] and one.position == position
+            if one.pointed and self.called(one) == found["segment"] and one.position == position
         ]
         return near(found["off"], *off)
 
@@ -386,15 +387,14 @@ class Reader:
 
     def _is(self, one: Taken, cell: Mapping[str, str], mine: float, due: float) -> bool:
         known = self.due.get(one.key)
-        if one.position != cell.get("position", "") or not cell["segment"].startswith(one.segment):
+        here = one.position == cell.get("position", "")
+        if not here or not cell["segment"].startswith(self.called(one)):
             return False
         if one.pointed:
             spot = self.spots[one.key]
             return near(cell["found"], abs(one.spot)) and near(cell["due"], abs(spot))
         if known is None:
             return False
-        if one.mm is not None:
-            return (
-                known.mm is not None and near(cell["found"], one.mm) and near(cell["due"], known.mm)
-            )
-        return known.value is not None and near(cell["due"], known.value)
+        if one.mm is not None and known.mm is not None:
+            return near(cell["found"], one.mm) and near(cell["due"], known.mm)
+        return one.mm is None and known.value is not None and near(cell["due"], known.value)

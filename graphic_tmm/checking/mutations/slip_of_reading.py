@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from graphic_tmm.checking.cells import segment_text
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.diagnosis import Diagnosis
 from graphic_tmm.checking.mutations.hypotheses import REPEATED, UNSURE
@@ -31,7 +32,7 @@ def slip_of(
     off = (*diagnosis.wrong, *diagnosis.doubtful)
     only = all(each.taken.key == key or each.follows is not None for each in off)
     alone, beside = (SLIP_TEN, SLIP_TEN_BESIDE) if ten else (SLIP_SAYS, SLIP_BESIDE)
-    segment, at = one.taken.segment, one.taken.position
+    segment, at = segment_text(one.taken.segment, speech.language), one.taken.position
     where = segment if not at else speech(AT_POSITION_OF, segment=segment, position=at)
     certain = ten or _only_read_amiss(one, diagnosis, drawing)
     sentence = (alone if only else beside) if certain else SLIP_OR_BEFORE

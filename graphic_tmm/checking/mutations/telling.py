@@ -9,7 +9,7 @@ import numpy as np
 from graphic_tmm.board.findings import step_number
 from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Construction, Mark, Step, segment_name
-from graphic_tmm.checking.cells import taken_figure
+from graphic_tmm.checking.cells import segment_text, taken_figure
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.diagnosis import Diagnosis
 from graphic_tmm.checking.mutations.evidence import Readings
@@ -345,7 +345,8 @@ def _unknown(diagnosis: Diagnosis, drawing: Comparison, speech: Speech) -> tuple
         own = [one for one in diagnosis.wrong if one.follows is None]
         first = (diagnosis.left or own or diagnosis.wrong)[0]
         plan, segment, at = first.taken.key
-        of = speech(AT_POSITION_OF, segment=segment, position=at) if at else segment
+        of = segment_text(segment, language)
+        of = speech(AT_POSITION_OF, segment=of, position=at) if at else of
         says = speech(BEGIN_SAYS, segment=of, plan=view_name(plan, language))
         found = Likely(name, says, (), count, 1.0, kind=UNKNOWN, plan=plan)
         return (found._replace(segment=segment, step=first.step),)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from graphic_tmm.checking.cells import segment_text
 from graphic_tmm.checking.records import (
     DOUBTFUL,
     MISTAKE,
@@ -183,6 +184,6 @@ def _begin(report: Report) -> str:
     if report.lessons:
         return words["begin"].format(**where(report.lessons[0], report.language))
     return words["begin at"].format(
-        segment=printable_text(wrong[0].taken.segment),
+        segment=printable_text(segment_text(wrong[0].taken.segment, report.language)),
         plan=plan_name(wrong[0].taken.plan, report.language),
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from graphic_tmm.checking.cells import segment_text
 from graphic_tmm.checking.records import (
     DOUBTFUL,
     FINE,
@@ -226,7 +227,8 @@ def _yours(one: Judged, language: str, calculation: str, both: str = "") -> str:
         own = own_error(one)
         key, off = ("off", one.deviation) if own is None else ("off itself", abs(own))
         return words[key].format(
-            segment=printable_text(one.taken.segment), off=figure_of(off, 1, language)
+            segment=printable_text(segment_text(one.taken.segment, language)),
+            off=figure_of(off, 1, language),
         )
     unit = unit_name(one.unit, language)
 
@@ -238,6 +240,6 @@ def _yours(one: Judged, language: str, calculation: str, both: str = "") -> str:
         return words["yours fine"].format(found=figure_text(one.found))
     if calculation and calculation.endswith(unit):
         return words["yours"].format(found=figure_text(one.found))
-    segment = printable_text(one.taken.segment)
+    segment = printable_text(segment_text(one.taken.segment, language))
     template = both or words["yours for"]
     return template.format(segment=segment, found=figure_text(one.found), due=figure_text(one.due))

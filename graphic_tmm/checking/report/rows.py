@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.board.hand import HANDS
-from graphic_tmm.checking.cells import RESULTS
+from graphic_tmm.checking.cells import RESULTS, segment_text
 from graphic_tmm.checking.records import DOUBTFUL, FINE, VERDICTS, WRONG, Judged, Report
 from graphic_tmm.language.catalogue import Tongues
 from graphic_tmm.language.numbers import fixed, number
@@ -292,7 +292,7 @@ def _reading(one: Judged, language: str) -> dict[str, str]:
     return {
         "line": str(taken.line) if taken.line else "",
         "position": printable_text(taken.position),
-        "segment": printable_text(taken.segment) + _place(one, language),
+        "segment": printable_text(segment_text(taken.segment, language)) + _place(one, language),
         "found": figure_text(one.found),
         "due": figure_text(one.due),
         "unit": "" if drawn else unit_name(one.unit, language),
@@ -318,7 +318,9 @@ def _source(one: Judged, language: str) -> str:
         return ""
     line, words = one.follows.line, WORDS[language]
     told = words["follows from line" if line else "follows from"]
-    return told.format(segment=printable_text(one.follows.segment), line=line)
+    return told.format(
+        segment=printable_text(segment_text(one.follows.segment, language)), line=line
+    )
 
 
 def _place(one: Judged, language: str) -> str:
