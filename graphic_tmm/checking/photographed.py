@@ -18,6 +18,7 @@ from graphic_tmm.checking.own_sheet.clicked import (
     turn_notes,
 )
 from graphic_tmm.checking.own_sheet.plans import read_clicked
+from graphic_tmm.checking.own_sheet.proposals import proposals
 from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.checking.pencil.expected import Name, views
 from graphic_tmm.checking.pencil.points import SEEN, UNSEEN
@@ -42,6 +43,7 @@ from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke, Wanted, circle, li
 from graphic_tmm.paper.labels import leaders, place
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.ruled import Box
+from graphic_tmm.scene.captions import view_name
 from graphic_tmm.scene.records import Scene
 
 CROSS, RING = 1.6, 1.6
@@ -120,19 +122,56 @@ def photographed(
             )
     if not due and not plans:
         return None
-    photo = shown.flat
-    shot = Shot(photo.image, photo.homography, photo.lens, photo.curl)
-    places = {pole: _on_sheet(shot, photo.area, "--pole", pole, at) for pole, at in clicked.items()}
-    dots = photo.image.shape[1] / (photo.area.right - photo.area.left)
-    flat = Flat(photo.image, photo.area, dots)
+    shot, flat = _shot(shown), _flat(shown)
+    places = {pole: _on_sheet(shot, flat.area, "--pole", pole, at) for pole, at in clicked.items()}
     found = read_plans(flat, due, places)
     asked = (*poles, *own)
     if not plans:
         return _whole(shown.made, found, asked)
-    there = [_clicked(shown.made, shot, photo.area, one) for one in plans]
+    there = [_clicked(shown.made, shot, flat.area, one) for one in plans]
     read = read_clicked(shown.made, flat, there, HANDS[hand])
     both = PhotoPoints((*found.points, *read.found.points), (*found.missing, *read.found.missing))
     return _whole(read.made, both, asked)._replace(scales=read.scales, plans=read.plans)
+
+
+def _shot(shown: Laid) -> Shot:
+    photo = shown.flat
+    return Shot(photo.image, photo.homography, photo.lens, photo.curl)
+
+
+def _flat(shown: Laid) -> Flat:
+    photo = shown.flat
+    return Flat(
+        photo.image, photo.area, photo.image.shape[1] / (photo.area.right - photo.area.left)
+    )
+
+
+class ProposedPlans(NamedTuple):
+    """Plans that a photograph seems to show, in its dots, to be confirmed; a drawing of where they stand."""
+
+    plans: tuple[ClickedPlan, ...]
+    drawing: Drawing
+
+
+def proposed(shown: Laid, hand: str, language: str) -> ProposedPlans:
+    """Return which plans a flattened photograph seems to show, wherever they stand; nothing is judged by it."""
+    shot = _shot(shown)
+    there = [one.plan for one in proposals(shown.made, _flat(shown), HANDS[hand])]
+    strokes: list[Stroke] = []
+    wanted: list[Wanted] = []
+    seen = []
+    for one in there:
+        assert one.first is not None
+        told = f"{view_name(one.plan, language)}, {one.position}"
+        arms = [(one.pole - CROSS * way, one.pole + CROSS * way) for way in (1 + 1j, 1 - 1j)]
+        ends = (*arms, (one.pole, one.first))
+        strokes += [line("main", a, b)._replace(title=told) for a, b in ends]
+        wanted.append(Wanted(escape(told), one.pole, LETTERS, CROSS, 1 - 1j))
+        pole, first = (complex(shot.to_picture(z)) for z in (one.pole, one.first))
+        seen.append(one._replace(pole=pole, first=first))
+    labels = place(wanted, strokes, [])
+    ink = (*strokes, *leaders(wanted, labels))
+    return ProposedPlans(tuple(seen), Drawing("proposed", said("Plans proposed"), ink, labels))
 
 
 def _whole(made: DrawnScene, found: PhotoPoints, asked: Iterable[Pole]) -> Photographed:

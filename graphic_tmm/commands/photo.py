@@ -70,6 +70,14 @@ if TYPE_CHECKING:
     ),
 )
 @click.option(
+    "--propose",
+    is_flag=True,
+    help=said(
+        "Print which plans the photograph seems to show, as --plan to be confirmed, and draw them; nothing is "
+        "judged."
+    ),
+)
+@click.option(
     "--paper",
     type=click.Choice(PAPERS),
     help=said(
@@ -98,6 +106,7 @@ def photo(
     corners: str,
     poles: tuple[str, ...],
     plans: tuple[str, ...],
+    propose: bool,
     paper: str | None,
     readings_out: str | None,
     overlay: str,
@@ -117,6 +126,10 @@ def photo(
                 "--pole, --plan and --readings-out are for points seen in the photograph: leave out READINGS"
             )
         )
+    if propose and (readings is not None or poles or plans or readings_out is not None):
+        raise click.UsageError(
+            said("--propose goes before --plan and --pole, and without READINGS")
+        )
     refuse(scene, readings, output)
     of = read_scene(scene, lettered=True)
     # the form on the sheet is the scene's, in whatever language the report is wanted
@@ -127,6 +140,9 @@ def photo(
         shown = laid(drawn, photo, corners, sheet, composition_of(of), paper or "")
     for warning in shown.flat.warnings:
         tell(said("warning: {text}", text=warning))
+    if propose:
+        _propose(shown, by.hand, of.language, overlay)
+        return
     if readings is not None:
         report: Report | None = report_on(of, readings, by)
         written = underlay(shown, overlay)
@@ -136,6 +152,22 @@ def photo(
         click.echo(str(path), err=report is not None)  # a report has the other stream to itself
     if report is not None:
         end_with(report, form, output)
+
+
+def _propose(shown: Laid, hand: str, language: str, overlay: str) -> None:
+    """Print the plans that a photograph seems to show, ready for --plan, and draw where they stand."""
+    from graphic_tmm.checking.own_sheet.clicked import plan_text
+    from graphic_tmm.checking.photographed import proposed
+    from graphic_tmm.checking.pictures import underlay
+
+    with waiting(said("looking for plans in the photograph")):
+        found = proposed(shown, hand, language)
+    for one in found.plans:
+        click.echo(f"--plan {plan_text(one)}")
+    if not found.plans:
+        tell(said("no plan is recognised in the photograph: give p and a of each with --plan"))
+    for path in underlay(shown, overlay, (found.drawing,)):
+        click.echo(str(path), err=True)  # what is to be copied has the other stream to itself
 
 
 def _seen(

@@ -7,6 +7,9 @@ of them), a standard deviation of 0.3 mm off. The paper's edges are looked for; 
 1.5 dots off. Counted are points that stand by themselves, no other one within 3 mm: read, if they are given as
 seen; right, if they are then within a millimetre of where they were drawn, from the pole, in the student's own
 mm. A point is wrongly drawn if the mistake moves it by more than 2 mm.
+
+Before that plans are proposed without any click: right, if p is within 2 mm and a within 3; plans of which all
+points are within 3 mm of one line cannot be.
 """
 
 from __future__ import annotations
@@ -27,8 +30,8 @@ from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.own_sheet.clicked import ClickedPlan
 from graphic_tmm.checking.pencil.points import SEEN
 from graphic_tmm.checking.photo.picture import Sent
-from graphic_tmm.checking.photographed import judged, photographed
-from graphic_tmm.checking.pictures import laid
+from graphic_tmm.checking.photographed import judged, photographed, proposed
+from graphic_tmm.checking.pictures import Laid, laid
 from graphic_tmm.checking.report.findings import headline
 from graphic_tmm.errors import SheetError
 from graphic_tmm.scene.read import read
@@ -41,7 +44,7 @@ class Outcome(NamedTuple):
     """Of a sheet: plans read and clicked; errors of points read, of how many; of wrongly drawn ones the same.
 
     ``mu``: how far the student's own are off, as a share; ``status``: 0, 1 or 3; ``edges``: how far the paper's
-    corners are off, dots.
+    corners are off, dots; ``proposed``: without clicks, rightly, of how many, falsely.
     """
 
     plans: tuple[int, int]
@@ -53,6 +56,26 @@ class Outcome(NamedTuple):
     says: str
     seconds: float
     edges: float = 0.0
+    proposed: tuple[int, int, int] = (0, 0, 0)
+
+
+def shaped(sheet: Sheet, at: tuple[str, str]) -> bool:
+    """Whether the points of a plan do not lie on one line."""
+    spots = np.array([0, *(t.spot for k, t in sheet.points.items() if (k[0], k[2]) == at)])
+    off = spots - spots.mean()
+    return float(np.linalg.svd(np.stack([off.real, off.imag]), compute_uv=False)[-1]) > 3.0
+
+
+def proposals_of(sheet: Sheet, shown: Laid) -> tuple[int, int, int]:
+    """Return how many plans are proposed rightly, how many could be, how many are proposed falsely."""
+    dots = abs(sheet.edges[1] - sheet.edges[0]) / sheet.size[0]
+    plans = proposed(shown, "student", "en").plans
+    right = 0
+    for one in plans:
+        pole, first = sheet.plans.get((one.plan, one.position), (np.inf, np.inf))
+        assert one.first is not None
+        right += abs(one.pole - pole) < 2.0 * dots and abs(one.first - first) < 3.0 * dots
+    return right, sum(shaped(sheet, at) for at in sheet.plans), len(plans) - right
 
 
 def clicks(sheet: Sheet, both: bool, rng: np.random.Generator) -> list[ClickedPlan]:
@@ -84,6 +107,7 @@ def outcome(sheet: Sheet, seed: int, *, both: bool, corners: bool) -> Outcome:
     assert seen is not None
     report = judged(scene, seen, hand="student", trials=400, limits=Limits(), source="own.jpg")
     seconds = time.process_time() - begun
+    without = proposals_of(sheet, shown)
     errors, total, wrongly, right = [], 0, 0, 0
     by = {one.name: one for one in seen.found.points}
     for key, truth in sheet.points.items():
@@ -102,7 +126,9 @@ def outcome(sheet: Sheet, seed: int, *, both: bool, corners: bool) -> Outcome:
     status = 1 if report.wrong else 0 if seen.sight.whole else 3
     plans = len(clicked) - missing, len(clicked)
     says = headline(report)
-    return Outcome(plans, tuple(errors), total, (right, wrongly), mu, status, says, seconds, edges)
+    return Outcome(
+        plans, tuple(errors), total, (right, wrongly), mu, status, says, seconds, edges, without
+    )
 
 
 def main() -> None:
@@ -129,7 +155,7 @@ def main() -> None:
             f"{number} {told}: plans {one.plans}, points {len(one.errors)} of {one.points}, {far} far, "
             f"wrong {one.wrong[0]} of {one.wrong[1]}, mu {[f'{100 * m:.1f} %' for m in one.mu]}, "
             f"status {one.status}, "
-            f"{one.seconds:.1f} s, edges {one.edges:.1f}: {one.says[:150]}",
+            f"proposed {one.proposed}, {one.seconds:.1f} s, edges {one.edges:.1f}: {one.says[:150]}",
             flush=True,
         )
     print(table(several))
@@ -145,6 +171,11 @@ def table(several: list[tuple[int, Outcome]]) -> str:
     mu = np.array([off for one in rows for off in one.mu])
     bad = [one.status for n, one in several if KINDS[n % len(KINDS)].wrong]
     good = [one.status for n, one in several if not KINDS[n % len(KINDS)].wrong]
+    rightly, could, falsely = (sum(one.proposed[k] for one in rows) for k in range(3))
+    least, most = (
+        sum(one.proposed[k] for n, one in several if not KINDS[n % len(KINDS)].wrong)
+        for k in (1, 0)
+    )
     small = [one.seconds for n, one in several if KINDS[n % len(KINDS)].size == "A4"]
     large = [one.seconds for n, one in several if KINDS[n % len(KINDS)].size != "A4"]
     return "\n".join(
@@ -154,6 +185,8 @@ def table(several: list[tuple[int, Outcome]]) -> str:
             f"error: median {np.median(errors):.2f}, 95 % {np.quantile(errors, 0.95):.2f}, "
             f"> 1 mm {(errors > NEAR).sum()}",
             f"wrongly drawn points read as drawn {right} of {wrongly}",
+            f"proposed without clicks {rightly} of {could} plans with a shape (of right drawings "
+            f"{most} of {least}), falsely {falsely}",
             f"mu off: median {100 * np.median(mu):.2f} %, most {100 * mu.max():.2f} %, within 1 %: "
             f"{(mu < 0.01).sum()} of {mu.size}",
             f"wrong sheets {len(bad)}: something wrong {bad.count(1)}, not all seen {bad.count(3)}, "

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 from support.command import invoke
+from support.own_boards import A, V
+from support.own_plans import HIGH, own_plans
+from support.own_sheets import Kind
 
 from graphic_tmm.checking.judging.scatter import Limits
-from graphic_tmm.checking.own_sheet.clicked import ClickedScale
+from graphic_tmm.checking.own_sheet.clicked import ClickedScale, plans_of
 from graphic_tmm.checking.pencil.points import SEEN, UNSEEN, UNSURE
 from graphic_tmm.checking.pencil.reading import PhotoPoints, Point, readings
 from graphic_tmm.checking.photographed import (
@@ -202,6 +206,53 @@ def test_a_clicked_plan_that_is_not_drawn_is_said_to_be_unseen(photo: tuple[obje
     done = invoke("check", "crank-rocker", *photo, *plan)
     assert done.exit_code == 3, done.output
     assert "Velocity plan: 0 of 1, nothing is said about them" in done.stdout
+
+
+def test_plans_are_proposed_as_they_can_be_clicked_and_nothing_is_judged(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    image = pytest.importorskip("PIL.Image")
+    monkeypatch.chdir(tmp_path)
+    drawn = own_plans(Kind("sc", mu={V: 1.0, A: 1.25}))
+    # a sheet of A3, plans at its top, upon a dark table
+    paper = np.full((297 * HIGH, 420 * HIGH), 235, np.uint8)
+    paper[: len(drawn.grey)] = drawn.grey
+    image.fromarray(np.pad(paper, 60, constant_values=40)).save("own.png")
+    scene = str(Path(__file__).parents[1] / "cases" / "check" / "sc.toml")
+    asked = ("photo", scene, "own.png", "--paper", "A3", "--overlay", "o.svg", "-l", "en")
+    done = invoke(*asked, "--propose")
+    assert done.exit_code == 0, done.output
+    options = done.stdout.split()
+    assert options[::2] == ["--plan"] * 3
+    top = 200 * 1j
+    for one, own in zip(plans_of(options[1::2]), drawn.clicked, strict=True):
+        assert (one.plan, one.position) == (own.plan, own.position)
+        assert own.first is not None
+        for seen, there in ((one.pole, own.pole), (one.first, own.first)):
+            assert seen == pytest.approx(
+                60 + 60j + HIGH * (top + there.conjugate()), abs=2.5 * HIGH
+            )
+    assert "Velocity plan, 1" in Path("o.svg").read_text(encoding="utf-8")
+    judged = invoke(*asked, *options)
+    assert judged.exit_code == 0, judged.output
+    assert "Nothing is wrong" in judged.stdout
+
+
+def test_where_no_plan_is_recognised_clicks_are_asked_for(photo: tuple[object, ...]) -> None:
+    done = invoke("check", "crank-rocker", *photo, "--propose", "--paper", "A4")
+    assert (done.exit_code, done.stdout) == (0, ""), done.output
+    assert (
+        "no plan is recognised in the photograph: give p and a of each with --plan" in done.stderr
+    )
+
+
+@pytest.mark.parametrize("option", [("--pole", "velocities:1=5,5"), ("--plan", "velocities:1=5,5")])
+def test_what_is_clicked_already_is_not_proposed(
+    photo: tuple[object, ...], option: tuple[str, str]
+) -> None:
+    done = invoke("check", "crank-rocker", *photo, "--propose", *option)
+    assert done.exit_code == 2, done.output
+    assert "--propose goes before --plan and --pole" in done.stderr
 
 
 def test_every_format_of_own_paper_that_is_offered_is_known(photo: tuple[object, ...]) -> None:

@@ -55,12 +55,14 @@ LARGEST = 1.6
 """A plan so many times as large as it is due is another one's pencil."""
 READ = 4
 """So many of these are read."""
+SHAPELESS = 3.0
+"""Points no farther from one line, mm (root of their squares), make no shape."""
 NOTHING: Mapping[int, Mapping[int, Mapping[int, complex]]] = MappingProxyType({})
 TRIED = 8
 """So many mutations are inked by their own logs."""
 
 
-def _roughly(flat: Flat, starts: Complexes, ends: Complexes) -> Reals:
+def roughly(flat: Flat, starts: Complexes, ends: Complexes) -> Reals:
     """Return roughly how the pencil agrees with straight lines, (rows, lines), in mm."""
     share = (np.arange(SAMPLES) + 0.5) / SAMPLES
     places = starts[..., None] + (ends - starts)[..., None] * share
@@ -146,7 +148,7 @@ class Alternatives:
         started = {
             n: self._starts(self.mutations[row], due, spots[row]) for n, row in enumerate(rows)
         }
-        worth = _roughly(flat, *(pole + ends for ends in moved(due, spots[rows], started)))
+        worth = roughly(flat, *(pole + ends for ends in moved(due, spots[rows], started)))
         for k in np.argsort(-worth)[:TRIED]:
             yield int(rows[k])
 
@@ -217,6 +219,13 @@ def agreement(flat: Flat, starts: Complexes, ends: Complexes) -> Agreement:
     ink = np.concatenate(some)
     near = flat.near(ink)
     return Agreement(float(near.mean()), flat.strokes(ink) - MISSED * float((1 - near).sum()))
+
+
+def shapeless(view: View) -> bool:
+    """Whether all points of a plan lie on one line, as at a dead centre: such a shape tells no mistake."""
+    off = view.at - view.at.mean()
+    parts = np.stack([off.real, off.imag])
+    return float(np.linalg.svd(parts, compute_uv=False)[-1]) < SHAPELESS
 
 
 Starts = Mapping[int, Mapping[int, Mapping[int, complex]]]

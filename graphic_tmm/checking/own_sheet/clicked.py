@@ -83,6 +83,12 @@ def plans_of(given: Iterable[str]) -> tuple[ClickedPlan, ...]:
     return tuple(found)
 
 
+def plan_text(one: ClickedPlan) -> str:
+    """Return a clicked plan as it is written, in whole dots."""
+    at = [one.pole] if one.first is None else [one.pole, one.first]
+    return f"{one.plan}:{one.position}=" + ",".join(f"{z.real:.0f},{z.imag:.0f}" for z in at)
+
+
 def own_scales(made: DrawnScene, clicked: Sequence[ClickedPlan]) -> dict[str, ClickedScale]:
     """Return the scale factors that plans were drawn with, by plan; ``clicked``: mm on the sheet.
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.values import Complexes
-from graphic_tmm.checking.own_sheet.alternatives import Alternatives, agreement, moved
+from graphic_tmm.checking.own_sheet.alternatives import Alternatives, agreement, moved, shapeless
 from graphic_tmm.checking.own_sheet.clicked import (
     ClickedPlan,
     ClickedScale,
@@ -38,8 +38,6 @@ CLICKED = 1.5
 """A pole is clicked so near, mm."""
 COMMON, LIKELIER = 3, 3.0
 """So many mistakes of other plans are tried, and taken if the pencil agrees with them nearly as well, mm."""
-SHAPELESS = 3.0
-"""Points no farther from one line, mm (root of their squares), make no shape."""
 MORE = 6.0
 """A mistake is read if the pencil agrees with so much more of it than of what is due, mm."""
 DRAWN = 0.93
@@ -165,7 +163,7 @@ def read_own(flat: Flat, others: Alternatives, clicked: ClickedPlan, turn: compl
     due = others.due(plan, position).turned(turn)
     best = _read(flat, due, pole)
     whole = best.covered >= DRAWN and all(spot.how != UNSEEN for spot in best.spots)
-    if whole or _flat(due):
+    if whole or shapeless(due):
         return best
     least = best.worth + MORE
     for row, view in others.near(flat, due, plan, position, pole):
@@ -173,13 +171,6 @@ def read_own(flat: Flat, others: Alternatives, clicked: ClickedPlan, turn: compl
         if one.worth > least:
             best, least = one, one.worth
     return best
-
-
-def _flat(view: View) -> bool:
-    """Whether all points of a plan lie on one line, as at a dead centre: such a shape tells no mistake."""
-    off = view.at - view.at.mean()
-    parts = np.stack([off.real, off.imag])
-    return float(np.linalg.svd(parts, compute_uv=False)[-1]) < SHAPELESS
 
 
 def _read(flat: Flat, view: View, pole: complex) -> OwnPlan:

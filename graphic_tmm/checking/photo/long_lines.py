@@ -130,7 +130,7 @@ def _ends(cv2: Any, image: NDArray[np.uint8]) -> tuple[Any, Any]:
 
 def long_lines(small: Small, reach: float) -> Lines:
     """Return the long lines of a picture; their segments are within ``reach``, px, of them."""
-    found = _segments(small.dark)
+    found = segments(small.dark)
     lens = pinhole(small.dark[..., None])
     lens = lens._replace(share=_share(found, lens))
     straight = lens.straight(found)
@@ -157,7 +157,7 @@ def long_lines(small: Small, reach: float) -> Lines:
     return Lines(np.array(feet), np.array(heads), np.array(seen), lens)
 
 
-def _segments(dark: NDArray[np.uint8]) -> Complexes:
+def segments(dark: NDArray[np.uint8]) -> Complexes:
     """Return the ends of short segments, px, (n, 2)."""
     cv2 = opencv()
     strong = 255 - cv2.multiply(dark, np.ones_like(dark), scale=2.4)
