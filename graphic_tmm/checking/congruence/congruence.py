@@ -20,14 +20,12 @@ from graphic_tmm.board.values import Length
 from graphic_tmm.checking.cells import Cell, Key, cells, points
 from graphic_tmm.checking.congruence.lengths import (
     SHORT,
-    UNITS,
     Group,
     Read,
     lengths_of,
     middle,
     rates_of,
     spread_of,
-    unit_of,
     values_of,
 )
 from graphic_tmm.checking.congruence.moves import (
@@ -48,9 +46,11 @@ from graphic_tmm.checking.congruence.witnesses import (
     NEARLY,
     OWN,
     PLENTY,
+    UNITS,
     Verdict,
     fitting,
     of_siblings,
+    unit_of,
     verdict,
 )
 from graphic_tmm.checking.judging.taken_marks import steps_of
@@ -232,11 +232,12 @@ class Congruence:
 
     def _in_mm(self, rows: Sequence[Taken]) -> tuple[tuple[Taken, ...], dict[str, str]]:
         """Return readings in mm, and by plan the unit that its lengths were written in, if it is another."""
-        plans: dict[str, list[float]] = {}
+        plans: dict[str, list[tuple[Group, float]]] = {}
         lengths = lengths_of(rows, self.due, self.groups, self._laid)
         for group, some in lengths.items():
             if len(some) >= PLENTY:
-                plans.setdefault(group.plan, []).append(middle([one.ratio for one in some]))
+                ratio = middle([one.ratio for one in some])
+                plans.setdefault(group.plan, []).append((group, ratio))
         units = {plan: unit for plan, ratios in plans.items() if (unit := unit_of(ratios))}
         read = (_times(one, UNITS[units[one.plan]]) if one.plan in units else one for one in rows)
         return tuple(read), units

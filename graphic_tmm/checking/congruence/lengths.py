@@ -17,12 +17,6 @@ from graphic_tmm.checking.records import Taken
 SHORT = 6.0
 """A shorter length says little of a scale factor: a hand is off by 0.9 mm (49 published drawings)."""
 
-UNITS = {"cm": 10.0, "inch": 25.4}
-"""What may be written where mm are asked for."""
-WITHIN = 2.1
-"""A scale factor of his own makes lengths in another unit so many times longer or shorter at the most: most are
-within twice the task's. A plan drawn 0.25 times as large is in no other unit."""
-
 POLE = ""
 """The name of the pole among the points of a plan."""
 
@@ -159,13 +153,3 @@ def rates_of(
 def middle(ratios: Sequence[float]) -> float:
     """Return the median of logarithms; NaN of none."""
     return float(np.median(ratios)) if len(ratios) else math.nan
-
-
-def unit_of(ratios: Sequence[float]) -> str:
-    """Return the unit that lengths of so many times their due (logarithms) were written in, "" for mm."""
-    if not ratios:
-        return ""
-    inch = all(abs(one + math.log(UNITS["inch"])) < 0.03 for one in ratios)
-    unit = "inch" if inch else "cm"
-    far = max(abs(one + math.log(UNITS[unit])) for one in ratios)
-    return unit if far <= math.log(WITHIN) else ""

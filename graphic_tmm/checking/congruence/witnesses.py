@@ -42,6 +42,11 @@ DIVISION = 0.15
 CLEAR, NEARER = 0.2, 0.75
 """Where what is laid off first has a ratio so far from 1 (a logarithm), it is enough that so many of the others
 are nearer to it: a mistake moves lengths, but not by that."""
+UNITS = {"cm": 10.0, "inch": 25.4}
+"""What may be written where mm are asked for."""
+WITHIN = 2.1
+"""A scale factor of his own makes lengths in another unit so many times longer or shorter at the most: most are
+within twice the task's. A plan drawn 0.25 times as large is in no other unit."""
 FEWEST, PLENTY = 3, 4
 """Fewer lengths say nothing of a scale factor; rates of fewer positions are not more exact than lengths."""
 
@@ -314,3 +319,20 @@ def rounded(mu: float) -> float:
     power = math.floor(math.log10(mu))
     tried = [float(f"{m:g}e{p}") for p in (power - 1, power, power + 1) for m in MANTISSAS]
     return min(tried, key=lambda one: abs(math.log(one / mu)))
+
+
+def unit_of(ratios: Sequence[tuple[Group, float]]) -> str:
+    """Return the unit that lengths of so many times their due (logarithms) were written in, "" for mm.
+
+    Inches where these, and not cm, make a scale factor the due one, or a round one.
+    """
+    if not ratios:
+        return ""
+
+    def usual(unit: str) -> bool:
+        own = [(group, one + math.log(UNITS[unit])) for group, one in ratios]
+        return all(abs(k) < OWN or _is_round(group, k, ROUND) for group, k in own)
+
+    unit = "inch" if usual("inch") and not usual("cm") else "cm"
+    far = max(abs(one + math.log(UNITS[unit])) for _, one in ratios)
+    return unit if far <= math.log(WITHIN) else ""

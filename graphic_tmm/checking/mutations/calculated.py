@@ -239,7 +239,7 @@ def units(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         measured = any(mark.kind is Length for mark in step.uses)
         if measured and is_scale(was) and was.unit == "m/mm":
             change = Change(step._replace(op=_on_paper(step.op, k)))
-            one = at_step(step, SCALE, words.ON_PAPER, change, was=was)
+            one = at_step(step, SCALE, words.ON_PAPER, change, was=was, usual=UNUSUAL)
             yield (SCALE, step.op.name, "on paper"), one
 
 

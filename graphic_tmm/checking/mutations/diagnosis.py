@@ -248,7 +248,7 @@ def diagnosed(
     found: list[Hypothesis] = []
     rest = Rest(off)
     for number, offered in enumerate(mistakes.boards):
-        found += _of_board(readings, offered, number, rest)
+        found += _of_board(readings, offered, number, rest, scaling or Scaling())
     written = of_written(readings, mistakes.base_of(0), readings.least)
     found += [one for one in written if not slip_alone(one, rest)]
     said = _said(readings, mistakes, found, rest)
@@ -324,7 +324,7 @@ def _said(
 
 
 def _of_board(
-    readings: Readings, offered: Offered, number: int, rest: Rest
+    readings: Readings, offered: Offered, number: int, rest: Rest, scaling: Scaling
 ) -> Iterator[Hypothesis]:
     rows = promising(readings, offered, offered.base, readings.least)
     some = [offered.mutations[k] for k in rows]
@@ -348,6 +348,7 @@ def _of_board(
         drawn = [one for one in readings.columns if one.taken.mm is not None]
         others = [one for one in readings.columns if one.taken.mm is None]
         rest.scores += scores(column_multiples(others), A_NUMBER)
+        drawn = [one for one in drawn if scaling.free(one.taken.plan)]
         rest.scores += scores(column_multiples(drawn, own=True), OWN_SCALE)
         rest.scores += scores(column_multiples(drawn, whole=True, own=True), OWN_SCALE)
     yield from of_board(number, some, evidence, offered.shares)

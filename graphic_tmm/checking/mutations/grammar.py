@@ -244,6 +244,8 @@ def _exchanged(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         yield (MIRRORED, "similar"), at_step(step, MIRRORED, words.MIRRORED, change)
         turned = Change(step._replace(op=_by_ratio(step.op, 0.0)))
         yield (), at_step(step, FACTOR, words.UPSIDE_DOWN, turned)
+        other = Change(step._replace(op=_by_ratio(step.op, -1.0)))
+        yield (), at_step(step, SENSE, words.SENSE, other)
         for factor in (2.0, 0.5):
             change = Change(step._replace(op=_by_ratio(step.op, factor)))
             yield (), at_step(step, FACTOR, words.AS_FAR, change, times=factor, usual=2.0)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.execute import execute
-from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Length, Number
+from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.values import Arc, Length, Number, Point
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.step_scatter import as_read, where_read
 from graphic_tmm.checking.mutations import words
@@ -23,7 +23,7 @@ from graphic_tmm.checking.mutations.execution import AssumedLog
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis, groups
 from graphic_tmm.checking.mutations.likelihood import BEYOND, Evidence, explained
 from graphic_tmm.checking.mutations.mistakes import NONE, Offered, amiss_by, misread
-from graphic_tmm.checking.mutations.mutation import FACTOR, Change, Mutation, at_step
+from graphic_tmm.checking.mutations.mutation import FACTOR, GIVEN, Change, Mutation, at_step
 
 Array = NDArray[np.float64]
 FINALISTS, KEPT = 8, 100
@@ -143,21 +143,23 @@ KEPT_GIVENS = 3
 
 
 def fitted(readings: Readings, offered: Offered) -> tuple[list[Mutation], Evidence]:
-    """Return the givens that were misread, each as it fits the readings best, and the evidence for them.
+    """Return givens that were misread, arcs struck amiss, each as it fits readings best, and the evidence.
 
     The first row is the log as it is.
     """
-    trial = [NONE, *(misread(marks, 1.2) for marks in offered.free)]
+    every = _openings(offered.base.log)
+    every += [partial(misread, marks) for marks in offered.free]
+    trial = [NONE, *(one(1.2) for one in every)]
     rows = np.zeros(1, int)
-    if offered.free:
+    if every:
         rows = offered.moving(readings.least, offered.run(trial))
-    free = [offered.free[k - 1] for k in rows if k]
+    free = [every[k - 1] for k in rows if k]
     if not free:
         return [], Evidence.none(1, readings.places)
 
     def gains(factors: Sequence[Sequence[float]]) -> np.ndarray:
         """Return what each given gains, taken so many times as large; (given, factor)."""
-        some = [misread(m, f) for m, row in zip(free, factors, strict=True) for f in row]
+        some = [taken(f) for taken, row in zip(free, factors, strict=True) for f in row]
         found = _evidence(readings, offered, [NONE, *some]).gain[1:].sum(axis=1)
         return np.asarray(found.reshape(len(free), -1))
 
@@ -171,8 +173,21 @@ def fitted(readings: Readings, offered: Offered) -> tuple[list[Mutation], Eviden
         told = gains([np.exp(x + np.array([-STEP, 0.0, STEP])).tolist() for x in at])
         at = at + np.clip(_newton(told.T, STEP), -FARTHEST, FARTHEST)
     factors = np.exp(at)
-    kept = [misread(m, float(f)) for m, f in zip(free, factors, strict=True) if abs(f - 1.0) > NEAR]
+    kept = [one(float(f)) for one, f in zip(free, factors, strict=True) if abs(f - 1.0) > NEAR]
     return [NONE, *kept], _evidence(readings, offered, [NONE, *kept])
+
+
+def _openings(log: Construction) -> list[Callable[[float], Mutation]]:
+    """Return the arcs of a log as they are struck with the compass opened so many times as wide."""
+    return [partial(_opened, step) for step in log.steps if step.op.takes == (Point, Length)
+            and step.it.kind is Arc]  # fmt: skip
+
+
+def _opened(step: Step, times: float) -> Mutation:
+    right = step.op.run
+    op = step.op._replace(run=lambda centre, opening: right(centre, times * opening))
+    change = Change(step._replace(op=op))
+    return at_step(step, GIVEN, words.OPENED, change, was=step.uses[1], times=times, usual=2.0)
 
 
 MULTIPLE, USUAL = 8.0, (2.0, 0.5, *POWERS_OF_TEN)

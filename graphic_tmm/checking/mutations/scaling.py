@@ -10,7 +10,7 @@ from graphic_tmm.checking.mutations.mutation import FACTOR, GIVEN, POWER, SCALE,
 from graphic_tmm.checking.mutations.tables import TIMES
 from graphic_tmm.checking.records import OwnScale
 
-STATED, LENGTHS = "stated", ("lengths", "round", "supposed")
+STATED, ROWS, LENGTHS = "stated", "rows", ("lengths", "round", "supposed")
 """What says a scale factor: a row of readings or an option; that lengths agree, no more."""
 POSITIONS = "positions"
 NUMBERS = (FACTOR, POWER, SCALE, GIVEN)
@@ -20,18 +20,25 @@ NUMBERS = (FACTOR, POWER, SCALE, GIVEN)
 class Scaling(NamedTuple):
     """What is known of scale factors, by plans and views.
 
-    ``stated``: where somebody states it; ``agreed``: where only lengths say that it is the student's own.
+    ``stated``: where somebody states it; ``agreed``: where only lengths say that it is the student's own;
+    ``written``: where mm and values in one row say it.
     """
 
     stated: frozenset[str] = frozenset()
     agreed: frozenset[str] = frozenset()
+    written: frozenset[str] = frozenset()
+
+    def free(self, plan: str) -> bool:
+        """Whether lengths of a plan may be in another scale factor for all that is known."""
+        return plan not in self.stated and plan not in self.written
 
     @classmethod
     def of(cls, scales: Iterable[OwnScale]) -> Scaling:
         """Return what is known of scale factors in which plans are judged."""
         by = [(one.by, name) for one in scales for name in (one.plan, one.view)]
         stated = frozenset(name for what, name in by if what == STATED)
-        return cls(stated, frozenset(name for what, name in by if what in LENGTHS))
+        written = frozenset(name for what, name in by if what == ROWS)
+        return cls(stated, frozenset(name for what, name in by if what in LENGTHS), written)
 
     def weighed(self, said: Iterable[Told]) -> tuple[Told, ...]:
         """Return names, none of them sure where a scale factor may be what is told as a mistake.

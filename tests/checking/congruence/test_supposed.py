@@ -53,3 +53,11 @@ def test_a_mistake_is_named_in_a_scale_factor_that_nothing_states(name: str) -> 
     assert told(report, drawing).name
     assert [one.by for one in report.scales if one.plan == "velocities"] == [SUPPOSED]
     assert any("with the mistake that is named" in says for says in report.head)
+
+
+def test_lengths_read_from_the_ruler_s_1_cm_mark_have_the_scale_factor_of_what_is_left() -> None:
+    dues = (20.0, 35.0, 50.0, 65.0, 80.0)
+    read = [Read(str(k), "ab", due / 1.2 + 10.0, due) for k, due in enumerate(dues)]
+    found = {VELOCITIES: Verdict()}
+    (one,) = supposed(found, found, {VELOCITIES: read}, ())
+    assert one[VELOCITIES].times == pytest.approx(1.0 / 1.2)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from graphic_tmm.checking.congruence.lengths import Group, Rate, Read
-from graphic_tmm.checking.congruence.witnesses import of_siblings, rounded, verdict
+from graphic_tmm.checking.congruence.witnesses import of_siblings, rounded, unit_of, verdict
 
 GROUP = Group("velocities", 0.025, "m/s", (1,))
 DUE = {"ab": (40.0, 62.0, 55.0, 31.0, 20.0), "pb": (70.0, 35.0, 12.0, 48.0, 66.0)}
@@ -104,3 +104,20 @@ def test_a_short_first_vector_is_known_no_better_than_it_can_be_read() -> None:
     some = [one._replace(mm=one.mm + 0.7 * rng.standard_normal()) for one in rest]
     found = verdict(GROUP, [*first, *some], ())
     assert found.times == pytest.approx(1.25, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("times", "unit"),
+    [
+        (1.0 / 25.4, "inch"),
+        (2.0 / 25.4, "inch"),
+        (0.1, "cm"),
+        (0.08, "cm"),
+        (0.0637, "cm"),
+        (1.0, ""),
+    ],
+)
+def test_inches_are_told_where_they_alone_make_a_scale_factor_round(
+    times: float, unit: str
+) -> None:
+    assert unit_of([(GROUP, math.log(times))]) == unit

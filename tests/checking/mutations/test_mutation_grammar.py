@@ -258,6 +258,7 @@ def test_a_point_is_found_by_the_ratio_upside_down_or_half_as_far_off() -> None:
     for says, times, by in (
         (words.UPSIDE_DOWN, 1.0, 1.0 / ratio),
         (words.AS_FAR, 0.5, 0.5 * ratio),
+        (words.SENSE, 1.0, -ratio),
     ):
         (change,) = found[says, times].changes.values()
         where = change.step.op.run(base, end, B, A, C)

@@ -24,3 +24,15 @@ def test_usual_numbers_are_told_once(name: str) -> None:
     assert not isinstance(report, str)
     assert told(report, drawing).name
     assert not any("1.9" in one or "0.49" in one for one in report.mistakes[0].like)
+
+
+@pytest.mark.parametrize(
+    "name", ["arc of AB with a wrong opening", "arc of BC with a wrong opening"]
+)
+def test_an_arc_struck_with_another_opening_is_no_given_misread(name: str) -> None:
+    """The link is drawn with that opening, and angular velocities are calculated with its own length."""
+    drawing = with_mistake(kind_of(name), 1, 83000)
+    report = report_of(drawing)
+    assert not isinstance(report, str)
+    assert told(report, drawing).name
+    assert "opening" in report.mistakes[0].says

@@ -19,7 +19,10 @@ def test_it_is_known_who_says_a_scale_factor() -> None:
 
     by = ("stated", "rows", "lengths", "round", "rates")
     known = Scaling.of([scale(what, what) for what in by])
-    assert known == Scaling(frozenset({"stated"}), frozenset({"lengths", "round"}))
+    assert known == Scaling(
+        frozenset({"stated"}), frozenset({"lengths", "round"}), frozenset({"rows"})
+    )
+    assert [what for what in by if known.free(what)] == ["lengths", "round", "rates"]
 
 
 @pytest.mark.parametrize(
@@ -49,3 +52,11 @@ def test_two_names_are_sure_where_somebody_states_the_scale(stated: str, sure: f
     one = Hypothesis(what, 0, None, 0.0, np.zeros(1), 0, 0, np.zeros(1))
     said = (((one,), 0.9), ((one,), 0.9))
     assert [chance for _, chance in Scaling(frozenset({stated})).weighed(said)] == [sure, sure]
+
+
+def test_a_graph_whose_rows_say_its_scale_factor_has_no_other() -> None:
+    """S is half as long as due, its mm and values agree: that is a mistake."""
+    drawing = with_mistake(kind_of("S not scaled"), 1, 83000)
+    report = report_of(drawing)
+    assert not isinstance(report, str)
+    assert told(report, drawing).name
