@@ -52,7 +52,10 @@ class Page(HTMLParser):
         if tag != self._inside:
             return
         text, self._inside = " ".join(self._text.split()), ""
-        if tag in ("h1", "h2", "h3", "summary"):
+        folded = tag == "summary" and re.fullmatch(
+            r"\w+: \d+", text
+        )  # a table of the heading above
+        if tag in ("h1", "h2", "h3", "summary") and not folded:
             self._heading = text
         if tag == "th":
             self._head.append(text)

@@ -189,14 +189,14 @@ class Reader:
             "yours": self._yours,
             "off itself": self._own_error,
             "off": self._off,
-            "drawn length": self._position,
-            "drawn amiss": self._position,
+            "drawn length": self._position, "drawn amiss": self._position,
             "drawn": self._position,
             "drawn due": self._position,
             "drawn so": self._drawn,
             "whole": lambda f, at, step: worth(f["due"]) < int(f["doubtful"]) <= self.count("doubtful"),
             "slips": lambda f, at, step: (worth(f["swing"]), worth(f["reading"])) == (0.6, 0.75),
             "whole alone": lambda f, at, step: True,
+            "so many": lambda f, at, step: int(f["count"]) <= self.count("wrong"),
             "fine ones": lambda f, at, step: int(f["count"]) == self.count("fine"),
             "begin": lambda f, at, step: (
                 (f["plan"], f["number"]) in self.steps

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -34,6 +35,8 @@ from graphic_tmm.checking.report.rows import (
 from graphic_tmm.language.numbers import number
 from graphic_tmm.scene.captions import captions
 
+LONG = 12
+"""A table of more rows that follow from a mistake is folded: twelve positions of a segment are not."""
 KNOWN = ("farther",)
 """What is so of every reading that is wrong: no drawing of the hand is farther off."""
 
@@ -41,7 +44,8 @@ KNOWN = ("farther",)
 class Part(NamedTuple):
     """A part of a report: its heading, what is told in paragraphs, its readings, a picture and what it shows.
 
-    ``grid`` is None where no reading is of it.
+    ``grid`` is None where no reading is of it; ``folded``: what it is folded under, a long table of what
+    follows from a mistake.
     """
 
     heading: str
@@ -49,6 +53,7 @@ class Part(NamedTuple):
     grid: Grid | None = None
     picture: PlanPicture | None = None
     caption: str = ""
+    folded: str = ""
 
 
 def wrong_parts(report: Report) -> tuple[Part, ...]:
@@ -73,7 +78,7 @@ def wrong_parts(report: Report) -> tuple[Part, ...]:
             if lesson is not None or not mistake
             else (finding(report.mistakes[mistake], language),)
         )
-        found.extend(_tables([rows[n] for n in its], words["for that"], language, says))
+        found.extend(_tables([rows[n] for n in its], words["for that"], language, says, LONG))
         told.update(its)
 
     last = len(report.mistakes)
@@ -97,14 +102,24 @@ def wrong_parts(report: Report) -> tuple[Part, ...]:
 
 
 def _tables(
-    rows: Sequence[Judged], heading: str, language: str, says: tuple[str, ...] = ()
+    rows: Sequence[Judged],
+    heading: str,
+    language: str,
+    says: tuple[str, ...] = (),
+    most: float = math.inf,
 ) -> list[Part]:
-    """Return the tables of readings that have no lesson, plan by plan; ``says`` stands over the first."""
+    """Return the tables of readings without a lesson, plan by plan, each folded if longer than ``most`` rows.
+
+    ``says`` stands over the first.
+    """
     found: list[Part] = []
     for plan, readings in by_plan(rows).items():
         head = heading.format(plan=plan_name(plan, language))
         grid = reading_grid(readings, language, head, KNOWN)
-        found.append(Part(head, () if found else says, grid))
+        fold = (
+            WORDS[language]["so many"].format(count=len(readings)) if len(readings) > most else ""
+        )
+        found.append(Part(head, () if found else says, grid, folded=fold))
     return found
 
 

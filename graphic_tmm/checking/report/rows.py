@@ -93,6 +93,7 @@ TEXTS: dict[str, str] = {
     "for that": said("{plan}: wrong for the same reason"),
     "wrong ones": said("{plan}: wrong"),
     "doubtful ones": said("{plan}: doubtful, look once more"),
+    "so many": said("Readings: {count}"),
     "fine ones": said("Fine: {count}"),
     "at": said("position {position}"),
     "drawn so": said("It is drawn so: {steps}"),
@@ -111,9 +112,7 @@ TEXTS: dict[str, str] = {
     "drawn amiss": said("The plan in position {position}: due in green, with the mistake in red"),
     "drawn due": said("The plan in position {position}: due in green"),
     "notes": said("Notes"),
-    "not listed": said(
-        "{count} more are not listed here, none of them worse; Markdown, JSON and HTML have all."
-    ),
+    "not listed": said("{count} more are not listed here; Markdown, JSON and HTML have all."),
     "chart": said("Deviations in % of the longest vector of the plan"),
     "beyond": said("an arrow: beyond the axis"),
 }

@@ -13,7 +13,7 @@ from graphic_tmm.checking.report.rows import FIGURES, SIGNS, WORDS, Grid, notes,
 STYLES = {FINE: "green", DOUBTFUL: "yellow", WRONG: "bold red", "": ""}
 """How a row looks on a terminal."""
 
-LISTED = 500
+LISTED = 40
 """So many rows of a table are printed on a terminal."""
 
 

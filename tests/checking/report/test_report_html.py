@@ -12,8 +12,9 @@ from hypothesis import strategies as st
 from support.browser import FLAGS, launched
 from support.each import each
 from support.lessons_told import lessons, plan_of_velocities, row
-from support.reports import HOSTILE, LANGUAGES, engine, hostile, report
+from support.reports import HOSTILE, LANGUAGES, engine, explaining, hostile, judged, report
 
+from graphic_tmm.checking.records import WRONG
 from graphic_tmm.checking.report.findings import finding_rows, headline, summary
 from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.parts import doubtful_parts, fine_grids, grids, wrong_parts
@@ -136,3 +137,15 @@ def test_a_page_is_as_wide_as_a_phone(tmp_path: Path) -> None:
         page.goto(file.as_uri())
         assert page.evaluate("document.documentElement.scrollWidth") == 320
         page.close()
+
+
+@pytest.mark.parametrize(("count", "folded"), [(12, False), (13, True)])
+def test_a_long_table_of_what_follows_from_a_mistake_is_folded(count: int, folded: bool) -> None:
+    rows = [judged(line=k, verdict=WRONG) for k in range(2, count + 2)]
+    mistake = explaining(*range(2, count + 2))._replace(chance=0.99)
+    page = html_report(report(*rows, mistakes=[mistake]))
+    assert page.count("<tr class=") == count
+    assert (f"<summary>Readings: {count}</summary>\n<table>" in page) == folded
+    assert "<summary>Readings" not in html_report(
+        report(*rows)
+    )  # nobody knows why: each is to be seen
