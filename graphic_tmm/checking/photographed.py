@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from graphic_tmm.board.hand import HANDS
 from graphic_tmm.checking.cells import points
@@ -106,9 +106,9 @@ def photographed(
     SheetError
         If a pole is clicked of a plan that this sheet does not have, or not on the sheet.
     """
-    own = {(one.plan, one.position) for one in plans}
+    own = dict.fromkeys((one.plan, one.position) for one in plans)
     due = [] if shown.own_paper else views(shown.made, shown.sheet, HANDS[hand])
-    due = [view for view in due if own.isdisjoint(view.poles)]
+    due = [view for view in due if own.keys().isdisjoint(view.poles)]
     poles = {pole for view in due for pole in view.poles}
     for plan, position in clicked:
         if (plan, position) not in poles:
@@ -308,25 +308,46 @@ def points_drawing(seen: Photographed, report: Report, sheet: Sheet) -> Drawing:
 
     Letters keep off each other and off those of the ``sheet``.
     """
-    by = {one.taken.key: one for one in report.readings}
     strokes: list[Stroke] = []
     wanted: list[Wanted] = []
-    for one in seen.found.points:
-        plan, letter, position = one.name
+    for one, told in _lettered(seen, report):
         if one.how == SEEN:
             arms = (1 + 1j, 1 - 1j)
             drawn = [line("thin", one.at - CROSS * way, one.at + CROSS * way) for way in arms]
-            error = _error(by.get((plan, letter, position)))
-            told = f"{letter}: {error}" if error else letter
-        elif one.how == UNSEEN:
-            continue
         else:
-            drawn, told = [circle("thin", one.at, RING)], f"{letter}?"
+            drawn = [circle("thin", one.at, RING)]
         strokes += [stroke._replace(title=told) for stroke in drawn]
         wanted.append(Wanted(escape(told), one.at, LETTERS, CROSS, 1 - 1j))
     labels = place(wanted, strokes, [one for view in sheet.drawings for one in view.labels])
     ink = (*strokes, *leaders(wanted, labels))
     return Drawing("photographed", said("Points seen"), ink, labels)
+
+
+def marked(shown: Laid, seen: Photographed, report: Report) -> tuple[dict[str, Any], ...]:
+    """Return where in the photograph, px, points were seen, as JSON takes it; how each is told and judged."""
+    by = {one.taken.key: one.verdict for one in report.readings}
+    photo = shown.flat
+    shot = Shot(photo.image, photo.homography, photo.lens, photo.curl)
+    found = []
+    for one, told in _lettered(seen, report):
+        at = complex(shot.to_picture(one.at))
+        verdict = by.get(one.name, "") if one.how == SEEN else ""
+        found.append(
+            {"x": round(at.real, 1), "y": round(at.imag, 1), "text": told, "verdict": verdict}
+        )
+    return tuple(found)
+
+
+def _lettered(seen: Photographed, report: Report) -> Iterator[tuple[Point, str]]:
+    """Yield points that were seen with letter and error, and those that are not sure, with a question mark."""
+    by = {one.taken.key: one for one in report.readings}
+    for one in seen.found.points:
+        letter = one.name[1]
+        if one.how == SEEN:
+            error = _error(by.get(one.name))
+            yield one, f"{letter}: {error}" if error else letter
+        elif one.how != UNSEEN:
+            yield one, f"{letter}?"
 
 
 def _error(one: Judged | None) -> str:

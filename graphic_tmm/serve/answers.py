@@ -7,7 +7,7 @@ import zipfile
 from collections.abc import Callable, Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from graphic_tmm.errors import SceneError, TmmError
 from graphic_tmm.fitting.composition import composition_file, known_composition
@@ -16,14 +16,15 @@ from graphic_tmm.page import FORMAT
 from graphic_tmm.page.page import page
 from graphic_tmm.readers.table import table
 from graphic_tmm.scene.packaged import scene_name
-from graphic_tmm.serve import jobs
+from graphic_tmm.serve import jobs, photos
 from graphic_tmm.serve.desk import URGENT, Desk, Scene, said_of
 from graphic_tmm.serve.jobs import File, Refused, Task, refusing, scene_of
 from graphic_tmm.serve.kept import SceneFault, hashed
 from graphic_tmm.serve.limits import DOWNLOAD, JUDGING
-from graphic_tmm.serve.worker import Broken, Gone, TooLong
+from graphic_tmm.serve.worker import Broken, Gone, TooLong, Worker
 from graphic_tmm.studio import make, sheet_files
 
+T = TypeVar("T")
 Files = Mapping[str, str | bytes]
 EXTRAS = {"pdf": ("typst",), "png": ("typst",), "dxf": ("ezdxf",), "note": ("pypandoc", "typst")}
 """What a format needs that may not be installed."""
@@ -34,6 +35,11 @@ ALWAYS = (1980, 1, 1, 0, 0, 0)
 def forms() -> tuple[str, ...]:
     """Return what a scene can be downloaded as."""
     return tuple(form for form in FORMS if all(map(_there, EXTRAS.get(form, ()))))
+
+
+def photographs() -> bool:
+    """Whether photographs can be checked."""
+    return all(map(_there, ("PIL", "cv2")))
 
 
 def _there(module: str) -> bool:
@@ -169,11 +175,25 @@ class Answers:
 
     async def download(self, scene: Scene, form: str) -> File | Refused:
         """Return a scene's file in a format, drawn apart from what is looked at."""
+        return await self._of_scene(self.desk.aside, scene, downloaded, form)
+
+    async def plans(self, scene: Scene) -> dict[str, Any] | Refused:
+        """Return the plans of a scene that may be clicked; who has drawn its sheets knows them."""
+        return await self._of_scene(self.desk.behind, scene, photos.clickable)
+
+    async def check(self, scene: Scene, clicked: photos.Clicked) -> photos.Checked | Refused:
+        """Return what the check of a photograph says, apart from what is looked at."""
+        return await self._of_scene(self.desk.aside, scene, photos.photo_checked, clicked)
+
+    async def _of_scene(
+        self, worker: Worker, scene: Scene, job: Callable[..., T], *given: Any
+    ) -> T | Refused:
+        """Return what a job gives for a scene as it is now."""
         if scene.data is None:
             return Refused(scene.kept.errors)
         task = Task(scene.data, str(scene.file), scene.beside, self.desk.language)
         try:
-            return await self.desk.aside.ask(downloaded, task, form, limit=DOWNLOAD)
+            return await worker.ask(job, task, *given, limit=DOWNLOAD)
         except (TooLong, Gone, Broken) as error:
             return Refused((SceneFault(0, "", said_of(error, self.desk.speech(task))),))
 

@@ -38,6 +38,8 @@ HEADERS = {
 
 _HOST = re.compile(r"(?:\[([0-9a-f:.]+)\]|([a-z0-9.-]+))(?::[0-9]{1,5})?")
 SAFE = ("GET", "HEAD")
+SENT = ("application/json", "application/octet-stream")
+"""What is sent: values, a photograph; a page of another server may send neither without being asked first."""
 
 
 class Guard:
@@ -101,13 +103,13 @@ def _in_figures(host: str) -> bool:
 
 
 def _own(headers: Headers) -> bool:
-    """Whether a page of this server asks, or no page; what is sent is JSON, which no form of HTML sends."""
+    """Whether a page of this server asks, or no page; no form of HTML sends what is sent."""
     origin, kind = headers.get("origin"), headers.get("content-type", "")
     if origin is not None and _place(origin) != headers["host"]:
         return False
     if headers.get("sec-fetch-site", "same-origin") not in ("same-origin", "none"):
         return False
-    return kind.partition(";")[0].strip().lower() == "application/json"
+    return kind.partition(";")[0].strip().lower() in SENT
 
 
 def _place(origin: str) -> str:

@@ -123,10 +123,11 @@ def scene_of(task: Task) -> Scene:
 @lru_cache(REMEMBERED)
 def composed(task: Task) -> tuple[DrawnScene, Composed]:
     """Return a scene as drawn, and its sheets: composed as it is given, else anew."""
-    return composed_sheets(scene_of(task), _given(task))
+    return composed_sheets(scene_of(task), composition_of(task))
 
 
-def _given(task: Task) -> Composition | None:
+def composition_of(task: Task) -> Composition | None:
+    """Return the composition that a task gives its scene; None if there is none."""
     return (
         None if task.given is None else known_composition(task.given, composition_file(task.file))
     )
@@ -143,7 +144,7 @@ def drawn_sheets(task: Task) -> Sheets:
 @refusing
 def drafted(task: Task) -> Drafted:
     """Return the sheets of a scene in the sizes, and where it can be at the places, that another had."""
-    given = _given(task)
+    given = composition_of(task)
     scene = scene_of(task)
     made = make(scene, wanted=scene.shown_places, given=given)
     return _svg(compose.composed(made.scene, made.boards, given, near=True))

@@ -8,6 +8,12 @@ BODY = 256_000
 """So many bytes a body that is sent may have, as a scene's file."""
 BODY_TIME = 5.0
 """A body has come by then, s."""
+PHOTO = 60_000_000
+"""So many bytes a photograph may have that is sent."""
+PHOTO_TIME = 60.0
+"""It has come by then, s: a telephone sends it over the air."""
+CLICKED = 20_000
+"""So many characters may tell what was clicked in it."""
 BEGINNING = 120.0
 """A process that draws has loaded what it needs by then, s."""
 DRAWING = 60.0

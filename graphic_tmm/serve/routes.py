@@ -7,6 +7,9 @@
     /s/NAME/sheet/HASH.svg  a sheet, /s/NAME/page/HASH.html its page, while they are the ones of some state kept
     /s/NAME/form            its values as a form; to be set by sending it back
     /s/NAME/download/FORM   its files of a format
+    /s/NAME/plans           its plans that may be clicked in a photograph
+    /s/NAME/photo           takes a photograph, in the address what was clicked; tells what its check says
+    /s/NAME/report/HASH.html  the report of a check, while it is kept
     /web/NAME               scripts and styles of the studio
 
 A name finds a scene that was found in the folder before; it is never made a path.
@@ -27,12 +30,22 @@ from starlette.responses import HTMLResponse, JSONResponse, RedirectResponse, Re
 from starlette.routing import Route
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from graphic_tmm.serve.answers import Answers, forms
+from graphic_tmm.paper.formats import PAPERS
+from graphic_tmm.serve.answers import Answers, forms, photographs
 from graphic_tmm.serve.desk import IDLE, Desk, Scene, watch
 from graphic_tmm.serve.guard import Guard
 from graphic_tmm.serve.jobs import Refused, Task
 from graphic_tmm.serve.kept import Kept
-from graphic_tmm.serve.limits import BEAT, BODY, BODY_TIME, STREAMS
+from graphic_tmm.serve.limits import (
+    BEAT,
+    BODY,
+    BODY_TIME,
+    CLICKED,
+    PHOTO,
+    PHOTO_TIME,
+    STREAMS,
+)
+from graphic_tmm.serve.photos import Clicked
 from graphic_tmm.serve.shell import asset, gallery, studio
 
 
@@ -130,7 +143,7 @@ DRAWN = {
     "content-security-policy": "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'self'",
     "x-frame-options": "SAMEORIGIN",
 }
-"""Of a sheet: a picture that does nothing."""
+"""Of a sheet, or a report: a picture that does nothing."""
 
 
 def application(desk: Desk, token: str, *, open: bool = False) -> ASGIApp:
@@ -158,6 +171,9 @@ def application(desk: Desk, token: str, *, open: bool = False) -> ASGIApp:
         Route("/s/{name}/form", asked.form),
         Route("/s/{name}/form", asked.change, methods=["POST"]),
         Route("/s/{name}/download/{form}", asked.download),
+        Route("/s/{name}/plans", asked.plans),
+        Route("/s/{name}/photo", asked.photo, methods=["POST"]),
+        Route("/s/{name}/report/{hash}.html", asked.report),
     ]
     app = Starlette(routes=routes, lifespan=life)
     app.router.redirect_slashes = False  # the way would be one without the token
@@ -203,6 +219,7 @@ class AnswerRoutes:
             formats=forms(),
             several=self.desk.folder.only is None,
             fixed=self.desk.folder.fixed,
+            photographed=photographs(),
         )
         return HTMLResponse(shown)
 
@@ -264,6 +281,32 @@ class AnswerRoutes:
         headers = {"content-disposition": f"attachment; filename*=UTF-8''{name}"}
         return Response(found.data, media_type="application/octet-stream", headers=headers)
 
+    async def plans(self, request: Request) -> Response:
+        """The plans of a scene that may be clicked in a photograph."""
+        scene = self._scene(request)
+        if scene is None:
+            return _nothing()
+        found = await self.answers.plans(scene)
+        return _refused(found) if isinstance(found, Refused) else JSONResponse(found)
+
+    async def photo(self, request: Request) -> Response:
+        """What the check of a photograph says, and where its report is; 422 with what it is refused for."""
+        scene, clicked = self._scene(request), _clicked(request)
+        if scene is None:
+            return _nothing()
+        data = None if clicked is None else await _body(request, PHOTO, PHOTO_TIME)
+        if clicked is None or not data:
+            return Response(status_code=400)
+        found = await self.answers.check(scene, clicked._replace(data=data))
+        if isinstance(found, Refused):
+            return _refused(found)
+        told = found._asdict() | {"page": scene.kept.keep(found.page)}
+        return JSONResponse(told)
+
+    async def report(self, request: Request) -> Response:
+        """The report of a check that is kept: a page that does nothing."""
+        return self._kept(request, "text/html", DRAWN)
+
     def _kept(self, request: Request, kind: str, headers: dict[str, str]) -> Response:
         scene = self.desk.wanted(request.path_params["name"], IDLE)
         data = scene.kept.contents.get(request.path_params["hash"]) if scene else None
@@ -274,20 +317,39 @@ class AnswerRoutes:
 
 async def _sent(request: Request) -> Change | None:
     """Return what is to be set, None if that cannot be told: too large, too slow, no such JSON."""
-    body = bytearray()
-    try:
-        async with asyncio.timeout(BODY_TIME):
-            async for part in request.stream():
-                body += part
-                if len(body) > BODY:
-                    return None
-    except (TimeoutError, ClientDisconnect):
+    body = await _body(request, BODY, BODY_TIME)
+    if body is None:
         return None
     try:
         told = json.loads(body)
     except (ValueError, RecursionError):
         return None
     return _change(told)
+
+
+async def _body(request: Request, most: int, seconds: float) -> bytes | None:
+    """Return what is sent; None if it is too large, or too slow."""
+    body = bytearray()
+    try:
+        async with asyncio.timeout(seconds):
+            async for part in request.stream():
+                body += part
+                if len(body) > most:
+                    return None
+    except (TimeoutError, ClientDisconnect):
+        return None
+    return bytes(body)
+
+
+def _clicked(request: Request) -> Clicked | None:
+    """Return what was clicked in a photograph, as an address has it; None if that cannot be told."""
+    told, plans = request.query_params, request.query_params.getlist("plan")
+    sheet, paper = told.get("sheet", "1"), told.get("paper", "")
+    plain = sheet.isascii() and sheet.isdecimal() and len(sheet) < 4 and int(sheet) > 0
+    if not plain or paper not in ("", *PAPERS) or len(str(told)) > CLICKED:
+        return None
+    name = told.get("name", "photo")
+    return Clicked(name, b"", tuple(plans), told.get("corners", ""), paper, int(sheet))
 
 
 def _change(told: object) -> Change | None:

@@ -7,6 +7,7 @@ text goes through a template that escapes it. Addresses within a page are relati
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable, Mapping
 from functools import cache
 from importlib.resources import files
@@ -75,6 +76,55 @@ WORDS: dict[str, str] = {
     "fine": said("without faults"),
     "waiting": said("not drawn yet"),
     "scene faults": said("faults: {n}"),
+    "photo": said("Check a photograph"),
+    "photo desk": said(
+        "The photograph: Enter places a mark, arrows move it, + and − zoom, 0 shows all of it, Backspace "
+        "takes the last mark back"
+    ),
+    "photo drop": said(
+        "Drop a photograph of your drawing here, or choose one: the whole sheet, from straight above, on a "
+        "darker table."
+    ),
+    "photo choose": said("Choose a photograph"),
+    "photo other": said("Another photograph"),
+    "photo of": said("What is photographed"),
+    "photo own": said("My own sheet, {paper}"),
+    "photo sheet": said("Sheet {n} as the scene lays it out"),
+    "photo plan": said("Plan and position"),
+    "photo every": said("Every plan is clicked."),
+    "photo pole": said("Click the pole {letter}: {plan}, position {position}."),
+    "photo first": said(
+        "Click {letter}, the end of its first vector: {plan}, position {position}."
+    ),
+    "photo paper": said("Click corner {n} of 4 of the paper."),
+    "photo frame": said("Click corner {n} of 4 of the frame."),
+    "photo marks": said("Clicked"),
+    "photo corners row": said("Corners: {n} of 4"),
+    "photo also": said("Click {letter}, too"),
+    "photo remove": said("Remove"),
+    "photo remove of": said("Remove: {what}"),
+    "photo undo": said("Take back"),
+    "photo corners": said("Click the corners"),
+    "photo corners why": said("Only if they are not found (--corners)."),
+    "photo check": said("Check it"),
+    "photo need": said("Click the pole and the first vector of a plan first."),
+    "photo begun": said("The photograph is being read …"),
+    "photo done": said("The report is there."),
+    "photo failed": said("The photograph could not be checked."),
+    "photo report": said("Report"),
+    "photo seen": said("Photograph"),
+    "photo alone": said("The report in a window of its own"),
+    "photo stale": said("Something was clicked since: check again."),
+    "photo none": said(
+        "Nothing can be clicked here: the scene has no plan of velocities or accelerations."
+    ),
+    "photo unread": said("{name} is no picture that a browser shows: save it as JPEG or PNG."),
+    "photo large": said("{name} is larger than 60 MB: make it smaller."),
+    "photo loupe": said(
+        "What is about the last mark, four times as large: drag it to move the mark"
+    ),
+    "photo aim": said("Not on the point? Drag in the loupe, or press arrows."),
+    "photo command": said("The same at the command line"),
     "no scenes": said("There is no scene in this folder."),
     "no scripts": said("The studio needs scripts: allow them for this address."),
 }
@@ -93,14 +143,23 @@ FILES: dict[str, str] = {
 
 
 KINDS = {".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
-SHARED = ("dom.js", "theme.js", "theme.css")
-"""What the studio has from the page of a scene."""
-_PAGE = '"../../page/web/'
-"""Where modules of ``web/`` find these; to a browser all stand in one folder."""
+SHARED = {name: "" for name in ("dom.js", "theme.js", "theme.css")} | {
+    name: "own/" for name in ("loupe.js", "photo.js")
+}
+"""What the studio has from the page of a scene, and where that stands there."""
+_PAGE = re.compile(r'"\.\./(?:\.\./page/web/)?(?:own/)?(?=[\w-]+\.js")')
+"""Where modules of ``web/`` find these, and each other; to a browser all stand in one folder."""
 
 
 def studio(
-    name: str, title: str, language: str, *, formats: Iterable[str], several: bool, fixed: bool
+    name: str,
+    title: str,
+    language: str,
+    *,
+    formats: Iterable[str],
+    several: bool,
+    fixed: bool,
+    photographed: bool,
 ) -> str:
     """Return the page of a scene.
 
@@ -116,10 +175,13 @@ def studio(
         Whether there is a gallery to go back to.
     fixed : bool
         Whether its values cannot be set.
+    photographed : bool
+        Whether photographs of drawings can be checked.
     """
     speech = speaking(language)
     downloads = [{"form": one, "name": speech(FILES.get(one, one.upper()))} for one in formats]
     about = {"name": name, "several": several, "fixed": fixed, "downloads": downloads}
+    about["photographed"] = photographed
     return _page("studio", title or name, language, about)
 
 
@@ -146,8 +208,8 @@ def asset(name: str) -> tuple[bytes, str] | None:
     if kind is None or name not in assets():
         return None
     room = "graphic_tmm.page" if name in SHARED else "graphic_tmm.serve"
-    text = (files(room) / "web" / name).read_text("utf-8")
-    return text.replace(_PAGE, '"./').encode(), kind
+    text = (files(room) / "web" / (SHARED.get(name, "") + name)).read_text("utf-8")
+    return _PAGE.sub('"./', text).encode(), kind
 
 
 @cache

@@ -39,7 +39,9 @@ class Read(HTMLParser):
 
 
 def page(name: str = "windrower", title: str = "A title", language: str = "en") -> str:
-    return studio(name, title, language, formats=["svg", "xyz"], several=True, fixed=False)
+    return studio(
+        name, title, language, formats=["svg", "xyz"], several=True, fixed=False, photographed=True
+    )
 
 
 @pytest.mark.parametrize("language", languages())

@@ -92,6 +92,7 @@ class Browser:
         if method == "POST":
             own["content-type"] = "application/json"
         own |= {name.replace("_", "-"): value for name, value in headers.items()}
+        path, _, query = path.partition("?")
         whole = path[1:] if path.startswith("//") else f"/{self.token}{path}"
         return {
             "type": "http",
@@ -101,7 +102,7 @@ class Browser:
             "scheme": "http",
             "path": whole,
             "raw_path": whole.encode("utf-8", "surrogatepass"),
-            "query_string": b"",
+            "query_string": query.encode(),
             "root_path": "",
             "headers": [
                 (name.encode(), value.encode("latin-1"))

@@ -15,11 +15,21 @@ import uvicorn
 from graphic_tmm.serve.desk import Desk
 from graphic_tmm.serve.folder import folder_of
 from graphic_tmm.serve.routes import application
-from support.browser import Watch
+from support.browser import Watch, tool
 from support.served import PATIENCE, TOKEN
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
+
+
+SIZES = {
+    "desk": {"width": 1280, "height": 800},
+    "phone": {"width": 390, "height": 844},
+    "turned": {"width": 844, "height": 390},
+}
+AXE = """() => axe.run({ exclude: [["iframe"]] }, { resultTypes: ["violations"] }).then((found) =>
+  found.violations.filter((one) => ["serious", "critical"].includes(one.impact))
+    .map((one) => `${one.id}: ${one.nodes.map((node) => node.html.slice(0, 160)).join(" ")}`))"""
 
 
 def expect(it: Any) -> Any:
@@ -112,3 +122,25 @@ class Tab:
         figure = self.page.locator("figure.sheet").nth(number)
         expect(figure).not_to_have_attribute("data-shown", before)
         return self.shown(number)
+
+
+def serious(page: Any) -> list[str]:
+    """What axe finds to be in the way of a person."""
+    if not page.evaluate("() => 'axe' in window"):
+        page.evaluate(tool("axe-core/axe.min.js").read_text(encoding="utf-8"))
+    return page.evaluate(AXE)  # type: ignore[no-any-return]
+
+
+def in_sight(page: Any) -> list[str]:
+    """What stands out of the window sideways, or is too small to press."""
+    return page.evaluate(  # type: ignore[no-any-return]
+        """() => {
+          const wide = document.documentElement.scrollWidth > innerWidth ? ["the page is too wide"] : [];
+          const pressed = [...document.querySelectorAll("button, select, input, summary, header a")];
+          const small = pressed.filter((one) => one.checkVisibility()).filter((one) => {
+            const { width, height } = one.getBoundingClientRect();
+            return Math.min(width, height) < 43.5;
+          });
+          return [...wide, ...small.map((one) => one.outerHTML.slice(0, 100))];
+        }"""
+    )

@@ -3,6 +3,7 @@ import { themeButton } from "../../page/web/theme.js";
 import { Faults } from "./faults.js";
 import { Values } from "./form.js";
 import { PageFrame } from "./frame.js";
+import { PhotoCheck } from "./photo-check.js";
 import { Sheets } from "./sheets.js";
 import { tabList } from "./tabs.js";
 import { about, follow } from "./wire.js";
@@ -41,6 +42,9 @@ const values = new Values(
     if (state !== null) faults.show(state.errors, state.warnings);
   },
 );
+const photo = new PhotoCheck(words, scene.name, tell);
+/** The way of looking that was chosen. */
+let looked = "";
 const faults = new Faults(words, (key) => values.has(key), (key) => values.go(key));
 
 /** Say something that is read aloud as well. @param {string} text */
@@ -76,6 +80,7 @@ function hear(now) {
   frame.show(now.page, now.ok || now.busy);
   faults.show(now.errors, now.warnings);
   values.follow(now.text_version);
+  photo.follow(now.text_version);
   tellState();
 }
 
@@ -97,7 +102,7 @@ function files() {
 
 function remember() {
   try {
-    const now = { way: frame.seen ? "page" : "sheets", place: frame.place };
+    const now = { way: looked, place: frame.place };
     sessionStorage.setItem(MEMORY, JSON.stringify(now));
   } catch {
     // a browser may keep nothing
@@ -113,19 +118,26 @@ function remembered() {
   }
 }
 
+/** @param {string} name of a way of looking */
+function look(name) {
+  looked = name;
+  frame.look(name === "page");
+  photo.look(name === "photo");
+  side.hidden = name === "photo";
+  photo.side.element.hidden = !side.hidden;
+}
+
 const ways = [
   { name: "sheets", title: words["sheets"] ?? "", panel: sheets.element },
   { name: "page", title: words["page"] ?? "", panel: frame.element },
+  ...(scene.photographed ? [{ name: "photo", title: words["photo"] ?? "", panel: photo.element }] : []),
 ];
 const side = element("aside", { "aria-label": words["values"] ?? "" }, faults.element, values.element, files());
 if (scene.several) head.prepend(element("a", { href: "../../" }, words["scenes"] ?? ""));
-main.replaceChildren(sheets.element, frame.element, side);
+main.replaceChildren(...ways.map(({ panel }) => panel), side, photo.side.element);
 const theme = themeButton(words);
 theme.addEventListener("click", () => frame.dress());
-head.append(
-  tabList(words["ways"] ?? "", ways, way, (name) => frame.look(name === "page")),
-  theme,
-);
+head.append(tabList(words["ways"] ?? "", ways, way, look), theme);
 document.documentElement.classList.add("js");
 window.addEventListener("pagehide", remember);
 follow("events", hear, link);

@@ -11,9 +11,18 @@
  * @typedef {{title: string, says: string, there: boolean, fields: Field[]}} Group
  * @typedef {{version: string, groups: Group[]}} Form
  * @typedef {{form: string, name: string}} Download
- * @typedef {{language: string, words: Words, name: string, several: boolean, fixed: boolean,
+ * @typedef {{language: string, words: Words, name: string, several: boolean, fixed: boolean, photographed: boolean,
  *   downloads: Download[]}} Studio
  * @typedef {{language: string, words: Words, scenes: {name: string, title: string}[]}} Gallery
+ * @typedef {[number, number]} Spot dots of a photograph from the centre of its first, downward
+ * @typedef {{plan: string, name: string, pole: string, first: string, positions: string[]}} Plan
+ * @typedef {Plan & {position: string}} Place a plan in a position
+ * @typedef {{plans: Plan[], sheets: string[], papers: string[], errors: string[]}} Clickable
+ * @typedef {{what: "pole" | "first" | "corner", plan: string, position: string}} Target
+ * @typedef {Target & {spot: Spot}} Click
+ * @typedef {{spot: Spot, text: string, kind: string}} Mark
+ * @typedef {{page: string, says: string, warnings: string[], stale?: boolean,
+ *   marks: {x: number, y: number, text: string, verdict: string}[]}} Checked page: the hash of its report
  * @typedef {{status: number, version: string, errors: Fault[]}} Answer status 0: nothing came back
  */
 export {};

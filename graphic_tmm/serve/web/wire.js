@@ -1,4 +1,7 @@
 /** @typedef {import("./types.js").Answer} Answer */
+/** @typedef {import("./types.js").Checked} Checked */
+/** @typedef {import("./types.js").Clickable} Clickable */
+/** @typedef {import("./types.js").Fault} Fault */
 /** @typedef {import("./types.js").Form} Form */
 /** @typedef {import("./types.js").State} State */
 
@@ -80,4 +83,44 @@ export async function setValues(version, changes) {
   } catch {
     return { status: 0, version: "", errors: [] };
   }
+}
+
+/**
+ * Return the plans of the scene that may be clicked in a photograph; none with the reasons, if that cannot be told.
+ * @returns {Promise<Clickable>}
+ */
+export async function plansOf() {
+  const none = { plans: [], sheets: [], papers: [] };
+  try {
+    const answer = await fetch("plans", { cache: "no-store" });
+    const told = await answer.json();
+    return answer.ok ? { ...told, errors: [] } : { ...none, errors: textsOf(told.errors) };
+  } catch {
+    return { ...none, errors: [] };
+  }
+}
+
+/**
+ * Send a photograph to be checked; without a report what it is refused for, if that came back.
+ * @param {Blob} file
+ * @param {[string, string][]} asked
+ * @returns {Promise<{checked: Checked | null, errors: string[]}>}
+ */
+export async function checkPhoto(file, asked) {
+  try {
+    const answer = await fetch(`photo?${new URLSearchParams(asked)}`, {
+      method: "POST",
+      headers: { "Content-Type": "application/octet-stream" },
+      body: file,
+    });
+    const told = await answer.json();
+    return answer.ok ? { checked: told, errors: [] } : { checked: null, errors: textsOf(told.errors) };
+  } catch {
+    return { checked: null, errors: [] };
+  }
+}
+
+/** @param {Fault[]} faults */
+function textsOf(faults) {
+  return faults.map((one) => one.text);
 }

@@ -7,30 +7,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from support.browser import tool
 from support.gallery import SHEETS
 from support.served import SMALL, small
-from support.studios import Tab, expect, serving
+from support.studios import SIZES, Tab, expect, in_sight, serious, serving
 
-SIZES = {
-    "desk": {"width": 1280, "height": 800},
-    "phone": {"width": 390, "height": 844},
-    "turned": {"width": 844, "height": 390},
-}
 LOOKS: dict[str, dict[str, Any]] = {
     "light": {"color_scheme": "light"},
     "dark": {"color_scheme": "dark"},
     "forced": {"forced_colors": "active"},
 }
-AXE = """() => axe.run({ exclude: [["iframe"]] }, { resultTypes: ["violations"] }).then((found) =>
-  found.violations.filter((one) => ["serious", "critical"].includes(one.impact))
-    .map((one) => `${one.id}: ${one.nodes.map((node) => node.html.slice(0, 160)).join(" ")}`))"""
-
-
-def serious(page: Any) -> list[str]:
-    if not page.evaluate("() => 'axe' in window"):
-        page.evaluate(tool("axe-core/axe.min.js").read_text(encoding="utf-8"))
-    return page.evaluate(AXE)  # type: ignore[no-any-return]
 
 
 @pytest.mark.parametrize(
@@ -59,21 +44,6 @@ def test_axe_finds_nothing_serious_and_everything_fits(
     tab.page.locator(".card img").first.wait_for()
     assert serious(tab.page) == []
     assert in_sight(tab.page) == []
-
-
-def in_sight(page: Any) -> list[str]:
-    """What stands out of the window sideways, or is too small to press."""
-    return page.evaluate(  # type: ignore[no-any-return]
-        """() => {
-          const wide = document.documentElement.scrollWidth > innerWidth ? ["the page is too wide"] : [];
-          const pressed = [...document.querySelectorAll("button, select, input, summary, header a")];
-          const small = pressed.filter((one) => one.checkVisibility()).filter((one) => {
-            const { width, height } = one.getBoundingClientRect();
-            return Math.min(width, height) < 43.5;
-          });
-          return [...wide, ...small.map((one) => one.outerHTML.slice(0, 100))];
-        }"""
-    )
 
 
 def test_everything_is_reached_by_keys(studio: Tab) -> None:
