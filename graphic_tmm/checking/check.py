@@ -38,7 +38,16 @@ from graphic_tmm.checking.readings.letters import letter_near
 from graphic_tmm.checking.readings.mending import mended
 from graphic_tmm.checking.readings.read import TOLD, with_words_of
 from graphic_tmm.checking.readings.signs import with_signs
-from graphic_tmm.checking.records import INSTRUMENT, MISTAKE, Judged, Likely, Report, Taken, Whole
+from graphic_tmm.checking.records import (
+    INSTRUMENT,
+    MISTAKE,
+    WRONG,
+    Judged,
+    Likely,
+    Report,
+    Taken,
+    Whole,
+)
 from graphic_tmm.checking.report.findings import sure
 from graphic_tmm.checking.report.rows import WORDS
 from graphic_tmm.drawn import DrawnScene
@@ -179,6 +188,11 @@ class _Judgement(NamedTuple):
     verdicts: tuple[Judged, ...]
     whole: Whole | None
 
+    @property
+    def wrong(self) -> int:
+        """How many readings are wrong."""
+        return sum(one.verdict == WRONG for one in self.verdicts)
+
 
 class _Explained(NamedTuple):
     """A drawing as it was judged, and what happened to it."""
@@ -280,11 +294,14 @@ class Checker:
     def _likeliest(self, first: _Explained) -> _Explained:
         """Return what happened, by other scale factors where these, with a mistake, explain readings better."""
         best = first
-        for agreed in first.judged.agreed.others:
-            if best.diagnosis.certain:
-                break
-            other = self._explained(self._judgement(agreed, first.judged.notes))
-            best = other if other.score > best.score + CLEAR else best
+        if not best.diagnosis.certain and first.judged.agreed.others:
+            every = (
+                self._judgement(one, first.judged.notes) for one in first.judged.agreed.others
+            )
+            fewest = min(every, key=lambda one: one.wrong)
+            if fewest.wrong < first.judged.wrong:
+                other = self._explained(fewest)
+                best = other if other.score > best.score + CLEAR else best
         readings, agreed = best.diagnosis.readings, best.judged.agreed
         free = first.judged.agreed.free - {*agreed.times}
         if best.diagnosis.certain or readings is None or not free:
