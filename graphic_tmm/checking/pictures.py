@@ -199,7 +199,7 @@ def laid(
     except SheetError:
         if clicked:
             raise
-        flat = _by_edges(image, lines.paper)
+        flat = _by_edges(image, lines.paper, sheet.format)
     return Laid(made, sheet, flat, number)
 
 
@@ -211,18 +211,18 @@ def _flat(image: Image, corners: Corners | Ruled, frame: Box, paper: Box) -> Pho
     return flatten(image, corners, frame, area=paper, dots_per_mm=float(dots), refined=not edges)
 
 
-def _by_edges(image: Image, paper: Box) -> Photo:
+def _by_edges(image: Image, paper: Box, size: str) -> Photo:
     """Return a photograph flattened by the edges of the paper, which is said."""
     from graphic_tmm.checking.photo.paper_edges import paper_found
 
     corners = [(z.real, z.imag) for z in paper_found(image)]
     flat = _flat(image, corners, paper, paper)
-    return flat._replace(warnings=(EDGES, *flat.warnings))
-
-
-EDGES = said(
-    "no frame of this sheet is seen: the edges of the paper were taken, as upright as it is in the photograph"
-)
+    taken = said(
+        "no frame of this sheet is seen: the edges of the paper were taken, as of an upright {size}; "
+        "of another format by --paper",
+        size=size,
+    )
+    return flat._replace(warnings=(taken, *flat.warnings))
 
 
 def _on_own_paper(

@@ -64,7 +64,8 @@ def test_where_no_frame_is_seen_the_papers_edges_are_taken_and_that_is_said(tmp_
     image, due = photograph((8.0, 40.0), Light(), 0.0)
     Image.fromarray(image).save(tmp_path / "p.png")
     shown = laid(read(SHEETS / "crank-rocker" / "scene.toml"), str(tmp_path / "p.png"), "", 2)
-    assert [told for told in shown.flat.warnings if "the edges of the paper were taken" in told]
+    taken = [told for told in shown.flat.warnings if "the edges of the paper were taken" in told]
+    assert "as of an upright A4; of another format by --paper" in taken[0]
     assert abs(shown.flat.corners - due).max() < 1.5
     own = laid(
         read(SHEETS / "crank-rocker" / "scene.toml"), str(tmp_path / "p.png"), "", paper="A4"
