@@ -179,13 +179,17 @@ class Readings(Answer):
     """What a chapter knows of readings.
 
     ``pointed``: the plans of which readings may give points; ``plan_at``: such a plan in one position, lettered
-    clear of what is drawn upon it. ``named_marks``: marks by plan and the name that machines read.
+    clear of what is drawn upon it; ``figure_at``: another figure by its view, None where it has none of it or
+    not there. ``named_marks``: marks by plan and the name that machines read.
     ``vectors``: the columns of the vectors that are measured on its plans.
     """
 
     stands: ClassVar[str] = "views.READINGS"
     pointed: tuple[str, ...] = ()
     plan_at: Callable[[Drawn, str, int, str, str, Sequence[Stroke]], Drawing] = _no_plan
+    figure_at: Callable[[Drawn, str, int, str], Drawing | None] = lambda drawn, view, place, name: (
+        None
+    )
     named_marks: Callable[[Project], Mapping[tuple[str, str], Mark]] = lambda project: {}
     vectors: Callable[[Drawn], Iterable[Column]] = lambda drawn: ()
 

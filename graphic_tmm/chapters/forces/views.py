@@ -44,10 +44,11 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import heights
+from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.seen import Seen, Subject
 from graphic_tmm.paper.views import captioned, mu_text, paired
-from graphic_tmm.readers.columns import Column
+from graphic_tmm.readers.columns import Column, Readings
 from graphic_tmm.readers.result_table import result_table
 from graphic_tmm.scene.captions import captions
 
@@ -82,6 +83,20 @@ def force_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
             drawn, driver_shown(drawn, made), made.driven.polygon, reactions, rows, place, lettered
         )
     return views
+
+
+def polygon_at(drawn: Drawn, view: str, place: int, name: str) -> Drawing | None:
+    """Return a polygon by its view in one position; None where there is none."""
+    made = FORCES_PLAN.of(drawn)
+    scale = drawn.scales.get(view)
+    if made is None or scale is None or place not in _places(drawn):
+        return None
+    driven = made.driven.polygon, (made.driven.reaction,)
+    for polygon, reactions in (*((one.polygon, one.reactions) for one in made.groups), driven):
+        if polygon.view == view and whole(drawn.reading, polygon, reactions, place):
+            sides = subject(drawn, "", "forces", name=name)
+            return finished(draw_polygon(sides, polygon, reactions, place, scale.at(place).value))
+    return None
 
 
 def _places(drawn: Drawn) -> list[int]:
@@ -309,3 +324,6 @@ SHOWN = Views(
         LOADS: load_views,
     }
 )
+
+
+READINGS = Readings(figure_at=polygon_at)

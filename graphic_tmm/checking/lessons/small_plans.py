@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Arc, Length, Line, Point
 from graphic_tmm.checking.cells import points
@@ -83,6 +84,8 @@ class SmallPlans:
             ends = _ends_of(work, step, place) if step is not None else ()
             amiss = wrongly.steps.get(step.it.slot, step) if step is not None else None
             found = _ends_of(board, amiss, place) if amiss is not None else ()
+            if step is not None and not ends and not _inked(due, step.it):
+                ends, found = (_laid_on(one, step.it, place) for one in (work, board))
             moved = tuple(_moved(drawn, due.drawing))
             if moved or (found and not _same_ends(ends, found)):
                 of = (told.step.it.slot,)
@@ -99,12 +102,15 @@ class SmallPlans:
 
 
 def _drawing(work: Drawn, plan: str, place: int) -> Drawing | None:
-    """Return a plan in a position (index); None where it is none, or not drawn there."""
-    chapters = [one for one in work.project.chapters if plan in Readings.of(one).pointed]
-    here = place in work.row(plan) and place not in work.undrawn
-    if not chapters or not here or work.of(plan) is None:
-        return None
-    return Readings.of(chapters[0]).plan_at(work, plan, place, f"lesson-{plan}-{place}", "", ())
+    """Return a plan or another figure in a position (index); None where it is none, or not drawn there."""
+    name = f"lesson-{plan.replace(' ', '-')}-{place}"
+    chapters = [Readings.of(one) for one in work.project.chapters]
+    if pointed := [one for one in chapters if plan in one.pointed]:
+        here = place in work.row(plan) and place not in work.undrawn
+        drawn = here and work.of(plan) is not None
+        return pointed[0].plan_at(work, plan, place, name, "", ()) if drawn else None
+    figures = (one.figure_at(work, plan, place, name) for one in chapters)
+    return next((one for one in figures if one is not None), None)
 
 
 def _moved(drawn: Drawing, due: Drawing) -> Iterator[Ink]:
@@ -139,15 +145,32 @@ def _ends_of(work: Drawn, step: Step, place: int) -> tuple[complex, ...]:
     return _spot(work, step.it, place) or _ends(work, step, place)
 
 
+def _inked(picture: PlanPicture, mark: Mark) -> bool:
+    return any(mark.slot in one.of for one in picture.drawing.strokes if not one.part)
+
+
+def _laid_on(work: Drawn, on: Mark, place: int) -> tuple[complex, ...]:
+    """Return the ends of what is laid off on a line of which nothing else is in ink, mm; none if nothing is."""
+    lines = {step.it: step for step in work.construction.steps}
+    for step in work.construction.steps:
+        if step.op is lay_off and on in step.uses and on in lines:
+            start = next((mark for mark in lines[on].uses if mark.kind is Point), None)
+            ends = (
+                () if start is None else (*_spot(work, start, place), *_spot(work, step.it, place))
+            )
+            return ends if len(ends) == 2 else ()
+    return ()
+
+
 def _named(work: Drawn, drawing: Drawing, place: int) -> tuple[complex, ...]:
-    """Return the point that each label names; of one that names none, where it stands."""
+    """Return the point that each label names, of a side the middle; of one that names none, where it stands."""
     log = work.construction
     marks = {mark.slot: mark for mark in (*log.given, *(step.it for step in log.steps))}
     found = []
     for label in drawing.labels:
-        mark = next((marks[slot] for slot in label.of if slot in marks), None)
-        spot = () if mark is None else _spot(work, mark, place)
-        found.append(spot[0] if spot else label.at)
+        named = (marks[slot] for slot in label.of if slot in marks)
+        spots = [spot for mark in named for spot in _spot(work, mark, place)]
+        found.append(sum(spots) / len(spots) if spots else label.at)
     return tuple(found)
 
 

@@ -146,6 +146,8 @@ def _y(percent: float, limit: float) -> float:
 
 PLAN_WIDTH, PLAN_HEIGHT = 90.0, 64.0
 """The picture is at most so wide and high, mm: half of a page between its margins, two lessons on a page."""
+TOUCHING = 0.3
+"""Letters whose boxes meet by more mm stand on each other."""
 EDGE = 3.0
 """White about the plan, mm: a cross on its edge is whole."""
 BEYOND = 0.5
@@ -181,7 +183,7 @@ class _Page(NamedTuple):
         return one._replace(path=tuple((z.real, z.imag, bulge) for z, bulge in moved))
 
 
-class _Letter(NamedTuple):
+class Letter(NamedTuple):
     """A letter with its index: the data of its strokes, the width of the pen, the box of its ink."""
 
     data: str
@@ -201,7 +203,7 @@ def small_plan(picture: PlanPicture, label: str) -> Markup:
     of = set(picture.of) if len(picture.due) < 2 else set()  # else the due segment is drawn itself
     meant = [not one.part and bool(set(one.of) & of) for one in ink]
     amiss = [one for one in picture.mistaken or () if one.part not in LEFT_OUT]
-    letters = list(_letters(page, picture))
+    letters = apart(list(_letters(page, picture)), picture)
     edges = [(0.0, 0.0, width, height), *(one.box for one in letters)]
     x, y = (min(edge[k] for edge in edges) for k in (0, 1))
     size = tuple(max(edge[k + 2] for edge in edges) - (x, y)[k] for k in (0, 1))
@@ -266,7 +268,7 @@ def _drawn(page: _Page, ink: Iterable[Ink]) -> tuple[str, str]:
     return lines, filled
 
 
-def _letters(page: _Page, picture: PlanPicture) -> Iterator[_Letter]:
+def _letters(page: _Page, picture: PlanPicture) -> Iterator[Letter]:
     """Yield the letters: each stands to its point as it does on the sheet, by its own size."""
     labels = picture.drawing.labels
     for one, named in zip(labels, picture.named or [one.at for one in labels], strict=True):
@@ -276,9 +278,27 @@ def _letters(page: _Page, picture: PlanPicture) -> Iterator[_Letter]:
         x = at.real - {"start": 0.0, "middle": 0.5, "end": 1.0}[one.anchor] * put.width
         y = page.height - at.imag
         left, low, right, top = put.ink
-        yield _Letter(
+        yield Letter(
             svg_path(put, x, y), f"{size / 10:.2f}", (x + left, y - top, x + right, y - low)
         )
+
+
+def apart(letters: Sequence[Letter], picture: PlanPicture) -> list[Letter]:
+    """Return letters without those that would stand on others, those nearest to what is shown first."""
+    ends = picture.due or picture.found
+    named = picture.named or [one.at for one in picture.drawing.labels]
+    here = sum(ends) / len(ends) if ends else 0j
+    order = sorted(range(len(letters)), key=lambda k: abs(named[k] - here) if ends else k)
+    kept: list[Letter] = []
+    for one in (letters[k] for k in order):
+        if not any(_meet(one.box, other.box) for other in kept):
+            kept.append(one)
+    return kept
+
+
+def _meet(one: Sequence[float], other: Sequence[float]) -> bool:
+    """Whether two boxes (left, top, right, low, mm) meet by more than what letters may touch."""
+    return all(min(one[k + 2], other[k + 2]) - max(one[k], other[k]) > TOUCHING for k in (0, 1))
 
 
 def _line(page: _Page, ends: Sequence[complex]) -> str:

@@ -9,6 +9,7 @@ from functools import cache
 import pytest
 from support.gallery import CASES
 from support.lessons_told import CRANK, MU_A, OMEGA, ROD, by
+from support.own_told import kind_of, report_of, with_mistake
 
 from graphic_tmm.checking.check import check
 from graphic_tmm.checking.lessons.lessons import Teacher
@@ -97,3 +98,15 @@ def test_the_lesson_is_on_the_step_in_the_plan_where_it_was_made() -> None:
     found = Likely("", "it was", (2,), 1, 0.0, plan="forces", segment="R12", step=letter)
     told = Teacher(made).lessons((), (found._replace(view="forces 2-3"),), by(made))
     assert [one.view for one in told] == ["forces 2-3"]
+
+
+def test_a_mistake_in_a_force_polygon_is_drawn_beside_what_is_due() -> None:
+    """The load laid off the other way: its side is due, the same side turned round is what was drawn."""
+    said = report_of(with_mistake(kind_of("load along the velocity"), 0, 70000, ways=("mm",)))
+    assert not isinstance(said, str)
+    picture = next(one for one in said.lessons if 0 in one.names).picture
+    assert picture is not None
+    assert picture.mistaken
+    (start, end), (begun, ended) = picture.due, picture.found
+    assert abs(start - begun) < 1e-6
+    assert abs((ended - begun) + (end - start)) < 1e-6 * abs(end - start)

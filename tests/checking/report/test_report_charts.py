@@ -15,18 +15,21 @@ from support.each import each
 from support.lessons_told import lessons, plan_of_velocities, points_of_positions, row
 from support.reports import HOSTILE, engine, judged, report
 
-from graphic_tmm.checking.records import FINE, VERDICTS, WRONG, Lesson
+from graphic_tmm.checking.records import FINE, VERDICTS, WRONG, Lesson, PlanPicture
 from graphic_tmm.checking.report.charts import (
     COLOURS,
     PLAN_HEIGHT,
     PLAN_WIDTH,
     SHAPES,
+    Letter,
+    apart,
     axis,
     chart,
     small_plan,
 )
 from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.markdown import markdown_report
+from graphic_tmm.paper.drawing import Drawing, Label, line
 
 
 def svg(text: str) -> ElementTree.Element:
@@ -227,3 +230,20 @@ def test_markdown_takes_it_as_one_block() -> None:
         assert text.rstrip().endswith("</svg>")
         ElementTree.fromstring(text)
     assert html_report(made).count('<svg class="plan"') == 2
+
+
+def test_letters_that_would_stand_on_others_are_left_out_the_farther_first() -> None:
+    labels = [Label("F_1", 3j, 3.5), Label("F_2", 1 + 3.2j, 3.5), Label("F_3", 40 + 3j, 3.5)]
+    drawing = Drawing("v", "", [line("thin", 0j, 50 + 0j)], labels)
+    named = (0j, 10 + 0j, 40 + 0j)
+
+    def letters(*due: complex) -> int:
+        picture = PlanPicture(drawing, due=due, named=named)
+        return len(svg(str(small_plan(picture, "a plan")))[-1])
+
+    places = zip(labels, (0.0, 1.0, 40.0), strict=True)
+    boxes = [Letter(one.text, "", (x, 0.0, x + 4.0, 3.0)) for one, x in places]
+    for due, first in ((10 + 0j, "F_2"), (0j, "F_1")):
+        kept = apart(boxes, PlanPicture(drawing, due=(due - 1, due + 1), named=named))
+        assert [one.data for one in kept] == [first, "F_3"]
+    assert letters(0j, 1 + 0j) == 2
