@@ -326,8 +326,7 @@ def points_drawing(seen: Photographed, report: Report, sheet: Sheet) -> Drawing:
 def marked(shown: Laid, seen: Photographed, report: Report) -> tuple[dict[str, Any], ...]:
     """Return where in the photograph, px, points were seen, as JSON takes it; how each is told and judged."""
     by = {one.taken.key: one.verdict for one in report.readings}
-    photo = shown.flat
-    shot = Shot(photo.image, photo.homography, photo.lens, photo.curl)
+    shot = _shot(shown)
     found = []
     for one, told in _lettered(seen, report):
         at = complex(shot.to_picture(one.at))

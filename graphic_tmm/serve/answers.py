@@ -185,6 +185,12 @@ class Answers:
         """Return what the check of a photograph says, apart from what is looked at."""
         return await self._of_scene(self.desk.aside, scene, photos.photo_checked, clicked)
 
+    async def propose(
+        self, scene: Scene, clicked: photos.Clicked
+    ) -> list[dict[str, Any]] | Refused:
+        """Return the plans that a photograph seems to show."""
+        return await self._of_scene(self.desk.aside, scene, photos.plans_proposed, clicked)
+
     async def _of_scene(
         self, worker: Worker, scene: Scene, job: Callable[..., T], *given: Any
     ) -> T | Refused:

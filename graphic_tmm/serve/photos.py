@@ -9,8 +9,8 @@ from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.own_sheet.clicked import first_letter, may_be_clicked, plans_of
 from graphic_tmm.checking.photo.picture import Sent
-from graphic_tmm.checking.photographed import judged, marked, photographed
-from graphic_tmm.checking.pictures import laid
+from graphic_tmm.checking.photographed import judged, marked, photographed, proposed
+from graphic_tmm.checking.pictures import Laid, laid
 from graphic_tmm.checking.report.findings import headline
 from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.errors import SheetError, printable
@@ -82,6 +82,25 @@ def clickable(task: Task) -> dict[str, Any]:
 
 
 @refusing
+def plans_proposed(task: Task, clicked: Clicked) -> list[dict[str, Any]]:
+    """Return the plans that a photograph seems to show, as JSON takes them: pole and first vector, px."""
+    shown = _laid(task, clicked)
+    return [
+        {
+            "plan": one.plan,
+            "position": one.position,
+            "pole": _dots(one.pole),
+            "first": None if one.first is None else _dots(one.first),
+        }
+        for one in proposed(shown, HAND, scene_of(task).language).plans
+    ]
+
+
+def _dots(at: complex) -> tuple[float, float]:
+    return round(at.real, 1), round(at.imag, 1)
+
+
+@refusing
 def photo_checked(task: Task, clicked: Clicked) -> Checked:
     """Return what the check of a photograph says.
 
@@ -92,10 +111,7 @@ def photo_checked(task: Task, clicked: Clicked) -> Checked:
     """
     scene, given = scene_of(task), composition_of(task)
     plans = plans_of(clicked.plans)
-    # the form on the sheet is the scene's, in whatever language the report is wanted
-    drawn = read_text(task.data, Path(task.file), missing=missing)
-    sent = Sent(printable(clicked.name), clicked.data)
-    shown = laid(drawn, sent, clicked.corners, clicked.sheet, given, clicked.paper)
+    shown = _laid(task, clicked)
     seen = photographed(shown, {}, HAND, plans)
     if seen is None:
         raise SheetError(
@@ -108,9 +124,17 @@ def photo_checked(task: Task, clicked: Clicked) -> Checked:
         trials=TRIALS,
         limits=Limits(),
         given=given,
-        source=sent.name,
+        source=printable(clicked.name),
     )
     speech = speaking(scene.language)
     warnings = tuple(printable(speech(one)) for one in shown.flat.warnings)
     page = html_report(report).encode()
     return Checked(page, headline(report), warnings, marked(shown, seen, report))
+
+
+def _laid(task: Task, clicked: Clicked) -> Laid:
+    """Return a flattened photograph; the form on the sheet is the scene's, whatever language is told."""
+    drawn = read_text(task.data, Path(task.file), missing=missing)
+    sent = Sent(printable(clicked.name), clicked.data)
+    given = composition_of(task)
+    return laid(drawn, sent, clicked.corners, clicked.sheet, given, clicked.paper)

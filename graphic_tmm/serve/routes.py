@@ -9,6 +9,7 @@
     /s/NAME/download/FORM   its files of a format
     /s/NAME/plans           its plans that may be clicked in a photograph
     /s/NAME/photo           takes a photograph, in the address what was clicked; tells what its check says
+    /s/NAME/proposals       takes a photograph; tells which plans it seems to show
     /s/NAME/report/HASH.html  the report of a check, while it is kept
     /web/NAME               scripts and styles of the studio
 
@@ -173,6 +174,7 @@ def application(desk: Desk, token: str, *, open: bool = False) -> ASGIApp:
         Route("/s/{name}/download/{form}", asked.download),
         Route("/s/{name}/plans", asked.plans),
         Route("/s/{name}/photo", asked.photo, methods=["POST"]),
+        Route("/s/{name}/proposals", asked.proposals, methods=["POST"]),
         Route("/s/{name}/report/{hash}.html", asked.report),
     ]
     app = Starlette(routes=routes, lifespan=life)
@@ -291,17 +293,21 @@ class AnswerRoutes:
 
     async def photo(self, request: Request) -> Response:
         """What the check of a photograph says, and where its report is; 422 with what it is refused for."""
-        scene, clicked = self._scene(request), _clicked(request)
-        if scene is None:
-            return _nothing()
-        data = None if clicked is None else await _body(request, PHOTO, PHOTO_TIME)
-        if clicked is None or not data:
-            return Response(status_code=400)
-        found = await self.answers.check(scene, clicked._replace(data=data))
+        scene, clicked = self._scene(request), await _clicked(request)
+        if scene is None or clicked is None:
+            return Response(status_code=404 if scene is None else 400)
+        found = await self.answers.check(scene, clicked)
         if isinstance(found, Refused):
             return _refused(found)
-        told = found._asdict() | {"page": scene.kept.keep(found.page)}
-        return JSONResponse(told)
+        return JSONResponse(found._asdict() | {"page": scene.kept.keep(found.page)})
+
+    async def proposals(self, request: Request) -> Response:
+        """The plans that a photograph seems to show, to be confirmed; 422 with what it is refused for."""
+        scene, clicked = self._scene(request), await _clicked(request)
+        if scene is None or clicked is None:
+            return Response(status_code=404 if scene is None else 400)
+        found = await self.answers.propose(scene, clicked)
+        return _refused(found) if isinstance(found, Refused) else JSONResponse({"plans": found})
 
     async def report(self, request: Request) -> Response:
         """The report of a check that is kept: a page that does nothing."""
@@ -341,15 +347,18 @@ async def _body(request: Request, most: int, seconds: float) -> bytes | None:
     return bytes(body)
 
 
-def _clicked(request: Request) -> Clicked | None:
-    """Return what was clicked in a photograph, as an address has it; None if that cannot be told."""
+async def _clicked(request: Request) -> Clicked | None:
+    """Return a photograph that is sent, and what was clicked in it; None if that cannot be told."""
     told, plans = request.query_params, request.query_params.getlist("plan")
     sheet, paper = told.get("sheet", "1"), told.get("paper", "")
     plain = sheet.isascii() and sheet.isdecimal() and len(sheet) < 4 and int(sheet) > 0
     if not plain or paper not in ("", *PAPERS) or len(str(told)) > CLICKED:
         return None
+    data = await _body(request, PHOTO, PHOTO_TIME)
+    if not data:
+        return None
     name = told.get("name", "photo")
-    return Clicked(name, b"", tuple(plans), told.get("corners", ""), paper, int(sheet))
+    return Clicked(name, data, tuple(plans), told.get("corners", ""), paper, int(sheet))
 
 
 def _change(told: object) -> Change | None:

@@ -108,6 +108,10 @@ WORDS: dict[str, str] = {
     "photo corners why": said("Only if they are not found (--corners)."),
     "photo check": said("Check it"),
     "photo need": said("Click the pole and the first vector of a plan first."),
+    "photo propose": said("Look for the plans"),
+    "photo looked": said(
+        "Plans found: {n}. See in the photograph whether each stands right; remove those that do not."
+    ),
     "photo begun": said("The photograph is being read …"),
     "photo done": said("The report is there."),
     "photo failed": said("The photograph could not be checked."),

@@ -12,7 +12,7 @@ import pytest
 from PIL import Image
 from support.command import invoke
 from support.each import each
-from support.own_sheets import Kind, own_sheet
+from support.own_sheets import Kind, Sheet, own_sheet
 from support.served import HOST, Answer, Browser, opened, run, small
 
 from graphic_tmm.serve import routes
@@ -28,10 +28,17 @@ async def sent(
     name: str,
     data: bytes | list[bytes],
     *options: tuple[str, Any],
+    to: str = "photo",
     **headers: str | None,
 ) -> Answer:
-    path = f"/s/{name}/photo?{urlencode(options)}"
+    path = f"/s/{name}/{to}?{urlencode(options)}"
     return await browser.ask(path, "POST", data, **{"content_type": BYTES, **headers})
+
+
+@pytest.fixture(scope="session")
+def sheet() -> Sheet:
+    """A photograph of a sheet of A4 with a plan of velocities and one of accelerations, Coriolis' left out."""
+    return own_sheet(Kind("rpr", "k left out", "A4", wide=2800), 3)
 
 
 def lever(folder: Path) -> Path:
@@ -61,8 +68,9 @@ def test_plans_of_vectors_may_be_clicked_with_their_letters(tmp_path: Path) -> N
 
 
 @pytest.mark.slow
-def test_the_report_is_the_command_s(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    sheet = own_sheet(Kind("rpr", "k left out", "A4", wide=2800), 3)
+def test_the_report_is_the_command_s(
+    sheet: Sheet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     file = lever(tmp_path)
     (tmp_path / "own.jpg").write_bytes(sheet.jpeg)
     plans = [
@@ -94,6 +102,30 @@ def test_the_report_is_the_command_s(tmp_path: Path, monkeypatch: pytest.MonkeyP
     run(serving)
 
 
+@pytest.mark.slow
+def test_plans_are_proposed_as_by_the_command(sheet: Sheet, tmp_path: Path) -> None:
+    file = lever(tmp_path)
+    photo = tmp_path / "own.jpg"
+    photo.write_bytes(sheet.jpeg)
+    done = invoke(
+        "photo", file, photo, "--paper", "A4", "--propose", "--overlay", tmp_path / "a.svg"
+    )
+
+    async def serving() -> None:
+        async with opened(file, drawing=False) as (browser, _):
+            answer = await sent(browser, "lever", sheet.jpeg, ("paper", "A4"), to="proposals")
+            plans = answer.json()["plans"]
+            assert plans
+            for one in plans:
+                at = ",".join(f"{x:.0f}" for x in (*one["pole"], *one["first"]))
+                assert f"--plan {one['plan']}:{one['position']}={at}\n" in done.stdout
+            assert done.stdout.count("--plan") == len(plans)
+            answer = await sent(browser, "lever", b"", ("paper", "A4"), to="proposals")
+            assert answer.status == 400
+
+    run(serving)
+
+
 def test_what_is_not_found_is_told_with_its_remedy(tmp_path: Path) -> None:
     file = lever(tmp_path)
 
@@ -105,11 +137,12 @@ def test_what_is_not_found_is_told_with_its_remedy(tmp_path: Path) -> None:
                 (DULL.getvalue(), [("plan", "velocities")], "--plan: write plan, position"),
                 (DULL.getvalue(), [("sheet", 7)], "there is no sheet 7"),
             ):
-                answer = await sent(browser, "lever", data, *options)
-                assert answer.status == 422
-                (fault,) = answer.json()["errors"]
-                assert says in fault["text"]
-                assert "\x1b" not in fault["text"]
+                for to in ("photo", "proposals")[: 1 if says.startswith("--plan") else 2]:
+                    answer = await sent(browser, "lever", data, *options, to=to)
+                    assert answer.status == 422
+                    (fault,) = answer.json()["errors"]
+                    assert says in fault["text"]
+                    assert "\x1b" not in fault["text"]
 
     run(serving)
 

@@ -2,6 +2,7 @@
 /** @typedef {import("./types.js").Target} Target */
 /** @typedef {import("./types.js").Click} Click */
 /** @typedef {import("./types.js").Plan} Plan */
+/** @typedef {import("./types.js").Proposal} Proposal */
 /** @typedef {import("./types.js").Spot} Spot */
 
 export const CORNERS = 4;
@@ -155,6 +156,20 @@ export class Clicks {
     const moved = { ...last, spot };
     this.list = this.list.map((one) => (one === last ? moved : one));
     this.last = moved;
+    this.changed();
+  }
+
+  /**
+   * Take plans for clicked that seem to be there, but for those that were clicked.
+   * @param {Proposal[]} proposals
+   */
+  take(proposals) {
+    const others = proposals.filter((one) => !has(this.list, one, "pole"));
+    for (const { plan, position, pole, first } of others) {
+      this.list = withClick(this.list, { what: "pole", plan, position, spot: pole });
+      if (first !== null) this.list = withClick(this.list, { what: "first", plan, position, spot: first });
+    }
+    this.chosen = this.last = null;
     this.changed();
   }
 

@@ -2,7 +2,7 @@ import { element, filled } from "../../page/web/dom.js";
 import { Clicks, clickedPlans, cornersOf, optionsOf } from "./clicks.js";
 import { PhotoDesk } from "./photo-desk.js";
 import { PhotoSide } from "./photo-side.js";
-import { checkPhoto, plansOf } from "./wire.js";
+import { checkPhoto, plansOf, proposePlans } from "./wire.js";
 
 /** @typedef {import("./types.js").Checked} Checked */
 /** @typedef {import("./types.js").Click} Click */
@@ -176,30 +176,57 @@ export class PhotoCheck {
   }
 
   async check() {
-    const { file } = this;
-    if (file === null || !this.ready) return;
-    this.busy = true;
-    this.side.tell([]);
-    this.tell(this.say("photo begun"));
-    this.show();
-    const asked = JSON.stringify(this.options);
-    const answer = await checkPhoto(file, [["name", file.name], ...this.options]);
-    this.busy = false;
-    const stale = asked !== JSON.stringify(this.options) || file !== this.file;
+    const asked = this.options;
+    const found = await this.send(checkPhoto, asked);
+    if (found === null) return;
+    const { file, answer } = found;
+    const stale = JSON.stringify(asked) !== JSON.stringify(this.options) || file !== this.file;
     this.clicks.last = null;
-    if (answer.checked === null) {
-      this.checked = null;
-      this.side.tell(answer.errors.length > 0 ? answer.errors : [this.say("photo failed")]);
-      this.tell(this.say("photo failed"));
-    } else {
-      this.checked = { ...answer.checked, stale, marks: stale ? [] : answer.checked.marks };
+    this.checked = answer === null ? null : { ...answer, stale, marks: stale ? [] : answer.marks };
+    if (answer !== null) {
       if (!this.report.isConnected) this.element.append(this.report);
-      this.report.src = `report/${answer.checked.page}.html`;
+      this.report.src = `report/${answer.page}.html`;
       this.tell(this.say("photo done"));
     }
     this.turn(this.checked !== null);
     this.show();
     this.side.element.scrollTop = 0;
+  }
+
+  /** Have plans looked for in the photograph; they are to be confirmed. */
+  async propose() {
+    const found = await this.send(proposePlans, this.options);
+    if (found === null) return;
+    const { file, answer } = found;
+    if (answer === null || file !== this.file) return this.show();
+    this.clicks.take(answer.plans);
+    const text = this.say("photo looked", { n: answer.plans.length });
+    this.prompt.textContent = text;
+    this.tell(text);
+  }
+
+  /**
+   * Send the photograph, and what was clicked; null if there is none, or one is being read.
+   * @template T
+   * @param {(file: Blob, asked: [string, string][]) => Promise<{answer: T | null, errors: string[]}>} ask
+   * @param {[string, string][]} asked
+   */
+  async send(ask, asked) {
+    const { file } = this;
+    if (file === null || this.busy) return null;
+    this.busy = true;
+    this.side.tell([]);
+    this.show();
+    this.prompt.textContent = this.say("photo begun");
+    this.tell(this.say("photo begun"));
+    const { answer, errors } = await ask(file, [["name", file.name], ...asked]);
+    this.busy = false;
+    if (answer === null) {
+      this.side.tell(errors.length > 0 ? errors : [this.say("photo failed")]);
+      this.tell(this.say("photo failed"));
+      this.side.element.scrollTop = 0;
+    }
+    return { file, answer };
   }
 
   /** Show the report, or the photograph. @param {boolean} report */

@@ -25,6 +25,7 @@ export class PhotoSide {
     this.of.addEventListener("change", () => check.change());
     this.plan = /** @type {HTMLSelectElement} */ (element("select"));
     this.plan.addEventListener("change", () => this.pick());
+    this.propose = this.button("photo propose", () => check.propose());
     this.undo = this.button("photo undo", () => check.clicks.undo());
     this.corners = this.button("photo corners", () => check.choose(CORNER));
     this.go = this.button("photo check", () => check.check());
@@ -40,6 +41,7 @@ export class PhotoSide {
       "section",
       {},
       this.labelled("photo of", this.of),
+      this.propose,
       this.labelled("photo plan", this.plan),
       this.marks,
       this.rows,
@@ -146,6 +148,7 @@ export class PhotoSide {
     this.marks.hidden = clicks.list.length === 0;
     this.aim.hidden = clicks.last === null;
     this.undo.disabled = clicks.list.length === 0;
+    this.propose.disabled = check.busy;
     this.go.disabled = !check.ready;
     this.need.hidden = check.ready || check.busy;
     this.rows.replaceChildren(...this.clicked());

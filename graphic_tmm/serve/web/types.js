@@ -20,6 +20,7 @@
  * @typedef {{plans: Plan[], sheets: string[], papers: string[], errors: string[]}} Clickable
  * @typedef {{what: "pole" | "first" | "corner", plan: string, position: string}} Target
  * @typedef {Target & {spot: Spot}} Click
+ * @typedef {{plan: string, position: string, pole: Spot, first: Spot | null}} Proposal a plan that seems to be there
  * @typedef {{spot: Spot, text: string, kind: string}} Mark
  * @typedef {{page: string, says: string, warnings: string[], stale?: boolean,
  *   marks: {x: number, y: number, text: string, verdict: string}[]}} Checked page: the hash of its report

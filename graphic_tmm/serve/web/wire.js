@@ -3,6 +3,7 @@
 /** @typedef {import("./types.js").Clickable} Clickable */
 /** @typedef {import("./types.js").Fault} Fault */
 /** @typedef {import("./types.js").Form} Form */
+/** @typedef {import("./types.js").Proposal} Proposal */
 /** @typedef {import("./types.js").State} State */
 
 /** After so long a connection that was closed is tried again, ms. */
@@ -104,19 +105,38 @@ export async function plansOf() {
  * Send a photograph to be checked; without a report what it is refused for, if that came back.
  * @param {Blob} file
  * @param {[string, string][]} asked
- * @returns {Promise<{checked: Checked | null, errors: string[]}>}
+ * @returns {Promise<{answer: Checked | null, errors: string[]}>}
  */
-export async function checkPhoto(file, asked) {
+export function checkPhoto(file, asked) {
+  return sendPhoto("photo", file, asked);
+}
+
+/**
+ * Send a photograph in which plans are to be found.
+ * @param {Blob} file
+ * @param {[string, string][]} asked
+ * @returns {Promise<{answer: {plans: Proposal[]} | null, errors: string[]}>}
+ */
+export function proposePlans(file, asked) {
+  return sendPhoto("proposals", file, asked);
+}
+
+/**
+ * @param {string} address
+ * @param {Blob} file
+ * @param {[string, string][]} asked
+ */
+async function sendPhoto(address, file, asked) {
   try {
-    const answer = await fetch(`photo?${new URLSearchParams(asked)}`, {
+    const answer = await fetch(`${address}?${new URLSearchParams(asked)}`, {
       method: "POST",
       headers: { "Content-Type": "application/octet-stream" },
       body: file,
     });
     const told = await answer.json();
-    return answer.ok ? { checked: told, errors: [] } : { checked: null, errors: textsOf(told.errors) };
+    return answer.ok ? { answer: told, errors: [] } : { answer: null, errors: textsOf(told.errors) };
   } catch {
-    return { checked: null, errors: [] };
+    return { answer: null, errors: [] };
   }
 }
 

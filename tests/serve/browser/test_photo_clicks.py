@@ -107,6 +107,25 @@ def test_two_clicks_a_plan_and_the_report_of_the_command_is_there(
     expect(photo.page.locator(".mark.seen")).to_have_count(0)
 
 
+def test_plans_are_looked_for_and_wait_to_be_confirmed(
+    sheet: Sheet, lever: str, tab_of: Callable[..., Tab]
+) -> None:
+    tab = tab_of(lever)
+    photo = Photo(tab, "own.jpg", sheet.jpeg)
+    photo.side.get_by_label("What is photographed").select_option("paper A4")
+    photo.plan("Acceleration plan, 1")
+    clicked = sheet.plans["accelerations", "1"][0]
+    photo.click(clicked)
+    photo.side.get_by_role("button", name="Look for the plans").click()
+    tab.told("See in the photograph whether each stands right")
+    assert "Velocity plan, 1: p, a" in photo.rows
+    # what was clicked stays as it was clicked
+    assert "Acceleration plan, 1: π" in photo.rows
+    assert photo.page.locator(".photo iframe").count() == 0
+    photo.side.get_by_role("button", name="Remove: Velocity plan, 1").click()
+    assert not [row for row in photo.rows if row.startswith("Velocity plan, 1")]
+
+
 def test_marks_are_set_moved_taken_back_and_removed(lever: str, tab_of: Callable[..., Tab]) -> None:
     photo = Photo(tab_of(lever), "dull.png", DULL.getvalue())
     check = photo.side.get_by_role("button", name="Check it")
