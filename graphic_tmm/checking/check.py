@@ -295,9 +295,7 @@ class Checker:
         """Return what happened, by other scale factors where these, with a mistake, explain readings better."""
         best = first
         if not best.diagnosis.certain and first.judged.agreed.others:
-            every = (
-                self._judgement(one, first.judged.notes) for one in first.judged.agreed.others
-            )
+            every = (self._judgement(one, first.judged.notes) for one in first.judged.agreed.others)
             fewest = min(every, key=lambda one: one.wrong)
             if fewest.wrong < first.judged.wrong:
                 other = self._explained(fewest)

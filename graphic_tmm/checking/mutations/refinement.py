@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.execute import execute
+from graphic_tmm.board.grammar import Operation
+from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Arc, Length, Number, Point
 from graphic_tmm.checking.cells import Key
@@ -178,16 +180,31 @@ def fitted(readings: Readings, offered: Offered) -> tuple[list[Mutation], Eviden
 
 
 def _openings(log: Construction) -> list[Callable[[float], Mutation]]:
-    """Return the arcs of a log as they are struck with the compass opened so many times as wide."""
-    return [partial(_opened, step) for step in log.steps if step.op.takes == (Point, Length)
-            and step.it.kind is Arc]  # fmt: skip
+    """Return the arcs of a log as they are struck with the compass opened so many times as wide.
+
+    The other points of the link stay where they should be, or divide it as they should.
+    """
+    found: list[Callable[[float], Mutation]] = []
+    for arc in log.steps:
+        if arc.it.kind is Arc and arc.op.takes == (Point, Length):
+            ends = {step.it for step in log.steps if arc.it in step.uses}
+            links = {
+                step.it for step in log.steps if arc.uses[0] in step.uses and ends & {*step.uses}
+            }
+            along = [step for step in log.steps if step.op is lay_off and step.uses[0] in links]
+            found += [partial(_opened, (arc,))]
+            found += [partial(_opened, (arc, *along))] if along else []
+    return found
 
 
-def _opened(step: Step, times: float) -> Mutation:
-    right = step.op.run
-    op = step.op._replace(run=lambda centre, opening: right(centre, times * opening))
-    change = Change(step._replace(op=op))
-    return at_step(step, GIVEN, words.OPENED, change, was=step.uses[1], times=times, usual=2.0)
+def _opened(steps: Sequence[Step], times: float) -> Mutation:
+    changes = {step.it.slot: Change(step._replace(op=_longer(step.op, times))) for step in steps}
+    arc = steps[0]
+    return Mutation(GIVEN, words.OPENED, changes, {}, arc, arc.uses[1], times=times, usual=2.0)
+
+
+def _longer(op: Operation, times: float) -> Operation:
+    return op._replace(run=lambda begins, length: op.run(begins, times * length))
 
 
 MULTIPLE, USUAL = 8.0, (2.0, 0.5, *POWERS_OF_TEN)

@@ -46,7 +46,7 @@ OF_SUM = {
 }
 UPSIDE_DOWN = said("{it} was found by the ratio upside down")
 AS_FAR = said("{it} was found {times} times as far off")
-OPENED = said("the arc {it} was struck with an opening {times} times as wide as {was}")
+OPENED = said("{was} was taken {times} times as long for the opening of the arc {it}")
 AS_LONG = said("{it} is {times} times as long as it should be")
 OTHER_WAY = said("the crank was turned the other way")
 COUNTED = said("the crank's angles were counted from {times}° further on")
