@@ -14,7 +14,6 @@ from graphic_tmm.checking.judging.scatter import Limits
 from graphic_tmm.checking.own_sheet.clicked import (
     ClickedPlan,
     ClickedScale,
-    may_be_clicked,
     turn_notes,
 )
 from graphic_tmm.checking.own_sheet.plans import read_clicked
@@ -219,11 +218,11 @@ def sight_of(found: PhotoPoints, due: Mapping[Name, complex], asked: Iterable[Po
 def _clicked(made: DrawnScene, shot: Shot, sheet: Box, one: ClickedPlan) -> ClickedPlan:
     """Return a clicked plan where it stands on the sheet, mm."""
     pole = one.plan, one.position
-    if not may_be_clicked(made, one.plan) or not any((p, n) == pole for p, _, n in points(made)):
+    if not any((plan, position) == pole for plan, _, position in points(made)):
         raise SheetError(
             said(
-                "--plan: there is no plan {plan}, position {position}; plans of velocities and accelerations "
-                "can be clicked",
+                "--plan: there is no plan {plan}, position {position}; plans of positions, velocities and "
+                "accelerations can be clicked",
                 plan=one.plan,
                 position=one.position,
             )

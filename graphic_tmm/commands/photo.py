@@ -65,8 +65,8 @@ if TYPE_CHECKING:
     multiple=True,
     help=said(
         "A plan on a sheet of one's own composition: where its pole p and the end of its first vector, a, "
-        "are in the photograph: velocities:3=x,y,x,y (dots); of further plans of a kind p is enough. The "
-        "student's own scale factor and turn are told by these."
+        "are in the photograph: velocities:3=x,y,x,y (dots); of further plans of a kind p is enough; of "
+        "positions, the crank's pivot and its pin. The student's own scale factor and turn are told by these."
     ),
 )
 @click.option(

@@ -194,7 +194,7 @@ def test_nothing_wrong_is_never_said_with_a_plan_unseen() -> None:
 
 
 @pytest.mark.turns(1)
-@pytest.mark.parametrize("plan", ["positions:1=50,50", "velocities:99=50,50", "forces:1=50,50"])
+@pytest.mark.parametrize("plan", ["positions:99=50,50", "velocities:99=50,50", "forces:1=50,50"])
 def test_a_plan_that_cannot_be_clicked_is_refused(photo: tuple[object, ...], plan: str) -> None:
     done = invoke("check", "crank-rocker", *photo, "--sheet", 2, "--plan", plan)
     assert (done.exit_code, done.stdout) == (2, ""), done.output

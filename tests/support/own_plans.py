@@ -12,7 +12,7 @@ from graphic_tmm.checking.pencil.darkness import Flat
 from graphic_tmm.paper.ruled import Box
 from support.own_boards import MACHINES, A, Board, V
 from support.own_sheets import WRONGLY, Kind, strokes
-from support.photographed.pencil import DOTS, drawn
+from support.photographed.pencil import DOTS, Pencil, drawn
 
 SIZE = (420.0, 200.0)
 HIGH = 4
@@ -54,7 +54,35 @@ def own_plans(kind: Kind, seed: int = 1) -> OwnDrawn:
                 spots[plan, letter, str(k)] = z
                 if abs(mistaken.points[letter] - due.points[letter]) > WRONGLY:
                     wrong.add((plan, letter, str(k)))
-    lead = drawn(lines, SIZE, kind.pencil, seed)
+    return _seen(lines, seed, rng, clicked, spots, wrong)
+
+
+@functools.cache
+def own_positions(times: float, seed: int = 1) -> OwnDrawn:
+    """Draw all positions of the four-bar upon one another, so many times as large; O and A are clicked."""
+    rng, mu, pivot = np.random.default_rng(seed), 0.002 / times, 150 + 60j
+    kind, rocker = Kind("fb", rings=True, heads=0.0), 0.3 / mu
+    lines, clicked, spots = [], [], {}
+    for k in range(8):
+        slip = 0.25 * (rng.standard_normal(4) + 1j * rng.standard_normal(4))
+        a = 0.08 * np.exp(1j * k * np.pi / 4)
+        base = 0.3 - a
+        foot = (0.26**2 - 0.18**2 + abs(base) ** 2) / 2 / abs(base)
+        b = a + base / abs(base) * (foot + 1j * np.sqrt(0.26**2 - foot**2))
+        e = a + (0.15 + 0.1j) / 0.26 * (b - a)
+        board = Board(rng)
+        board.points |= {"A": a / mu + slip[0], "B": b / mu + slip[1], "E": e / mu + slip[2]}
+        board.points["C"] = complex(rocker)
+        sides = ("", "A"), ("A", "B"), ("B", "C"), ("A", "E"), ("B", "E")
+        board.lines = [(board.points[p], board.points[q], "link") for p, q in sides]
+        lines += strokes(board, pivot, 1.0, kind, rng)
+        spots |= {("positions", x, str(k)): board.points[x] for x in "ABCE"}
+        clicked.append(ClickedPlan("positions", str(k), pivot, pivot + board.points["A"] + slip[3]))
+    return _seen(lines, seed, rng, clicked, spots, set())
+
+
+def _seen(lines, seed: int, rng: np.random.Generator, clicked, spots, wrong) -> OwnDrawn:
+    lead = drawn(lines, SIZE, Pencil(), seed)
     step = DOTS // HIGH
     rows, columns = (side // step for side in lead.shape)
     mean = lead.reshape(rows, step, columns, step).mean(axis=(1, 3))

@@ -122,13 +122,19 @@ def _scale(made: DrawnScene, plan: str, clicked: Sequence[ClickedPlan]) -> Click
 
 
 def first_letter(made: DrawnScene, plan: str) -> str:
-    """Return the letter of the point with which a plan begins: of what the crank's pin has there."""
+    """Return the letter of the point with which a plan begins: of what the crank's pin has there.
+
+    It is the first that moves: pivots stand still in the plan of positions.
+    """
     assert made.mechanism is not None
-    known = {key[:2] for key in points(made)}
+    spots: dict[str, set[complex]] = {}
+    for (view, letter, _), at in points(made).items():
+        if view == plan:
+            spots.setdefault(letter, set()).add(at)
     steps = made.mechanism.construction.steps
-    return next(
-        (step.it.key[1] for step in steps if step.it.view == plan and step.it.key in known), ""
-    )
+    known = [letter for step in steps for view, letter in [step.it.key] if view == plan]
+    known = [letter for letter in known if letter in spots]
+    return next((letter for letter in known if len(spots[letter]) > 1), (*known, "")[0])
 
 
 def _turns(ratios: Sequence[complex]) -> tuple[complex, ...]:

@@ -12,6 +12,7 @@ from graphic_tmm.checking.cells import points
 from graphic_tmm.checking.own_sheet.clicked import (
     ClickedPlan,
     ClickedScale,
+    first_letter,
     own_scales,
     plans_of,
     scene_in,
@@ -124,3 +125,10 @@ def test_a_scene_that_is_read_off_a_ruler_is_drawn_again_in_the_scale_factors_th
     assert own is not None
     for plan, mu in due.items():
         assert own.scales[plan].value == pytest.approx(1.25 * mu, rel=1e-6)
+
+
+@pytest.mark.parametrize("machine", ["sc", "fb", "rpr"])
+def test_a_plan_begins_with_the_crank_s_pin_and_not_with_a_pivot(machine: str) -> None:
+    made = make(read(CASES / f"{machine}.toml"), exact=True)
+    letters = [first_letter(made, plan) for plan in ("positions", "velocities", "accelerations")]
+    assert letters == ["A", "a", "a"]

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 from support.own_boards import MACHINES, A, V
-from support.own_plans import own_plans
+from support.own_plans import own_plans, own_positions
 from support.own_sheets import Kind
 
 from graphic_tmm.board.hand import HANDS
@@ -121,3 +121,22 @@ def test_where_nothing_is_drawn_nothing_is_read() -> None:
     clicked = [ClickedPlan(V, "1", 100 + 100j, 150 + 130j)]
     found = read_clicked(exact("sc"), flat, clicked, HANDS["student"]).found
     assert (found.points, found.missing) == ((), ((V, "1"),))
+
+
+@pytest.mark.parametrize("times", [0.8, 1.0])
+def test_positions_upon_one_another_are_read_by_the_crank_s_pivot_and_pin(times: float) -> None:
+    drawn = own_positions(times)
+    found = read_clicked(exact("fb"), drawn.flat, drawn.clicked, HANDS["student"])
+    (scale,) = found.scales
+    assert scale.mu == pytest.approx(0.002 / times, rel=1e-6)
+    off = [abs(p.spot - drawn.spots[p.name]) for p in found.found.points if p.how == SEEN]
+    assert len(off) >= 22
+    assert max(off) < 1.5
+    report = check(
+        exact("fb").scene,
+        readings(found.found.points),
+        hand="student",
+        points="own sheet",
+        scales=[f"positions={scale.mu if scale.another else 'scene'}"],
+    )
+    assert not report.wrong
