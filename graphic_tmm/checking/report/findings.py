@@ -52,7 +52,7 @@ def _verdict(report: Report) -> str:
     words = WORDS[report.language]
     if not report.readings:
         return words["none"]
-    if report.mistakes:
+    if report.mistakes and not idle(report):
         return finding(report.mistakes[0], report.language)
     if report.wrong:
         return _begin(report)
@@ -62,6 +62,14 @@ def _verdict(report: Report) -> str:
         return words["seen right"]
     doubtful = any(one.verdict == DOUBTFUL for one in report.readings)
     return words["look again" if doubtful else "all right"]
+
+
+def idle(report: Report) -> bool:
+    """Whether the first mistake, which is not sure, has nothing to do with what is wrong."""
+    first = report.mistakes[0]
+    wrong = {(one.taken.plan, one.taken.segment) for one in report.readings if one.verdict == WRONG}
+    shown = not wrong or (first.plan, first.segment) in wrong or explained(report, first) > 0
+    return first.kind == MISTAKE and not sure(first) and not shown
 
 
 def _seen(sight: Sight, language: str) -> str:
@@ -128,7 +136,7 @@ def finding_rows(report: Report) -> tuple[str, ...]:
     """Return what the headline leaves: of the first finding its details, of the others all."""
     found = []
     for k, one in enumerate(report.mistakes[:NAMED]):
-        told = [] if k == 0 else [finding(one, report.language)]
+        told = [] if k == 0 and not idle(report) else [finding(one, report.language)]
         more = details(report, one)
         told += [more[:1].upper() + more[1:] + "."] if more else []
         found += [" ".join(told)] if told else []
@@ -181,8 +189,9 @@ def _begin(report: Report) -> str:
     """Return that no known mistake explains the wrong readings, and what is first to be looked at."""
     words = WORDS[report.language]
     wrong = [one for one in report.readings if one.verdict == WRONG]
-    if report.lessons:
-        return words["begin"].format(**where(report.lessons[0], report.language))
+    named = 0 if report.mistakes else None  # what has nothing to do with it is where nobody begins
+    if lesson := next((one for one in report.lessons if named not in one.names), None):
+        return words["begin"].format(**where(lesson, report.language))
     return words["begin at"].format(
         segment=printable_text(segment_text(wrong[0].taken.segment, report.language)),
         plan=plan_name(wrong[0].taken.plan, report.language),

@@ -18,7 +18,7 @@ from graphic_tmm.checking.records import (
     PlanPicture,
     Report,
 )
-from graphic_tmm.checking.report.findings import finding, sure, where
+from graphic_tmm.checking.report.findings import finding, idle, sure, where
 from graphic_tmm.checking.report.rows import (
     LEGEND,
     LONGEST_SENTENCE,
@@ -83,6 +83,8 @@ def wrong_parts(report: Report) -> tuple[Part, ...]:
 
     last = len(report.mistakes)
     turns = [(min(one.names, default=last), k) for k, one in enumerate(report.lessons)]
+    if report.mistakes and idle(report):
+        turns = [(mistake or last + 1, k) for mistake, k in turns]
     turns += [(mistake, -1) for mistake, (lesson, _) in named.items() if lesson is None]
     for mistake, k in sorted(turns):
         if k < 0:

@@ -23,6 +23,7 @@ from graphic_tmm.checking.report.findings import details, finding, finding_rows,
 from graphic_tmm.checking.report.html import html_report
 from graphic_tmm.checking.report.json import json_report
 from graphic_tmm.checking.report.markdown import markdown_report
+from graphic_tmm.checking.report.parts import wrong_parts
 
 WHOLE = (SLIP, UNKNOWN)
 """What says a whole sentence of its own."""
@@ -176,3 +177,28 @@ def test_what_is_doubtful_is_not_told_to_be_right(language: str, never: str) -> 
     doubtful = report(judged(verdict=DOUBTFUL), language=language)
     assert never not in headline(doubtful)
     assert never in headline(report(judged(), language=language))
+
+
+def test_an_unsure_mistake_that_has_nothing_to_do_with_what_is_wrong_is_no_headline() -> None:
+    """It stands below; where to begin stands first."""
+    idle = likely(chance=0.24)._replace(lines=(), plan="diagrams", segment="S")
+    made = report(judged("pb", verdict=WRONG), mistakes=[idle])
+    assert headline(made).startswith("No known mistake explains what is wrong; begin with pb")
+    assert finding_rows(made)[0].startswith(
+        f"Perhaps, but the readings do not say it for sure: {SAYS}"
+    )
+    for shown in (
+        idle._replace(plan="velocities", segment="pb"),
+        idle._replace(lines=(2,)),
+        idle._replace(chance=0.9),
+    ):
+        assert SAYS in headline(made._replace(mistakes=(shown,)))
+        assert SAYS not in finding_rows(made._replace(mistakes=(shown,)))[0]
+    assert SAYS in headline(report(judged(), mistakes=[idle]))
+    lessons = (
+        Lesson("diagrams", "3 S", "S", "Do S.", names=(0,)),
+        Lesson("velocities", "7 pb", "pb", "Do pb."),
+    )
+    blamed = made._replace(readings=(judged("pb", verdict=WRONG, step="7 pb"),), lessons=lessons)
+    assert "begin with pb (Velocity plan, step 7)" in headline(blamed)
+    assert [part.heading[-2:] for part in wrong_parts(blamed)] == ["pb", " S"]
