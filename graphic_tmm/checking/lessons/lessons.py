@@ -17,6 +17,8 @@ from graphic_tmm.readers.narration import defined
 from graphic_tmm.readers.protocol import title_of
 from graphic_tmm.readers.sentences import calculation, reason, sentence
 
+CLEAR = 0.9
+"""A reading that is off by this share of the most is as good to show: better where what is due is no zero."""
 PICTURED = 8
 """So many lessons of a report have a picture. Chosen by eye: a page holds three."""
 
@@ -150,7 +152,7 @@ class Teacher:
     ) -> tuple[Judged | None, Judged | None]:
         """Return the reading of what a step leaves, and of a mistake made in it the one in which it shows."""
         if blame.rows:
-            return max(blame.rows, key=_size), None
+            return _clearest(blame.rows), None
         shows = _off_most(judged, blame)
         at = blame.position if shows is None else shows.taken.position
         shown = self._nearest(told, judged, at)
@@ -201,6 +203,12 @@ def _off_most(judged: Sequence[Judged], blame: _Blame) -> Judged | None:
     return max(
         its or [one for one in off if one.taken.line in blame.lines], key=_size, default=None
     )
+
+
+def _clearest(rows: Sequence[Judged]) -> Judged:
+    """Return the reading that shows best what is wrong: of those that are off the most the largest due."""
+    most = CLEAR * max(map(_size, rows))
+    return max((one for one in rows if _size(one) >= most), key=lambda one: abs(one.due))
 
 
 def _size(one: Judged) -> float:

@@ -299,3 +299,15 @@ def test_every_letter_has_the_point_that_it_names() -> None:
     named = dict(zip((one.text for one in found.drawing.labels), found.named, strict=True))
     assert named["A"] == pytest.approx(due["A"], abs=1e-9)
     assert named["B"] == pytest.approx(due["B"], abs=1e-9)
+
+
+def test_of_readings_that_are_off_alike_the_largest_due_is_shown() -> None:
+    """What should be nothing shows less of a calculation."""
+    rows = (
+        row("velocities", "2", "ab", 0.0, "8 ab", mm=20.0),
+        row("velocities", "3", "ab", 57.8, "8 ab", mm=38.8, line=3),
+        row("velocities", "5", "ab", 57.8, "8 ab", mm=48.8, line=4),
+    )
+    (lesson,) = lessons(*rows)
+    assert lesson.position == "3"
+    assert lesson.shown == rows[1]
