@@ -98,6 +98,9 @@ WORDS: dict[str, str] = {
     ),
     "photo paper": said("Click corner {n} of 4 of the paper."),
     "photo frame": said("Click corner {n} of 4 of the frame."),
+    "photo laid": said(
+        "Nothing has to be clicked on this sheet: check it. A plan that stands elsewhere is clicked."
+    ),
     "photo marks": said("Clicked"),
     "photo corners row": said("Corners: {n} of 4"),
     "photo also": said("Click {letter}, too"),

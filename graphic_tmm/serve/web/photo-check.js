@@ -86,8 +86,12 @@ export class PhotoCheck {
     this.loaded = version;
     const told = await plansOf();
     if (this.loaded !== version) return;
-    this.coming = false;
-    if (told.errors.length === 0) {
+    if (told === null) {
+      this.loaded = "";
+      return;
+    }
+    this.coming = told.errors.length > 0;
+    if (!this.coming) {
       this.clicks.offer(told.plans);
       this.side.offer(told);
     }
@@ -149,7 +153,8 @@ export class PhotoCheck {
   /** What a person is asked to click. */
   asked() {
     const { target, places, list } = this.clicks;
-    if (this.coming) return this.say("drawing");
+    if (this.coming) return this.say(this.side.troubled ? "photo failed" : "drawing");
+    if (!this.side.own && list.length === 0 && this.clicks.chosen === null) return this.say("photo laid");
     if (target === null) return this.say(places.length > 0 ? "photo every" : "photo none");
     if (target.what === "corner") {
       return this.say(this.side.own ? "photo paper" : "photo frame", { n: cornersOf(list).length + 1 });

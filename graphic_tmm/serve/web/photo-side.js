@@ -128,6 +128,11 @@ export class PhotoSide {
     check.choose({ what: first ? "first" : "pole", plan: place.plan, position: place.position });
   }
 
+  /** Whether something went wrong. */
+  get troubled() {
+    return this.wrong.childElementCount > 0;
+  }
+
   /** @param {string[]} lines what went wrong */
   tell(lines) {
     this.wrong.replaceChildren(...lines.map((line) => element("span", {}, line)));

@@ -87,8 +87,9 @@ export async function setValues(version, changes) {
 }
 
 /**
- * Return the plans of the scene that may be clicked in a photograph; none with the reasons, if that cannot be told.
- * @returns {Promise<Clickable>}
+ * Return the plans of the scene that may be clicked in a photograph; none with the reasons, if that cannot be told;
+ * null if nothing came back.
+ * @returns {Promise<Clickable | null>}
  */
 export async function plansOf() {
   const none = { plans: [], sheets: [], papers: [] };
@@ -97,7 +98,7 @@ export async function plansOf() {
     const told = await answer.json();
     return answer.ok ? { ...told, errors: [] } : { ...none, errors: textsOf(told.errors) };
   } catch {
-    return { ...none, errors: [] };
+    return null;
   }
 }
 
