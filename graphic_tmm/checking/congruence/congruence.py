@@ -300,7 +300,13 @@ class Congruence:
             for group, one in mere.items()
             if one.by != "rates" and abs(math.log(one.times)) <= UNLIKELY
         }
-        if len(mere) > 1 and max(map(abs, ratios)) <= COPY and np.ptp(ratios) <= 2 * ALIKE:
+        if any(
+            v.by and abs(math.log(v.times)) > COPY
+            for g, v in found.items()
+            if g.plan in self._plans
+        ):
+            near = set()  # it is no copy
+        elif len(mere) > 1 and max(map(abs, ratios)) <= COPY and np.ptp(ratios) <= 2 * ALIKE:
             near = set(mere)
         return {g: Verdict(among=v.among) if g in near else v for g, v in found.items()}
 

@@ -37,6 +37,8 @@ FIRST, FIRST_SHARE = 0.03, 0.7
 MANY, MORE, ALONE = 0.5, 0.1, 0.8
 """The share of the other lengths that must agree, by how much more than with what is due; where nothing is laid
 off first, the share of all."""
+SIGNIFICANT = 4.0
+"""So many standard deviations of all lengths together a ratio near 1 must be off it: one of 16,000 is by chance."""
 DIVISION = 0.15
 """A length that is laid off is off by half a division of a ruler, mm: 0.5 over √12."""
 CLEAR, NEARER = 0.2, 0.75
@@ -103,14 +105,28 @@ def _verdict(group: Group, lengths: Sequence[Read], told: tuple[float, int, int]
     agree, due = agreeing(rest, k), agreeing(rest, 0.0)
     enough = len(rest) * (MANY if laid else ALONE)
     alike = agree >= enough and agree >= due + MORE * len(rest)
-    usual = laid and (_nearer(rest, k) or (agree >= due and _steady(group, laid, k)))
+    usual = laid and (
+        _nearer(rest, k)
+        or (agree >= due and _steady(group, laid, k))
+        or (agree >= len(rest) * ALONE and _sure(*_best(laid, lengths, k)))
+    )
     if rest and not alike and not usual:
         return Verdict() if laid else _by_spread(lengths, k)
-    times, off = min((fitted(some, k) for some in (laid, lengths) if some), key=lambda one: one[1])
+    times, off = _best(laid, lengths, k)
     near = rounded(group.mu / times)
     if abs(math.log(near * times / group.mu)) <= meant(off):
         return Verdict(group.mu / near, "round", agree + len(laid), len(lengths))
     return Verdict(times, "lengths", agree + len(laid), len(lengths))
+
+
+def _best(laid: Sequence[Read], lengths: Sequence[Read], k: float) -> tuple[float, float]:
+    """Return what is surer: `fitted` of what is laid off first, or of all lengths."""
+    return min((fitted(some, k) for some in (laid, lengths) if some), key=lambda one: one[1])
+
+
+def _sure(times: float, off: float) -> bool:
+    """Whether lengths tell a ratio near 1 from 1 together, though each fits both; ``off``: a deviation."""
+    return abs(math.log(times)) > SIGNIFICANT * off
 
 
 def meant(off: float) -> float:

@@ -84,6 +84,20 @@ def test_a_copy_has_no_scale_factor_of_its_own(times: float) -> None:
     assert not checker()._congruence.of(rows).times
 
 
+@pytest.mark.parametrize(("other", "own"), [(1.25, ["accelerations", "velocities"]), (1.0, [])])
+def test_a_plan_a_little_larger_is_in_a_scale_factor_of_its_own_beside_another(
+    other: float, own: list[str]
+) -> None:
+    """Of a plan 1.035 times as large each length fits both; all together do not. Alone it may be a copy."""
+    only = [
+        one
+        for one in (*rows_of(1.035, 1.0), *rows_of(other, 1.0, "accelerations"))
+        if one.mm is not None
+    ]
+    agreed = checker()._congruence.of(only)
+    assert sorted({group.plan for group in agreed.times}) == own
+
+
 @pytest.mark.parametrize(
     ("factor", "unit"), [(0.1, "cm"), (0.18, "cm"), (0.06, "cm"), (1.0 / 25.4, "inch")]
 )
