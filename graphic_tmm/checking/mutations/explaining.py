@@ -53,8 +53,12 @@ def _read(one: Judged) -> complex:
 
 
 def _apart(of: Judged, one: complex, other: complex) -> float:
-    """Return how far two figures of a reading are apart, whatever their signs; of a point, two places."""
-    far = abs(one - other) if of.taken.pointed else abs(abs(one) - abs(other))
+    """Return how far two figures of a reading are apart, whatever their signs if none was read.
+
+    Of a point, two places.
+    """
+    whole = of.taken.pointed or of.taken.signed or of.found < 0.0
+    far = abs(one - other) if whole else abs(abs(one) - abs(other))
     return float(np.nan_to_num(far, nan=np.inf))
 
 

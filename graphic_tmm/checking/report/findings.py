@@ -67,8 +67,8 @@ def _verdict(report: Report) -> str:
 def idle(report: Report) -> bool:
     """Whether the first mistake, which is not sure, has nothing to do with what is wrong."""
     first = report.mistakes[0]
-    wrong = {(one.taken.plan, one.taken.segment) for one in report.readings if one.verdict == WRONG}
-    shown = not wrong or (first.plan, first.segment) in wrong or explained(report, first) > 0
+    wrong = {one.taken.plan for one in report.readings if one.verdict == WRONG}
+    shown = not wrong or first.plan in ("", *wrong) or explained(report, first) > 0
     return first.kind == MISTAKE and not sure(first) and not shown
 
 

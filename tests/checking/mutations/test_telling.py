@@ -142,3 +142,13 @@ def test_what_means_the_same_is_told_once(kind: str, turn: int, once: str) -> No
     (first, *_) = report.mistakes
     says = (first.says, *first.like)
     assert [once in one or "circle" in one for one in says].count(True) == 1
+
+
+def test_a_mistake_of_signs_explains_readings_that_bear_the_other_sign() -> None:
+    """Their magnitudes are right: V and a of a diagram that is upside down."""
+    report = report_of(with_mistake(kind_of("S, V, a upside down"), 0, 70000))
+    assert not isinstance(report, str)
+    (first, *_) = report.mistakes
+    wrong = {one.taken.line for one in report.readings if one.verdict == "wrong"}
+    assert len(wrong) > 10
+    assert set(first.lines) == wrong

@@ -188,7 +188,8 @@ def test_an_unsure_mistake_that_has_nothing_to_do_with_what_is_wrong_is_no_headl
         f"Perhaps, but the readings do not say it for sure: {SAYS}"
     )
     for shown in (
-        idle._replace(plan="velocities", segment="pb"),
+        idle._replace(plan="velocities", segment="ab"),
+        idle._replace(plan="", segment=""),
         idle._replace(lines=(2,)),
         idle._replace(chance=0.9),
     ):
