@@ -47,6 +47,7 @@ from graphic_tmm.checking.congruence.witnesses import (
     OWN,
     PLENTY,
     UNITS,
+    WRITTEN,
     Verdict,
     fitting,
     of_siblings,
@@ -218,7 +219,8 @@ class Congruence:
                 if values.get(one.key):
                     own = mu * abs(one.mm) / values[one.key]
                     ratios[*of, one.position].append(math.log(own))
-        return all(float(np.median(np.abs(some))) < OWN for some in ratios.values())
+        least = {of: WRITTEN if of[2] else OWN for of in ratios}
+        return all(float(np.median(np.abs(ratios[of]))) < one for of, one in least.items())
 
     def stated_rows(self) -> Iterator[Taken]:
         """Yield a row for each scale factor of the scene, as the template has them."""

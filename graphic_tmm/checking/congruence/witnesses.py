@@ -28,6 +28,8 @@ COARSELY = 0.03
 """A few lengths tell it less well: within the gaps between round ones."""
 EXACT = 0.004
 """Rows and rates tell a scale factor so nearly: a round one so near is meant."""
+WRITTEN = 0.012
+"""Rows with mm and value that agree so exactly tell a scale factor that is no farther from the due one."""
 ROWS, NEARLY = 0.8, 0.02
 """Of rows with mm and value this share must have one scale factor, so nearly."""
 STEADY, SAME = 0.004, 0.015
@@ -38,7 +40,7 @@ MANY, MORE, ALONE = 0.5, 0.1, 0.8
 """The share of the other lengths that must agree, by how much more than with what is due; where nothing is laid
 off first, the share of all."""
 SIGNIFICANT = 4.0
-"""So many standard deviations of all lengths together a ratio near 1 must be off it: one of 16,000 is by chance."""
+"""So many standard deviations of all lengths together a ratio near 1 must be off: 1 of 16,000 is by chance."""
 DIVISION = 0.15
 """A length that is laid off is off by half a division of a ruler, mm: 0.5 over √12."""
 CLEAR, NEARER = 0.2, 0.75
@@ -209,8 +211,10 @@ def _by_rows(group: Group, lengths: Sequence[Read]) -> Verdict | None:
     if agree < ROWS * len(rows):
         return None
     own = tuple((place, math.exp(_settled(one))) for place, one in places.items())
-    by = "rows" if own or _settled(k) else ""
-    return Verdict(math.exp(_settled(k)), by, agree, len(rows), own)
+    exact = float(np.median([abs(one - k) for one in ratios.values()])) < EXACT
+    settled = k if abs(k) > (WRITTEN if exact else OWN) else 0.0
+    by = "rows" if own or settled else ""
+    return Verdict(math.exp(settled), by, agree, len(rows), own)
 
 
 def _places(ratios: Mapping[Read, float]) -> dict[str, float]:
