@@ -41,6 +41,7 @@ from graphic_tmm.checking.congruence.moves import (
 from graphic_tmm.checking.congruence.remade import Remaking
 from graphic_tmm.checking.congruence.stated import SCENE, Stated
 from graphic_tmm.checking.congruence.supposed import settled, supposed
+from graphic_tmm.checking.congruence.together import not_copied, not_spoilt, with_siblings
 from graphic_tmm.checking.congruence.witnesses import (
     EXACT,
     NEARLY,
@@ -49,8 +50,6 @@ from graphic_tmm.checking.congruence.witnesses import (
     UNITS,
     WRITTEN,
     Verdict,
-    fitting,
-    of_siblings,
     unit_of,
     verdict,
 )
@@ -58,11 +57,6 @@ from graphic_tmm.checking.judging.taken_marks import steps_of
 from graphic_tmm.checking.records import Last, OwnScale, Taken
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.symbols import plain
-
-ALIKE, COPY = 0.015, 0.16
-"""Scale factors of all plans so nearly alike (logarithms), and no farther off, are those of a copy."""
-UNLIKELY = 0.05
-"""Lengths alone say no scale factor that is nearer to the due one than this."""
 
 
 class Agreed(NamedTuple):
@@ -157,8 +151,8 @@ class Congruence:
         for group, read in sorted(lengths.items(), key=lambda one: self._order(one[0])):
             others = self._of_positions(group, lengths, alone)
             alone[group] = verdict(group, read, rates.get(group.plan, ()), others)
-        plain = self._not_copied(alone)
-        found = _shared(self._not_spoilt(plain, lengths), lengths)
+        plain = not_copied(alone, self._plans)
+        found = with_siblings(not_spoilt(plain, lengths, self._plans), lengths)
         found |= {g: _as_stated(s, found.get(g, Verdict())) for g, s in given.items()}
         agreed = self._agreed(found, rows, moves, units)
         if any(plain[group].times != one.times for group, one in alone.items()):
@@ -293,43 +287,6 @@ class Congruence:
     def _plans(self) -> Collection[str]:
         return {plan for plan, _, _ in self.spots}
 
-    def _not_copied(self, found: Mapping[Group, Verdict]) -> dict[Group, Verdict]:
-        """Return the scale factors without those that a copy, or the paper, explains: all plans look alike."""
-        mere = {g: v for g, v in found.items() if v.by in ("round", "lengths", "rates")}
-        ratios = [math.log(one.times) for one in mere.values()]
-        near = {
-            group
-            for group, one in mere.items()
-            if one.by != "rates" and abs(math.log(one.times)) <= UNLIKELY
-        }
-        if any(
-            v.by and abs(math.log(v.times)) > COPY
-            for g, v in found.items()
-            if g.plan in self._plans
-        ):
-            near = set()  # it is no copy
-        elif len(mere) > 1 and max(map(abs, ratios)) <= COPY and np.ptp(ratios) <= 2 * ALIKE:
-            near = set(mere)
-        return {g: Verdict(among=v.among) if g in near else v for g, v in found.items()}
-
-    def _not_spoilt(
-        self, found: Mapping[Group, Verdict], lengths: Mapping[Group, Sequence[Read]]
-    ) -> dict[Group, Verdict]:
-        """Return the scale factors without those of graphs and forces that may follow from a wrong plan."""
-        fine = all(
-            fitting(lengths[group], one.times)
-            for group, one in found.items()
-            if group.plan in self._plans and len(lengths[group]) > PLENTY
-        )
-        if fine:
-            return dict(found)
-        mere = {
-            group
-            for group, one in found.items()
-            if group.plan not in self._plans and one.by in ("round", "lengths")
-        }
-        return {g: Verdict(among=v.among) if g in mere else v for g, v in found.items()}
-
     def _scale(self, group: Group, one: Verdict) -> OwnScale:
         symbol, mark = self.remaking.symbol(group), self.remaking.factor(group)
         own = tuple((place, group.mu / times) for place, times in one.places)
@@ -367,22 +324,6 @@ def _as_stated(stated: Stated, found: Verdict) -> Verdict:
         return found
     against = (times, found.times) if decided else None
     return Verdict(times if abs(math.log(times)) > 1e-4 else 1.0, "stated", against=against)
-
-
-def _shared(
-    found: Mapping[Group, Verdict], lengths: Mapping[Group, Sequence[Read]]
-) -> dict[Group, Verdict]:
-    """Return the verdicts; a few lengths may be drawn to the scale factor of others of their plan."""
-    own = [(group, one) for group, one in found.items() if one.times != 1.0]
-    better = dict(found)
-    for group, one in found.items():
-        if one.by or one.against:
-            continue
-        for other, its in own:
-            if (other.plan, other.unit) == (group.plan, group.unit):
-                mu = other.mu / its.times
-                better[group] = of_siblings(group, lengths[group], mu, its) or better[group]
-    return better
 
 
 def _times(taken: Taken, unit: float) -> Taken:

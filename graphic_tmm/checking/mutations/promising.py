@@ -49,7 +49,7 @@ def promising(
     by = offered.figures(readings.keys, np.array(rows))
     for one in readings.columns:
         if one.at in by and one.at in ways[0] and not one.beside:
-            figures = np.concatenate([_beside(by[one.at], way[one.at]) for way in ways])
+            figures = np.concatenate([_added(by[one.at], way[one.at]) for way in ways])
             likely = one.evidence(figures).likely.max(axis=0)
             gains = likely - likely[0]
             if one.at in left:
@@ -67,7 +67,7 @@ def _whole(gain: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(np.maximum(gain.sum(axis=1), gain.max(axis=1)))
 
 
-def _beside(figures: Any, base: Any) -> NDArray[Any]:
+def _added(figures: Any, base: Any) -> NDArray[Any]:
     """Return what figures come to beside something else amiss, (way, row): moved by as much, or in proportion.
 
     ``figures``: as they are without it, the first not mutated; ``base``: that one with it.
