@@ -130,7 +130,9 @@ def likely_mistakes(diagnosis: Diagnosis, drawing: Comparison, language: str) ->
     likely = max((row[1] for row in diagnosis.named), default=0.0) >= MUCH
     only = alone and not likely and roots[0].taken.key not in diagnosis.followed
     if alone and not sure and (only or tenfold(roots[0])):
-        return (slip_of(roots, diagnosis, drawing, speech),)
+        slip = slip_of(roots, diagnosis, drawing, speech)
+        most = UNSURE if diagnosis.named and not tenfold(roots[0]) else 1.0  # or a mistake, perhaps
+        return (slip._replace(chance=min(slip.chance, most)),)
     found = [_named(group, chance, diagnosis, drawing, speech) for group, chance in diagnosis.named]
     if any(_contradicted(one, diagnosis) for one in found):
         lower = [one._replace(chance=min(one.chance, UNSURE)) for one in found]
@@ -139,8 +141,8 @@ def likely_mistakes(diagnosis: Diagnosis, drawing: Comparison, language: str) ->
     if whole or not diagnosis.wrong:
         return tuple(found)
     unknown = _unknown(diagnosis, drawing, speech)
-    slip = alone and not (unknown and roots[0].taken.key in diagnosis.followed)
-    told = (slip_of(roots, diagnosis, drawing, speech),) if slip else unknown
+    by_itself = alone and not (unknown and roots[0].taken.key in diagnosis.followed)
+    told = (slip_of(roots, diagnosis, drawing, speech),) if by_itself else unknown
     return (*found, *told)
 
 

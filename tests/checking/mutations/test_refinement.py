@@ -36,3 +36,11 @@ def test_an_arc_struck_with_another_opening_is_no_given_misread(name: str) -> No
     assert not isinstance(report, str)
     assert told(report, drawing).name
     assert "opening" in report.mistakes[0].says
+
+
+def test_a_slip_is_not_sure_where_mistakes_explain_the_reading_too() -> None:
+    drawing = with_mistake(kind_of("digits exchanged"), 0, 61000)
+    report = report_of(drawing)
+    assert not isinstance(report, str)
+    one = told(report, drawing)
+    assert (report.mistakes[0].kind, one.name, one.sure) == ("slip", True, False)
