@@ -1,4 +1,4 @@
-"""The scale factors of all plans seen together: a copy has none of its own, nor has what a wrong plan spoils."""
+"""The scale factors of all plans seen together: a copy has none of its own, nor what a wrong plan spoils."""
 
 from __future__ import annotations
 
