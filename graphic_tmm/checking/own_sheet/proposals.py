@@ -296,6 +296,9 @@ def _nearer(flat: Flat, view: View, pole: complex, size: float, loose: float = 1
             drawn = pencil.mean(axis=2)
             # a smaller plan lies on the same pencil, but on less of it
             worth = sizes * (drawn - MISSED * (1 - drawn))
+            if reach < FINER[0][0]:  # in the middle of the lines
+                dark = np.minimum(flat.darkness(at) / (STRONG * flat.level), 1.0).mean(axis=2)
+                worth = dark - MISSED * (1 - drawn)
             k, n = divmod(int(np.argmax(worth)), len(sizes))
             if worth[k, n] > best:
                 best, share = float(worth[k, n]), float(drawn[k, n])
