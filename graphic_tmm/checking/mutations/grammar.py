@@ -27,11 +27,10 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.operations.statics import arm
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Side
-from graphic_tmm.checking.mutations import calculated, words
+from graphic_tmm.checking.mutations import calculated, exchanged, words
 from graphic_tmm.checking.mutations.calculated import is_product, with_sense
 from graphic_tmm.checking.mutations.mutation import (
     DIRECTION,
-    EXCHANGED,
     FACTOR,
     LEFT_OUT,
     MEASURES,
@@ -92,7 +91,8 @@ def _of(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         _segments,
         _before,
         _exchanged,
-        _openings,
+        exchanged.openings,
+        exchanged.directions,
         _zeros,
         _directions,
         _meetings,
@@ -249,30 +249,6 @@ def _exchanged(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
         for factor in (2.0, 0.5):
             change = Change(step._replace(op=_by_ratio(step.op, factor)))
             yield (), at_step(step, FACTOR, words.AS_FAR, change, times=factor, usual=2.0)
-
-
-def _openings(step: Step, scope: Scope) -> Iterator[tuple[Key, Mutation]]:
-    """Of two arcs that meet each is struck with the opening of the other."""
-    arcs = [scope.step(mark) for mark in step.uses if mark.kind is Arc]
-    if len(arcs) != 2 or any(arc is None or arc.op.takes != (Point, Length) for arc in arcs):
-        return
-    one, other = (arc for arc in arcs if arc is not None)
-    first, second = scope.step(one.uses[1]), scope.step(other.uses[1])
-    if first is None or second is None or first is second:
-        return
-    if all(mark.slot in scope.given for mark in (*first.uses, *second.uses)):
-        changes = {one.it.slot: _opened(one, second), other.it.slot: _opened(other, first)}
-        yield (), Mutation(EXCHANGED, words.EXCHANGED_WITH, changes, {}, step, first.it, second.it)
-
-
-def _opened(arc: Step, by: Step) -> Change:
-    """Return an arc struck with what another step calculates of what is given."""
-    return Change(arc._replace(op=_struck(arc.op, by.op), uses=(arc.uses[0], *by.uses)))
-
-
-@cache
-def _struck(arc: Operation, by: Operation) -> Operation:
-    return arc._replace(run=lambda centre, *given: arc.run(centre, by.run(*given)))
 
 
 @cache

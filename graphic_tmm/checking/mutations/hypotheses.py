@@ -285,7 +285,12 @@ def told_of(named: Told, off: Container[Mark]) -> Told:
     for one in sorted(group, key=partial(plausible, off=off)):
         kinds.setdefault(at_step(one), []).append(one)
     told = list(kinds.values())[:MOST]
-    every, these = together(group), together([one for some in told for one in some])
+    kept = [one for some in told for one in some]
+    rivals = [one for some in [*kinds.values()][MOST:] for one in some]
+    if isinstance(kept[0].what, Variation):  # readings are so, whatever drew them so
+        rivals = [one for one in rivals if isinstance(one.what, Variation)]
+    these = together(kept)
+    every = together([*kept, *rivals])
     others = [one for some in told for one in some[1:]]
     return (*(some[0] for some in told), *others), sure * float(np.exp(these - every))
 
