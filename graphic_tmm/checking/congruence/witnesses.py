@@ -39,8 +39,8 @@ FIRST, FIRST_SHARE = 0.03, 0.7
 MANY, MORE, ALONE = 0.5, 0.1, 0.8
 """The share of the other lengths that must agree, by how much more than with what is due; where nothing is laid
 off first, the share of all."""
-SIGNIFICANT = 4.0
-"""So many standard deviations of all lengths together a ratio near 1 must be off: 1 of 16,000 is by chance."""
+SIGNIFICANT = 3.0
+"""All lengths together must say a ratio near 1 by so many standard deviations, as does what is laid off first."""
 DIVISION = 0.15
 """A length that is laid off is off by half a division of a ruler, mm: 0.5 over √12."""
 CLEAR, NEARER = 0.2, 0.75
@@ -110,7 +110,7 @@ def _verdict(group: Group, lengths: Sequence[Read], told: tuple[float, int, int]
     usual = laid and (
         _nearer(rest, k)
         or (agree >= due and _steady(group, laid, k))
-        or (agree >= len(rest) * ALONE and _sure(*_best(laid, lengths, k)))
+        or (agree >= len(rest) * ALONE and _sure(*fitted(lengths, k)))
     )
     if rest and not alike and not usual:
         return Verdict() if laid else _by_spread(lengths, k)
