@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis, Rest, best, tempered, told_of
+from graphic_tmm.checking.mutations.mutation import Mutation
 from graphic_tmm.checking.mutations.tables import Variation
 from graphic_tmm.checking.records import MISTAKE
 
@@ -62,3 +63,16 @@ def test_what_no_reading_tells_apart_is_told_as_one_of_a_few_and_no_surer_than_t
     told, sure = told_of((tuple(alike[:2]), 0.99), ())
     assert [one.what.plan for one in told] == ["a", "b"]
     assert sure == pytest.approx(0.99)
+
+
+def test_what_is_so_in_the_table_is_told_as_surely_whatever_drew_it_so() -> None:
+    """A column of the other sign is that, by whichever of six steps it came about; another column is not."""
+    column = hypothesis(40.0)
+    drawn = [
+        column._replace(what=Mutation(family, "", {}, {}, usual=3.0), board=0)
+        for family in ("sense", "start", "factor", "operand", "power", "mirrored")
+    ]
+    told, sure = told_of(((column, *drawn), 0.99), ())
+    assert told[0] is column
+    assert sure == pytest.approx(0.99)
+    assert told_of((tuple(drawn), 0.99), ())[1] == pytest.approx(0.99 / 2)
