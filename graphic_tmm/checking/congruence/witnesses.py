@@ -40,7 +40,8 @@ MANY, MORE, ALONE = 0.5, 0.1, 0.8
 """The share of the other lengths that must agree, by how much more than with what is due; where nothing is laid
 off first, the share of all."""
 SIGNIFICANT = 3.0
-"""By so many standard deviations all lengths together must say a ratio near 1, as what is laid off first does."""
+"""By so many standard deviations all lengths together must say a ratio near 1, as does what is laid off
+first."""
 DIVISION = 0.15
 """A length that is laid off is off by half a division of a ruler, mm: 0.5 over √12."""
 CLEAR, NEARER = 0.2, 0.75
