@@ -42,12 +42,14 @@ FAR = 3.0, 0.01
 class Readings:
     """The readings of a drawing, ready to be weighed: those of marks, and those of tables.
 
-    ``least``: by how much a mistake must move one of those that are ``doubtful`` or wrong.
+    ``least``: by how much a mistake must move one of those that are ``doubtful`` or wrong; ``signed``: the
+    lengths that bear signs.
     """
 
     def __init__(self, drawing: Comparison, doubtful: Sequence[Judged]) -> None:
         self.drawing = drawing
         self.least = self.visible(one.taken.at for one in doubtful)
+        self.signed = frozenset(one.at for one in drawing.rows if one.signed and one.mm is not None)
         self.found = dict(drawing.read_marks[0])
         last: dict[tuple[Mark, int], int] = {}
         # links that turn alike share a mark: of what was read of it the last is the one that was taken

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import combinations, pairwise
 from typing import Any
@@ -309,21 +309,28 @@ class Offered:
         return executed(base.log, base.given, some, base.marks)
 
     def moving(
-        self, wanted: Mapping[tuple[Key, bool], float], beside: Executed | None = None
+        self,
+        wanted: Mapping[tuple[Key, bool], float],
+        beside: Executed | None = None,
+        signed: Container[tuple[Key, bool]] = (),
     ) -> NDArray[np.intp]:
         """Return the rows that move one of some figures by more than a least; the first row always.
 
-        ``wanted``: figures, by key and whether in mm, and by how much they must move.
+        ``wanted``: figures, by key and whether in mm, and by how much they must move; ``signed``: the lengths
+        among them that bear signs.
         """
         size = len(self.mutations) if beside is None else beside.size
         moves = np.zeros(size, dtype=bool)
         moves[0] = True
-        for _, moved in self.moved(wanted, beside):
+        for _, moved in self.moved(wanted, beside, signed):
             moves |= moved
         return np.flatnonzero(moves)
 
     def moved(
-        self, wanted: Mapping[tuple[Key, bool], float], beside: Executed | None
+        self,
+        wanted: Mapping[tuple[Key, bool], float],
+        beside: Executed | None,
+        signed: Container[tuple[Key, bool]] = (),
     ) -> Iterator[tuple[tuple[Key, bool], NDArray[np.bool_]]]:
         """Yield each figure of the board with the rows that move it; ``wanted`` as in `moving`."""
         if beside is None:
@@ -334,8 +341,8 @@ class Offered:
         for at, row in told.items():
             with np.errstate(all="ignore"):
                 off = np.abs(row - row[0])
-                if at[1] and not np.iscomplexobj(row):
-                    off = np.abs(np.abs(row) - np.abs(row[0]))  # a length has no sign
+                if at[1] and not np.iscomplexobj(row) and at not in signed:
+                    off = np.abs(np.abs(row) - np.abs(row[0]))  # a length has no sign of its own
                 yield at, ~(off <= wanted[at]) & np.isfinite(row[0])
 
 

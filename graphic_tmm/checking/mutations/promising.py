@@ -34,7 +34,10 @@ def promising(
     ``left``: readings that the base does not explain, of which each must move some; ``slots``: what none may
     change. In tables others may have followed from what was read: a mutation is not held to spoil these.
     """
-    rows = [0, *(int(k) for k in offered.moving(readings.visible(left)) if k)]
+    rows = [
+        0,
+        *(int(k) for k in offered.moving(readings.visible(left), signed=readings.signed) if k),
+    ]
     rows = [k for k in rows if not any(slot in slots for slot in offered.mutations[k].slots)]
     some = [offered.mutations[k] for k in rows]
     gain = np.zeros((len(rows), readings.places + 1))

@@ -154,7 +154,7 @@ def fitted(readings: Readings, offered: Offered) -> tuple[list[Mutation], Eviden
     trial = [NONE, *(one(1.2) for one in every)]
     rows = np.zeros(1, int)
     if every:
-        rows = offered.moving(readings.least, offered.run(trial))
+        rows = offered.moving(readings.least, offered.run(trial), readings.signed)
     free = [every[k - 1] for k in rows if k]
     if not free:
         return [], Evidence.none(1, readings.places)
@@ -264,7 +264,7 @@ def put_amiss(readings: Readings, offered: Offered) -> tuple[list[Mutation], Evi
         mark for mark in base.log.given if mark.role == roles.CRANK_ANGLE and mark in base.given
     ]
     trial = [NONE, *(amiss_by([mark], STANDS[0]) for mark in marks)]
-    if not marks or offered.moving(readings.least, offered.run(trial)).size < 2:
+    if not marks or offered.moving(readings.least, offered.run(trial), readings.signed).size < 2:
         return [], Evidence.none(1, readings.places)
 
     def gains(angles: Array) -> Array:

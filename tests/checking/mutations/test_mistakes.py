@@ -5,11 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from support.gallery import exact
+from support.own_told import checker
 
 from graphic_tmm.checking.cells import figures
 from graphic_tmm.checking.judging.taken_marks import steps_of
 from graphic_tmm.checking.mutations import mistakes
 from graphic_tmm.checking.mutations.execution import figures_of
+from graphic_tmm.checking.mutations.mutation import SENSE
 
 
 def test_figures_of_parts_are_those_of_each_mistake(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -56,3 +58,15 @@ def test_what_no_part_reaches_none_of_it_moves(monkeypatch: pytest.MonkeyPatch, 
         np.testing.assert_allclose(
             figure, np.broadcast_to(every[at], figure.shape), rtol=1e-9, atol=1e-9
         )
+
+
+def test_a_mistake_of_signs_alone_moves_lengths_that_bear_them() -> None:
+    offered = checker("frc")._due.mistakes.boards[0]
+    row = next(
+        k
+        for k, one in enumerate(offered.mutations)
+        if one.family == SENSE and one.at is not None and one.at.it.letter == "y_S"
+    )
+    at = ("diagrams", "S", "4"), True
+    assert row not in offered.moving({at: 0.5})
+    assert row in offered.moving({at: 0.5}, signed={at})
