@@ -8,19 +8,22 @@ from graphic_tmm.checking.cells import segment_text
 from graphic_tmm.checking.judging.comparison import Comparison
 from graphic_tmm.checking.mutations.diagnosis import Diagnosis
 from graphic_tmm.checking.mutations.hypotheses import REPEATED, UNSURE
+from graphic_tmm.checking.mutations.mistakes import digits_exchanged
 from graphic_tmm.checking.records import SLIP, Judged, Likely
 from graphic_tmm.language.catalogue import Speech
-from graphic_tmm.language.said import said
+from graphic_tmm.language.said import Said, said
 
 SLIP_NAME = said("slip of a reading")
-SLIP_SAYS = said("only {segment} is off: this reading was read or written down amiss")
-SLIP_TEN = said("only {segment} is off: its decimal point has perhaps slipped")
-SLIP_BESIDE = said("by itself {segment} is off: this reading was read or written down amiss")
-SLIP_OR_BEFORE = said("{segment} is off, or what it is found from: no other reading tells which")
-SLIP_TEN_BESIDE = said("by itself {segment} is off: its decimal point has perhaps slipped")
+ONLY = said("only {segment} is off: {what}")
+BY_ITSELF = said("by itself {segment} is off: {what}")
+OR_BEFORE = said("{segment} is off, or what it is found from: no other reading tells which")
+AMISS = said("this reading was read or written down amiss")
+TENFOLD = said("its decimal point has perhaps slipped")
+OPPOSITE = said("it bears the other sign")
+DIGITS = said("two of its digits are perhaps exchanged")
 AT_POSITION_OF = said("{segment} at position {position}")
-TENFOLD = 0.05
-"""So near (as a share) to ten or a hundred times too much a reading is perhaps a slipped decimal point."""
+NEAR = 0.05
+"""So near (as a share) a reading is to what is due with its point, its sign or its digits otherwise."""
 
 
 def slip_of(
@@ -28,15 +31,14 @@ def slip_of(
 ) -> Likely:
     """Return that a figure was read or written down amiss, or that it, or what it is found from, is off."""
     one = wrong[0]
-    ten, key = tenfold(one), one.taken.key
+    what, key = written_amiss(one), one.taken.key
     off = (*diagnosis.wrong, *diagnosis.doubtful)
     only = all(each.taken.key == key or each.follows is not None for each in off)
-    alone, beside = (SLIP_TEN, SLIP_TEN_BESIDE) if ten else (SLIP_SAYS, SLIP_BESIDE)
     segment, at = segment_text(one.taken.segment, speech.language), one.taken.position
     where = segment if not at else speech(AT_POSITION_OF, segment=segment, position=at)
-    certain = ten or _only_read_amiss(one, diagnosis, drawing)
-    sentence = (alone if only else beside) if certain else SLIP_OR_BEFORE
-    says = speech(sentence, segment=where)
+    certain = what is TENFOLD or _only_read_amiss(one, diagnosis, drawing)
+    sentence = (ONLY if only else BY_ITSELF) if certain else OR_BEFORE
+    says = speech(sentence, segment=where, what=speech(what))
     lines = tuple(dict.fromkeys(each.taken.line for each in wrong))
     return Likely(
         speech(SLIP_NAME),
@@ -45,7 +47,7 @@ def slip_of(
         len(wrong),
         0.0,
         kind=SLIP,
-        family="table" if ten else "",
+        family="" if what is AMISS else "table",
         plan=one.taken.plan,
         segment=one.taken.segment,
         position=one.taken.position,
@@ -72,7 +74,14 @@ def _only_read_amiss(one: Judged, diagnosis: Diagnosis, drawing: Comparison) -> 
     return any(each is not None and each.it.slot in slots for each in here)
 
 
-def tenfold(one: Judged) -> bool:
-    """Whether a reading is ten or a hundred times too large or too small."""
-    times = abs(one.found / one.due) if one.due else 1.0
-    return any(abs(times / ten - 1.0) < TENFOLD for ten in (10.0, 0.1, 100.0, 0.01))
+def written_amiss(one: Judged) -> Said:
+    """Return what is perhaps wrong with how a reading is written: its point, its sign, its digits."""
+    if not one.due:
+        return AMISS
+    times = one.found / one.due
+    if any(abs(abs(times) / ten - 1.0) < NEAR for ten in (10.0, 0.1, 100.0, 0.01)):
+        return TENFOLD
+    if one.taken.signed and abs(times + 1.0) < NEAR:
+        return OPPOSITE
+    swapped = any(abs(times * by - 1.0) < NEAR for by in digits_exchanged(one.found))
+    return DIGITS if swapped else AMISS

@@ -27,7 +27,12 @@ from graphic_tmm.checking.mutations.mutation import (
     Mutation,
     measured_last,
 )
-from graphic_tmm.checking.mutations.slip_of_reading import AT_POSITION_OF, slip_of, tenfold
+from graphic_tmm.checking.mutations.slip_of_reading import (
+    AT_POSITION_OF,
+    TENFOLD,
+    slip_of,
+    written_amiss,
+)
 from graphic_tmm.checking.mutations.tables import EMPTY, EVERYTHING, TIMES, WHERE_AT, Variation
 from graphic_tmm.checking.mutations.words import BY_FAMILY, INSTRUMENT, TURNED, name_of
 from graphic_tmm.checking.mutations.words import LEFT_OUT as LEFT_OUT_SAYS
@@ -129,9 +134,10 @@ def likely_mistakes(diagnosis: Diagnosis, drawing: Comparison, language: str) ->
     sure = [row for row in diagnosis.named if row[1] >= SURE]
     likely = max((row[1] for row in diagnosis.named), default=0.0) >= MUCH
     only = alone and not likely and roots[0].taken.key not in diagnosis.followed
-    if alone and not sure and (only or tenfold(roots[0])):
+    ten = alone and written_amiss(roots[0]) is TENFOLD
+    if alone and not sure and (only or ten):
         slip = slip_of(roots, diagnosis, drawing, speech)
-        most = UNSURE if diagnosis.named and not tenfold(roots[0]) else 1.0  # or a mistake, perhaps
+        most = UNSURE if diagnosis.named and not ten else 1.0  # or a mistake, perhaps
         return (slip._replace(chance=min(slip.chance, most)),)
     found = [_named(group, chance, diagnosis, drawing, speech) for group, chance in diagnosis.named]
     if any(_contradicted(one, diagnosis) for one in found):
