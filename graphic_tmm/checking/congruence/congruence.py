@@ -163,14 +163,19 @@ class Congruence:
         return agreed._replace(free=free, others=more)
 
     def _given(self, stated: Sequence[Stated]) -> dict[Group, Stated]:
-        """Return what is stated, by groups: one letter of a plan is of all that bear it, as polygons do."""
+        """Return what is stated, by groups: one letter of a plan is of all that bear it, as polygons do.
+
+        A scale factor of the scene itself is of those that are due in it.
+        """
         every = dict.fromkeys(self.groups.values())
         symbol = self.remaking.symbol
         return {
             group: one._replace(group=group)
             for one in stated
             for group in every
-            if group.of == one.group.of and symbol(group) == symbol(one.group)
+            if group.of == one.group.of
+            and symbol(group) == symbol(one.group)
+            and (group.mu == one.group.mu or not one.due)
         }
 
     def supposing(self, agreed: Agreed, k: Mapping[Group, float]) -> Agreed:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
@@ -9,6 +10,7 @@ from typing import NamedTuple
 from graphic_tmm.checking.cells import Cell, taken_figure
 from graphic_tmm.checking.congruence.lengths import Group
 from graphic_tmm.checking.congruence.moves import Move
+from graphic_tmm.checking.congruence.witnesses import EXACT
 from graphic_tmm.checking.readings.names import plan_meant
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.errors import Fault, SceneError
@@ -28,6 +30,11 @@ class Stated(NamedTuple):
     group: Group
     mu: float
     line: int = 0
+
+    @property
+    def due(self) -> bool:
+        """Whether it is the number that the scene has for its group."""
+        return self.mu != SCENE and abs(math.log(self.mu / self.group.mu)) < EXACT
 
 
 def is_scale_row(taken: Taken) -> bool:

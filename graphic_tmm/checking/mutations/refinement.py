@@ -25,7 +25,14 @@ from graphic_tmm.checking.mutations.execution import AssumedLog
 from graphic_tmm.checking.mutations.hypotheses import Hypothesis, groups
 from graphic_tmm.checking.mutations.likelihood import BEYOND, Evidence, explained
 from graphic_tmm.checking.mutations.mistakes import NONE, Offered, amiss_by, misread
-from graphic_tmm.checking.mutations.mutation import FACTOR, GIVEN, Change, Mutation, at_step
+from graphic_tmm.checking.mutations.mutation import (
+    FACTOR,
+    GIVEN,
+    UNUSUAL,
+    Change,
+    Mutation,
+    at_step,
+)
 
 Array = NDArray[np.float64]
 FINALISTS, KEPT = 8, 100
@@ -207,6 +214,8 @@ def _longer(op: Operation, times: float) -> Operation:
     return op._replace(run=lambda begins, length: op.run(begins, times * length))
 
 
+NUMBER = UNUSUAL + 0.5
+"""A number that fits is less usual than whatever a student may do that comes to it."""
 MULTIPLE, USUAL = 8.0, (2.0, 0.5, *POWERS_OF_TEN)
 """What is gained at least by a number that all readings of a segment have; numbers that the grammar has."""
 
@@ -236,7 +245,7 @@ def multiplied(readings: Readings, offered: Offered, told: Weighed) -> list[Muta
         if np.isfinite(times) and times > 0.0 and abs(times - 1.0) > NEAR and not known:
             says = words.AS_LONG if step.op.reads else words.FACTOR
             change = Change(step, factor=times)
-            found.append(at_step(step, FACTOR, says, change, times=times, usual=2.0))
+            found.append(at_step(step, FACTOR, says, change, times=times, usual=NUMBER))
     return [NONE, *found] if found else []
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from support.gallery import CASES
+from support.gallery import CASES, SHEETS
 from support.own_student.machines import MACHINES
 
 from graphic_tmm.checking.check import Checker
@@ -94,3 +94,14 @@ def test_one_letter_is_of_all_polygons_of_forces() -> None:
     stated, _ = stated_in([mu._replace(value=2.0)], SYMBOLS)
     agreed = own.of([], stated)
     assert [(one.of, times) for one, times in agreed.times.items()] == [(("forces", "N"), 2.0)] * 2
+
+
+def test_the_scene_s_own_scale_factor_of_forces_is_of_the_polygons_that_it_is_due_to() -> None:
+    """The windrower's polygon of link 1 is due in another μ_F; a row that was left so says nothing of it."""
+    own = Checker(read(SHEETS / "windrower"))._congruence
+    (mu,) = (one for one in own.stated_rows() if one.plan == "forces")
+    stated, _ = stated_in([mu], own.remaking.symbols)
+    assert not own.of([], stated).times
+    changed, _ = stated_in([mu._replace(value=50.0)], own.remaking.symbols)
+    times = own.of([], changed).times
+    assert {(group.mu, times[group]) for group in times} == {(25.0, 0.5), (75.0, 1.5)}

@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from html.parser import HTMLParser
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from support.browser import FLAGS, launched
 from support.each import each
 from support.lessons_told import lessons, plan_of_velocities, row
 from support.reports import HOSTILE, LANGUAGES, engine, explaining, hostile, judged, report
@@ -127,16 +127,15 @@ def test_a_page_with_a_small_plan_names_nothing_outside_itself() -> None:
 
 
 @pytest.mark.slow
-def test_a_page_is_as_wide_as_a_phone(tmp_path: Path) -> None:
+def test_a_page_is_as_wide_as_a_phone(tmp_path: Path, browser: Any) -> None:
     """A table too wide for it moves within its section, and all of the rest stays where it is."""
     words = row("accelerations", "10", "n3a3", 234.567, "15 n3a3", mm=-123.456)._replace(own=-99.99)
     file = tmp_path / "report.html"
     file.write_text(html_report(report(words, words, language="ru")), "utf-8")
-    with launched(*FLAGS) as browser:
-        page = browser.new_page(viewport={"width": 320, "height": 700})
-        page.goto(file.as_uri())
-        assert page.evaluate("document.documentElement.scrollWidth") == 320
-        page.close()
+    page = browser.new_page(viewport={"width": 320, "height": 700})
+    page.goto(file.as_uri())
+    assert page.evaluate("document.documentElement.scrollWidth") == 320
+    page.close()
 
 
 @pytest.mark.parametrize(("count", "folded"), [(12, False), (13, True)])

@@ -150,6 +150,8 @@ def _nearer(of: Checker, checked: Checked) -> Iterator[list[bool]]:
             figure = cell.mm if one.unit == "mm" else cell.value
             if one.taken.pointed or figure is None or math.isnan(figure):
                 continue
-            near.append(abs(abs(one.found) - abs(figure)) < abs(abs(one.found) - abs(one.due)))
+            size = (lambda x: x) if one.taken.signed or one.found < 0.0 else abs
+            read, drawn, due = map(size, (one.found, figure, one.due))
+            near.append(abs(read - drawn) < abs(read - due))
         if near:
             yield near
