@@ -208,6 +208,7 @@ def test_a_clicked_plan_that_is_not_drawn_is_said_to_be_unseen(photo: tuple[obje
     assert "Velocity plan: 0 of 1, nothing is said about them" in done.stdout
 
 
+@pytest.mark.slow
 def test_plans_are_proposed_as_they_can_be_clicked_and_nothing_is_judged(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -60,6 +60,7 @@ def longest(drawn: Drawn, plan: str) -> float:
 
 
 @pytest.mark.parametrize("format", ["A1", "A3"])
+@pytest.mark.slow
 def test_groups_are_no_smaller_than_the_plan_and_link_1_no_larger_than_they(
     format: str, tmp_path: Path
 ) -> None:
@@ -119,6 +120,7 @@ def test_a_sheet_that_is_ordered_wins_before_another_is_opened(name: str) -> Non
     assert len(composed_sheets(scene)[1].sheets) == len(scene.sheets) == 1
 
 
+@pytest.mark.slow
 def test_forces_take_no_more_sheets_than_in_natural_sizes(tmp_path: Path) -> None:
     """As composed in the end, with letters: what sizes are reckoned from plays no part."""
     found, natural = list[int](), list[int]()

@@ -61,6 +61,7 @@ def _wrong(document: Document) -> Iterator[str]:
 
 
 @pytest.mark.parametrize("name", ["slotting", "project", "engine", "four-stroke"])
+@pytest.mark.slow
 def test_no_bracket_is_lacking(name: str) -> None:
     document = note_of_case(name) if name == "slotting" else noted(name)
     assert sum(1 for _ in _trees(document)) > 30

@@ -66,6 +66,7 @@ def test_no_word_of_a_table_is_broken_in_a_docx() -> None:
                 assert all(word_width(word) <= room for word in cell.text.split())
 
 
+@pytest.mark.slow
 def test_no_word_of_a_table_is_broken_in_a_pdf() -> None:
     heads = [
         "".join(run.text for run in cell if isinstance(run, Text))
@@ -78,6 +79,7 @@ def test_no_word_of_a_table_is_broken_in_a_pdf() -> None:
         assert {word for head in heads for word in head.split()} <= words
 
 
+@pytest.mark.slow
 def test_nothing_stands_in_the_margin_of_a_pdf() -> None:
     with pdfplumber.open(io.BytesIO(case_file(CASE, "pdf"))) as pdf:
         right = max(

@@ -88,6 +88,7 @@ def test_an_index_that_is_a_word_is_listed_where_it_is_used(name: str, count: in
 
 
 @pytest.mark.parametrize(("first", "last"), [(0, "11–12"), (1, "12–13")])
+@pytest.mark.slow
 def test_the_last_interval_ends_at_the_number_that_goes_on(
     first: int, last: str, tmp_path: Path
 ) -> None:

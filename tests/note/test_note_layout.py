@@ -58,6 +58,7 @@ def _due() -> list[str]:
     return due
 
 
+@pytest.mark.slow
 def test_figures_and_tables_stand_in_their_sections() -> None:
     """Each where it is told of, one behind the other, whatever page that is."""
     due = _due()

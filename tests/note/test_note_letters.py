@@ -64,6 +64,7 @@ def _formulas(document: Document) -> list[Formula]:
 
 
 @pytest.mark.parametrize("language", ["ru", "en"])
+@pytest.mark.slow
 def test_no_letter_is_told_by_its_own_text(language: str) -> None:
     """OA + AB = OA + AB; OA − AB = |OA − AB| is false."""
     for name in ("engine", "project"):

@@ -100,6 +100,7 @@ def test_the_forces_are_told_in_the_order_of_the_book() -> None:
     )  # fmt: skip
 
 
+@pytest.mark.slow
 def test_the_figure_of_all_forces_is_in_the_note_of_every_engine() -> None:
     pictures = [block for block in walk(noted("locomobile").blocks) if isinstance(block, Picture)]
     (found,) = [one for one in pictures if one.id == "fig-engine-148"]

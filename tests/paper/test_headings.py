@@ -78,6 +78,7 @@ def clear(a: tuple[float, ...], b: tuple[float, ...]) -> bool:
     return a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
 
 
+@pytest.mark.slow
 def test_a_row_has_one_heading_and_every_plan_its_number(tmp_path: Path) -> None:
     plans = larger = broken = 0
     for papers in strangers(tmp_path):
@@ -113,6 +114,7 @@ def test_a_row_has_one_heading_and_every_plan_its_number(tmp_path: Path) -> None
     assert larger <= 0.05 * plans
 
 
+@pytest.mark.slow
 def test_a_heading_stands_clear_within_the_frame(tmp_path: Path) -> None:
     for papers in strangers(tmp_path):
         for sheet in papers:

@@ -82,6 +82,7 @@ def test_the_urgent_comes_first_and_what_nobody_waits_for_not_at_all() -> None:
     assert order == ["first", "urgent", "usual", "idle"]
 
 
+@pytest.mark.slow
 def test_what_takes_long_is_begun_again_when_nobody_waits(monkeypatch: pytest.MonkeyPatch) -> None:
     """A giant of 2 s, two others while it runs, one more in its second turn: it comes last, and whole."""
     monkeypatch.setattr(workers, "PATIENCE", 0.2)

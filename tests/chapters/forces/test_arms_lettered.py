@@ -44,6 +44,7 @@ def test_of_the_package(name: str) -> None:
     assert check(drawn(name))
 
 
+@pytest.mark.slow
 def test_in_all_positions() -> None:
     scene = otherwise(read(SHEETS / "lever" / "scene.toml"), {"forces.positions": "all"})
     work = make(scene).mechanism
@@ -52,6 +53,7 @@ def test_in_all_positions() -> None:
 
 
 @pytest.mark.parametrize("seed", range(3))
+@pytest.mark.slow
 def test_of_random_mechanisms(seed: int) -> None:
     for one in sample(6, 900 + seed, dyads=(1, 3)):
         check(loaded_drawing(weighed(one, seed), one, turned=True, ruler=0.5))

@@ -19,6 +19,7 @@ NEAR = 8.0
 
 
 @pytest.mark.parametrize("name", ["omega halved", "omega not squared in πa", "inertia along a"])
+@pytest.mark.slow
 def test_no_likely_mutation_is_left_out(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
     calls: list[tuple[Any, ...]] = []
 

@@ -21,6 +21,7 @@ LIMIT = 1.5
 
 @each("endless", [hangs, hangs_in_machine_code])
 @each("executor", [1, 2])
+@pytest.mark.slow
 def test_what_never_ends_is_named_and_the_rest_is_made(
     endless: object, executor: int, tmp_path: Path
 ) -> None:
@@ -35,6 +36,7 @@ def test_what_never_ends_is_named_and_the_rest_is_made(
     assert files_of(tmp_path / "out") == due(8)
 
 
+@pytest.mark.slow
 def test_what_was_slow_once_is_made_in_the_end(tmp_path: Path) -> None:
     works = [*sums(3), work(hangs_once, "once", str(tmp_path / "once"))]
     ran = run(works, tmp_path / "out", executor=2, limit=LIMIT)
@@ -42,6 +44,7 @@ def test_what_was_slow_once_is_made_in_the_end(tmp_path: Path) -> None:
     assert files_of(tmp_path / "out")["once/ended.txt"] == b"ended"
 
 
+@pytest.mark.slow
 def test_a_limit_is_for_each_work_and_not_for_all(tmp_path: Path) -> None:
     ran = run(sums(6, pause=0.5), tmp_path / "out", executor=1, limit=LIMIT)
     assert (ran.failed, ran.done) == ({}, 6)

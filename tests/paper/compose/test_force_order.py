@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from itertools import combinations
 from pathlib import Path
 
+import pytest
 from support.gallery import CASES
 from support.mechanisms import sample
 from support.order import Part, forward, kept_apart, parts_of
@@ -49,6 +50,7 @@ def force_parts(text: str, file: Path) -> tuple[list[Part], tuple[Sheet, ...], l
     return parts_of(boxes, made.mechanism.names, feet), papers, [sheet.format for sheet in papers]
 
 
+@pytest.mark.slow
 def test_force_sheets_are_read_in_order_and_equations_stand_with_their_group(
     tmp_path: Path, many: Callable[[int, int], int]
 ) -> None:
@@ -68,6 +70,7 @@ def test_force_sheets_are_read_in_order_and_equations_stand_with_their_group(
     assert apart == []
 
 
+@pytest.mark.slow
 def test_tables_come_after_all_groups(tmp_path: Path) -> None:
     for k, text in enumerate(strangers(4)):
         parts, papers, _ = force_parts(text, tmp_path / f"{k}.toml")
