@@ -52,7 +52,9 @@ class _Refine:
     tried: Callable[[Reals], Reals]
 
     def __call__(self, low: Angle, high: Angle) -> Angle:
-        return Angle(narrow(self.tried, low, high))
+        every = np.broadcast_arrays(low, high)
+        found = narrow(self.tried, *(one.reshape(-1, 1) for one in every))
+        return Angle(found.reshape(every[0].shape))
 
 
 def refinement(tried: Callable[[Reals], Reals], sentence: str) -> Operation:
