@@ -14,6 +14,7 @@ from graphic_tmm.accuracy.drawing import Pinned, References, draw, tried
 from graphic_tmm.accuracy.quantities import Quantity, quantities
 from graphic_tmm.accuracy.settings import Setting
 from graphic_tmm.board.execute import prepare
+from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.project import Project
 
@@ -221,16 +222,22 @@ def work_of(
     drawing: Project, quantity: Quantity, minutes: Mapping[str, float] | None = None
 ) -> BoardWork:
     """Return the work at the board that a quantity of a drawing takes."""
-    told = {
-        mark: count(trial.log, [trial.angle], [trial.reading], minutes=minutes)
-        for mark, trial in tried(drawing).items()
-    }
     return count(
         drawing.construction,
         varying(drawing.given),
         quantity.marks,
         positions=drawing.count,
-        tried=told,
+        tried=tried_works(drawing, minutes),
         passes=TRIED,
         minutes=minutes,
     )
+
+
+def tried_works(
+    drawing: Project, minutes: Mapping[str, float] | None = None
+) -> dict[Mark, BoardWork]:
+    """Return the work of one trial of each refinement of a drawing, by the mark that it leaves."""
+    return {
+        mark: count(trial.log, [trial.angle], [trial.reading], minutes=minutes)
+        for mark, trial in tried(drawing).items()
+    }

@@ -109,6 +109,18 @@ class Axis:
     counted: str = ""
 
 
+class Effect(NamedTuple):
+    """Something that acts, or is taken into account, in a scene that could leave it out.
+
+    ``name``: in English, the same where several chapters take it into account; ``without``: returns the scene
+    that leaves it out; ``called``: whether the scene calls for it.
+    """
+
+    name: str
+    without: Callable[[Scene], Scene]
+    called: bool = True
+
+
 @dataclass(frozen=True)
 class Accuracy(Answer):
     """A chapter's part in the study of accuracy.
@@ -118,6 +130,9 @@ class Accuracy(Answer):
 
     ``kept``: given marks, other than scale factors, that stay as drawn. ``tried``: the trials of a refinement,
     by the mark that it leaves.
+
+    ``effects``: what a scene could leave out; ``affected``: quantities that change with them, other than those
+    studied. A word called "letter" and the name of a quantity says what its letter means.
 
     ``enlarged``: the scene drawn larger by a factor, every μ finer by it. ``poles``: the quantities that depend
     on its pole distances, none without a pole; ``farther``: the given marks with pole distances multiplied by a
@@ -131,6 +146,8 @@ class Accuracy(Answer):
     words: Mapping[str, str] = field(default_factory=dict)
     kept: Callable[[Project], Iterable[Mark]] = lambda project: ()
     tried: Callable[[Project], Mapping[Mark, Trial]] = lambda project: {}
+    effects: Callable[[Scene], Iterable[Effect]] = lambda scene: ()
+    affected: Callable[[Project], Iterable[Quantity]] = lambda project: ()
     enlarged: Callable[[Scene, Drawn, float], Scene] = lambda scene, drawn, times: scene
     poles: Callable[[Scene], tuple[str, ...]] = lambda scene: ()
     farther: Callable[[Project, float], Mapping[Mark, object]] = lambda project, times: {}

@@ -33,8 +33,8 @@ def json_report(study: Study) -> str:
                     "step": step_name(study, steps, share),
                     "view": share.step.it.view,
                     "letter": share.step.it.letter,
-                    "share": _figure(share.share),
-                    "deviation_percent": _figure(share.deviation),
+                    "share": figure(share.share),
+                    "deviation_percent": figure(share.deviation),
                 }
                 for share in steps.shares[:TOP]
             ]
@@ -57,17 +57,17 @@ def _run(study: Study, run: Measurement) -> dict[str, Any]:
         "hand": run.hand,
         "enlarged": run.enlarged,
         "trials": run.trials,
-        "error_percent": _figure(run.errors.error),
-        "error_median_percent": _figure(run.errors.median),
-        "error_standard_error": _figure(run.errors.spread),
-        "failed_percent": _figure(run.errors.failed),
+        "error_percent": figure(run.errors.error),
+        "error_median_percent": figure(run.errors.median),
+        "error_standard_error": figure(run.errors.spread),
+        "failed_percent": figure(run.errors.failed),
         **_work(run.work),
         "pareto": run in study.fronts,
     }
     if run.seconds is not None:
         found |= {
-            "seconds": _figure(run.seconds.median),
-            "seconds_quartiles": [_figure(run.seconds.low), _figure(run.seconds.high)],
+            "seconds": figure(run.seconds.median),
+            "seconds_quartiles": [figure(run.seconds.low), figure(run.seconds.high)],
             "pareto_seconds": run in study.fast,
         }
     return found
@@ -77,7 +77,7 @@ def _work(work: BoardWork) -> dict[str, Any]:
     return {
         "simplicity": work.simplicity,
         "exactitude": work.exactitude,
-        "minutes": _figure(work.minutes),
+        "minutes": figure(work.minutes),
         "symbol": work.symbol,
         "operations": dict(sorted(work.operations.items())),
     }
@@ -86,11 +86,11 @@ def _work(work: BoardWork) -> dict[str, Any]:
 def _slope(study: Study, one: Fitted) -> dict[str, Any]:
     found = {
         "quantity": one.quantity,
-        "error": _figure(one.error.slope),
-        "error_half_width": _figure(one.error.half_width()),
-        "minutes": _figure(one.minutes.slope),
+        "error": figure(one.error.slope),
+        "error_half_width": figure(one.error.half_width()),
+        "minutes": figure(one.minutes.slope),
     }
-    return found | ({"seconds": _figure(one.seconds.slope)} if study.timed else {})
+    return found | ({"seconds": figure(one.seconds.slope)} if study.timed else {})
 
 
 def _optimum(one: Optimum) -> dict[str, Any]:
@@ -98,13 +98,13 @@ def _optimum(one: Optimum) -> dict[str, Any]:
         "quantity": one.quantity,
         "hand": one.hand,
         one.axis: divisions(one.best),
-        "error_percent": _figure(one.best.error),
+        "error_percent": figure(one.best.error),
         "as_good": list(one.sure),
         "inside": one.inside,
         "flat": one.flat,
     }
 
 
-def _figure(value: float) -> float | None:
+def figure(value: float) -> float | None:
     """Return a figure without the noise of the last bits; None where there is none."""
     return float(f"{value:.9g}") if math.isfinite(value) else None

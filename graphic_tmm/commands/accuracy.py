@@ -13,10 +13,15 @@ from graphic_tmm.commands.shared.telling import progress, rendered, say, show
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from graphic_tmm.accuracy.study import Study
+    from graphic_tmm.scene.records import Scene
 
 WIDTH = 200
 """Characters of a line of the report."""
+NARROW = 80
+"""Those of what is told of effects."""
 
 
 @click.command(cls=Command)
@@ -30,6 +35,11 @@ WIDTH = 200
 @click.option(
     "--no-time", is_flag=True, help=said("Measure no seconds: the same bytes every time.")
 )
+@click.option(
+    "--effects",
+    is_flag=True,
+    help=said("Show what each effect costs and changes, and which is not worth drawing."),
+)
 @hands
 def accuracy(
     scene: str | None,
@@ -38,6 +48,7 @@ def accuracy(
     trials: int,
     minutes: str | None,
     no_time: bool,
+    effects: bool,
     hand: str | None,
     seed: int | None,
 ) -> None:
@@ -49,6 +60,9 @@ def accuracy(
 
     task = drawn_by(read_scene(scene), None, seed)
     table = read_minutes(minutes) if minutes is not None else None
+    if effects:
+        _effects(task, hand, trials, table, form, output, clock=not no_time)
+        return
     with progress() as tell:
         found = study(task, hand=hand, trials=trials, minutes=table, clock=not no_time, tell=tell)
     report = json_report(found) if form == "json" else text_report(found)
@@ -56,6 +70,35 @@ def accuracy(
     if output is not None:
         end = "json" if form == "json" else "txt"
         for path in _written(found, {end: rendered(report, WIDTH, printed=False)}, output):
+            say(str(path))
+
+
+def _effects(
+    scene: Scene,
+    hand: str | None,
+    trials: int,
+    minutes: Mapping[str, float] | None,
+    form: str,
+    output: str | None,
+    *,
+    clock: bool,
+) -> None:
+    """Show what the effects of a scene cost and change; write it into a folder, too."""
+    from graphic_tmm.accuracy.effect_costs import study_effects
+    from graphic_tmm.accuracy.report_effects import effects_json, effects_text
+    from graphic_tmm.files import write
+    from graphic_tmm.scene.packaged import scene_name
+
+    with progress() as tell:
+        found = study_effects(
+            scene, hand=hand, trials=trials, minutes=minutes, clock=clock, tell=tell
+        )
+    report = effects_json(found) if form == "json" else effects_text(found, NARROW)
+    show(report, NARROW)
+    if output is not None:
+        name = f"{scene_name(scene.source)}-effects.{'json' if form == 'json' else 'txt'}"
+        files = {name: rendered(report, NARROW, printed=False)}
+        for path in write(Path(output), files, remedy=said("name another folder with -o")):
             say(str(path))
 
 

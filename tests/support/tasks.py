@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from graphic_tmm.accuracy.drawing import Pinned, References, draw, pinned
+from graphic_tmm.accuracy.effect_costs import EffectStudy, Weighed, study_effects
 from graphic_tmm.accuracy.measure import Measure
 from graphic_tmm.accuracy.quantities import Quantity, quantities
 from graphic_tmm.accuracy.settings import Setting, hand_named
@@ -47,3 +48,16 @@ def by(name: str, hand: str, trials: int = 100, changed: Scene | None = None) ->
 @cache
 def studied(name: str) -> Study:
     return study(gallery.scene(name), trials=40, clock=False)
+
+
+def effects_of(own: Scene) -> EffectStudy:
+    return study_effects(own, trials=20, clock=False)
+
+
+@cache
+def effects_known(name: str) -> EffectStudy:
+    return effects_of(gallery.scene(name))
+
+
+def effect(found: EffectStudy, name: str) -> Weighed:
+    return next(one for one in found.effects if one.name == name)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from functools import partial
 
-from graphic_tmm.accuracy.quantities import Accuracy, Axis, Quantity, Reference, Value
+from graphic_tmm.accuracy.quantities import Accuracy, Axis, Effect, Quantity, Reference, Value
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN
 from graphic_tmm.chapters.cycle.task import ASKED, CYCLE
@@ -56,6 +57,21 @@ def _own(scene: Scene) -> int:
     return order.positions if order is not None else 0
 
 
+def _effects(scene: Scene) -> Iterator[Effect]:
+    order = ASKED.of(scene)
+    for k in range(len(order.moments) if order is not None else 0):
+        yield Effect(said("moment {n}", n=k + 1), partial(_without, k=k))
+
+
+def _without(scene: Scene, k: int) -> Scene:
+    """Return the scene without its moment number k, from 0."""
+    order = ASKED.of(scene)
+    if order is None:
+        return scene
+    moments = (*order.moments[:k], *order.moments[k + 1 :])
+    return ASKED.put(scene, replace(order, moments=moments))
+
+
 def _poles(scene: Scene) -> tuple[str, ...]:
     order = ASKED.of(scene)
     if order is None:
@@ -92,6 +108,7 @@ ACCURACY = Accuracy(
             counted=said("{n} part", "{n} parts"),
         ),
     ),
+    effects=_effects,
     enlarged=_enlarged,
     poles=_poles,
     farther=_farther,

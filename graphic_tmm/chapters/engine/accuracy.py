@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
+from typing import Any
 
-from graphic_tmm.accuracy.quantities import Accuracy, Axis, Quantity, Reference, Value
+from graphic_tmm.accuracy.quantities import Accuracy, Axis, Effect, Quantity, Reference, Value
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.plan import ENGINE_PLAN
 from graphic_tmm.chapters.engine.task import ASKED, ENGINE
 from graphic_tmm.chapters.forces.accuracy import MOMENT
 from graphic_tmm.chapters.forces.task import ASKED as FORCES_ASKED
 from graphic_tmm.chapters.forces.task import FORCES, ForcesTask
-from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged, sampled
+from graphic_tmm.chapters.indicator.accuracy import BELOW, at_count, enlarged, one_sided, sampled
 from graphic_tmm.chapters.kinematics.plan import ALL
 from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.drawn import Drawn
@@ -59,6 +61,20 @@ def _series(scene: Scene) -> Iterator[tuple[str, Scene]]:
         yield "series", ASKED.put(scene, replace(order, series=True))
 
 
+def _effects(scene: Scene) -> Iterator[Effect]:
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    yield Effect(said("inertia"), partial(_changed, mass=0.0))
+    if order.indicator.shaft is not None:
+        yield Effect(BELOW, partial(_changed, indicator=one_sided(order.indicator)))
+
+
+def _changed(scene: Scene, **changes: Any) -> Scene:
+    order = ASKED.of(scene)
+    return scene if order is None else ASKED.put(scene, replace(order, **changes))
+
+
 def _at_count(scene: Scene, count: int) -> Scene:
     order = ASKED.of(scene)
     if order is None:
@@ -88,6 +104,7 @@ ACCURACY = Accuracy(
     quantities=_quantities,
     places=(ENGINE,),
     axes=(Axis("rod", _rods, (TURNING,)), Axis("inertia", _series, (TURNING,))),
+    effects=_effects,
     enlarged=_enlarged,
     words=WORDS,
 )

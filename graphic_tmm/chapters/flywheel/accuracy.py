@@ -7,13 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphic_tmm.accuracy.quantities import Accuracy, Quantity, Reference, Value
+from graphic_tmm.accuracy.quantities import Accuracy, Effect, Quantity, Reference, Value
 from graphic_tmm.board.charts import ScaleOrder, distances
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
 from graphic_tmm.chapters.flywheel.task import ASKED, FLYWHEEL, VIEWS, FlywheelTask
+from graphic_tmm.chapters.forces.accuracy import masses
 from graphic_tmm.chapters.forces.task import ASKED as FORCES
-from graphic_tmm.chapters.indicator.accuracy import at_count, enlarged, sampled
+from graphic_tmm.chapters.indicator.accuracy import BELOW, at_count, enlarged, one_sided, sampled
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
@@ -95,6 +96,22 @@ def farther(project: Project, flywheel: Flywheel, times: float) -> dict[Mark, ob
     return {mark: np.asarray(project.given[mark]) * times for mark in moved}
 
 
+def _effects(scene: Scene) -> Iterator[Effect]:
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    yield from masses(scene)
+    if order.indicator is not None and order.indicator.shaft is not None:
+        yield Effect(BELOW, _one_sided)
+
+
+def _one_sided(scene: Scene) -> Scene:
+    order = ASKED.of(scene)
+    if order is None or order.indicator is None:
+        return scene
+    return ASKED.put(scene, replace(order, indicator=one_sided(order.indicator)))
+
+
 def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     order = ASKED.of(scene)
     if order is None:
@@ -122,6 +139,7 @@ WORDS = {
 ACCURACY = Accuracy(
     quantities=_quantities,
     places=(FLYWHEEL,),
+    effects=_effects,
     enlarged=_enlarged,
     poles=_poles,
     farther=_farther,

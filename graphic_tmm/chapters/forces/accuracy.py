@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
+from typing import Any
 
-from graphic_tmm.accuracy.quantities import Accuracy, Axis, Quantity, Reference, Value
+from graphic_tmm.accuracy.quantities import Accuracy, Axis, Effect, Quantity, Reference, Value
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.task import ASKED, FORCES
-from graphic_tmm.chapters.indicator.accuracy import at_count
+from graphic_tmm.chapters.indicator.accuracy import BELOW, at_count, one_sided
 from graphic_tmm.chapters.kinematics.accuracy import renamed, resampled
 from graphic_tmm.chapters.kinematics.plan import ALL
 from graphic_tmm.drawn import Drawn
@@ -22,7 +24,7 @@ PASSES = (2, 3, 4, 6, 8)
 """Numbers of passes of friction that are held against those that have settled."""
 SETTLED = 12
 """Passes of friction after which nothing changes any more."""
-FORCE, MOMENT = "P_bal", "M_bal"
+FORCE, MOMENT, REACTIONS = "P_bal", "M_bal", "R"
 
 
 def _quantities(project: Project) -> Iterator[Quantity]:
@@ -81,9 +83,69 @@ def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     return ASKED.put(scene, replace(order, mu=order.mu / times))
 
 
+def _reactions(project: Project) -> Iterator[Quantity]:
+    """Yield the sizes of all reactions in the pairs, of the last pass of friction."""
+    values = tuple(Value(reaction.value) for reaction in FORCES_PLAN.on(project).reactions)
+    yield Quantity(REACTIONS, "N", values, project.count, due=values)
+
+
+def _effects(scene: Scene) -> Iterator[Effect]:
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    yield Effect(said("gravity"), partial(_changed, gravity=False), order.gravity)
+    yield Effect(said("inertia"), partial(_changed, inertia=False, single=()), order.inertia)
+    if order.gravity or order.inertia:
+        yield from masses(scene)
+    gas = order.gas is not None
+    yield Effect(said("gas"), partial(_changed, gas=None), gas)
+    if order.gas is not None and order.gas.shaft is not None:
+        yield Effect(BELOW, partial(_changed, gas=one_sided(order.gas)))
+    friction = order.friction is not None
+    yield Effect(said("friction"), partial(_changed, friction=None), friction)
+    for k, load in enumerate(order.loads):
+        place = said("load {n}, at {point}", n=k + 1, point=load.point)
+        if load.point is None:
+            place = said("load {n}, on link {link}", n=k + 1, link=load.link)
+        yield Effect(place, partial(_unloaded, k=k))
+
+
+def _changed(scene: Scene, **changes: Any) -> Scene:
+    order = ASKED.of(scene)
+    return scene if order is None else ASKED.put(scene, replace(order, **changes))
+
+
+def _unloaded(scene: Scene, k: int) -> Scene:
+    """Return the scene without its load number k, from 0."""
+    order = ASKED.of(scene)
+    loads = order.loads if order is not None else ()
+    return _changed(scene, loads=(*loads[:k], *loads[k + 1 :]))
+
+
+def masses(scene: Scene) -> Iterator[Effect]:
+    """Yield, for each link that has a mass or a moment of inertia, that it has them."""
+    for link in scene.mechanism.links if scene.mechanism is not None else ():
+        if link.mass or link.inertia:
+            name = said("masses of link {link}", link=link.number)
+            yield Effect(name, partial(_weightless, number=link.number))
+
+
+def _weightless(scene: Scene, number: int) -> Scene:
+    if scene.mechanism is None:
+        return scene
+    links = tuple(
+        replace(link, mass=None, inertia=None) if link.number == number else link
+        for link in scene.mechanism.links
+    )
+    return replace(scene, mechanism=replace(scene.mechanism, links=links))
+
+
 WORDS = {
     FORCE: said("P_bal"),
     MOMENT: said("M_bal"),
+    REACTIONS: said("reaction"),
+    f"letter {FORCE}": said("the force on the crank pin that balances the crank"),
+    f"letter {MOMENT}": said("the moment that balances the crank"),
     "passes": said("passes of friction"),
 }
 """What is told of by name, in English."""
@@ -93,6 +155,8 @@ ACCURACY = Accuracy(
     places=(FORCES,),
     axes=(Axis("passes", _by_passes, (FORCE, MOMENT)),),
     kept=_kept,
+    effects=_effects,
+    affected=_reactions,
     enlarged=_enlarged,
     words=WORDS,
 )

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask
 from graphic_tmm.chapters.kinematics.accuracy import resampled
+from graphic_tmm.language.said import said
 
 
 def at_count(order: IndicatorTask, count: int) -> IndicatorTask:
@@ -18,6 +19,15 @@ def at_count(order: IndicatorTask, count: int) -> IndicatorTask:
 
     shaft = gas(order.shaft) if order.shaft is not None else None
     return replace(order, cover=gas(order.cover), shaft=shaft)
+
+
+def one_sided(order: IndicatorTask) -> IndicatorTask:
+    """Return the same diagram without the pressure on the side of the shaft."""
+    return replace(order, shaft=None)
+
+
+BELOW = said("gas on the shaft's side")
+"""The effect of the pressure there."""
 
 
 def sampled(order: IndicatorTask | None) -> bool:

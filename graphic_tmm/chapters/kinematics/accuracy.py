@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphic_tmm.accuracy.quantities import Accuracy, Quantity, Trial, Value
+from graphic_tmm.accuracy.quantities import Accuracy, Effect, Quantity, Trial, Value
 from graphic_tmm.board.operations.locus import REFINE
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
@@ -86,6 +86,19 @@ def _tried(project: Project) -> dict[Mark, Trial]:
     return dict.fromkeys(steps, trial)
 
 
+def _effects(scene: Scene) -> Iterator[Effect]:
+    if scene.mechanism is not None and scene.mechanism.drive.acceleration:
+        yield Effect(said("ε of the crank"), _steady)
+
+
+def _steady(scene: Scene) -> Scene:
+    mechanism = scene.mechanism
+    if mechanism is None:
+        return scene
+    drive = replace(mechanism.drive, acceleration=0.0)
+    return replace(scene, mechanism=replace(mechanism, drive=drive))
+
+
 def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     mu = {plan: scale.value / times for plan, scale in drawn.scales.items()}
     own = Scales(mu_l=mu.get(POSITIONS), mu_v=mu.get(VELOCITIES), mu_a=mu.get(ACCELERATIONS))
@@ -102,6 +115,7 @@ ACCURACY = Accuracy(
     quantities=_quantities,
     places=(VELOCITIES, ACCELERATIONS),
     tried=_tried,
+    effects=_effects,
     enlarged=_enlarged,
     words=WORDS,
 )

@@ -1,0 +1,123 @@
+"""What is said of effects: the answer first, what is not worth drawing, in two languages, within a terminal."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from support.command import invoke
+from support.gallery import scene as gallery
+from support.tasks import effect, effects_known, effects_of
+
+from graphic_tmm.accuracy.effect_costs import Change
+from graphic_tmm.accuracy.report_effects import effects_text, sentences
+from graphic_tmm.chapters.forces.task import Load
+from graphic_tmm.commands.shared.telling import rendered
+from graphic_tmm.project import record
+
+
+def test_what_changes_less_than_the_drawing_errs_is_named_as_not_worth_drawing() -> None:
+    own = gallery("crank-press")
+    order = own.tasks["forces"]
+    scene = own.asking(forces=replace(order, loads=(*order.loads, Load(3, "B", 1.0, -90.0))))
+    found = effects_of(scene)
+    small = effect(found, "load 2, at B")
+    assert [one.quantity for one in small.changes] == ["P_bal", "R"]
+    assert all(0.0 < one.percent < one.error for one in small.changes)
+    assert not small.worth
+    lines = list(sentences(found))
+    assert lines[0].startswith(
+        "Most matters: load 1, at B. Without it P_bal changes by up to 102 %"
+    )
+    assert lines[-1] == "Not called for, so no step is recorded, drawn or computed: gas."
+    (told,) = [line for line in lines if line.startswith("Not worth drawing")]
+    assert "load 2, at B (" in told
+    assert "friction" not in told
+    assert "gravity" not in told
+
+
+def test_effects_that_are_hidden_each_are_left_out_together_before_it_is_said() -> None:
+    """Beside a student's error each of four is nothing; together they are held against it once more."""
+    found = effects_known("crank-press")
+    assert found.hidden is None
+    together = found.hidden_by_pencil
+    assert together is not None
+    each = [one for one in found.effects if one.called and not one.worth_pencil]
+    assert len(each) > 1
+    assert together.cost.steps > max(one.cost.steps for one in each)
+    assert together.percent > max(one.percent for one in each)
+    for percent, start in ((3.0, "Nor are they seen all together"), (50.0, "Not all of these")):
+        changed = replace(together, changes=(Change("P_bal", "", "4", percent, 1.0, 4.0),))
+        said = sentences(replace(found, hidden_by_pencil=changed))
+        (line,) = [line for line in said if "together" in line]
+        assert line.startswith(start)
+
+
+def test_effects_stand_in_the_order_in_which_they_matter() -> None:
+    found = effects_known("lever").effects
+    called = [one.percent for one in found if one.called]
+    assert called == sorted(called, reverse=True)
+    assert [one.name for one in found[len(called) :]] == ["gas", "friction"]
+
+
+def test_what_a_scene_cannot_do_without_says_why() -> None:
+    own = gallery("moment-cycle")
+    order = own.tasks["cycle"]
+    scene = own.asking(cycle=replace(order, moments=order.moments[1:]))
+    (only,) = effects_of(scene).effects
+    assert "no moment is given over the cycle" in only.refused
+    (line,) = [one for one in sentences(effects_of(scene)) if "отбросить нельзя" in one]
+    assert "scene.toml" not in line
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "crank-press",
+        "lever",
+        "moment-cycle",
+        "cam",
+        pytest.param("windrower", marks=pytest.mark.slow),
+    ],
+)
+def test_the_report_fits_a_terminal(name: str, language: str) -> None:
+    found = effects_known(name)
+    told = replace(found, scene=replace(found.scene, language=language))
+    lines = rendered(effects_text(told, 80), 80, printed=False).splitlines()
+    assert max(map(len, lines)) <= 80
+    assert len(lines) > 1
+
+
+def test_the_command_tells_the_answer_first_and_writes_it(tmp_path: Path) -> None:
+    found = invoke("accuracy", "crank-press", "--effects", "--trials", "10", "-o", tmp_path)
+    assert found.exit_code == 0, found.output
+    lines = found.stdout.splitlines()
+    assert lines[1].startswith("Most matters: load 1, at B.")
+    assert (tmp_path / "crank-press-effects.txt").read_text("utf-8") == found.stdout
+
+
+def test_as_json_it_has_the_same(tmp_path: Path) -> None:
+    asked = ("accuracy", "crank-press", "--effects", "--no-time", "-f", "json")
+    found = invoke(*asked)
+    assert found.exit_code == 0, found.output
+    assert found.stdout == invoke(*asked).stdout
+    told = json.loads(found.stdout)
+    by_name = {one["effect"]: one for one in told["effects"]}
+    assert by_name["gas"] == {
+        "effect": "gas",
+        "called_for": False,
+        "steps": 0,
+        "minutes": 0.0,
+        "seconds": None,
+        "refused": None,
+        "worth_drawing": False,
+        "changes": [],
+        "worth_drawing_by_student": False,
+    }
+    assert by_name["friction"]["worth_drawing_by_student"] is True
+    assert by_name["gravity"]["worth_drawing_by_student"] is False
+    assert told["steps"] == len(record(gallery("crank-press")).construction.steps)
+    assert told["sentences"][0].startswith("Most matters")
