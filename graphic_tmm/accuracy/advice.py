@@ -28,7 +28,8 @@ def slopes(study: Study) -> Iterator[str]:
         width = one.error.half_width()
         if not width < KNOWN:
             continue
-        form = "slope timed" if study.timed else "slope"
+        spread = one.seconds.half_width()
+        form = "slope timed" if spread < KNOWN else "slope"
         form = form if one.error.slope < -LEVEL else "slope flat"
         yield words[form].format(
             quantity=words[one.quantity],
@@ -36,6 +37,7 @@ def slopes(study: Study) -> Iterator[str]:
             width=number(width, language, 1),
             minutes=number(one.minutes.slope, language, 3),
             seconds=number(one.seconds.slope, language, 2),
+            spread=number(spread, language, 1),
         )
 
 

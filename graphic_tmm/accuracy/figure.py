@@ -120,7 +120,7 @@ def _hands(study: Study) -> list[str]:
 def _cost(run: Measurement, machine: bool) -> float:
     if not machine:
         return run.work.minutes
-    return 1e3 * run.seconds.median if run.seconds is not None else math.nan
+    return 1e3 * run.seconds.least if run.seconds is not None else math.nan
 
 
 def _panel(axes: Axes, study: Study, name: str, machine: bool) -> None:

@@ -205,7 +205,9 @@ def slopes(runs: Sequence[Measurement]) -> tuple[Fitted, ...]:
         if len(row) < 3:
             continue
         n = [float(divisions(run)) for run in row]
-        times = [run.seconds.median if run.seconds else float("nan") for run in row]
+        times = [
+            run.seconds.least if run.seconds and not run.seconds.doubtful else nan for run in row
+        ]
         error, minutes = slope(n, [r.error for r in row]), slope(n, [r.work.minutes for r in row])
         found.append(Fitted(quantity, error, minutes, slope(n, times)))
     return tuple(found)
@@ -249,6 +251,6 @@ def best_of(runs: Sequence[Measurement], *, machine: bool = False) -> frozenset[
         row = [r for r in runs if (r.quantity, r.hand) == (quantity, hand) and r.axis not in ASIDE]
         if machine:
             row = [run for run in row if run.seconds is not None]
-        costs = [run.seconds.median if machine and run.seconds else run.work.minutes for run in row]
+        costs = [run.seconds.least if machine and run.seconds else run.work.minutes for run in row]
         found += [row[k] for k in front(costs, [run.error for run in row])]
     return frozenset(found)

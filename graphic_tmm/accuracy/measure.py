@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -13,6 +13,7 @@ from graphic_tmm.accuracy.cost import BoardWork, count, varying
 from graphic_tmm.accuracy.drawing import Pinned, References, draw, tried
 from graphic_tmm.accuracy.quantities import Quantity, quantities
 from graphic_tmm.accuracy.settings import Setting
+from graphic_tmm.accuracy.timing import Seconds, Stopwatch
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
@@ -27,12 +28,6 @@ GROUPS = 10
 """Number of groups of drawings from which the uncertainty of the error itself is estimated."""
 TRIED = 2
 """How often a draughtsman narrows the bracket of a position that he finds by trial."""
-AGREE = 0.05
-"""Two runs agree within this share: their times are printed with two digits."""
-WARM, MOST, LEAST = 0.005, 12, 3
-"""Runs that disagree are repeated for this long, s, and this often at most and at least."""
-LONG = 0.01
-"""A run this long, s, is repeated only once: its quartiles show how far the two differ."""
 
 
 class Errors(NamedTuple):
@@ -49,17 +44,12 @@ class Errors(NamedTuple):
     failed: float
 
 
-class Seconds(NamedTuple):
-    """Seconds on the machine, of warm runs: median and quartiles."""
-
-    median: float
-    low: float
-    high: float
-
-
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """One quantity at one setting. ``axis`` and ``value``: what was varied, and to what."""
+    """One quantity at one setting. ``axis`` and ``value``: what was varied, and to what.
+
+    ``seconds``: of one run of the slice of the log that it needs; see `Measure.timed`.
+    """
 
     axis: str
     value: str
@@ -70,7 +60,7 @@ class Measurement:
     trials: int
     errors: Errors
     work: BoardWork
-    seconds: Seconds | None
+    seconds: Seconds | None = None
 
     @property
     def error(self) -> float:
@@ -112,33 +102,10 @@ def _within(deviations: Reals, share: float) -> float:
     return float(row[low] + (row[high] - row[low]) * (place - low))
 
 
-def timed(run: Callable[[], object], clock: Callable[[], float] = time.perf_counter) -> Seconds:
-    """Return how long a call takes: median and quartiles of runs, until one agrees with that before it.
-
-    The first run warms up: it counts only where the second agrees with it.
-    """
-    found: list[float] = []
-    while not _settled(found):
-        start = clock()
-        run()
-        found.append(clock() - start)
-    low, median, high = np.quantile(found[len(found) > 2 :], (0.25, 0.5, 0.75))
-    return Seconds(float(median), float(low), float(high))
-
-
-def _settled(found: Sequence[float]) -> bool:
-    """Whether what was timed so far is enough."""
-    if len(found) < 2:
-        return False
-    agree = abs(found[-1] - found[-2]) <= AGREE * min(found[-2:])
-    enough = len(found) >= LEAST and sum(found[1:]) >= WARM
-    return agree or enough or min(found) >= LONG or len(found) >= MOST
-
-
 class Measure:
     """Measures settings of one scene; drawings that several hands share are recorded once.
 
-    ``clock``: whether runs are timed. ``minutes``: a user's own table of minutes.
+    ``clock``: whether runs may be timed. ``minutes``: a user's own table of minutes.
     """
 
     def __init__(
@@ -153,7 +120,8 @@ class Measure:
         self.clock, self.minutes = clock, minutes
         self._drawn: dict[tuple[int, float, float], tuple[Setting, tuple[Project, ...]]] = {}
         self._worked: dict[tuple[int, float, float, str], BoardWork] = {}
-        self._timed: dict[tuple[object, ...], Seconds] = {}
+        self._calls: dict[tuple[object, ...], Callable[[], object]] = {}
+        self._keys: dict[Measurement, tuple[object, ...]] = {}
 
     def drawings(self, setting: Setting) -> tuple[Project, ...]:
         """Return the logs of a setting."""
@@ -182,11 +150,10 @@ class Measure:
                 largest = self.references.largest(quantity, drawing)
                 errors = off(quantity.read(reading, who.trials), due, largest)
                 work = self.work(setting, drawing, quantity)
-                seconds = self._seconds(setting, drawing, quantity, axis)
                 place = (axis, value, quantity.name, drawing.count, setting.hand)
-                found.append(
-                    Measurement(*place, setting.enlarged, who.trials, errors, work, seconds)
-                )
+                found.append(Measurement(*place, setting.enlarged, who.trials, errors, work))
+                if self.clock:
+                    self._keep(found[-1], setting, drawing, quantity)
         return found
 
     def work(self, setting: Setting, drawing: Project, quantity: Quantity) -> BoardWork:
@@ -197,25 +164,26 @@ class Measure:
             self._worked[key] = work_of(drawing, quantity, self.minutes)
         return self._worked[key]
 
-    def _seconds(
-        self, setting: Setting, drawing: Project, quantity: Quantity, axis: str
-    ) -> Seconds | None:
-        """Time one drawing of a quantity; on the axis of trials all of them.
+    def _keep(
+        self, run: Measurement, setting: Setting, drawing: Project, quantity: Quantity
+    ) -> None:
+        """Keep one drawing of a quantity to be timed; on the axis of trials all of them.
 
         Hands of one sort (that slip, that round, that do neither) take the same time: the first is timed.
         """
-        if not self.clock:
-            return None
-        who = setting.who
-        trials = who.trials if axis == "trials" else 1
+        trials = setting.who.trials if run.axis == "trials" else 1
+        who = setting.who._replace(trials=trials)
         sort = (who.slips, who.ruler is not None, who.digits is not None, trials)
         key = id(setting.scene), quantity.name, *sort
-        if key not in self._timed:
-            self.drawings(setting)
+        self._keys[run] = key
+        if key not in self._calls:
             program = prepare(drawing.construction, quantity.marks)
-            hand = who._replace(trials=trials)
-            self._timed[key] = timed(lambda: program.run(drawing.given, hand=hand))
-        return self._timed[key]
+            self._calls[key] = partial(program.run, drawing.given, hand=who)
+
+    def timed(self, runs: Iterable[Measurement], watch: Stopwatch) -> list[Measurement]:
+        """Return the runs with their seconds, all timed in turns."""
+        seconds = watch.in_turns(self._calls)
+        return [replace(run, seconds=seconds.get(self._keys[run])) for run in runs]
 
 
 def work_of(

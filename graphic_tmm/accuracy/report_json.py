@@ -11,6 +11,7 @@ from graphic_tmm.accuracy.cost import BoardWork
 from graphic_tmm.accuracy.lessons import Fitted, Optimum, divisions
 from graphic_tmm.accuracy.measure import Measurement
 from graphic_tmm.accuracy.study import Study
+from graphic_tmm.accuracy.timing import Seconds
 from graphic_tmm.scene.packaged import scene_name
 
 TOP = 10
@@ -44,6 +45,7 @@ def json_report(study: Study) -> str:
         "sentences": [*slopes(study), *best_numbers(study)],
         "advice": [*advice(study), *most(study)],
         "left_out": list(study.left_out),
+        **_machine(study),
     }
     return json.dumps(told, ensure_ascii=False, indent=1) + "\n"
 
@@ -66,11 +68,37 @@ def _run(study: Study, run: Measurement) -> dict[str, Any]:
     }
     if run.seconds is not None:
         found |= {
-            "seconds": figure(run.seconds.median),
-            "seconds_quartiles": [figure(run.seconds.low), figure(run.seconds.high)],
+            **_seconds(run.seconds),
             "pareto_seconds": run in study.fast,
         }
     return found
+
+
+def _seconds(seconds: Seconds) -> dict[str, Any]:
+    return {
+        "seconds": figure(seconds.least),
+        "seconds_quartiles": [figure(seconds.low), figure(seconds.high)],
+        "seconds_doubtful": seconds.doubtful,
+    }
+
+
+def _machine(study: Study) -> dict[str, Any]:
+    """Return what was timed, and how busy the machine was; nothing if nothing was."""
+    if study.load is None:
+        return {}
+    load = study.load
+    return {
+        "machine": [
+            {"what": one.what, "positions": one.positions, **_seconds(one.seconds)}
+            for one in study.machine
+        ],
+        "load": {
+            "busy": load.busy,
+            "elsewhere": figure(load.elsewhere),
+            "scattered": load.scattered,
+            "timed": load.calls,
+        },
+    }
 
 
 def _work(work: BoardWork) -> dict[str, Any]:
@@ -90,7 +118,10 @@ def _slope(study: Study, one: Fitted) -> dict[str, Any]:
         "error_half_width": figure(one.error.half_width()),
         "minutes": figure(one.minutes.slope),
     }
-    return found | ({"seconds": figure(one.seconds.slope)} if study.timed else {})
+    if not study.timed:
+        return found
+    width = figure(one.seconds.half_width())
+    return found | {"seconds": figure(one.seconds.slope), "seconds_half_width": width}
 
 
 def _optimum(one: Optimum) -> dict[str, Any]:

@@ -10,11 +10,14 @@ from graphic_tmm.accuracy.lessons import along, divisions
 from graphic_tmm.accuracy.measure import NOISE, Measurement
 from graphic_tmm.accuracy.settings import GRID, dividing
 from graphic_tmm.accuracy.study import Study
+from graphic_tmm.accuracy.timing import Seconds
 from graphic_tmm.accuracy.words import WORDS
 from graphic_tmm.language.numbers import fixed, number
 
 TOP = 3
 """So many steps of a construction are named for each quantity."""
+DOUBTFUL = "~"
+"""Stands before seconds that scatter or were taken too few times."""
 
 
 def text_report(study: Study) -> list[Any]:
@@ -28,6 +31,7 @@ def text_report(study: Study) -> list[Any]:
     ]
     made += [_divided(study, name) for name in study.quantities if _measured(study, name)]
     made += [_varied_table(study), _steps(study), Text(_choice(study))]
+    made += [_machine(study), Text(_load(study))] if study.load is not None else []
     for heading, lines in (
         ("slopes", slopes(study)),
         ("optima", best_numbers(study)),
@@ -99,8 +103,37 @@ def _cell(run: Measurement | None, least: Measurement, language: str) -> str:
 def _quartiles(run: Measurement, language: str) -> str:
     if run.seconds is None:
         return ""
-    median, low, high = (number(1e3 * x, language, 2) for x in run.seconds)
-    return f"{median} ({low}…{high})"
+    least, low, _, high = (number(1e3 * x, language, 2) for x in run.seconds[:4])
+    return f"{DOUBTFUL if run.seconds.doubtful else ''}{least} ({low}…{high})"
+
+
+def _machine(study: Study) -> Any:
+    """Return the table of the seconds on the machine, by what a user asks for."""
+    language, words = study.scene.language, WORDS[study.scene.language]
+    counts = sorted({one.positions for one in study.machine})
+    table = _table(words["machine seconds"], [words["asked"], *map(str, counts)])
+    for what in dict.fromkeys(one.what for one in study.machine):
+        row = {one.positions: one.seconds for one in study.machine if one.what == what}
+        table.add_row(words[f"time {what}"], *(_second(row.get(n), language) for n in counts))
+    return table
+
+
+def _second(seconds: Seconds | None, language: str) -> str:
+    if seconds is None:
+        return ""
+    return f"{DOUBTFUL if seconds.doubtful else ''}{number(seconds.least, language, 2)}"
+
+
+def _load(study: Study) -> str:
+    """Return how the seconds were taken, and whether the machine was busy."""
+    language, words = study.scene.language, WORDS[study.scene.language]
+    load, text = study.load, words["timed"]
+    if load is None or not load.busy:
+        return text
+    share = number(100.0 * load.elsewhere, language, 2)
+    return (
+        text + " " + words["busy"].format(share=share, scattered=load.scattered, calls=load.calls)
+    )
 
 
 def _varied_table(study: Study) -> Any:
@@ -117,8 +150,9 @@ def _varied_table(study: Study) -> Any:
         row = {run.quantity: run for run in runs if (run.axis, run.value) == (axis, value)}
         cells = [_other(row.get(name), own[name], language) for name in names]
         if study.timed:
-            total = sum(run.seconds.median for run in row.values() if run.seconds)
-            cells.append(number(1e3 * total, language, 3))
+            each = [run.seconds for run in row.values() if run.seconds]
+            mark = DOUBTFUL if any(one.doubtful for one in each) else ""
+            cells.append(mark + number(1e3 * sum(one.least for one in each), language, 3))
         if axis != before:
             table.add_section()
         table.add_row(words[axis] if axis != before else "", value_name(value, language), *cells)

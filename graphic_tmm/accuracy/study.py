@@ -8,10 +8,12 @@ from dataclasses import dataclass, replace
 from graphic_tmm.accuracy.cost import NOTHING, BoardWork, count
 from graphic_tmm.accuracy.drawing import References, pinned
 from graphic_tmm.accuracy.lessons import Fitted, Optimum, best_of, optima, slopes
+from graphic_tmm.accuracy.machine import MachineTime, machine_times
 from graphic_tmm.accuracy.measure import Measure, Measurement
 from graphic_tmm.accuracy.quantities import Accuracy, quantities
 from graphic_tmm.accuracy.settings import Setting, Varied, grid, hand_named, own_setting, singly
 from graphic_tmm.accuracy.shares import Share, shares
+from graphic_tmm.accuracy.timing import Load, Stopwatch
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError, TmmError
@@ -48,7 +50,8 @@ class Study:
 
     ``quantities``: their units by name. ``hand``: about whose setting axes vary. ``fronts``: runs on the Pareto
     front over minutes, ``fast``: over seconds. ``timed``: whether seconds were measured. ``left_out``: settings
-    that could not be drawn, and why. ``choice``: the work of choosing all scale factors.
+    that could not be drawn, and why. ``choice``: the work of choosing all scale factors. ``machine``:
+    seconds of what a user asks for, ``load``: what else the machine did then; None if nothing was timed.
     """
 
     scene: Scene
@@ -64,6 +67,8 @@ class Study:
     timed: bool
     left_out: tuple[str, ...]
     choice: BoardWork
+    machine: tuple[MachineTime, ...] = ()
+    load: Load | None = None
 
 
 def study(
@@ -105,6 +110,10 @@ def study(
             continue
         _measure(measure, place, runs, left_out)
     told(len(along) + 1, len(along) + 2, "")
+    watch = Stopwatch()
+    machine: tuple[MachineTime, ...] = ()
+    if clock:
+        runs, machine = measure.timed(runs, watch), machine_times(scene, measure, watch)
     hands = tuple(dict.fromkeys((*SLIPPING, own.hand)))
     return Study(
         scene,
@@ -120,6 +129,8 @@ def study(
         clock,
         tuple(left_out),
         _choice(made, minutes),
+        machine,
+        watch.load if clock else None,
     )
 
 

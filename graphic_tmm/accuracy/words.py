@@ -40,10 +40,24 @@ TEXTS: dict[str, str] = {
     "reading": said("reading"),
     "digits": said("digits"),
     "minutes": said("min"),
-    "milliseconds": said("ms"),
-    "quartiles": said("ms (quartiles)"),
+    "milliseconds": said("log, ms"),
+    "quartiles": said("log, ms (quartiles)"),
     "board": said("work at the board, minutes"),
     "machine": said("time on the machine, milliseconds"),
+    "machine seconds": said("Time on the machine, s, by number of positions (parts, steps)"),
+    "asked": said("what is asked for"),
+    "time log": said("log: all quantities once, exactly"),
+    "time table": said("table"),
+    "time sheets": said("sheets as SVG"),
+    "time drawings": said("10 000 drawings by the student (ten times 1000)"),
+    "timed": said(
+        "Time of the processor, warm: the least of at least five; ~ marks what scatters by half or was timed "
+        "only once."
+    ),
+    "busy": said(
+        "The machine was busy: other work had {share} % of the time, {scattered} times of {calls} scatter; "
+        "repeat this on a quiet machine."
+    ),
     "front": said("Pareto front of a hand"),
     "other": said("one thing varied"),
     "count": said("number of positions (parts, steps)"),
@@ -62,7 +76,7 @@ TEXTS: dict[str, str] = {
     ),
     "slope timed": said(
         "{quantity}: with the exact hand the error falls as N^{error} ± {width}, "
-        "the work grows as N^{minutes}, the time on the machine as N^{seconds}."
+        "the work grows as N^{minutes}, the time of the log on the machine as N^{seconds} ± {spread}."
     ),
     "optimum": said(
         "{quantity}, {hand}: least with {best} ({error} %), as good from {low} to {high}."

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from itertools import product
 
 import mpmath
@@ -14,7 +15,8 @@ from support.each import each
 
 from graphic_tmm.accuracy.cost import BoardWork
 from graphic_tmm.accuracy.lessons import best_of, cheapest, front, optima, slope, slopes, student
-from graphic_tmm.accuracy.measure import Errors, Measurement, Seconds
+from graphic_tmm.accuracy.measure import Errors, Measurement
+from graphic_tmm.accuracy.timing import Seconds
 
 
 @pytest.mark.slow
@@ -209,7 +211,8 @@ def run(
     n: int, error: float, *, hand: str = "student", spread: float = 0.0, axis: str = "positions"
 ) -> Measurement:
     errors = Errors(error, error / 2, spread, 0.0)
-    seconds = Seconds(1e-3 * n**0.5, 0.0, 1.0)
+    each = 1e-3 * n**0.5
+    seconds = Seconds(each, each, each, 1.2 * each)
     return Measurement(
         axis, f"{n}", "V", n, hand, 1.0, 100, errors, BoardWork({}, {}, 5.0 * n), seconds
     )
@@ -222,6 +225,15 @@ def test_powers_of_the_number_of_positions_are_found() -> None:
     assert found.error.slope == pytest.approx(-2.0, abs=1e-9)
     assert found.minutes.slope == pytest.approx(1.0, abs=1e-9)
     assert found.seconds.slope == pytest.approx(0.5, abs=1e-9)
+
+
+def test_a_doubtful_time_bears_on_no_law() -> None:
+    runs = [run(n, 300.0 / n**2, hand="exact") for n in (12, 24, 48, 96)]
+    wild = Seconds(9.0, 9.0, 12.0, 15.0)
+    (found,) = slopes([replace(runs[0], seconds=wild), *runs[1:]])
+    assert (found.seconds.slope, found.seconds.points) == (pytest.approx(0.5, abs=1e-9), 3)
+    (none,) = slopes([replace(one, seconds=wild) for one in runs])
+    assert math.isnan(none.seconds.slope)
 
 
 def test_an_optimum_is_told_with_what_is_as_good_and_what_twice_the_work_gives() -> None:

@@ -1,26 +1,20 @@
-"""Errors as one would count them, work as one counts on the fingers, seconds by a clock that is known."""
+"""Errors as one would count them, work as one counts on the fingers, seconds by sorts of hands."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
-from itertools import count as count_up
-from typing import Any
 
 import numpy as np
 import pytest
-from support.gallery import SHEETS
 from support.tasks import by, drawing, measure, quantity, scales, scene
 
 from graphic_tmm.accuracy.cost import count, varying
-from graphic_tmm.accuracy.drawing import draw, tried
-from graphic_tmm.accuracy.measure import LEAST, LONG, MOST, Seconds, off, timed, work_of
-from graphic_tmm.accuracy.study import study
-from graphic_tmm.board.execute import Program, Reading, execute
-from graphic_tmm.board.hand import EXACT
+from graphic_tmm.accuracy.drawing import References, draw, tried
+from graphic_tmm.accuracy.measure import Measure, off, work_of
+from graphic_tmm.accuracy.timing import Calls, Key, Seconds, Stopwatch
+from graphic_tmm.board.execute import execute
 from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.readers.position_count import at_count
-from graphic_tmm.scene.read import read
 
 
 def test_nine_readings_of_ten_keep_within_the_error() -> None:
@@ -63,57 +57,30 @@ def test_nothing_due_is_no_error() -> None:
     assert np.isnan(off(np.ones((1, 2)), np.full((1, 2), np.nan), 1.0).error)
 
 
-def timed_by(*seconds: float) -> tuple[Seconds, int]:
-    """What is told of runs that take so long one after the other, and how many there were."""
-    looks = [0.0]
-    for each in seconds:
-        looks += [looks[-1] + each] * 2
-    calls: list[int] = []
-    return timed(lambda: calls.append(1), iter(looks).__next__), len(calls)
+class Still(Stopwatch):
+    """Times nothing: every call is said to take as long as there were calls before it."""
+
+    def in_turns(self, calls: Calls[Key]) -> dict[Key, Seconds]:
+        return {key: Seconds(k, k, k, k) for k, key in enumerate(calls)}
 
 
-def test_a_run_is_timed_warm_and_its_quartiles_stand_in_order() -> None:
-    """The first run is slower: it counts for nothing; the last one agrees with that before it."""
-    found, runs = timed_by(9e-4, 3e-4, 5e-4, 4e-4, 4.1e-4, 9.0)
-    assert runs == 5
-    assert found.median == pytest.approx(4.05e-4)
-    assert found[1:] == pytest.approx((3.75e-4, 4.325e-4))
-
-
-def test_runs_are_repeated_as_often_as_it_takes_them_to_agree() -> None:
-    assert timed_by(1.0, 1.04)[1] == 2
-    assert timed_by(1e-4, 1.04e-4)[1] == 2
-    assert timed_by(4e-3, 3e-3, 2e-3, 9.0)[1] == LEAST
-    assert timed_by(*[1e-4, 2e-4] * MOST)[1] == MOST
-    # a long one is not repeated, whatever came of it: its quartiles tell
-    found, runs = timed_by(3 * LONG, LONG, 9.0)
-    assert runs == 2
-    assert found[1:] == pytest.approx((1.5 * LONG, 2.5 * LONG))
-
-
-def test_a_study_runs_less_to_time_than_to_measure(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Counted in steps times drawings; by a clock on which every run takes a second."""
-    done = {"measured": 0, "timed": 0}
-    now = ["measured"]
-    looks = count_up(0.0)
-    run_ = Program.run
-
-    def counted(self: Program, given: Any, **choice: Any) -> Reading:
-        steps = sum(len(calls) for stratum in self.strata for calls in stratum)
-        done[now[0]] += steps * choice.get("hand", EXACT).trials
-        return run_(self, given, **choice)
-
-    def clocked(run: Callable[[], object]) -> Seconds:
-        now[0] = "timed"
-        try:
-            return timed(run, lambda: next(looks))
-        finally:
-            now[0] = "measured"
-
-    monkeypatch.setattr(Program, "run", counted)
-    monkeypatch.setattr("graphic_tmm.accuracy.measure.timed", clocked)
-    study(read(SHEETS / "crank-rocker"), trials=20)
-    assert 0 < done["timed"] < done["measured"]
+def test_runs_of_hands_of_one_sort_are_timed_together_and_others_apart() -> None:
+    task = Measure(scales("slider-diagrams"), References(scene("slider-diagrams"), {}))
+    hands = ("exact", "student", "careful")
+    runs = [run for hand in hands for run in task.runs(by("slider-diagrams", hand), "", "")]
+    runs += task.runs(by("slider-diagrams", "student", 30), "trials", "30")
+    done = task.timed(runs, Still())
+    asked = {
+        (run.quantity, *(("many",) if run.axis else ()), run.hand == "exact"): run.seconds
+        for run in done
+    }
+    names = {run.quantity for run in runs}
+    assert len(asked) == 3 * len(names) == len({one.least for one in asked.values() if one})
+    student, careful = (
+        [run.seconds for run in done if run.hand == hand and not run.axis] for hand in hands[1:]
+    )
+    assert student == careful
+    assert [run.errors for run in done] == [run.errors for run in runs]
 
 
 @pytest.mark.turns(3, "measured")

@@ -74,6 +74,11 @@ def fitting(
     return _fitting(tuple(alike), room, tries, freedom)
 
 
+def forget() -> None:
+    """Forget which boxes a sheet holds: the next drawing takes as long as that of a scene never seen."""
+    _fitting.cache_clear()
+
+
 @lru_cache(maxsize=KEPT)
 def _fitting(
     outlines: tuple[Outline, ...], room: Room, tries: int, freedom: int

@@ -1,0 +1,184 @@
+"""Seconds of the processor that calls take, in a way that other work on the machine disturbs little.
+
+Calls take turns, so that a disturbance that lasts hits a few of each and not all of one. A short call is
+repeated to a slice that the clock resolves; the first of each is not counted, and no garbage is collected.
+"""
+
+from __future__ import annotations
+
+import gc
+import time
+from collections.abc import Callable, Hashable, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from math import ceil
+from typing import NamedTuple, TypeVar
+
+import numpy as np
+
+from graphic_tmm.errors import TmmError
+
+CALLS, MORE = 5, 4
+"""Slices of each call that are counted; and further ones of a call whose slices scatter."""
+SLICE = 0.002
+"""Seconds that a slice lasts at least; what is shorter is called several times."""
+TICKS = 4
+"""A slice lasts at least so many ticks of the clock, which is known to a quarter then."""
+APART = 1.5
+"""Quartiles that far apart are not believed."""
+BUSY, SCATTERED = 1.15, 0.1
+"""The machine is busy if so many times the seconds of the processor pass by the wall clock, or if that share of
+what was timed scatters. On an idle machine it was 1.00 to 1.03, and 0 to 0.03."""
+
+Key = TypeVar("Key", bound=Hashable)
+Calls = Mapping[Key, Callable[[], object]]
+"""What is timed, by whatever it is told apart by."""
+
+
+class Seconds(NamedTuple):
+    """Seconds of the processor that a call takes, warm: the least of ``calls`` slices, quartiles and median."""
+
+    least: float
+    low: float
+    median: float
+    high: float
+    calls: int = CALLS
+
+    @property
+    def doubtful(self) -> bool:
+        """Whether they scatter, or were counted too few times, to be believed."""
+        return self.calls < CALLS or not 0.0 < self.high <= APART * self.low
+
+    def times(self, factor: float) -> Seconds:
+        """Return the seconds of so many times the work."""
+        least, low, median, high = (factor * each for each in self[:4])
+        return Seconds(least, low, median, high, self.calls)
+
+
+class Load(NamedTuple):
+    """What else the machine did: seconds of the processor and of the wall clock, calls that scatter."""
+
+    processor: float
+    wall: float
+    scattered: int
+    calls: int
+
+    @property
+    def elsewhere(self) -> float:
+        """The share of the wall clock that went to other work."""
+        return max(1.0 - self.processor / self.wall, 0.0) if self.wall > 0.0 else 0.0
+
+    @property
+    def busy(self) -> bool:
+        """Whether times had better be taken again on a quieter machine."""
+        return self.wall > BUSY * self.processor or self.scattered > SCATTERED * self.calls
+
+
+class _Row:
+    """A call, how many of it make a slice, and what its slices took."""
+
+    def __init__(self, call: Callable[[], object], repeats: int) -> None:
+        self.call, self.repeats = call, repeats
+        self.found: list[float] = []
+
+    @property
+    def seconds(self) -> Seconds:
+        low, median, high = (float(x) for x in np.quantile(self.found, (0.25, 0.5, 0.75)))
+        return Seconds(min(self.found), low, median, high, len(self.found))
+
+
+class Stopwatch:
+    """Times calls, and keeps in mind how busy the machine was.
+
+    ``clock``: seconds of the processor; ``wall``: of the day. ``tick``: the least step of the clock, looked for
+    if None.
+    """
+
+    def __init__(
+        self,
+        clock: Callable[[], float] = time.process_time,
+        wall: Callable[[], float] = time.perf_counter,
+        tick: float | None = None,
+    ) -> None:
+        self.clock, self.wall = clock, wall
+        self.slice = max(SLICE, TICKS * (_tick(clock) if tick is None else tick))
+        self._processor = self._passed = 0.0
+        self._scattered = self._calls = 0
+
+    @property
+    def load(self) -> Load:
+        """What else the machine did while this was timing."""
+        return Load(self._processor, self._passed, self._scattered, self._calls)
+
+    def in_turns(self, calls: Calls[Key]) -> dict[Key, Seconds]:
+        """Return the seconds of each call, warm; what cannot be drawn is left out."""
+        rows: dict[Key, _Row] = {}
+        for key, call in calls.items():
+            with suppress(TmmError):
+                rows[key] = _Row(call, self._repeats(call))
+        for turn in range(CALLS + MORE):
+            for row in rows.values():
+                if turn < CALLS or row.seconds.doubtful:
+                    self._slice(row)
+        found = {key: row.seconds for key, row in rows.items()}
+        self._calls += len(found)
+        self._scattered += sum(one.doubtful for one in found.values())
+        return found
+
+    def once(self, calls: Calls[Key]) -> dict[Key, Seconds]:
+        """Return the seconds of calls that are dear: of one each, doubtful therefore; see `in_turns`."""
+        rows = {key: _Row(call, 1) for key, call in calls.items()}
+        for row in rows.values():
+            with suppress(TmmError):
+                self._slice(row)
+        return {key: row.seconds for key, row in rows.items() if row.found}
+
+    def _repeats(self, call: Callable[[], object]) -> int:
+        """Warm a call up; return how many of it fill a slice."""
+        start = self.wall()
+        call()
+        last = self.wall() - start
+        if last < self.slice:
+            start = self.wall()
+            call()
+            last = min(last, self.wall() - start)
+        return ceil(self.slice / max(last, self.slice / MANY))
+
+    def _slice(self, row: _Row) -> None:
+        with _no_collection():
+            if row.repeats > 1:
+                row.call()  # what ran before it has left little of it in the processor's memory
+            wall, start = self.wall(), self.clock()
+            for _ in range(row.repeats):
+                row.call()
+            processor = self.clock() - start
+            self._passed += self.wall() - wall
+        self._processor += processor
+        row.found.append(processor / row.repeats)
+
+
+MANY = 1000
+"""Calls of a slice at most."""
+LOOK = 0.05
+"""Seconds by the wall clock for which the tick of a clock is looked for."""
+
+
+def _tick(clock: Callable[[], float]) -> float:
+    """Return the least step of a clock of the processor."""
+    least, first, until = LOOK, clock(), time.perf_counter() + LOOK
+    for _ in range(3):
+        while (now := clock()) == first and time.perf_counter() < until:
+            pass
+        least, first = min(least, now - first or LOOK), now
+    return least
+
+
+@contextmanager
+def _no_collection() -> Iterator[None]:
+    """Hold off the collection of garbage."""
+    enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if enabled:
+            gc.enable()
