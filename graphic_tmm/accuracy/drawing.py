@@ -11,7 +11,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphic_tmm.accuracy.quantities import Accuracy, Quantity, Reference, Trial, quantities
+from graphic_tmm.accuracy.quantities import (
+    Accuracy,
+    Quantity,
+    Reference,
+    Trial,
+    quantities,
+    with_affected,
+)
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
@@ -161,7 +168,7 @@ class References:
             return None
         for one in draw(scene, self.scales):
             if one.board == drawing.board:
-                for found in quantities(one):
+                for found in with_affected(one):
                     if found.name == quantity.name:
                         return self.of(found, one)
         return None

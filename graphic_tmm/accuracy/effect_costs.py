@@ -1,44 +1,26 @@
-"""What the effects of a scene cost, and what they change: the scene drawn with each and without it.
-
-An effect is something that a scene could leave out: weights, inertia, friction, a load. What it costs is what
-the log, the board and the machine have less without it. What it changes is told by the exact hand, and held
-against the error of the drawing itself, by the hand that draws: a change below that error is not to be seen.
-"""
+"""What drawings cost: steps, minutes at the board, time on the machine; how much more than others do."""
 
 from __future__ import annotations
 
+import math
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from functools import partial
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-import numpy as np
-
 from graphic_tmm.accuracy.cost import count, varying
-from graphic_tmm.accuracy.drawing import Pinned, References, draw, pinned
-from graphic_tmm.accuracy.measure import NOISE, TRIED, off, tried_works
-from graphic_tmm.accuracy.quantities import Accuracy, Effect, Quantity, quantities
-from graphic_tmm.accuracy.settings import hand_named, own_setting
-from graphic_tmm.board.execute import execute, prepare
-from graphic_tmm.board.hand import Hand
-from graphic_tmm.board.record import Construction, Mark, segment_name
-from graphic_tmm.board.values import Reals
-from graphic_tmm.errors import TmmError
+from graphic_tmm.accuracy.measure import TRIED, tried_works
+from graphic_tmm.board.execute import Program, prepare
+from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.project import Project
-from graphic_tmm.readers.position_count import at_all_positions
-from graphic_tmm.scene.chapter import chapters
-from graphic_tmm.scene.records import Scene
-from graphic_tmm.studio import make
 
-RUNS = 15
+RUNS = 40
 """So often a log is run with an effect, and so often without it; the least time of each counts."""
-PENCIL = "student"
-"""The hand whose error is told, too, where the scene's own does not slip."""
-LEVEL = 1.0 - 1e-9
-"""Changes in this ratio are the same: the first of them is told, whatever the last bits say."""
-DRAWINGS = 100
-"""Default number of drawings by a hand that slips."""
+UNSURE = 0.1
+"""A time below this share of what is run is not told from nothing: so far runs differed on two busy cores."""
+
+Key = tuple[str, str, str]
+"""What a step is called: its operation, its view, its letter."""
+_Timed = tuple[Program, Mapping[Mark, object]]
 
 
 class Cost(NamedTuple):
@@ -56,247 +38,7 @@ class Cost(NamedTuple):
         return Cost(self.steps - other.steps, self.minutes - other.minutes, seconds)
 
 
-class Change(NamedTuple):
-    """How a result changes without an effect: at most by ``percent`` of its largest value in the turn.
-
-    ``segment``: which of several values of the quantity does; ``position``: where; both "" where there is one
-    only. ``error``: of the drawing, % of the same largest value, by the hand that draws; ``pencil``: by a
-    student, None where that is the same. NaN where it is not known.
-    """
-
-    quantity: str
-    segment: str
-    position: str
-    percent: float
-    error: float
-    pencil: float | None
-
-    @property
-    def seen(self) -> bool:
-        """Whether it stands out of the drawing's own error."""
-        return not self.percent <= self.error
-
-    @property
-    def seen_by_pencil(self) -> bool:
-        """Whether it stands out of a student's error."""
-        return not self.percent <= (self.error if self.pencil is None else self.pencil)
-
-
-@dataclass(frozen=True)
-class Weighed:
-    """An effect: what it costs and changes; ``refused``: why the scene cannot do without it, "" if it can."""
-
-    name: str
-    called: bool
-    cost: Cost
-    changes: tuple[Change, ...] = ()
-    refused: str = ""
-
-    @property
-    def percent(self) -> float:
-        """The largest change; 0 if nothing changes."""
-        return max((one.percent for one in self.changes), default=0.0)
-
-    @property
-    def worth(self) -> bool:
-        """Whether it changes anything above the drawing's own error."""
-        return any(one.seen for one in self.changes)
-
-    @property
-    def worth_pencil(self) -> bool:
-        """Whether it changes anything above a student's error."""
-        return any(one.seen_by_pencil for one in self.changes)
-
-
-@dataclass(frozen=True)
-class EffectStudy:
-    """All effects of a scene; ``whole``: the cost of the scene with all of them.
-
-    ``hand``: that draws; ``pencil``: whether the student's error is told besides; ``names``: of the quantities;
-    ``effects``: that of the largest change first, those not called for last. ``hidden``: all that the drawing's
-    own error hides, left out together, and all that a student's hides; None where there are not several.
-    """
-
-    scene: Scene
-    hand: str
-    pencil: bool
-    trials: int
-    whole: Cost
-    names: tuple[str, ...]
-    effects: tuple[Weighed, ...]
-    hidden: Weighed | None = None
-    hidden_by_pencil: Weighed | None = None
-
-
-class _Result(NamedTuple):
-    """A quantity as it is with everything: its values by letter (value, position), its errors in %."""
-
-    quantity: Quantity
-    drawing: Project
-    values: Mapping[str, Reals]
-    largest: float
-    error: float
-    pencil: float | None
-
-
-def study_effects(
-    scene: Scene,
-    *,
-    hand: str | None = None,
-    trials: int = DRAWINGS,
-    minutes: Mapping[str, float] | None = None,
-    clock: bool = True,
-    tell: Callable[[int, int, str], None] = lambda done, of, name: None,
-) -> EffectStudy:
-    """Draw a scene with each of its effects and without it.
-
-    ``hand``, ``trials``: whose error, of how many drawings; ``minutes``: of elementary operations; ``clock``:
-    whether runs are timed; ``tell``: is called with the number of effects done, their total, and the next.
-    """
-    own = own_setting(scene, hand, trials)
-    pencil = None if own.who.slips else hand_named(PENCIL, scene, trials)
-    scales = pinned(make(scene, exact=True))
-    drawings = draw(scene, scales)
-    found = effects(scene, drawings)
-    tell(0, len(found) + 1, "")
-    references = References(at_all_positions(scene), scales)
-    results = [
-        result for drawing in drawings for result in _results(drawing, references, own.who, pencil)
-    ]
-    weigh = partial(_weighed, scene, drawings, results, scales, minutes, clock)
-    weighed = []
-    for k, effect in enumerate(found):
-        tell(k + 1, len(found) + 1, effect.name)
-        weighed.append(weigh(effect))
-    there = [
-        one for one in zip(found, weighed, strict=True) if one[1].called and not one[1].refused
-    ]
-    small = [effect for effect, one in there if not one.worth]
-    faint = [effect for effect, one in there if not one.worth_pencil]
-    whole = _cost(drawings, minutes)._replace(seconds=_seconds(drawings)[0] if clock else None)
-    names = tuple(result.quantity.name for result in results)
-    ranked = tuple(sorted(weighed, key=lambda one: (not one.called, -one.percent)))
-    return EffectStudy(
-        scene,
-        own.hand,
-        pencil is not None,
-        trials,
-        whole,
-        names,
-        ranked,
-        weigh(_together(small)) if len(small) > 1 else None,
-        weigh(_together(faint)) if len(faint) > 1 else None,
-    )
-
-
-def effects(scene: Scene, drawings: Sequence[Project]) -> tuple[Effect, ...]:
-    """Return the effects of the chapters that are drawn; one of several chapters is left out of all of them."""
-    drawn = {name for drawing in drawings for name in drawing.recorded}
-    named: dict[str, list[Effect]] = {}
-    for chapter in chapters():
-        if chapter.name in drawn:
-            for effect in Accuracy.of(chapter).effects(scene):
-                named.setdefault(effect.name, []).append(effect)
-    return tuple(_together(same) for same in named.values())
-
-
-def _together(same: Sequence[Effect]) -> Effect:
-    def without(scene: Scene) -> Scene:
-        for effect in same:
-            scene = effect.without(scene)
-        return scene
-
-    return Effect(same[0].name, without, any(effect.called for effect in same))
-
-
-def _weighed(
-    scene: Scene,
-    drawings: Sequence[Project],
-    results: Sequence[_Result],
-    scales: Pinned,
-    minutes: Mapping[str, float] | None,
-    clock: bool,
-    effect: Effect,
-) -> Weighed:
-    try:
-        rest = draw(effect.without(scene), scales)
-    except TmmError as error:
-        return Weighed(
-            effect.name,
-            effect.called,
-            Cost(0, 0.0, None),
-            refused=(error.__cause__ or error).args[0],
-        )
-    more = _cost(drawings, minutes).less(_cost(rest, minutes))
-    if clock:
-        more = more._replace(seconds=_apart(drawings, rest))
-    changes = (_change(result, rest) for result in results)
-    kept = tuple(one for one in changes if one is not None)
-    return Weighed(effect.name, effect.called, more, kept)
-
-
-def _results(
-    drawing: Project, references: References, who: Hand, pencil: Hand | None
-) -> Iterator[_Result]:
-    """Yield every quantity of a drawing as it is, and the drawing's own errors of it."""
-    asked = _quantities(drawing)
-    marks = [mark for quantity in asked for mark in quantity.marks]
-    program = prepare(drawing.construction, marks)
-    exact = program.run(drawing.given)
-    by_hands = [program.run(drawing.given, hand=one) for one in (who, pencil) if one is not None]
-    for quantity in asked:
-        due, value = references.of(quantity, drawing), np.abs(quantity.read(exact, 1))
-        largest = float(np.max(value, initial=0.0, where=np.isfinite(value)))
-        errors = [
-            off(quantity.read(reading, one.trials), due, largest).error
-            if due is not None
-            else float("nan")
-            for reading, one in zip(by_hands, (who, pencil), strict=False)
-            if one is not None
-        ]
-        values = _values(quantity, drawing)
-        yield _Result(quantity, drawing, values, largest, errors[0], (*errors[1:], None)[0])
-
-
-def _quantities(drawing: Project) -> list[Quantity]:
-    """Return the quantities that are studied, and the others that effects change."""
-    others = (one for chapter in drawing.chapters for one in Accuracy.of(chapter).affected(drawing))
-    return [*quantities(drawing), *others]
-
-
-def _values(quantity: Quantity, drawing: Project) -> dict[str, Reals]:
-    """Return the values of a quantity by the exact hand, by letter; a single one has none."""
-    reading = execute(drawing.construction, drawing.given, quantity.marks)
-    single = len(quantity.values) == 1
-    return {
-        "" if single else value.mark.letter: quantity._replace(values=(value,)).read(reading, 1)[0]
-        for value in quantity.values
-    }
-
-
-def _change(result: _Result, rest: Sequence[Project]) -> Change | None:
-    """Return what becomes of a result in the drawings without an effect; None if it stays, or is gone."""
-    same = (drawing for drawing in rest if drawing.board == result.drawing.board)
-    there = ((one, drawing) for drawing in same for one in _quantities(drawing))
-    found = next(((q, d) for q, d in there if q.name == result.quantity.name), None)
-    if found is None or not result.largest > 0.0:
-        return None
-    values, best = _values(*found), (0.0, "", 0)
-    for letter in (one for one in result.values if one in values):
-        apart = np.abs(result.values[letter] - values[letter])
-        apart = np.where(np.isfinite(apart), apart, 0.0)
-        if apart.max() * LEVEL > best[0]:
-            best = float(apart.max()), letter, int(np.argmax(apart >= apart.max() * LEVEL))
-    apart_most, letter, place = best
-    percent = 100.0 * apart_most / result.largest
-    if not percent > NOISE:
-        return None
-    position = result.drawing.names[place] if result.quantity.row else ""
-    told = segment_name(letter), position, percent, result.error, result.pencil
-    return Change(result.quantity.name, *told)
-
-
-def _cost(drawings: Sequence[Project], minutes: Mapping[str, float] | None) -> Cost:
+def cost_of(drawings: Sequence[Project], minutes: Mapping[str, float] | None) -> Cost:
     """Return what drawings cost but for seconds."""
     steps = sum(len(drawing.construction.steps) for drawing in drawings)
     return Cost(steps, sum(_minutes(drawing, minutes) for drawing in drawings), None)
@@ -329,30 +71,55 @@ def _minutes(drawing: Project, minutes: Mapping[str, float] | None) -> float:
     return spent(None, only) + spent(everywhere, {}) - spent(everywhere, only)
 
 
-def _apart(drawings: Sequence[Project], rest: Sequence[Project]) -> float:
-    """Return how much longer logs run than the ``rest``; boards that stay as they are, are not run."""
-    logs = {drawing.board: drawing.construction for drawing in drawings}
-    other = {drawing.board: drawing.construction for drawing in rest}
-    same = {board for board, log in other.items() if _written(log) == _written(logs.get(board))}
-    boards = [[one for one in row if one.board not in same] for row in (drawings, rest)]
-    if not any(boards):
-        return 0.0
-    whole, less = _seconds(*boards)
-    return whole - less
+def seconds_apart(drawings: Sequence[Project], rest: Sequence[Project]) -> tuple[float, float]:
+    """Return how much longer logs run than the ``rest``, s, and below what that is not told from nothing.
+
+    Curves take most of the time, and more or less by more than an effect does. Where the same steps lie behind
+    steps across positions in both logs, these are not run; a log that stays as it is, is not either.
+    """
+    timed: list[list[_Timed]] = [[], []]
+    other = {drawing.board: drawing for drawing in rest}
+    for drawing in drawings:
+        pair = [drawing, *(one for one in [other.get(drawing.board)] if one is not None)]
+        parts = [_parts(one.construction) for one in pair]
+        if len(pair) == 2 and parts[0] == parts[1]:
+            continue
+        same = len(pair) == 2 and parts[0][1] == parts[1][1]
+        for row, one, (first, _) in zip(timed, pair, parts, strict=False):
+            marks = [step.it for step in one.construction.steps if _key(step) in first]
+            row.append((prepare(one.construction, marks if same else None), one.given))
+    if not any(timed):
+        return 0.0, 0.0
+    whole, less = _seconds(*timed)
+    return whole - less, UNSURE * whole
 
 
-def _written(log: Construction | None) -> tuple[tuple[str, str], ...]:
-    """Return the steps of a log: what each does, and what it leaves."""
-    steps = log.steps if log is not None else ()
-    return tuple((step.op.name, f"{step.it.view} {step.it.letter}") for step in steps)
+def seconds_of(drawings: Sequence[Project]) -> float:
+    """Return the least time that the processor takes to run the logs of drawings, s."""
+    return _seconds([(prepare(one.construction), one.given) for one in drawings])[0]
 
 
-def _seconds(*several: Sequence[Project]) -> tuple[float, ...]:
-    """Return the least time that the processor takes to run the logs of each; all in turn, warm."""
-    programs = [[(prepare(d.construction), d.given) for d in drawings] for drawings in several]
-    best = [float("inf")] * len(several)
+def _parts(log: Construction) -> tuple[frozenset[Key], frozenset[Key]]:
+    """Return the steps of a log before any across positions, and those that such steps lead to."""
+    behind: set[int] = set()
+    for step in log.steps:
+        if step.op.across or behind & {mark.slot for mark in step.uses}:
+            behind.add(step.it.slot)
+    parts: tuple[set[Key], set[Key]] = set(), set()
+    for step in log.steps:
+        parts[step.it.slot in behind].add(_key(step))
+    return frozenset(parts[0]), frozenset(parts[1])
+
+
+def _key(step: Step) -> Key:
+    return step.op.name, step.it.view, step.it.letter
+
+
+def _seconds(*several: Sequence[_Timed]) -> tuple[float, ...]:
+    """Return the least time that the processor takes to run the programs of each; all in turn, warm."""
+    best = [math.inf] * len(several)
     for turn in range(RUNS + 1):
-        for k, row in enumerate(programs):
+        for k, row in enumerate(several):
             start = time.process_time()
             for program, given in row:
                 program.run(given)

@@ -164,6 +164,12 @@ def quantities(project: Project) -> tuple[Quantity, ...]:
     return declared or (measured(project) if project.board != MECHANISM else ())
 
 
+def with_affected(project: Project) -> tuple[Quantity, ...]:
+    """Return the quantities of a drawing, and behind them the others that change with effects."""
+    others = (one for chapter in project.chapters for one in Accuracy.of(chapter).affected(project))
+    return (*quantities(project), *others)
+
+
 def measured(project: Project) -> tuple[Quantity, ...]:
     """Return lengths measured on a board as quantities; their true values are the same, by an exact hand.
 

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from graphic_tmm.accuracy.effect_costs import Change, EffectStudy, Weighed
+from graphic_tmm.accuracy.effect_study import Change, EffectStudy, Weighed
 from graphic_tmm.accuracy.measure import NOISE
 from graphic_tmm.accuracy.report_json import figure
 from graphic_tmm.accuracy.words import WORDS
@@ -16,9 +16,6 @@ from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.text import Framed
 from graphic_tmm.scene.packaged import scene_name
-
-LEAST = 0.05
-"""Logs whose times are closer than this share of the whole are not told apart."""
 
 
 def effects_text(study: EffectStudy, width: int) -> list[Any]:
@@ -160,18 +157,17 @@ def _costs(study: EffectStudy) -> Framed:
     for one in study.effects:
         row = [_(one.name), f"{one.cost.steps}", fixed(one.cost.minutes, 0, language)]
         if timed:
-            row.append(_milliseconds(study, one.cost.seconds))
+            row.append(_milliseconds(study, one.cost.seconds, one.unsure))
         rows.append([*row, _verdict(study, one)])
     return Framed(_("What each effect costs"), rows)
 
 
-def _milliseconds(study: EffectStudy, seconds: float | None) -> str:
-    whole = study.whole.seconds or 0.0
+def _milliseconds(study: EffectStudy, seconds: float | None, unsure: float = 0.0) -> str:
     if seconds is None:
         return "—"
-    if 0.0 != seconds < LEAST * whole:
-        return f"<{number(1e3 * LEAST * whole, study.scene.language, 1)}"
-    return number(1e3 * seconds, study.scene.language, 2)
+    if seconds < unsure:
+        return f"<{number(1e3 * unsure, study.scene.language, 1)}"
+    return number(1e3 * seconds, study.scene.language, 2 if seconds > 1e-3 else 1)
 
 
 def _verdict(study: EffectStudy, effect: Weighed) -> str:
@@ -180,6 +176,8 @@ def _verdict(study: EffectStudy, effect: Weighed) -> str:
         return _("cannot be left out")
     if not effect.called:
         return _("not called for")
+    if not effect.cost.steps:
+        return _("adds no step")
     if not effect.worth:
         return _("no")
     return _("yes") if effect.worth_pencil else _("not by a student")
@@ -262,6 +260,7 @@ def _effect(study: EffectStudy, effect: Weighed) -> dict[str, Any]:
         "steps": effect.cost.steps,
         "minutes": _figure(effect.cost.minutes),
         "seconds": _figure(effect.cost.seconds),
+        "seconds_unsure": _figure(effect.unsure),
         "refused": str(effect.refused) or None,
         "worth_drawing": effect.worth,
         "changes": [_change(study, one) for one in effect.changes],

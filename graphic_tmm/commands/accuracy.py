@@ -84,7 +84,7 @@ def _effects(
     clock: bool,
 ) -> None:
     """Show what the effects of a scene cost and change; write it into a folder, too."""
-    from graphic_tmm.accuracy.effect_costs import study_effects
+    from graphic_tmm.accuracy.effect_study import study_effects
     from graphic_tmm.accuracy.report_effects import effects_json, effects_text
     from graphic_tmm.files import write
     from graphic_tmm.scene.packaged import scene_name

@@ -11,7 +11,7 @@ from support.command import invoke
 from support.gallery import scene as gallery
 from support.tasks import effect, effects_known, effects_of
 
-from graphic_tmm.accuracy.effect_costs import Change
+from graphic_tmm.accuracy.effect_study import Change
 from graphic_tmm.accuracy.report_effects import effects_text, sentences
 from graphic_tmm.chapters.forces.task import Load
 from graphic_tmm.commands.shared.telling import rendered
@@ -60,6 +60,16 @@ def test_effects_stand_in_the_order_in_which_they_matter() -> None:
     called = [one.percent for one in found if one.called]
     assert called == sorted(called, reverse=True)
     assert [one.name for one in found[len(called) :]] == ["gas", "friction"]
+
+
+def test_what_is_always_drawn_costs_nothing() -> None:
+    """An engine's P_in is drawn whatever it is: inertia changes M, and adds no step."""
+    found = effects_known("locomobile")
+    assert effect(found, "inertia").cost.steps == 0
+    assert effect(found, "inertia").worth
+    printed = rendered(effects_text(found, 80), 80, printed=False)
+    (line,) = [one for one in printed.splitlines() if "силы инерции" in one and "не прибавляет" in one]
+    assert "0" in line
 
 
 def test_what_a_scene_cannot_do_without_says_why() -> None:
@@ -112,6 +122,7 @@ def test_as_json_it_has_the_same(tmp_path: Path) -> None:
         "steps": 0,
         "minutes": 0.0,
         "seconds": None,
+        "seconds_unsure": 0.0,
         "refused": None,
         "worth_drawing": False,
         "changes": [],

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from functools import cache
+from pathlib import Path
 
 from graphic_tmm.accuracy.drawing import Pinned, References, draw, pinned
-from graphic_tmm.accuracy.effect_costs import EffectStudy, Weighed, study_effects
+from graphic_tmm.accuracy.effect_study import EffectStudy, Weighed, study_effects
 from graphic_tmm.accuracy.measure import Measure
 from graphic_tmm.accuracy.quantities import Quantity, quantities
 from graphic_tmm.accuracy.settings import Setting, hand_named
 from graphic_tmm.accuracy.study import Study, study
 from graphic_tmm.project import Project
 from graphic_tmm.readers.position_count import at_all_positions
+from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 from support import gallery
 from support.gallery import exact
@@ -61,3 +63,17 @@ def effects_known(name: str) -> EffectStudy:
 
 def effect(found: EffectStudy, name: str) -> Weighed:
     return next(one for one in found.effects if one.name == name)
+
+
+def text_of(name: str) -> str:
+    return (gallery.SHEETS / name / "scene.toml").read_text("utf-8")
+
+
+def written(tmp_path: Path, text: str, *changes: tuple[str, str]) -> Scene:
+    """Read a scene whose text was changed by hand."""
+    for old, new in changes:
+        assert text.count(old) == 1, old
+        text = text.replace(old, new)
+    file = tmp_path / "scene.toml"
+    file.write_text(text, encoding="utf-8")
+    return read(file)
