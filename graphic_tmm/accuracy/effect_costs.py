@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import math
-import time
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import NamedTuple
 
 from graphic_tmm.accuracy.cost import count, varying
 from graphic_tmm.accuracy.measure import TRIED, tried_works
+from graphic_tmm.accuracy.timing import Stopwatch
 from graphic_tmm.board.execute import Program, prepare
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.project import Project
 
-RUNS = 40
-"""So often a log is run with an effect, and so often without it; the least time of each counts."""
 UNSURE = 0.1
 """A time below this share of what is run is not told from nothing: so far runs differed on two busy cores."""
 
@@ -71,7 +69,9 @@ def _minutes(drawing: Project, minutes: Mapping[str, float] | None) -> float:
     return spent(None, only) + spent(everywhere, {}) - spent(everywhere, only)
 
 
-def seconds_apart(drawings: Sequence[Project], rest: Sequence[Project]) -> tuple[float, float]:
+def seconds_apart(
+    drawings: Sequence[Project], rest: Sequence[Project], watch: Stopwatch
+) -> tuple[float, float]:
     """Return how much longer logs run than the ``rest``, s, and below what that is not told from nothing.
 
     Curves take most of the time, and more or less by more than an effect does. Where the same steps lie behind
@@ -90,13 +90,20 @@ def seconds_apart(drawings: Sequence[Project], rest: Sequence[Project]) -> tuple
             row.append((prepare(one.construction, marks if same else None), one.given))
     if not any(timed):
         return 0.0, 0.0
-    whole, less = _seconds(*timed)
-    return whole - less, UNSURE * whole
+    found = watch.in_turns({k: partial(_run, row) for k, row in enumerate(timed)})
+    scatter = max(one.high - one.low for one in found.values())
+    return found[0].least - found[1].least, max(UNSURE * found[0].least, scatter)
 
 
-def seconds_of(drawings: Sequence[Project]) -> float:
-    """Return the least time that the processor takes to run the logs of drawings, s."""
-    return _seconds([(prepare(one.construction), one.given) for one in drawings])[0]
+def seconds_of(drawings: Sequence[Project], watch: Stopwatch) -> float:
+    """Return the seconds of the processor that one run of the logs of drawings takes."""
+    row = [(prepare(one.construction), one.given) for one in drawings]
+    return watch.in_turns({"all": partial(_run, row)})["all"].least
+
+
+def _run(row: Sequence[_Timed]) -> None:
+    for program, given in row:
+        program.run(given)
 
 
 def _parts(log: Construction) -> tuple[frozenset[Key], frozenset[Key]]:
@@ -113,16 +120,3 @@ def _parts(log: Construction) -> tuple[frozenset[Key], frozenset[Key]]:
 
 def _key(step: Step) -> Key:
     return step.op.name, step.it.view, step.it.letter
-
-
-def _seconds(*several: Sequence[_Timed]) -> tuple[float, ...]:
-    """Return the least time that the processor takes to run the programs of each; all in turn, warm."""
-    best = [math.inf] * len(several)
-    for turn in range(RUNS + 1):
-        for k, row in enumerate(several):
-            start = time.process_time()
-            for program, given in row:
-                program.run(given)
-            spent = time.process_time() - start
-            best[k] = min(best[k], spent) if turn else best[k]
-    return tuple(best)

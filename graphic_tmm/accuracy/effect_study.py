@@ -20,6 +20,7 @@ from graphic_tmm.accuracy.effect_costs import Cost, cost_of, seconds_apart, seco
 from graphic_tmm.accuracy.measure import NOISE, off
 from graphic_tmm.accuracy.quantities import Accuracy, Effect, Quantity, with_affected
 from graphic_tmm.accuracy.settings import hand_named, own_setting
+from graphic_tmm.accuracy.timing import Load, Stopwatch
 from graphic_tmm.board.execute import execute, prepare
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import segment_name
@@ -102,6 +103,7 @@ class EffectStudy:
     ``hand``: that draws; ``pencil``: whether the student's error is told besides; ``names``: of the quantities;
     ``effects``: that of the largest change first, those not called for last. ``hidden``: all that the drawing's
     own error hides, left out together, and all that a student's hides; None where there are not several.
+    ``load``: what else the machine did; None if nothing was timed.
     """
 
     scene: Scene
@@ -113,6 +115,7 @@ class EffectStudy:
     effects: tuple[Weighed, ...]
     hidden: Weighed | None = None
     hidden_by_pencil: Weighed | None = None
+    load: Load | None = None
 
 
 class _Result(NamedTuple):
@@ -150,7 +153,8 @@ def study_effects(
     results = [
         result for drawing in drawings for result in _results(drawing, references, own.who, pencil)
     ]
-    weigh = partial(_weighed, scene, drawings, results, scales, minutes, clock)
+    watch = Stopwatch() if clock else None
+    weigh = partial(_weighed, scene, drawings, results, scales, minutes, watch)
     weighed = []
     for k, effect in enumerate(found):
         tell(k + 1, len(found) + 1, effect.name)
@@ -160,7 +164,9 @@ def study_effects(
     ]
     small = [effect for effect, one in there if not one.worth]
     faint = [effect for effect, one in there if not one.worth_pencil]
-    whole = cost_of(drawings, minutes)._replace(seconds=seconds_of(drawings) if clock else None)
+    whole = cost_of(drawings, minutes)._replace(
+        seconds=None if watch is None else seconds_of(drawings, watch)
+    )
     names = tuple(result.quantity.name for result in results)
     ranked = tuple(sorted(weighed, key=lambda one: (not one.called, -one.percent)))
     return EffectStudy(
@@ -173,6 +179,7 @@ def study_effects(
         ranked,
         weigh(_together(small)) if len(small) > 1 else None,
         weigh(_together(faint)) if len(faint) > 1 else None,
+        None if watch is None else watch.load,
     )
 
 
@@ -202,7 +209,7 @@ def _weighed(
     results: Sequence[_Result],
     scales: Pinned,
     minutes: Mapping[str, float] | None,
-    clock: bool,
+    watch: Stopwatch | None,
     effect: Effect,
 ) -> Weighed:
     try:
@@ -216,8 +223,8 @@ def _weighed(
         )
     more = cost_of(drawings, minutes).less(cost_of(rest, minutes))
     unsure = 0.0
-    if clock:
-        seconds, unsure = seconds_apart(drawings, rest)
+    if watch is not None:
+        seconds, unsure = seconds_apart(drawings, rest, watch)
         more = more._replace(seconds=seconds)
     changes = (_change(result, rest) for result in results)
     kept = tuple(one for one in changes if one is not None)

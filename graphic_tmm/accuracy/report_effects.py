@@ -10,6 +10,7 @@ from typing import Any
 from graphic_tmm.accuracy.effect_study import Change, EffectStudy, Weighed
 from graphic_tmm.accuracy.measure import NOISE
 from graphic_tmm.accuracy.report_json import figure
+from graphic_tmm.accuracy.report_text import busy
 from graphic_tmm.accuracy.words import WORDS
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
@@ -209,6 +210,8 @@ def _columns(study: EffectStudy) -> Iterator[str]:
     )
     if any(effect.name.startswith("masses") for effect in study.effects):
         yield _("masses of a link: its mass and moment of inertia, in all that they bring about.")
+    if told := busy(study.load, study.scene.language):
+        yield told
 
 
 def _letters(study: EffectStudy) -> Iterator[str]:

@@ -10,7 +10,7 @@ from graphic_tmm.accuracy.lessons import along, divisions
 from graphic_tmm.accuracy.measure import NOISE, Measurement
 from graphic_tmm.accuracy.settings import GRID, dividing
 from graphic_tmm.accuracy.study import Study
-from graphic_tmm.accuracy.timing import Seconds
+from graphic_tmm.accuracy.timing import Load, Seconds
 from graphic_tmm.accuracy.words import WORDS
 from graphic_tmm.language.numbers import fixed, number
 
@@ -126,14 +126,17 @@ def _second(seconds: Seconds | None, language: str) -> str:
 
 def _load(study: Study) -> str:
     """Return how the seconds were taken, and whether the machine was busy."""
-    language, words = study.scene.language, WORDS[study.scene.language]
-    load, text = study.load, words["timed"]
-    if load is None or not load.busy:
-        return text
-    share = number(100.0 * load.elsewhere, language, 2)
     return (
-        text + " " + words["busy"].format(share=share, scattered=load.scattered, calls=load.calls)
+        f"{WORDS[study.scene.language]['timed']} {busy(study.load, study.scene.language)}".rstrip()
     )
+
+
+def busy(load: Load | None, language: str) -> str:
+    """Return that the machine was busy while it timed, "" if it was not."""
+    if load is None or not load.busy:
+        return ""
+    share = number(100.0 * load.elsewhere, language, 2)
+    return WORDS[language]["busy"].format(share=share, scattered=load.scattered, calls=load.calls)
 
 
 def _varied_table(study: Study) -> Any:

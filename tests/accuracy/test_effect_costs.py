@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
-from itertools import accumulate, chain
 from pathlib import Path
+from typing import Any
 
 import pytest
 from support.gallery import scene as gallery
-from support.tasks import drawing, effect, effects_known, scales, text_of, written
+from support.tasks import effect, effects_known, scales, text_of, written
 
 from graphic_tmm.accuracy import effect_costs, effect_study
 from graphic_tmm.accuracy.cost import MINUTES, done, varying
 from graphic_tmm.accuracy.drawing import draw
 from graphic_tmm.accuracy.effect_study import study_effects
 from graphic_tmm.accuracy.geometrography import elements, symbol
-from graphic_tmm.board.execute import Program, prepare
+from graphic_tmm.accuracy.timing import Calls, Key, Seconds, Stopwatch
 from graphic_tmm.project import Project, record
 
 LOAD = "[[load]]" + text_of("crank-press").partition("[[load]]")[2].partition("[forces]")[0]
@@ -78,33 +77,38 @@ def test_a_log_that_stays_the_same_takes_no_longer() -> None:
     assert effect(found, "friction").cost.seconds != 0.0
 
 
-def test_of_several_runs_the_least_counts(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The first run of each warms up: it is the shortest here, and does not count."""
-    lasting = [1.0, 1.0, *([7.0, 9.0] * 6), 5.0, 8.0, *([6.0, 9.0] * effect_costs.RUNS)]
-    ticks = accumulate(chain([0.0], *((one, 0.5) for one in lasting)))
-    monkeypatch.setattr(effect_costs.time, "process_time", lambda: next(ticks))
-    log = drawing("crank-rocker")
-    row = [(prepare(log.construction), log.given)]
-    assert effect_costs._seconds(row, row) == (5.0, 8.0)
+class Watch(Stopwatch):
+    """A watch that takes every call to last 2 s and a tenth, and keeps what it was to time."""
+
+    def __init__(self) -> None:
+        super().__init__(tick=0.0)
+        self.rows: list[Any] = []
+
+    def in_turns(self, calls: Calls[Key]) -> dict[Key, Seconds]:
+        self.rows = [call.args[0] for call in calls.values()]  # type: ignore[attr-defined]
+        lasting = zip(calls, (2.1, 2.0), strict=False)
+        return {key: Seconds(one, one, one + 0.15, one + 0.3) for key, one in lasting}
 
 
-def test_curves_that_stay_the_same_are_not_timed(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_curves_that_stay_the_same_are_not_timed() -> None:
     """Of an engine its curves are most of a run; the mass of a link changes none of their steps."""
-    timed: list[int] = []
-
-    def steps_of(*several: Sequence[tuple[Program, object]]) -> tuple[float, ...]:
-        timed.extend(sum(len(p.strata[0][0]) for p, _ in row) for row in several)
-        assert all(len(program.strata) == 1 for row in several for program, _ in row)
-        assert not any(across for row in several for p, _ in row for _, across in p.strata)
-        return (2.0,) * len(several)
-
-    scene = gallery("engine")
+    scene, watch = gallery("engine"), Watch()
     drawings = draw(scene, scales("engine"))
     every = effect_study.effects(scene, drawings)
     lighter = next(one for one in every if one.name == "masses of link 2")
-    monkeypatch.setattr(effect_costs, "_seconds", steps_of)
-    assert (
-        effect_costs.seconds_apart(drawings, draw(lighter.without(scene), scales("engine")))[0]
-        == 0.0
-    )
-    assert timed[0] - timed[1] == 4
+    rest = draw(lighter.without(scene), scales("engine"))
+    more, unsure = effect_costs.seconds_apart(drawings, rest, watch)
+    assert more == pytest.approx(0.1)
+    assert unsure == pytest.approx(0.3)  # so far the runs scatter
+    programs = [[program for program, _ in row] for row in watch.rows]
+    assert all(not across for row in programs for one in row for _, across in one.strata)
+    whole, less = (sum(len(one.strata[0][0]) for one in row) for row in programs)
+    assert whole - less == 4
+
+
+def test_curves_that_change_are_timed_too() -> None:
+    scene, watch = gallery("four-stroke"), Watch()
+    drawings = draw(scene, {})
+    (gas,) = [one for one in effect_study.effects(scene, drawings) if "gas" in one.name]
+    effect_costs.seconds_apart(drawings, draw(gas.without(scene), {}), watch)
+    assert any(across for row in watch.rows for one, _ in row for _, across in one.strata)

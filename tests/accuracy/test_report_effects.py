@@ -68,7 +68,9 @@ def test_what_is_always_drawn_costs_nothing() -> None:
     assert effect(found, "inertia").cost.steps == 0
     assert effect(found, "inertia").worth
     printed = rendered(effects_text(found, 80), 80, printed=False)
-    (line,) = [one for one in printed.splitlines() if "силы инерции" in one and "не прибавляет" in one]
+    (line,) = [
+        one for one in printed.splitlines() if "силы инерции" in one and "не прибавляет" in one
+    ]
     assert "0" in line
 
 
