@@ -6,12 +6,9 @@ from collections.abc import Iterator
 
 from graphic_tmm.accuracy.lessons import Optimum, along, divisions
 from graphic_tmm.accuracy.settings import POSITIONS, dividing, own_parts
-from graphic_tmm.accuracy.shares import Share
-from graphic_tmm.accuracy.study import Steps, Study
+from graphic_tmm.accuracy.study import Study
 from graphic_tmm.accuracy.words import WORDS, counted
 from graphic_tmm.language.numbers import number
-from graphic_tmm.readers.protocol import title_of
-from graphic_tmm.readers.sentences import sentence
 
 KNOWN, LEVEL = 0.5, 0.25
 """A slope is printed if its error is below the first; it is zero if below the second. Both chosen by eye."""
@@ -89,29 +86,6 @@ def _advice(study: Study, one: Optimum) -> str:
         finer=counted(divisions(other), one.axis, language),
         times=number(times, language, 2),
         other=number(other.error, language, 2),
-    )
-
-
-def most(study: Study) -> Iterator[str]:
-    """Yield, for each quantity, the step that costs most accuracy."""
-    language, words = study.scene.language, WORDS[study.scene.language]
-    for one in study.steps:
-        for share in one.shares[:1]:
-            yield words["most"].format(
-                quantity=words[one.quantity],
-                step=step_name(study, one, share).rstrip("."),
-                share=number(100.0 * share.share, language, 2),
-            )
-
-
-def step_name(study: Study, steps: Steps, share: Share) -> str:
-    """Return a step as the protocol names it: its view, its number there, its sentence."""
-    language, project = study.scene.language, steps.project
-    view = share.step.it.view
-    return WORDS[language]["step of"].format(
-        view=title_of(project, view, language),
-        number=project.marks(view).index(share.step.it) + 1,
-        text=sentence(share.step, language, steps.reading, min(1, steps.reading.positions - 1)),
     )
 
 

@@ -1,223 +1,237 @@
-"""The cheapest setting within an error, for ``--budget`` of `draw` and `table`.
+"""The cheapest way within an error, for ``--budget`` of `draw` and `table`; the best one for ``--nearest``.
 
-The hand is given: the scene's or the option's. What may vary: the number of parts of the drawing (positions
-named by the scene keep their places), chords or tangents, the pole distance, the size of the drawing as far as
-its sheets hold it. Every quantity on the scene's sheets has to stay within the error in nine readings of ten.
-Settings are tried from the cheapest on, by minutes at the board; the chosen one is measured with the very
-scales with which it is drawn.
+Ways are tried from the cheapest on, by minutes at the board. One that is expected to keep within the budget is
+drawn as its own sheets would be, and measured; it is taken if nine readings of ten of every wanted quantity
+keep within, for sure. Neither what is measured nor the order of ways depends on the budget: a looser one never
+takes a dearer way.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
-from itertools import product
+from typing import NamedTuple
 
-import numpy as np
-
-from graphic_tmm.accuracy.cost import count, varying
-from graphic_tmm.accuracy.drawing import Pinned, References, draw, pinned
+from graphic_tmm.accuracy.drawing import References, draw, pinned
 from graphic_tmm.accuracy.measure import Measure
-from graphic_tmm.accuracy.quantities import Accuracy, Quantity, quantities
-from graphic_tmm.accuracy.settings import (
-    Setting,
-    can_move,
-    enlarge,
-    farther,
-    is_long,
-    own_setting,
-    rows,
-)
-from graphic_tmm.accuracy.study import Tell
-from graphic_tmm.accuracy.words import WORDS, counted
-from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.accuracy.quantities import quantities
+from graphic_tmm.accuracy.settings import enlarge, own_setting
+from graphic_tmm.accuracy.sources import sources
+from graphic_tmm.accuracy.ways import SIZES, Changes, Way, Ways, wanted, worst
+from graphic_tmm.accuracy.words import WORDS
+from graphic_tmm.board.hand import HANDS
+from graphic_tmm.drawn import DrawnScene, hand_of
 from graphic_tmm.errors import Fault, SceneError, TmmError
 from graphic_tmm.fitting.compose import sheet_count
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.position_count import at_all_positions
-from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
 
-DRAWINGS, FEW = 100, 20
-"""How often a hand that slips draws at a setting; and to see whether it is worth more."""
-HOPELESS = 2.0
-"""A setting whose error exceeds the budget by this factor in a few drawings is dropped. Chosen by eye."""
-SIZES = (1.0, 2.0)
-"""How many times as large a drawing is tried; chosen by eye."""
-POLES = (1.0, 2.0)
-"""How many times as large pole distances are tried; chosen by eye."""
-
-
-@dataclass(frozen=True)
-class Candidate:
-    """A setting that may be taken: ``scene`` as it would be drawn but for size and poles."""
-
-    scene: Scene
-    divided: tuple[tuple[str, str], ...]
-    free: tuple[str, ...]
-    enlarged: float
-    pole: float
-
-    def sentence(self, language: str) -> str:
-        """Return the setting in words."""
-        words = WORDS[language]
-        found = [counted(int(value), axis, language) for axis, value in self.divided]
-        found += [words[value] for value in self.free]
-        for key, times in (("pole", self.pole), ("size", self.enlarged)):
-            if times != 1.0:
-                found.append(words[f"budget {key}"].format(times=number(times, language)))
-        return ", ".join(found)
+DRAWINGS = 300
+"""How often a hand that slips draws a way that is about to be taken."""
+SURE = 2.0
+"""Standard errors of an error that a way has to keep within the budget with."""
+HOPEFUL = 1.2
+"""A way of a hand that slips is drawn if its expected error exceeds the budget by no more; expected errors are
+off by some 5 % (tests/accuracy/test_response.py)."""
+Tell = Callable[[int, int, str], None]
+"""Called with the number of ways tried, of how many, and the next one."""
+ALIKE = 1.1
+"""To the scales of the scene as it is, errors are as on a way's own sheets within this factor."""
+TRIED = 8
+"""Ways that are measured to find the nearest one."""
 
 
 @dataclass(frozen=True)
 class Taken:
-    """The setting taken: the scene to be drawn, minutes at the board, errors in % by quantity, a sentence."""
+    """The way taken: the scene to be drawn, minutes at the board, errors measured in %, a sentence."""
 
     scene: Scene
-    candidate: Candidate
-    minutes: float
+    way: Way
     errors: Mapping[str, float]
     sentence: str
 
+    @property
+    def minutes(self) -> float:
+        """Minutes at the board."""
+        return self.way.minutes
 
-def choose(scene: Scene, percent: float, tell: Tell | None = None) -> Taken:
-    """Return the cheapest setting of a scene that keeps every wanted quantity within ``percent``.
 
-    ``tell`` is called with the number of settings tried, of how many.
+class Errors(NamedTuple):
+    """Errors by quantity, %: as measured, and what they keep within for sure."""
+
+    measured: Mapping[str, float]
+    sure: Mapping[str, float]
+
+
+class Measured:
+    """Ways of a scene drawn as their own sheets would be, each measured once."""
+
+    def __init__(self, scene: Scene, minutes: Mapping[str, float] | None = None) -> None:
+        self.scene, self.made = scene, make(scene, exact=True)
+        scales = pinned(self.made)
+        references = References(at_all_positions(scene), scales)
+        self.ways = Ways(scene, references, minutes)
+        self.measure = Measure(scales, references, clock=False)
+        self._room: dict[float, bool] = {1.0: True}
+        self._roughly: dict[tuple[object, ...], Errors] = {}
+        self._drawn: dict[int, tuple[Scene, Errors] | None] = {}
+
+    def roughly(self, way: Way) -> Errors:
+        """Return the errors of a way to the scales of the scene as it is; none if it cannot be drawn."""
+        rows = zip(way.boards, self.ways.parts, strict=True)
+        each = [self._board(way, changes, row[0].answers.keys()) for changes, row in rows]
+        if not all(one.measured for one in each):
+            return Errors({}, {})
+        return Errors(
+            {name: error for one in each for name, error in one.measured.items()},
+            {name: error for one in each for name, error in one.sure.items()},
+        )
+
+    def _board(self, way: Way, changes: Changes, names: Iterable[str]) -> Errors:
+        """Return the errors of quantities of one board with its axes so; of each board measured once."""
+        key = changes, way.hand, way.ruler, way.times
+        if key not in self._roughly:
+            try:
+                scene = replace(way, boards=(changes,)).of(self.scene)
+                self._roughly[key] = _errors(self.measure, scene, way.times, names)
+            except TmmError:
+                self._roughly[key] = Errors({}, {})
+        return self._roughly[key]
+
+    def of(self, way: Way) -> tuple[Scene, Errors] | None:
+        """Return the scene of a way and its errors on its own sheets; None if it has no room."""
+        if id(way) not in self._drawn:
+            self._drawn[id(way)] = self._draw(way) if self.has_room(way.times) else None
+        return self._drawn[id(way)]
+
+    def words(self, way: Way) -> str:
+        """Return a way in words."""
+        return way.sentence(self.ways.own, self.scene.language)
+
+    def has_room(self, times: float) -> bool:
+        """Whether the scene as it is has room when it is so many times as large; more so when it is smaller."""
+        smaller = [size for size in SIZES if size < times]
+        if smaller and not self.has_room(smaller[-1]):
+            return False
+        if times not in self._room:
+            try:
+                self._room[times] = self._fits(enlarge(self.scene, self.made, times))
+            except TmmError:
+                self._room[times] = False
+        return self._room[times]
+
+    def _fits(self, scene: Scene) -> bool:
+        drawn = make(scene, exact=True)
+        return _sheets(drawn) <= _sheets(self.made)
+
+    def _draw(self, way: Way) -> tuple[Scene, Errors] | None:
+        try:
+            scene = way.of(self.scene)
+            if way.times != 1.0:
+                scene = enlarge(scene, make(scene, exact=True), way.times)
+            drawn = make(scene, exact=True)
+            if way.times != 1.0 and _sheets(drawn) > _sheets(self.made):
+                return None
+            scales = pinned(drawn)
+            references = References(at_all_positions(scene), scales)
+            errors = _errors(Measure(scales, references, clock=False), scene)
+        except TmmError:
+            return None
+        return (scene, errors) if errors.measured else None
+
+
+def _errors(
+    measure: Measure, scene: Scene, times: float = 1.0, names: Iterable[str] | None = None
+) -> Errors:
+    """Return the errors of what the sheets of a scene show, or of some quantities."""
+    setting = replace(own_setting(at_all_positions(scene), None, DRAWINGS), enlarged=times)
+    there = (q for one in measure.drawings(setting) for q in quantities(one))
+    shown = [q.name for q in there if wanted(scene, q)] if names is None else [*names]
+    runs = measure.runs(setting, "", "", shown)
+    measured = {run.quantity: run.error for run in runs}
+    if not setting.who.slips:
+        return Errors(measured, measured)
+    return Errors(measured, {run.quantity: run.error + SURE * run.errors.spread for run in runs})
+
+
+def choose(
+    scene: Scene, percent: float, tell: Tell | None = None, *, nearest: bool = False
+) -> Taken:
+    """Return the cheapest way of a scene that keeps every wanted quantity within ``percent``.
+
+    ``tell`` is called with the number of ways tried, of how many. ``nearest``: if none does, the best.
 
     Raises
     ------
     SceneError
-        If no setting does; the message names the best one.
+        If none does; the message names the best, and what stands in its way.
     """
-    made = make(scene, exact=True)
-    scales = pinned(made)
-    judge = References(at_all_positions(scene), scales)
-    tried: list[tuple[Candidate, float, dict[str, float]]] = []
-    row = sorted(_candidates(scene, scales), key=_order)
-    for k, (minutes, candidate) in enumerate(row):
-        if tell is not None:
-            tell(k, len(row), candidate.sentence(scene.language))
-        errors = _measured(candidate, judge, percent)
-        if errors and _worst(errors) <= percent:
-            drawn, errors = _as_drawn(candidate, made)
-            if drawn is not None and _worst(errors) <= percent:
-                sentence = _sentence("budget", scene, percent, candidate, errors, minutes)
-                return Taken(drawn, candidate, minutes, errors, sentence)
-        if errors:
-            tried.append((candidate, minutes, errors))
-    if not tried:
+    measured = Measured(scene)
+    taken = cheapest(measured, percent, tell)
+    if taken is not None:
+        return taken
+    if not measured.ways.every:
         says = said("--budget: nothing on its sheets has an error that could be told")
         raise SceneError(scene.source, (Fault("", 0, says),))
-    candidate, minutes, errors = min(tried, key=lambda one: _worst(one[2]))
-    errors = _measured(candidate, judge, float("inf"))
-    text = _sentence("budget none", scene, percent, candidate, errors, minutes)
-    raise SceneError(scene.source, (Fault("", 0, text),))
+    best = nearest_way(measured)
+    text = _sentence("budget none", measured, percent, best[0], best[2])
+    text += " " + in_the_way(measured, best[0], best[1], best[2])
+    if nearest:
+        return Taken(best[1], best[0], best[2], text)
+    hint = WORDS[scene.language]["budget hint"]
+    raise SceneError(scene.source, (Fault("", 0, f"{text} {hint}"),))
 
 
-def _order(one: tuple[float, Candidate]) -> tuple[float, float, float]:
-    minutes, candidate = one
-    return minutes, candidate.enlarged, candidate.pole
+def cheapest(measured: Measured, percent: float, tell: Tell | None = None) -> Taken | None:
+    """Return the cheapest way that keeps within ``percent``; None if none does."""
+    hopeful = [way for way in measured.ways.every if way.worst <= _hope(way) * percent]
+    for k, way in enumerate(hopeful):
+        if tell is not None:
+            tell(k, len(hopeful), measured.words(way))
+        if worst(measured.roughly(way).sure) > ALIKE * percent:
+            continue
+        drawn = measured.of(way)
+        if drawn is not None and worst(drawn[1].sure) <= percent:
+            text = _sentence("budget", measured, percent, way, drawn[1].measured)
+            return Taken(drawn[0], way, drawn[1].measured, text)
+    return None
 
 
-def _worst(errors: Mapping[str, float]) -> float:
-    """Return the largest error; without end if one of them is not known."""
-    return max(float("inf") if np.isnan(e) else e for e in errors.values())
+def _hope(way: Way) -> float:
+    """Return by what factor an expected error may exceed a budget; a ruler alone may be lucky: not at all."""
+    return HOPEFUL if HANDS[way.hand].slips else 1.0
 
 
-def _candidates(scene: Scene, scales: Pinned) -> Iterator[tuple[float, Candidate]]:
-    """Yield every candidate with its minutes at the board."""
-    poles = POLES if can_move(scene) else (1.0,)
-    for divided, one in _divided(scene):
-        for free, own in _free(one):
-            try:
-                minutes = _minutes(own, scales)
-            except TmmError:
-                continue
-            for enlarged, pole in product(SIZES, poles):
-                yield minutes, Candidate(own, divided, free, enlarged, pole)
+def nearest_way(measured: Measured) -> tuple[Way, Scene, Mapping[str, float]]:
+    """Return the way with the least error of those from which the least is expected."""
+    ways = sorted(measured.ways.every, key=lambda way: way.worst)
+    for first in range(0, len(ways), TRIED):
+        some = ways[first : first + TRIED]
+        for way in sorted(some, key=lambda way: worst(measured.roughly(way).measured)):
+            drawn = measured.of(way)
+            if drawn is not None:
+                return way, drawn[0], drawn[1].measured
+    return measured.ways.own, measured.scene, measured.ways.own.errors
 
 
-def _free(scene: Scene) -> list[tuple[tuple[str, ...], Scene]]:
-    """Return the scene with all that may be chosen freely, along all axes of that sort that it has."""
-    found: list[tuple[tuple[str, ...], Scene]] = [((), scene)]
-    for axis in (axis for one in chapters() for axis in Accuracy.of(one).axes if axis.free):
-        if any(True for _ in axis.scenes(scene)):
-            found = [
-                ((*told, value), other) for told, one in found for value, other in axis.scenes(one)
-            ]
-    return found
-
-
-def _divided(scene: Scene) -> Iterator[tuple[tuple[tuple[str, str], ...], Scene]]:
-    """Yield the scene divided into more parts or fewer, along all axes that it has."""
-    found: list[tuple[tuple[tuple[str, str], ...], Scene]] = [((), scene)]
-    for axis in [name for name, _ in rows(scene)]:
-        finer = []
-        for told, one in found:
-            values = next(row for name, row in rows(one) if name == axis)
-            finer += [((*told, (axis, v)), s) for v, s in values if not is_long(axis, v)]
-        found = finer
-    yield from found
-
-
-def _wanted(scene: Scene, quantity: Quantity) -> bool:
-    return not quantity.places or bool(scene.called & set(quantity.places))
-
-
-def _minutes(scene: Scene, scales: Pinned) -> float:
-    """Return the minutes at the board for all wanted quantities of a scene together."""
-    total = 0.0
-    for drawing in draw(at_all_positions(scene), scales):
-        marks = [m for q in quantities(drawing) if _wanted(scene, q) for m in q.marks]
-        if marks:
-            varies = varying(drawing.given)
-            total += count(drawing.construction, varies, marks, positions=drawing.count).minutes
-    return total
-
-
-def _errors(measure: Measure, setting: Setting, scene: Scene) -> dict[str, float]:
-    """Return the errors of the quantities that the sheets of ``scene`` show."""
-    there = (q for drawing in measure.drawings(setting) for q in quantities(drawing))
-    asked = [q.name for q in there if _wanted(scene, q)]
-    return {run.quantity: run.error for run in measure.runs(setting, "", "", asked)}
-
-
-def _measured(candidate: Candidate, judge: References, percent: float) -> dict[str, float]:
-    """Return the errors of a candidate to the scales of the scene as it is; none if it cannot be drawn."""
-    scene = at_all_positions(candidate.scene)
-    measure = Measure(judge.scales, judge, clock=False)
-    errors: dict[str, float] = {}
-    try:
-        for drawings in (FEW, DRAWINGS):
-            setting = own_setting(scene, None, drawings)
-            setting = replace(setting, enlarged=candidate.enlarged, pole=candidate.pole)
-            errors = _errors(measure, setting, candidate.scene)
-            if not setting.who.slips or _worst(errors) > HOPELESS * percent:
-                return errors
-    except TmmError:
-        return {}
-    return errors
-
-
-def _as_drawn(candidate: Candidate, made: DrawnScene) -> tuple[Scene | None, dict[str, float]]:
-    """Return the scene of a candidate and its errors with the scales that its own sheets give it."""
-    scene = candidate.scene
-    try:
-        if candidate.pole != 1.0:
-            scene = farther(scene, made, candidate.pole)
-        if candidate.enlarged != 1.0:
-            scene = enlarge(scene, make(scene, exact=True), candidate.enlarged)
-        drawn = make(scene, exact=True)
-        if _sheets(drawn) > _sheets(made):
-            return None, {}
-        full, scales = at_all_positions(scene), pinned(drawn)
-        measure = Measure(scales, References(full, scales), clock=False)
-        return scene, _errors(measure, own_setting(full, None, DRAWINGS), scene)
-    except TmmError:
-        return None, {}
+def in_the_way(measured: Measured, way: Way, scene: Scene, errors: Mapping[str, float]) -> str:
+    """Return in a sentence which source of the worst quantity's error is the largest there."""
+    words, language = WORDS[measured.scene.language], measured.scene.language
+    name = max(errors, key=lambda key: errors[key])
+    full, scales = at_all_positions(scene), pinned(make(scene, exact=True))
+    references = References(full, scales)
+    for drawing in draw(full, scales):
+        there = [q for q in quantities(drawing) if q.name == name]
+        for shares in sources(drawing, there, references, hand_of(scene)).values():
+            first, share = next(iter(shares.parts.items()))
+            percent = number(100.0 * share, language, 2)
+            return words["budget source"].format(
+                quantity=words[name], source=words[f"from {first}"], share=percent
+            )
+    return ""
 
 
 def _sheets(made: DrawnScene) -> int:
@@ -226,18 +240,17 @@ def _sheets(made: DrawnScene) -> int:
 
 
 def _sentence(
-    key: str,
-    scene: Scene,
-    percent: float,
-    candidate: Candidate,
-    errors: Mapping[str, float],
-    minutes: float,
+    key: str, measured: Measured, percent: float, way: Way, errors: Mapping[str, float]
 ) -> str:
-    language, words = scene.language, WORDS[scene.language]
-    each = ", ".join(f"{words[k]} {number(e, language, 2)} %" for k, e in errors.items())
+    language = measured.scene.language
+    words, (first, *others) = WORDS[language], sorted(errors, key=lambda name: -errors[name])
+    each = f"{words[first]} {number(errors[first], language, 2)} %"
+    if others:
+        most = number(errors[others[0]], language, 2)
+        each += ", " + words["budget others"].format(error=most)
     return words[key].format(
         percent=number(percent, language),
-        setting=candidate.sentence(language),
-        minutes=fixed(minutes, 0, language),
+        setting=measured.words(way),
+        minutes=fixed(way.minutes, 0, language),
         errors=each,
     )

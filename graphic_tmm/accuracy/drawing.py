@@ -138,6 +138,7 @@ class References:
         self.scene, self.scales = scene, scales
         self._known: dict[tuple[str, int], Reals | None] = {}
         self._largest: dict[tuple[str, str], float] = {}
+        self._turn: dict[str, Project] | None = None
 
     def of(self, quantity: Quantity, drawing: Project) -> Reals | None:
         """Return the true quantity, (1, value); None without an independent reference."""
@@ -163,15 +164,13 @@ class References:
 
     def _row(self, quantity: Quantity, drawing: Project) -> Reals | None:
         """Return what a quantity should be at the positions of a fine row."""
-        scene = at_count(self.scene, TURN)
-        if scene is None:
-            return None
-        for one in draw(scene, self.scales):
-            if one.board == drawing.board:
-                for found in with_affected(one):
-                    if found.name == quantity.name:
-                        return self.of(found, one)
-        return None
+        if self._turn is None:
+            scene = at_count(self.scene, TURN)
+            turn = draw(scene, self.scales) if scene is not None else ()
+            self._turn = {one.board: one for one in turn}
+        one = self._turn.get(drawing.board)
+        same = (q for q in with_affected(one) if q.name == quantity.name) if one is not None else ()
+        return next((self.of(found, one) for found in same if one is not None), None)
 
     def _find(self, quantity: Quantity, told: Reference, board: str) -> Reals | None:
         row = at_count(self.scene, told.count or quantity.row or self.scene.row.count)

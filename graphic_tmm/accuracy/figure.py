@@ -1,16 +1,19 @@
-"""The figure of a study: error over work at the board and over time on the machine, both axes logarithmic."""
+"""The figure of an answer: error over minutes at the board, over seconds on the machine, where it comes from.
+
+One column, as wide as a telephone: letters are as large there as in print. Everything is distinct by shape or
+hatching, too, so that it can be read in grey.
+"""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from io import BytesIO
+from math import log10
 from typing import TYPE_CHECKING, Any
 
-from graphic_tmm.accuracy.lessons import along, divisions
-from graphic_tmm.accuracy.measure import Measurement
-from graphic_tmm.accuracy.settings import GRID, dividing
-from graphic_tmm.accuracy.study import Study
+from graphic_tmm.accuracy.answer import Answer, Row
+from graphic_tmm.accuracy.answer_text import hand_name, of_worst, parts
+from graphic_tmm.accuracy.settings import dividing
 from graphic_tmm.accuracy.words import WORDS
 from graphic_tmm.language.numbers import number
 
@@ -18,82 +21,80 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-COLOURS = {
-    "exact": "#4d4d4d",
-    "cad": "#0072b2",
-    "careful": "#009e73",
-    "student": "#d55e00",
-    "scene": "#cc79a7",
+WIDE = 4.8
+"""Width of the figure, inches."""
+BOARD, MACHINE, BAR = 3.3, 1.9, 0.42
+"""Heights of the large panel, the small one, and each bar, inches."""
+HEAD, GAP, FOOT, LEFT = 0.3, 0.72, 0.85, 0.9
+"""Room for the title, between panels, for the legend of sources, left of the axes, inches."""
+SOURCES = {
+    "method": ("#4d4d4d", ""),
+    "reading": ("#d55e00", "///"),
+    "ruler": ("#e69f00", ""),
+    "swing": ("#0072b2", "..."),
+    "prick": ("#56b4e9", "\\\\\\"),
+    "compass": ("#009e73", "xx"),
+    "digits": ("#cc79a7", "++"),
+    "together": ("#ffffff", ""),
 }
-"""Colours that colour-blind people can distinguish (Okabe and Ito)."""
-MARKS = {"exact": "s", "cad": "D", "careful": "^", "student": "o", "scene": "v"}
-ROW, WIDE = 2.4, 5.2
-"""Height of a row and width of a column, inches."""
-HEAD, FOOT, LEFT = 1.05, 0.5, 0.75
-"""Room for the title with the legend, for the name of the costs, for that of the errors, inches."""
-APART = 1.4
-"""Two settings are distinct on the axis of minutes from this ratio on."""
+"""Colours that colour-blind people can distinguish (Okabe and Ito), and hatches."""
+WORK = (("log", "x"), ("table", "o"), ("sheets", "s"), ("drawings", "^"))
+"""What is timed, and its mark."""
 SETTINGS: Any = {
     "svg.hashsalt": "graphic_tmm",
     "svg.fonttype": "path",
     "font.family": "DejaVu Sans",
     "font.size": 8.5,
+    "hatch.linewidth": 0.5,
 }
 
 
-def figures(study: Study) -> dict[str, bytes]:
-    """Return the figure as SVG and PNG, by the end of the file's name; the same study gives the same bytes."""
+def figures(answer: Answer) -> dict[str, bytes]:
+    """Return the figure as SVG and PNG, by the end of the file's name; the same answer gives the same bytes."""
     import matplotlib
 
     with matplotlib.rc_context(SETTINGS):
-        drawn = _draw(study)
+        drawn = _draw(answer)
         svg, png = BytesIO(), BytesIO()
         drawn.savefig(svg, format="svg", metadata={"Date": None, "Creator": None})
-        drawn.savefig(png, format="png", dpi=130, metadata={"Software": None})
+        drawn.savefig(png, format="png", dpi=160, metadata={"Software": None})
     return {"svg": svg.getvalue(), "png": png.getvalue()}
 
 
-def _draw(study: Study) -> Figure:
+def _draw(answer: Answer) -> Figure:
     from matplotlib.figure import Figure
 
-    language, words = study.scene.language, WORDS[study.scene.language]
-    names = [name for name in study.quantities if _plotted(study, name)]
-    sides = (False, True) if study.timed else (False,)
-    cells = [(name, machine) for name in names for machine in sides]
-    columns = max(min(2, len(cells)), 1)
-    rows = max(math.ceil(len(cells) / columns), 1)
-    height, wide = ROW * rows + HEAD + FOOT, WIDE * columns
-    figure = Figure(figsize=(wide, height))
-    figure.subplots_adjust(
-        left=LEFT / wide,
-        right=1.0 - 0.15 / wide,
-        bottom=FOOT / height,
-        top=1.0 - HEAD / height,
-        wspace=0.14 if study.timed else 0.24,
-        hspace=0.22,
-    )
-    grid = figure.subplots(rows, columns, squeeze=False).ravel()
-    for k, (axes, (name, machine)) in enumerate(zip(grid, cells, strict=False)):
-        _panel(axes, study, name, machine)
-        _ticks(axes, language)
-        if not machine:
-            axes.set_ylabel(f"{words[name]}: {words['error']}")
-        if k + columns >= len(cells):
-            axes.set_xlabel(words["machine" if machine else "board"])
-    for axes in grid[len(cells) :]:
-        axes.set_axis_off()
-    title = words["title"].format(title=study.scene.title)
-    figure.suptitle(title, y=1.0 - 0.12 / height, va="top", fontsize=11, parse_math=False)
-    handles, labels = _legend(study)
-    figure.legend(
-        handles,
-        labels,
-        loc="upper center",
-        bbox_to_anchor=(0.5, 1.0 - 0.32 / height),
-        ncols=math.ceil(len(labels) / 2) if columns > 1 else 3,
-        frameon=False,
-    )
+    bars = len([*of_worst(answer)])
+    heights = [BOARD, *([MACHINE] if answer.machine else []), BAR * bars]
+    title = _folded(answer.scene.title, 52)
+    head = HEAD + 0.17 * title.count("\n")
+    height = head + sum(heights) + GAP * (len(heights) - 1) + FOOT
+    figure = Figure(figsize=(WIDE, height))
+    top = height - head
+    panels = []
+    for tall in heights:
+        box = (LEFT / WIDE, (top - tall) / height, 1.0 - (LEFT + 0.15) / WIDE, tall / height)
+        panels.append(figure.add_axes(box))
+        top -= tall + GAP
+    words = WORDS[answer.scene.language]
+    figure.text(
+        0.02, 1.0 - 0.05 / height, title, va="top", fontsize=9.5,
+        fontweight="bold", parse_math=False,
+    )  # fmt: skip
+    _board(panels[0], answer)
+    if answer.machine:
+        _machine(panels[1], answer)
+    _sources(panels[-1], answer)
+    for axes in panels[:-1]:
+        _ticks(axes, answer.scene.language)
+        axes.set_ylabel(words["worst error"])
     return figure
+
+
+def _folded(text: str, wide: int) -> str:
+    from textwrap import wrap
+
+    return "\n".join(wrap(text, wide)[:2])
 
 
 def _ticks(axes: Axes, language: str) -> None:
@@ -101,105 +102,132 @@ def _ticks(axes: Axes, language: str) -> None:
     from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
     for axis, (low, high) in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
-        decades = math.log10(high / low)
+        decades = log10(high / low)
         subs = (1.0, 2.0, 5.0) if decades < 2.5 else (1.0,)
         axis.set_major_locator(LogLocator(subs=subs, numticks=7 if decades >= 2.5 else 12))
         axis.set_minor_locator(NullLocator())
         axis.set_major_formatter(FuncFormatter(lambda value, _: number(value, language, 3)))
 
 
-def _plotted(study: Study, name: str) -> bool:
-    return any(run.quantity == name and run.error > 0.0 for run in study.runs)
-
-
-def _hands(study: Study) -> list[str]:
-    found = dict.fromkeys((*GRID, study.hand))
-    return [hand for hand in found if any(run.hand == hand for run in study.runs)]
-
-
-def _cost(run: Measurement, machine: bool) -> float:
-    if not machine:
-        return run.work.minutes
-    return 1e3 * run.seconds.least if run.seconds is not None else math.nan
-
-
-def _panel(axes: Axes, study: Study, name: str, machine: bool) -> None:
-    """Draw one quantity over one cost."""
-    mine = [run for run in study.runs if run.quantity == name and run.error > 0.0]
-    others = [run for run in mine if run.axis not in (*dividing(), "trials")]
-    _points(axes, others, machine, color="#9a9a9a", marker=".", markersize=5, zorder=1)
-    for hand in _hands(study):
-        row = [run for run in along(study.runs, name, hand) if run.error > 0.0]
-        style: dict[str, Any] = {"color": COLOURS[hand], "marker": MARKS[hand], "markersize": 4}
-        style["linestyle"] = "none" if machine else "-"
-        _points(axes, row, machine, linewidth=0.9, zorder=2, **style)
-    best = study.fast if machine else study.fronts
-    front = [run for run in mine if run in best]
-    _points(axes, front, machine, **FRONT)
+def _board(axes: Axes, answer: Answer) -> None:
+    """Draw the error over minutes at the board: all settings, the front, the scene, the knee."""
+    words = WORDS[answer.scene.language]
+    every = [w for w in answer.ways if 0.0 < w.worst < float("inf")]
+    axes.plot(
+        [w.minutes for w in every], [w.worst for w in every], ".", color="#b5b5b5", markersize=3,
+        label=words["figure all"],
+    )  # fmt: skip
+    front = [row for row in answer.rows if row.way is not answer.own.way or row is answer.knee]
+    _rows(axes, front, "-o", words["front"], color="black", linewidth=1.0, markersize=4)
+    for key, row, shape, colour in (
+        ("figure own", answer.own, "o", "#d55e00"),
+        ("figure knee", answer.knee, "D", "#0072b2"),
+    ):
+        _rows(axes, [row], shape, words[key], color=colour, markersize=8, markeredgecolor="black")
+    if answer.student is not None:
+        axes.plot(
+            [answer.own.way.minutes], [max(answer.student.values())], "P", color="#cc79a7",
+            markersize=8, markeredgecolor="black", label=words["figure student"],
+        )  # fmt: skip
+    for row in {id(row.way): row for row in (answer.own, answer.knee)}.values():
+        _number(axes, row)
     axes.set_xscale("log")
     axes.set_yscale("log")
+    axes.margins(0.06, 0.1)
     axes.grid(True, which="major", color="#dddddd", linewidth=0.6)
-    axes.margins(0.08, 0.14)
-    if not machine:
-        _number(axes, study, name)
+    axes.set_axisbelow(True)
+    axes.set_xlabel(words["board"])
+    axes.legend(loc="best", fontsize=7.5, framealpha=0.9, handletextpad=0.3)
 
 
-FRONT: dict[str, Any] = {
-    "color": "black",
-    "marker": "o",
-    "markersize": 8,
-    "markerfacecolor": "none",
-    "markeredgewidth": 0.7,
-    "zorder": 3,
-}
-"""The ring round a setting on the Pareto front."""
+def _rows(axes: Axes, rows: Sequence[Row], shape: str, label: str, **style: Any) -> None:
+    rows = [row for row in rows if row.worst > 0.0]
+    x, y = [row.way.minutes for row in rows], [row.worst for row in rows]
+    axes.plot(x, y, shape, label=label, **style)
 
 
-def _points(axes: Axes, runs: Sequence[Measurement], machine: bool, **style: Any) -> None:
-    if runs:
-        x, y = [_cost(run, machine) for run in runs], [run.error for run in runs]
-        axes.plot(x, y, **({"linestyle": "none"} | style))
-
-
-def _number(axes: Axes, study: Study, name: str) -> None:
-    """Write the number of positions next to the student's least error, and at both ends of that row."""
-    row = [run for run in along(study.runs, name, "student") if run.error > 0.0]
-    if not row:
-        return
-    least = min(row, key=lambda run: run.error)
-    apart = [end for end in (row[0], row[-1]) if not 1 / APART < _ratio(end, least) < APART]
-    for run in (least, *apart):
+def _number(axes: Axes, row: Row) -> None:
+    """Write next to a row into how many parts it is divided."""
+    divided = dividing()
+    counts = [value for name, value in row.way.changes if name in divided]
+    if counts and row.worst > 0.0:
         axes.annotate(
-            f"{divisions(run)}",
-            (run.work.minutes, run.error),
-            textcoords="offset points",
-            xytext=(0, 7),
-            ha="center",
-            color=COLOURS["student"],
-            fontsize=8,
-            fontweight="bold" if run is least else "normal",
+            f"N = {counts[0]}", (row.way.minutes, row.worst), textcoords="offset points",
+            xytext=(0, -13), ha="center", fontsize=8,
             bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8},
-            zorder=4,
+        )  # fmt: skip
+
+
+def _machine(axes: Axes, answer: Answer) -> None:
+    """Draw the error over CPU seconds of what a user asks for; what is not to be believed is hollow."""
+    words = WORDS[answer.scene.language]
+    errors = _by_count(answer)
+    for what, shape in WORK:
+        rows = sorted(
+            (one.seconds.least, errors[one.positions], one.seconds.doubtful)
+            for one in answer.machine
+            if one.what == what and one.positions in errors
         )
+        for believed, fill in ((True, "black"), (False, "white")):
+            some = [(x, y) for x, y, doubtful in rows if doubtful != believed]
+            axes.plot(
+                [x for x, _ in some], [y for _, y in some], shape, color="black",
+                markerfacecolor=fill, markersize=5, label=words[f"timed {what}"] if believed else None,
+            )  # fmt: skip
+        axes.plot([x for x, *_ in rows], [y for _, y, _ in rows], ":", color="black", linewidth=0.8)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.margins(0.1, 0.2)
+    axes.grid(True, which="major", color="#dddddd", linewidth=0.6)
+    axes.legend(loc="best", fontsize=7.5, framealpha=0.9, handletextpad=0.3)
+    axes.set_xlabel(words["machine"])
 
 
-def _ratio(run: Measurement, other: Measurement) -> float:
-    return run.work.minutes / other.work.minutes
+def _by_count(answer: Answer) -> dict[int, float]:
+    """Return the error that is expected as the scene is drawn, by the number of its parts."""
+    own, divided = answer.own.way, dividing()
+    fixed = {name: value for name, value in own.changes if name not in divided}
+    found: dict[int, float] = {}
+    for way in answer.ways:
+        changes = dict(way.changes)
+        same = (way.hand, way.ruler, way.times) == (own.hand, own.ruler, own.times)
+        counts = [int(value) for name, value in way.changes if name in divided]
+        if same and all(changes[name] == value for name, value in fixed.items()) and counts:
+            found.setdefault(counts[0], way.worst)
+    return found
 
 
-def _legend(study: Study) -> tuple[list[Any], list[str]]:
-    from matplotlib.lines import Line2D
-
-    words = WORDS[study.scene.language]
-    handles, labels = [], []
-    for hand in _hands(study):
-        handles.append(Line2D([], [], color=COLOURS[hand], marker=MARKS[hand], markersize=4))
-        labels.append(words[hand])
-    handles.append(Line2D([], [], linestyle="none", **FRONT))
-    labels.append(words["front"])
-    handles.append(Line2D([], [], color="#9a9a9a", marker=".", linestyle="none"))
-    labels.append(words["other"])
-    number_of: dict[str, Any] = {"marker": "$12$", "markersize": 10, "color": COLOURS["student"]}
-    handles.append(Line2D([], [], linestyle="none", **number_of))
-    labels.append(words["count"])
-    return handles, labels
+def _sources(axes: Axes, answer: Answer) -> None:
+    """Draw a bar of the sources for each hand."""
+    words = WORDS[answer.scene.language]
+    names: dict[str, None] = {}
+    heads = []
+    for k, origin in enumerate(of_worst(answer)):
+        heads.append(words[hand_name(origin)])
+        at = 0.0
+        for name, share in parts(origin.of[answer.worst]):
+            colour, hatch = SOURCES[name]
+            axes.barh(
+                -k, share, left=at, height=0.72, color=colour, hatch=hatch, edgecolor="black",
+                linewidth=0.5, label=None if name in names else words[f"from {name}"],
+            )  # fmt: skip
+            names[name] = None
+            if share > 0.07:
+                axes.text(
+                    at + share / 2, -k, f"{100.0 * share:.0f} %", ha="center", va="center",
+                    fontsize=8,
+                    bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8, "alpha": 0.85},
+                )  # fmt: skip
+            at += share
+    axes.set_xlim(0.0, 1.0)
+    axes.set_yticks([-float(k) for k in range(len(heads))], heads, fontsize=7)
+    axes.set_xticks([])
+    axes.set_title(
+        words["figure sources"].format(quantity=words[answer.worst]), fontsize=8.5, loc="left"
+    )
+    for side in axes.spines.values():
+        side.set_visible(False)
+    axes.legend(
+        loc="upper left", bbox_to_anchor=(-0.24, 0.0), fontsize=7.5, ncols=2, frameon=False,
+        columnspacing=0.8, handletextpad=0.4,
+    )  # fmt: skip

@@ -43,10 +43,12 @@ class MachineTime(NamedTuple):
     seconds: Seconds
 
 
-def machine_times(scene: Scene, measure: Measure, watch: Stopwatch) -> tuple[MachineTime, ...]:
-    """Return the seconds at the scene's own number of positions, and at about half and twice of it.
+def machine_times(
+    scene: Scene, measure: Measure, watch: Stopwatch, *, around: bool = True
+) -> tuple[MachineTime, ...]:
+    """Return the seconds at the scene's own number of positions.
 
-    What cannot be drawn is left out.
+    ``around``: at about half and twice of it, too. What cannot be drawn is left out.
     """
     given = read_composition(composition_file(scene.source))
     own, others = _counts(scene)
@@ -54,7 +56,7 @@ def machine_times(scene: Scene, measure: Measure, watch: Stopwatch) -> tuple[Mac
     dear = {what for (what, _), seconds in found.items() if seconds.least > DEAR}
     more = {
         key: call
-        for count, changed in others
+        for count, changed in (others if around else ())
         for key, call in _calls(changed, count, measure, given)
     }
     found |= watch.in_turns({key: call for key, call in more.items() if key[0] not in dear})

@@ -12,6 +12,7 @@ import numpy as np
 from graphic_tmm.accuracy.cost import BoardWork, count, varying
 from graphic_tmm.accuracy.drawing import Pinned, References, draw, tried
 from graphic_tmm.accuracy.quantities import Quantity, quantities
+from graphic_tmm.accuracy.response import SHARE
 from graphic_tmm.accuracy.settings import Setting
 from graphic_tmm.accuracy.timing import Seconds, Stopwatch
 from graphic_tmm.board.execute import prepare
@@ -19,9 +20,6 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.project import Project
 
-SHARE = 0.9
-"""An error is so large that this share of all readings keeps within it. The largest of all would grow with
-their number."""
 NOISE = 1e-9
 """An error below this, %, is rounding of the machine; plans agree with vector loops to some 1e-11 %."""
 GROUPS = 10
@@ -161,7 +159,7 @@ class Measure:
         key = id(setting.scene), setting.enlarged, setting.pole, quantity.name
         if key not in self._worked:
             self.drawings(setting)
-            self._worked[key] = work_of(drawing, quantity, self.minutes)
+            self._worked[key] = work_of(drawing, quantity.marks, self.minutes)
         return self._worked[key]
 
     def _keep(
@@ -187,14 +185,15 @@ class Measure:
 
 
 def work_of(
-    drawing: Project, quantity: Quantity, minutes: Mapping[str, float] | None = None
+    drawing: Project, wanted: Iterable[Mark], minutes: Mapping[str, float] | None = None
 ) -> BoardWork:
-    """Return the work at the board that a quantity of a drawing takes."""
+    """Return the work at the board that the wanted marks of a drawing take, at the positions it draws."""
     return count(
         drawing.construction,
         varying(drawing.given),
-        quantity.marks,
+        wanted,
         positions=drawing.count,
+        only={view: max(len(places), 1) for view, places in drawing.rows.items()},
         tried=tried_works(drawing, minutes),
         passes=TRIED,
         minutes=minutes,

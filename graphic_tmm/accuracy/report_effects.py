@@ -7,10 +7,10 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from graphic_tmm.accuracy.answer_text import busy
 from graphic_tmm.accuracy.effect_study import Change, EffectStudy, Weighed
 from graphic_tmm.accuracy.measure import NOISE
 from graphic_tmm.accuracy.report_json import figure
-from graphic_tmm.accuracy.report_text import busy
 from graphic_tmm.accuracy.words import WORDS
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number

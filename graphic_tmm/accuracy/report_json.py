@@ -6,7 +6,9 @@ import json
 import math
 from typing import Any
 
-from graphic_tmm.accuracy.advice import advice, best_numbers, most, slopes, step_name
+from graphic_tmm.accuracy.advice import advice, best_numbers, slopes
+from graphic_tmm.accuracy.answer import Answer, Origin, Row
+from graphic_tmm.accuracy.answer_text import sentences, setting, step_name
 from graphic_tmm.accuracy.cost import BoardWork
 from graphic_tmm.accuracy.lessons import Fitted, Optimum, divisions
 from graphic_tmm.accuracy.measure import Measurement
@@ -24,30 +26,77 @@ def json_report(study: Study) -> str:
         "scene": scene_name(study.scene.source),
         "hand": study.hand,
         "trials": study.trials,
+        "answer": _answer(study.answer),
         "quantities": {name: {"unit": unit} for name, unit in study.quantities.items()},
         "runs": [_run(study, run) for run in study.runs],
         "slopes": [_slope(study, one) for one in study.fitted],
         "optima": [_optimum(one) for one in study.optima],
-        "steps": {
-            steps.quantity: [
-                {
-                    "step": step_name(study, steps, share),
-                    "view": share.step.it.view,
-                    "letter": share.step.it.letter,
-                    "share": figure(share.share),
-                    "deviation_percent": figure(share.deviation),
-                }
-                for share in steps.shares[:TOP]
-            ]
-            for steps in study.steps
-        },
         "choice": _work(study.choice),
         "sentences": [*slopes(study), *best_numbers(study)],
-        "advice": [*advice(study), *most(study)],
+        "advice": [*advice(study)],
         "left_out": list(study.left_out),
         **_machine(study),
     }
     return json.dumps(told, ensure_ascii=False, indent=1) + "\n"
+
+
+def _answer(answer: Answer) -> dict[str, Any]:
+    told: dict[str, Any] = {
+        "sentences": [*sentences(answer)],
+        "worst": answer.worst,
+        "main": answer.main,
+        "own": _row(answer, answer.own),
+        "front": [_row(answer, row) for row in answer.rows],
+        "knee": _row(answer, answer.knee),
+        "sources": [_sources(origin, answer) for origin in answer.origins],
+    }
+    if answer.student is not None:
+        told["student"] = {name: figure(error) for name, error in answer.student.items()}
+    if answer.halved is not None:
+        told["halved"] = _row(answer, Row(answer.halved.way, answer.halved.errors))
+    if answer.nearest is not None:
+        told["nearest"] = _row(answer, answer.nearest[0])
+    if answer.wasted is not None:
+        told["wasted"] = _row(answer, answer.wasted)
+    return told
+
+
+def _row(answer: Answer, row: Row) -> dict[str, Any]:
+    way = row.way
+    return {
+        "setting": setting(answer, way),
+        **dict(way.changes),
+        "hand": way.hand,
+        "ruler": way.ruler,
+        "enlarged": way.times,
+        "minutes": figure(way.minutes),
+        "errors_percent": {name: figure(error) for name, error in row.errors.items()},
+    }
+
+
+def _sources(origin: Origin, answer: Answer) -> dict[str, Any]:
+    language = answer.scene.language
+    return {
+        "hand": origin.hand,
+        "of": {
+            name: {
+                "mean_square_percent2": figure(of.square),
+                "sources": {source: figure(share) for source, share in of.parts.items()},
+                "together": figure(of.together),
+                "in_mm": figure(of.in_mm),
+                "steps": [
+                    {
+                        "step": step_name(origin, share, language),
+                        "view": share.step.it.view,
+                        "letter": share.step.it.letter,
+                        "share": figure(share.share),
+                    }
+                    for share in of.steps[:TOP]
+                ],
+            }
+            for name, of in origin.of.items()
+        },
+    }
 
 
 def _run(study: Study, run: Measurement) -> dict[str, Any]:
@@ -84,13 +133,13 @@ def _seconds(seconds: Seconds) -> dict[str, Any]:
 
 def _machine(study: Study) -> dict[str, Any]:
     """Return what was timed, and how busy the machine was; nothing if nothing was."""
-    if study.load is None:
+    if study.answer.load is None:
         return {}
-    load = study.load
+    load = study.answer.load
     return {
         "machine": [
             {"what": one.what, "positions": one.positions, **_seconds(one.seconds)}
-            for one in study.machine
+            for one in study.answer.machine
         ],
         "load": {
             "busy": load.busy,

@@ -2,40 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any
 
-from graphic_tmm.accuracy.advice import advice, best_numbers, most, own_count, slopes, step_name
+from graphic_tmm.accuracy.advice import advice, best_numbers, own_count, slopes
+from graphic_tmm.accuracy.answer_text import DOUBTFUL, answer_text, parts, step_name
 from graphic_tmm.accuracy.lessons import along, divisions
 from graphic_tmm.accuracy.measure import NOISE, Measurement
 from graphic_tmm.accuracy.settings import GRID, dividing
 from graphic_tmm.accuracy.study import Study
-from graphic_tmm.accuracy.timing import Load, Seconds
 from graphic_tmm.accuracy.words import WORDS
 from graphic_tmm.language.numbers import fixed, number
 
 TOP = 3
 """So many steps of a construction are named for each quantity."""
-DOUBTFUL = "~"
-"""Stands before seconds that scatter or were taken too few times."""
 
 
 def text_report(study: Study) -> list[Any]:
-    """Return what rich prints of a study on a terminal, in order; the advice comes last."""
+    """Return what rich prints of a study on a terminal, in order; the answer comes first."""
     from rich.text import Text
 
     words = WORDS[study.scene.language]
-    made: list[Any] = [
-        Text(words["title"].format(title=study.scene.title), style="bold"),
-        Text(words["measure"].format(trials=study.trials)),
-    ]
+    made: list[Any] = [*answer_text(study.answer), Text("")]
+    made.append(Text(words["measure"].format(trials=study.trials)))
     made += [_divided(study, name) for name in study.quantities if _measured(study, name)]
     made += [_varied_table(study), _steps(study), Text(_choice(study))]
-    made += [_machine(study), Text(_load(study))] if study.load is not None else []
     for heading, lines in (
         ("slopes", slopes(study)),
         ("optima", best_numbers(study)),
-        ("advices", (*advice(study), *most(study))),
+        ("advices", advice(study)),
     ):
         told = list(lines)
         if told:
@@ -107,38 +102,6 @@ def _quartiles(run: Measurement, language: str) -> str:
     return f"{DOUBTFUL if run.seconds.doubtful else ''}{least} ({low}…{high})"
 
 
-def _machine(study: Study) -> Any:
-    """Return the table of the seconds on the machine, by what a user asks for."""
-    language, words = study.scene.language, WORDS[study.scene.language]
-    counts = sorted({one.positions for one in study.machine})
-    table = _table(words["machine seconds"], [words["asked"], *map(str, counts)])
-    for what in dict.fromkeys(one.what for one in study.machine):
-        row = {one.positions: one.seconds for one in study.machine if one.what == what}
-        table.add_row(words[f"time {what}"], *(_second(row.get(n), language) for n in counts))
-    return table
-
-
-def _second(seconds: Seconds | None, language: str) -> str:
-    if seconds is None:
-        return ""
-    return f"{DOUBTFUL if seconds.doubtful else ''}{number(seconds.least, language, 2)}"
-
-
-def _load(study: Study) -> str:
-    """Return how the seconds were taken, and whether the machine was busy."""
-    return (
-        f"{WORDS[study.scene.language]['timed']} {busy(study.load, study.scene.language)}".rstrip()
-    )
-
-
-def busy(load: Load | None, language: str) -> str:
-    """Return that the machine was busy while it timed, "" if it was not."""
-    if load is None or not load.busy:
-        return ""
-    share = number(100.0 * load.elsewhere, language, 2)
-    return WORDS[language]["busy"].format(share=share, scattered=load.scattered, calls=load.calls)
-
-
 def _varied_table(study: Study) -> Any:
     """Return the table of settings in which one thing is varied."""
     language, words = study.scene.language, WORDS[study.scene.language]
@@ -187,21 +150,28 @@ def value_name(value: str, language: str) -> str:
 
 
 def _steps(study: Study) -> Any:
-    """Return the table of the steps that cost most accuracy."""
-    words = WORDS[study.scene.language]
-    title = words["shares"].format(count=own_count(study))
-    table = _table(title, [words["quantity"], words["share"], words["step"]])
-    table.columns[2].no_wrap, table.columns[2].justify = False, "left"
-    for quantity, cells in _ranked(study):
-        table.add_row(words[quantity], *cells)
-    return table
-
-
-def _ranked(study: Study) -> Iterator[tuple[str, tuple[str, str]]]:
+    """Return the table of the sources and steps that cost most accuracy."""
     from rich.markup import escape
 
-    language = study.scene.language
-    for steps in study.steps:
-        for share in steps.shares[:TOP]:
-            percent = f"{number(100.0 * share.share, language, 2)} %"
-            yield steps.quantity, (percent, escape(step_name(study, steps, share)))
+    language, words = study.scene.language, WORDS[study.scene.language]
+    heads = [words["quantity"], words["hand"], words["sources"], words["step"]]
+    table = _table(words["shares"], heads)
+    for column in table.columns[2:]:
+        column.no_wrap, column.justify = False, "left"
+    for origin in study.answer.origins:
+        for quantity, of in origin.of.items():
+            steps = (
+                f"{number(100.0 * share.share, language, 2)} %: {step_name(origin, share, language)}"
+                for share in of.steps[:TOP]
+            )
+            each = (
+                f"{words[f'from {name}']} {number(100.0 * share, language, 2)} %"
+                for name, share in parts(of)
+            )
+            table.add_row(
+                words[quantity],
+                words[origin.hand],
+                escape(", ".join(each)),
+                escape("\n".join(steps)),
+            )
+    return table

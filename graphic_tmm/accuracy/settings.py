@@ -77,7 +77,7 @@ def can_move(scene: Scene) -> bool:
 
 COUNTS = (4, 6, 8, 10, 12, 14, 16, 18, 24, 36, 48)
 """Numbers of positions that every hand draws."""
-LONG = (96, 192, 384, 768, 1536, 3072)
+LONG = (96, 192, 384, 768)
 """Numbers of positions for the exact hand alone."""
 RULERS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0)
 """Divisions of the ruler, mm."""

@@ -2,27 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass
 
+from graphic_tmm.accuracy.answer import Answer, answer, nothing
+from graphic_tmm.accuracy.budget import Tell
 from graphic_tmm.accuracy.cost import NOTHING, BoardWork, count
 from graphic_tmm.accuracy.drawing import References, pinned
 from graphic_tmm.accuracy.lessons import Fitted, Optimum, best_of, optima, slopes
-from graphic_tmm.accuracy.machine import MachineTime, machine_times
 from graphic_tmm.accuracy.measure import Measure, Measurement
-from graphic_tmm.accuracy.quantities import Accuracy, quantities
-from graphic_tmm.accuracy.settings import Setting, Varied, grid, hand_named, own_setting, singly
-from graphic_tmm.accuracy.shares import Share, shares
-from graphic_tmm.accuracy.timing import Load, Stopwatch
-from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.accuracy.quantities import quantities
+from graphic_tmm.accuracy.settings import Varied, grid, own_setting, singly
+from graphic_tmm.accuracy.timing import Stopwatch
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import Fault, SceneError, TmmError
 from graphic_tmm.fitting.choice import choices
-from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit_name
-from graphic_tmm.project import Project
 from graphic_tmm.readers.position_count import at_all_positions
-from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
 
@@ -30,45 +26,34 @@ DRAWINGS = 100
 """Default number of drawings by a hand that slips at each setting."""
 SLIPPING = ("student", "careful")
 """The hands whose best number of positions is reported, in addition to the scene's own."""
-Tell = Callable[[int, int, str], None]
-"""Called with the number of settings done, their total, and the next one."""
-
-
-@dataclass(frozen=True)
-class Steps:
-    """The shares of the steps of a quantity, with the project they stand in and its exact numbers."""
-
-    quantity: str
-    shares: tuple[Share, ...]
-    project: Project
-    reading: Reading
 
 
 @dataclass(frozen=True)
 class Study:
-    """All runs of a scene and what they teach.
+    """All runs of a scene and what they teach, and the ``answer`` in short.
 
     ``quantities``: their units by name. ``hand``: about whose setting axes vary. ``fronts``: runs on the Pareto
     front over minutes, ``fast``: over seconds. ``timed``: whether seconds were measured. ``left_out``: settings
-    that could not be drawn, and why. ``choice``: the work of choosing all scale factors. ``machine``:
-    seconds of what a user asks for, ``load``: what else the machine did then; None if nothing was timed.
+    that could not be drawn, and why. ``choice``: the work of choosing all scale factors.
     """
 
-    scene: Scene
+    answer: Answer
     hand: str
     trials: int
     quantities: Mapping[str, str]
     runs: tuple[Measurement, ...]
     fitted: tuple[Fitted, ...]
     optima: tuple[Optimum, ...]
-    steps: tuple[Steps, ...]
     fronts: frozenset[Measurement]
     fast: frozenset[Measurement]
     timed: bool
     left_out: tuple[str, ...]
     choice: BoardWork
-    machine: tuple[MachineTime, ...] = ()
-    load: Load | None = None
+
+    @property
+    def scene(self) -> Scene:
+        """The scene."""
+        return self.answer.scene
 
 
 def study(
@@ -101,7 +86,7 @@ def study(
         for q in quantities(d)
     }
     if not units:
-        raise SceneError(scene.source, (Fault("", 0, _nothing(scene)),))
+        raise SceneError(scene.source, (Fault("", 0, nothing(scene)),))
     runs: list[Measurement] = []
     left_out: list[str] = []
     for k, place in enumerate(along):
@@ -110,27 +95,23 @@ def study(
             continue
         _measure(measure, place, runs, left_out)
     told(len(along) + 1, len(along) + 2, "")
-    watch = Stopwatch()
-    machine: tuple[MachineTime, ...] = ()
-    if clock:
-        runs, machine = measure.timed(runs, watch), machine_times(scene, measure, watch)
+    watch = Stopwatch() if clock else None
+    if watch is not None:
+        runs = measure.timed(runs, watch)
     hands = tuple(dict.fromkeys((*SLIPPING, own.hand)))
     return Study(
-        scene,
+        answer(scene, minutes, watch),
         own.hand,
         trials,
         units,
         tuple(runs),
         slopes(runs),
         optima(runs, hands),
-        _steps(measure, replace(own, scene=full).by("student", hand_named("student", full, 1))),
         best_of(runs),
         best_of(runs, machine=True),
         clock,
         tuple(left_out),
         _choice(made, minutes),
-        machine,
-        watch.load if clock else None,
     )
 
 
@@ -147,24 +128,3 @@ def _measure(measure: Measure, place: Varied, runs: list[Measurement], left_out:
         text = f"{place.axis} {place.value}: {error}"
         if text not in left_out:
             left_out.append(text)
-
-
-def _steps(measure: Measure, setting: Setting) -> tuple[Steps, ...]:
-    """Return the shares of the variance per step, by the student's slips at the scene's own setting."""
-    found = []
-    for drawing in measure.drawings(setting):
-        exact = execute(drawing.construction, drawing.given)
-        for name, row in shares(drawing, setting.who).items():
-            found.append(Steps(name, row, drawing, exact))
-    return tuple(found)
-
-
-def _nothing(scene: Scene) -> str:
-    shown = ", ".join(sorted(scene.called))
-    *first, last = (place for one in chapters() for place in Accuracy.of(one).places)
-    return said(
-        "it calls for {shown}: nothing whose error can be told; place {first} or {last} on a [[sheet]]",
-        shown=shown,
-        first=", ".join(first),
-        last=last,
-    )

@@ -43,7 +43,18 @@ TEXTS: dict[str, str] = {
     "milliseconds": said("log, ms"),
     "quartiles": said("log, ms (quartiles)"),
     "board": said("work at the board, minutes"),
-    "machine": said("time on the machine, milliseconds"),
+    "machine": said("time on the machine, CPU seconds"),
+    "front": said("the front"),
+    "figure all": said("settings tried"),
+    "figure own": said("as in the scene"),
+    "figure knee": said("the knee"),
+    "figure student": said("by a student's hand"),
+    "figure sources": said("{quantity}: where the error comes from"),
+    "worst error": said("error of the worst, %"),
+    "timed log": said("the log"),
+    "timed table": said("the table"),
+    "timed sheets": said("sheets"),
+    "timed drawings": said("10 000 drawings"),
     "machine seconds": said("Time on the machine, s, by number of positions (parts, steps)"),
     "asked": said("what is asked for"),
     "time log": said("log: all quantities once, exactly"),
@@ -58,14 +69,58 @@ TEXTS: dict[str, str] = {
         "The machine was busy: other work had {share} % of the time, {scattered} times of {calls} scatter; "
         "repeat this on a quiet machine."
     ),
-    "front": said("Pareto front of a hand"),
-    "other": said("one thing varied"),
-    "count": said("number of positions (parts, steps)"),
     "quantity": said("quantity"),
     "step": said("step"),
     "share": said("share"),
-    "shares": said("Share of the variance per step, student, {count} positions"),
+    "shares": said("Where the error comes from: shares of the mean square error"),
+    "sources": said("sources"),
     "step of": said("{view}, step {number}: {text}"),
+    "answer far": said(
+        "This drawing ({setting}) gives {quantity} to {error} % of its largest value; nothing in it is "
+        "less exact."
+    ),
+    "answer far main": said(
+        "This drawing ({setting}) gives what it is made for, {main}, to {least} % of its largest value, "
+        "and {quantity}, the least exact, to {error} %."
+    ),
+    "answer student": said("A student's hand with a ruler of 0.5 mm would bring it to {error} %."),
+    "answer student main": said(
+        "A student's hand with a ruler of 0.5 mm would bring them to {least} and {error} %."
+    ),
+    "answer halved": said(
+        "Half the error: {setting} ({error} %; {minutes} min at the board instead of {own})."
+    ),
+    "answer halved less": said(
+        "Half the error, and less work: {setting} ({error} %; {minutes} min at the board instead of {own})."
+    ),
+    "answer not halved": said(
+        "Nothing tried halves the error; the nearest: {setting} ({error} %; {minutes} min at the board)."
+    ),
+    "answer wasted": said(
+        "Not worth its cost: {setting}; {minutes} min more, and {error} % instead of {own} %."
+    ),
+    "answer none wasted": said(
+        "Nothing dearer that was tried is in vain: each brings a tenth or more."
+    ),
+    "answer knee": said(
+        "The knee: {setting} ({error} %, {minutes} min); beyond it each per cent takes ever more time."
+    ),
+    "answer from": said("As drawn, the error of {quantity} comes from: {each}."),
+    "answer from student": said(
+        "By a student's hand, the error of {quantity} would come from: {each}."
+    ),
+    "answer step": said("Most comes from {step} ({share} %)."),
+    "answer table": said("Settings none of which is both dearer and less exact than another"),
+    "answer letters": said(
+        "● the scene as it is, ◆ the knee, × how many times as large. Nine readings of ten are off by no "
+        "more than so many % of the largest value; min: minutes at the board for all that the sheets show. "
+        "More with --all."
+    ),
+    "hand": said("hand"),
+    "how": said("how", context="method"),
+    "worst": said("worst, %"),
+    "main": said("main, %"),
+    "from together": said("several together"),
     "choice": said(
         "Choosing the scale factors takes S = {simplicity}, {minutes} min besides, once for all positions: "
         "{symbol}."
@@ -107,11 +162,26 @@ TEXTS: dict[str, str] = {
     "left out": said("Not drawn: {text}"),
     "budget": said("budget {percent} %: {setting}; {minutes} min at the board; {errors}"),
     "budget size": said("{times} times as large"),
-    "budget pole": said("H {times} times as far"),
+    "by exact": said("by an exact hand"),
+    "by cad": said("in CAD"),
+    "by careful": said("by a careful hand"),
+    "by student": said("by a student's hand"),
+    "by ruler": said("ruler {ruler} mm"),
+    "budget others": said("all else at most {error} %"),
     "budget none": said(
-        "--budget {percent} %: no setting keeps within it; the best found: "
-        "{setting}; {errors}. Allow more, or let a better hand draw (--hand)"
+        "--budget {percent} %: nothing tried keeps within it; the nearest: {setting}; {errors}."
     ),
+    "budget source": said(
+        "In its way stands {source}: {share} % of the mean square error of {quantity}."
+    ),
+    "budget hint": said("Allow more, or draw the nearest with --nearest"),
+    "from method": said("the method (chords, number of positions)"),
+    "from swing": said("rays of square and protractor"),
+    "from prick": said("pricked points, copying"),
+    "from compass": said("the opening of the compass"),
+    "from reading": said("reading lengths by eye"),
+    "from ruler": said("divisions of the ruler"),
+    "from digits": said("digits of calculation"),
     "advice same": said("{quantity}, {hand}: to {error} % with any number of {unit}."),
     "slope flat": said(
         "{quantity}: with the exact hand the error is the same at any number "

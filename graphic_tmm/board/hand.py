@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -53,7 +54,8 @@ class Hand(NamedTuple):
     ``ruler``: its division in mm, None for readings without rounding; ``digits``: significant digits of a
     calculation, None for all. ``seed`` of the random streams; ``trials``: how often everything is drawn;
     ``first``: the number of the first of them, a multiple of `MOST`. ``alone``: keys of slips of which but one
-    slips in each trial, in turn, and nothing else is left to chance; () for all of them.
+    slips in each trial, in turn, up or down by its standard deviation in a balanced design of `BALANCED` turns;
+    () for all of them, at random.
     """
 
     ruler: float | None = None
@@ -109,6 +111,20 @@ HANDS = {
     "student": Hand(ruler=0.5, prick=0.15, compass=0.15, swing=0.6, reading=0.75, digits=4),
 }
 """Named hands; the student's is fitted to 49 published examples (see checking/README.md)."""
+
+
+BALANCED = 16
+"""Turns of a balanced design: so many places next to each other slip up and down without being alike."""
+
+
+@lru_cache(maxsize=64)
+def _signs(width: int) -> Reals:
+    """Return ±1, (turn, place): among the first places no two go together, of others as good as none."""
+    rows = np.ones((1, 1))
+    while len(rows) < BALANCED:  # Sylvester's matrices
+        rows = np.block([[rows, rows], [rows, -rows]])
+    more = np.random.default_rng(0).choice((-1.0, 1.0), size=(BALANCED, max(width - BALANCED, 0)))
+    return np.hstack([rows, more])[:, :width]
 
 
 class Slip(NamedTuple):
@@ -168,13 +184,14 @@ class Slipping(NamedTuple):
             return self._drawn(slip, width, part, axes)
         if slip.key not in self.hand.alone:
             return np.zeros((1, width * axes))
-        return self._drawn(slip, width, part, axes) * self._turns(slip.key)
+        return self._balanced(slip.key, width * axes)
 
-    def _turns(self, key: str) -> Reals:
-        """Return 1 in the trials (trial, 1) in which this step slips alone, 0 in the others."""
+    def _balanced(self, key: str, width: int) -> Reals:
+        """Return ±1 in the trials (trial, width) in which this step slips alone, 0 in the others."""
         alone = self.hand.alone
         trials = self.block * trials_in_block(self.whole) + np.arange(self.trials)
-        return np.asarray(trials % len(alone) == alone.index(key), dtype=np.float64)[:, None]
+        mine = (trials % len(alone) == alone.index(key))[:, None]
+        return np.asarray(mine * _signs(width)[trials // len(alone) % BALANCED])
 
     def _drawn(self, slip: Slip, width: int, part: slice, axes: int) -> Reals:
         if width == 1:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -15,7 +15,7 @@ from graphic_tmm.language.said import said
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from graphic_tmm.accuracy.study import Study
+    from graphic_tmm.accuracy.answer import Answer
     from graphic_tmm.scene.records import Scene
 
 WIDTH = 200
@@ -36,6 +36,12 @@ NARROW = 80
     "--no-time", is_flag=True, help=said("Measure no seconds: the same bytes every time.")
 )
 @click.option(
+    "--all",
+    "everything",
+    is_flag=True,
+    help=said("Every setting that was tried, not only the answer."),
+)
+@click.option(
     "--effects",
     is_flag=True,
     help=said("Show what each effect costs and changes, and which is not worth drawing."),
@@ -48,28 +54,42 @@ def accuracy(
     trials: int,
     minutes: str | None,
     no_time: bool,
+    everything: bool,
     effects: bool,
     hand: str | None,
     seed: int | None,
 ) -> None:
     """Show what accuracy costs in SCENE: errors over work at the board and time on the machine."""
+    from graphic_tmm.accuracy.answer import answer
+    from graphic_tmm.accuracy.answer_text import answer_text
     from graphic_tmm.accuracy.geometrography import read_minutes
     from graphic_tmm.accuracy.report_json import json_report
     from graphic_tmm.accuracy.report_text import text_report
     from graphic_tmm.accuracy.study import study
+    from graphic_tmm.accuracy.timing import Stopwatch
 
     task = drawn_by(read_scene(scene), None, seed)
     table = read_minutes(minutes) if minutes is not None else None
     if effects:
         _effects(task, hand, trials, table, form, output, clock=not no_time)
         return
-    with progress() as tell:
-        found = study(task, hand=hand, trials=trials, minutes=table, clock=not no_time, tell=tell)
-    report = json_report(found) if form == "json" else text_report(found)
-    show(report, WIDTH)
+    own = drawn_by(task, hand, seed)
+    report: str | list[Any]
+    if everything or form == "json":
+        with progress() as tell:
+            found = study(own, trials=trials, minutes=table, clock=not no_time, tell=tell)
+        weighed, width = found.answer, WIDTH
+        report = json_report(found) if form == "json" else text_report(found)
+    else:
+        with progress() as tell:
+            watch = None if no_time else Stopwatch()
+            weighed = answer(own, table, watch, tell, around=output is not None)
+        width = NARROW
+        report = answer_text(weighed)
+    show(report, width)
     if output is not None:
         end = "json" if form == "json" else "txt"
-        for path in _written(found, {end: rendered(report, WIDTH, printed=False)}, output):
+        for path in _written(weighed, {end: rendered(report, width, printed=False)}, output):
             say(str(path))
 
 
@@ -102,13 +122,13 @@ def _effects(
             say(str(path))
 
 
-def _written(found: Study, report: dict[str, str], output: str) -> tuple[Path, ...]:
-    """Write the report and the figure of a study (by their ends) into a folder; return the files."""
+def _written(weighed: Answer, report: dict[str, str], output: str) -> tuple[Path, ...]:
+    """Write the report and the figure of an answer (by their ends) into a folder; return the files."""
     from graphic_tmm.accuracy.figure import figures
     from graphic_tmm.files import write
     from graphic_tmm.scene.packaged import scene_name
 
-    stem = scene_name(found.scene.source)
-    every: dict[str, str | bytes] = {**report, **figures(found)}
+    stem = scene_name(weighed.scene.source)
+    every: dict[str, str | bytes] = {**report, **figures(weighed)}
     files = {f"{stem}-accuracy.{end}": content for end, content in every.items()}
     return write(Path(output), files, remedy=said("name another folder with -o"))

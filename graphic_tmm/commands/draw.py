@@ -58,6 +58,7 @@ def draw(
     hand: str | None,
     seed: int | None,
     budget: str | None,
+    nearest: bool,
 ) -> None:
     """Draw the sheets of SCENE as files, true to the millimetre."""
     from graphic_tmm.files import write
@@ -66,7 +67,7 @@ def draw(
     from graphic_tmm.studio import FORMATS, sheet_files
 
     wanted = chosen_forms(forms, (*FORMATS, FORMAT))
-    task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget)
+    task = within(drawn_by(read_scene(scene, lettered=True), hand, seed), budget, nearest=nearest)
     given = read_composition(composition_file(task.source))
     with waiting(said("choosing scale factors and composing the sheets")):
         made, texts = sheet_files(

@@ -65,6 +65,7 @@ def table(
     seed: int | None,
     trials: int,
     budget: str | None,
+    nearest: bool,
 ) -> None:
     """Print what SCENE calls for, whether or not a sheet shows it: segments in mm, quantities in SI."""
     from graphic_tmm.fitting.composition import composition_file, read_composition
@@ -72,7 +73,7 @@ def table(
     from graphic_tmm.readers.table import table as told
     from graphic_tmm.studio import make
 
-    task = within(drawn_by(read_scene(scene), hand, seed), budget)
+    task = within(drawn_by(read_scene(scene), hand, seed), budget, nearest=nearest)
     given = read_composition(composition_file(task.source))
     wide = width or (terminal_width() if output is None else WIDTH)
     form = form_of(form, output, FORMS)

@@ -192,33 +192,44 @@ def processors() -> int:
 
 
 def budgeted(command: F) -> F:
-    """Give a command the option of an error to be kept within."""
+    """Give a command the options of an error to be kept within."""
+    near = click.option(
+        "--nearest",
+        is_flag=True,
+        help=said("Where nothing keeps within --budget, draw what comes nearest."),
+    )
     return click.option(
         "--budget",
         help=said(
             "Largest error, such as 2%: take the cheapest setting that keeps every quantity within "
             "it."
         ),
-    )(command)
+    )(near(command))
 
 
-def within(scene: Scene, budget: str | None) -> Scene:
+def within(scene: Scene, budget: str | None, *, nearest: bool = False) -> Scene:
     """Return the scene at the cheapest setting within a budget such as "2%", and print which it is.
+
+    ``nearest``: where none keeps within it, the best.
 
     Raises
     ------
     SheetError
         If the budget is no percentage.
     SceneError
-        If no setting keeps within it.
+        If no setting keeps within it, and ``nearest`` is not wanted.
     """
+    from graphic_tmm.errors import SheetError
+
     if budget is None:
+        if nearest:
+            raise SheetError(said("--nearest goes with --budget; write --budget 2% --nearest"))
         return scene
     from graphic_tmm.accuracy.budget import choose
 
     percent = _percentage(budget)
     with progress() as on_the_way:
-        taken = choose(scene, percent, on_the_way)
+        taken = choose(scene, percent, on_the_way, nearest=nearest)
     tell(f"{scene.source}: {taken.sentence}")
     return taken.scene
 

@@ -16,7 +16,7 @@ from graphic_tmm.language.reader import reader
 from graphic_tmm.language.said import said
 
 if TYPE_CHECKING:
-    from graphic_tmm.accuracy.study import Tell
+    from graphic_tmm.accuracy.budget import Tell
     from graphic_tmm.drawn import DrawnScene
 
 
