@@ -175,7 +175,8 @@ def record(bench: Bench) -> KinematicPlans:
         turns,
         further,
     )
-    of_first_turn = [k for k in range(len(bench.names)) if k not in made.repeated]
+    later = frozenset(made.repeated)
+    of_first_turn = [k for k in range(len(bench.names)) if k not in later]
     bench.best = partial(best, tried, np.ravel(angles), accelerated, of_first_turn)
     return made
 
