@@ -96,13 +96,24 @@ class Weighed:
         return any(one.seen_by_pencil for one in self.changes)
 
 
+class Hidden(NamedTuple):
+    """Effects that can be left out together without being seen, by name; whether they are ``all`` of the small.
+
+    ``weighed``: what they cost and change together; its time is not measured.
+    """
+
+    names: tuple[str, ...]
+    weighed: Weighed
+    all: bool
+
+
 @dataclass(frozen=True)
 class EffectStudy:
     """All effects of a scene; ``whole``: the cost of the scene with all of them.
 
     ``hand``: that draws; ``pencil``: whether the student's error is told besides; ``names``: of the quantities;
-    ``effects``: that of the largest change first, those not called for last. ``hidden``: all that the drawing's
-    own error hides, left out together, and all that a student's hides; None where there are not several.
+    ``effects``: that of the largest change first, those not called for last. ``hidden``: what the drawing's own
+    error hides, and what a student's does; None where that are not several effects.
     ``load``: what else the machine did; None if nothing was timed.
     """
 
@@ -113,8 +124,8 @@ class EffectStudy:
     whole: Cost
     names: tuple[str, ...]
     effects: tuple[Weighed, ...]
-    hidden: Weighed | None = None
-    hidden_by_pencil: Weighed | None = None
+    hidden: Hidden | None = None
+    hidden_by_pencil: Hidden | None = None
     load: Load | None = None
 
 
@@ -162,8 +173,9 @@ def study_effects(
     there = [
         one for one in zip(found, weighed, strict=True) if one[1].called and not one[1].refused
     ]
-    small = [effect for effect, one in there if not one.worth]
-    faint = [effect for effect, one in there if not one.worth_pencil]
+    untimed = partial(_weighed, scene, drawings, results, scales, minutes, None)
+    small = [(effect, one) for effect, one in there if not one.worth]
+    faint = [(effect, one) for effect, one in there if not one.worth_pencil]
     whole = cost_of(drawings, minutes)._replace(
         seconds=None if watch is None else seconds_of(drawings, watch)
     )
@@ -177,10 +189,30 @@ def study_effects(
         whole,
         names,
         ranked,
-        weigh(_together(small)) if len(small) > 1 else None,
-        weigh(_together(faint)) if len(faint) > 1 else None,
+        _unseen(small, untimed, lambda one: one.worth),
+        _unseen(faint, untimed, lambda one: one.worth_pencil),
         None if watch is None else watch.load,
     )
+
+
+def _unseen(
+    small: Sequence[tuple[Effect, Weighed]],
+    weigh: Callable[[Effect], Weighed],
+    worth: Callable[[Weighed], bool],
+) -> Hidden | None:
+    """Return effects that are not seen each by itself, as many as can be left out together unseen.
+
+    From the least on each is left out beside those before it, unless that would be seen or cannot be drawn.
+    """
+    if len(small) < 2:
+        return None
+    least = sorted(small, key=lambda one: one[1].percent)
+    kept, found = [least[0][0]], least[0][1]
+    for effect, _ in least[1:]:
+        beside = weigh(_together([*kept, effect]))
+        if not beside.refused and not worth(beside):
+            kept, found = [*kept, effect], beside
+    return Hidden(tuple(effect.name for effect in kept), found, len(kept) == len(small))
 
 
 def effects(scene: Scene, drawings: Sequence[Project]) -> tuple[Effect, ...]:

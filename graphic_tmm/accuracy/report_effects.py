@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from graphic_tmm.accuracy.answer_text import busy
-from graphic_tmm.accuracy.effect_study import Change, EffectStudy, Weighed
+from graphic_tmm.accuracy.effect_study import Change, EffectStudy, Hidden, Weighed
 from graphic_tmm.accuracy.measure import NOISE
 from graphic_tmm.accuracy.report_json import figure
 from graphic_tmm.accuracy.words import WORDS
@@ -90,21 +90,24 @@ def _needless(study: EffectStudy, there: Iterable[Weighed]) -> Iterator[str]:
         yield from _hidden(study, study.hidden_by_pencil, pencil=True)
 
 
-def _hidden(study: EffectStudy, several: Weighed | None, *, pencil: bool) -> Iterator[str]:
-    """Yield what becomes of it if all that is not worth drawing is left out together."""
+def _hidden(study: EffectStudy, several: Hidden | None, *, pencil: bool) -> Iterator[str]:
+    """Yield which of the effects that are not worth drawing can be left out together."""
+    _ = speaking(study.scene.language)
     if several is None:
         return
-    _ = speaking(study.scene.language)
-    if several.refused:
-        yield _("Not all of these can be left out together: {reason}.", reason=_(several.refused))
+    if len(several.names) < 2:
+        yield _("Leave out one of them only: together they are seen.")
         return
-    if not several.changes:
-        return
-    seen = several.worth_pencil if pencil else several.worth
-    told = _change_of(study, several, pencil=pencil)
-    form = said("Not all of these together: that would be seen ({change}).")
-    form = form if seen else said("Nor are they seen all together ({change}; {minutes} min).")
-    yield _(form, change=told, minutes=fixed(several.cost.minutes, 0, study.scene.language))
+    form = said("Nor are they seen all together ({change}; {minutes} min).")
+    if not several.all:
+        form = said("Together leave out only: {effects} ({change}; {minutes} min).")
+    one = several.weighed
+    yield _(
+        form,
+        effects=", ".join(map(_, several.names)),
+        change=_change_of(study, one, pencil=pencil) if one.changes else _("no change"),
+        minutes=fixed(one.cost.minutes, 0, study.scene.language),
+    )
 
 
 def _detail(study: EffectStudy, effect: Weighed, *, pencil: bool) -> str:
@@ -241,19 +244,24 @@ def effects_json(study: EffectStudy) -> str:
         "minutes": _figure(study.whole.minutes),
         "seconds": _figure(study.whole.seconds),
         "effects": [_effect(study, one) for one in study.effects],
-        "not_worth_together": _together(study, study.hidden),
-        "not_worth_together_student": _together(study, study.hidden_by_pencil),
+        "unseen_together": _together(study, study.hidden),
+        "unseen_together_student": _together(study, study.hidden_by_pencil),
         "sentences": list(sentences(study)),
     }
     return json.dumps(told, ensure_ascii=False, indent=1) + "\n"
 
 
-def _together(study: EffectStudy, several: Weighed | None) -> dict[str, Any] | None:
-    """Return what the effects that are not worth drawing change together."""
+def _together(study: EffectStudy, several: Hidden | None) -> dict[str, Any] | None:
+    """Return what can be left out together without being seen."""
     if several is None:
         return None
-    changes = [_change(study, one) for one in several.changes]
-    return {"refused": str(several.refused) or None, "changes": changes}
+    one = several.weighed
+    return {
+        "effects": list(map(str, several.names)),
+        "steps": one.cost.steps,
+        "minutes": _figure(one.cost.minutes),
+        "changes": [_change(study, change) for change in one.changes],
+    }
 
 
 def _effect(study: EffectStudy, effect: Weighed) -> dict[str, Any]:

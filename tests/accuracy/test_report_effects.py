@@ -11,7 +11,7 @@ from support.command import invoke
 from support.gallery import scene as gallery
 from support.tasks import effect, effects_known, effects_of
 
-from graphic_tmm.accuracy.effect_study import Change
+from graphic_tmm.accuracy.effect_study import EffectStudy, study_effects
 from graphic_tmm.accuracy.report_effects import effects_text, sentences
 from graphic_tmm.chapters.forces.task import Load
 from graphic_tmm.commands.shared.telling import rendered
@@ -40,19 +40,44 @@ def test_what_changes_less_than_the_drawing_errs_is_named_as_not_worth_drawing()
 
 def test_effects_that_are_hidden_each_are_left_out_together_before_it_is_said() -> None:
     """Beside a student's error each of four is nothing; together they are held against it once more."""
-    found = effects_known("crank-press")
+    found = study_effects(gallery("crank-press"), clock=False)
     assert found.hidden is None
     together = found.hidden_by_pencil
     assert together is not None
-    each = [one for one in found.effects if one.called and not one.worth_pencil]
-    assert len(each) > 1
-    assert together.cost.steps > max(one.cost.steps for one in each)
-    assert together.percent > max(one.percent for one in each)
-    for percent, start in ((3.0, "Nor are they seen all together"), (50.0, "Not all of these")):
-        changed = replace(together, changes=(Change("P_bal", "", "4", percent, 1.0, 4.0),))
-        said = sentences(replace(found, hidden_by_pencil=changed))
-        (line,) = [line for line in said if "together" in line]
-        assert line.startswith(start)
+    small = [one for one in found.effects if one.called and not one.worth_pencil]
+    assert set(together.names) == {one.name for one in small}
+    assert together.all
+    assert together.weighed.cost.steps > max(one.cost.steps for one in small)
+    assert together.weighed.percent > max(one.percent for one in small)
+    assert not together.weighed.worth_pencil
+    (line,) = [one for one in sentences(found) if "together" in one]
+    assert line.startswith("Nor are they seen all together (reaction R01 by 3.2 %")
+
+
+def loaded(*sizes: float) -> EffectStudy:
+    """Effects of a press with further loads on its ram."""
+    own = gallery("crank-press")
+    order = own.tasks["forces"]
+    loads = (*order.loads, *(Load(3, "B", size, -90.0) for size in sizes))
+    return effects_of(own.asking(forces=replace(order, loads=loads)))
+
+
+def test_of_what_would_be_seen_together_a_part_is_left_out() -> None:
+    """Three loads, each of some 0.35 of what is just seen: two of them are not seen, three are."""
+    tried = effect(loaded(1.0), "load 2, at B")
+    most = min(one.error / one.percent for one in tried.changes)
+    found = loaded(0.36 * most, 0.34 * most, 0.35 * most)
+    assert found.hidden is not None
+    assert found.hidden.names == ("load 3, at B", "load 4, at B")
+    assert not found.hidden.all
+    each = [effect(found, name).percent for name in found.hidden.names]
+    assert found.hidden.weighed.percent == pytest.approx(sum(each), rel=1e-3)
+    line = next(one for one in sentences(found) if one.startswith("Together leave out only"))
+    assert "load 3, at B, load 4, at B (" in line
+    pair = loaded(0.6 * most, 0.6 * most)
+    assert pair.hidden is not None
+    assert len(pair.hidden.names) == 1
+    assert "Leave out one of them only: together they are seen." in sentences(pair)
 
 
 def test_effects_stand_in_the_order_in_which_they_matter() -> None:

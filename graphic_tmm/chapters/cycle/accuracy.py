@@ -9,7 +9,7 @@ from functools import partial
 from graphic_tmm.accuracy.quantities import Accuracy, Axis, Effect, Quantity, Reference, Value
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.cycle.plan import CYCLE_PLAN
-from graphic_tmm.chapters.cycle.task import ASKED, CYCLE
+from graphic_tmm.chapters.cycle.task import ASKED, CYCLE, Moment
 from graphic_tmm.chapters.flywheel.accuracy import BY_POSITIONS, farther, larger
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
@@ -59,16 +59,16 @@ def _own(scene: Scene) -> int:
 
 def _effects(scene: Scene) -> Iterator[Effect]:
     order = ASKED.of(scene)
-    for k in range(len(order.moments) if order is not None else 0):
-        yield Effect(said("moment {n}", n=k + 1), partial(_without, k=k))
+    for k, moment in enumerate(order.moments if order is not None else ()):
+        yield Effect(said("moment {n}", n=k + 1), partial(_without, moment=moment))
 
 
-def _without(scene: Scene, k: int) -> Scene:
-    """Return the scene without its moment number k, from 0."""
+def _without(scene: Scene, moment: Moment) -> Scene:
+    """Return the scene without one of its moments; another that says the same stays."""
     order = ASKED.of(scene)
     if order is None:
         return scene
-    moments = (*order.moments[:k], *order.moments[k + 1 :])
+    moments = tuple(one for one in order.moments if one is not moment)
     return ASKED.put(scene, replace(order, moments=moments))
 
 

@@ -10,7 +10,7 @@ from typing import Any
 from graphic_tmm.accuracy.quantities import Accuracy, Axis, Effect, Quantity, Reference, Value
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
-from graphic_tmm.chapters.forces.task import ASKED, FORCES
+from graphic_tmm.chapters.forces.task import ASKED, FORCES, Load
 from graphic_tmm.chapters.indicator.accuracy import BELOW, at_count, one_sided
 from graphic_tmm.chapters.kinematics.accuracy import renamed, resampled
 from graphic_tmm.chapters.kinematics.plan import ALL
@@ -107,7 +107,7 @@ def _effects(scene: Scene) -> Iterator[Effect]:
         place = said("load {n}, at {point}", n=k + 1, point=load.point)
         if load.point is None:
             place = said("load {n}, on link {link}", n=k + 1, link=load.link)
-        yield Effect(place, partial(_unloaded, k=k))
+        yield Effect(place, partial(_unloaded, load=load))
 
 
 def _changed(scene: Scene, **changes: Any) -> Scene:
@@ -115,11 +115,11 @@ def _changed(scene: Scene, **changes: Any) -> Scene:
     return scene if order is None else ASKED.put(scene, replace(order, **changes))
 
 
-def _unloaded(scene: Scene, k: int) -> Scene:
-    """Return the scene without its load number k, from 0."""
+def _unloaded(scene: Scene, load: Load) -> Scene:
+    """Return the scene without one of its loads; another that says the same stays."""
     order = ASKED.of(scene)
     loads = order.loads if order is not None else ()
-    return _changed(scene, loads=(*loads[:k], *loads[k + 1 :]))
+    return _changed(scene, loads=tuple(one for one in loads if one is not load))
 
 
 def masses(scene: Scene) -> Iterator[Effect]:
