@@ -7,7 +7,6 @@ from math import atan, cos, exp, isinf, log, nan, pi, sin, sqrt
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from graphic_tmm.accuracy.measure import Measurement
 from graphic_tmm.accuracy.settings import dividing
@@ -94,7 +93,7 @@ def front(costs: Sequence[float], errors: Sequence[float]) -> tuple[int, ...]:
     A setting stands on it if no other costs as little and errs as little, one of the two less; of equal ones
     the first stands for all. A cost or an error that is not finite keeps a setting out.
     """
-    cost, error = _alike(costs, errors)
+    cost, error = np.asarray(costs, dtype=np.float64), np.asarray(errors, dtype=np.float64)
     there = np.flatnonzero(np.isfinite(cost) & np.isfinite(error))
     order = there[np.lexsort((there, error[there], cost[there]))]
     found, best = [], np.inf
@@ -103,40 +102,6 @@ def front(costs: Sequence[float], errors: Sequence[float]) -> tuple[int, ...]:
             found.append(int(index))
             best = error[index]
     return tuple(found)
-
-
-def cheapest(costs: Sequence[float], errors: ArrayLike, budget: ArrayLike) -> int | None:
-    """Return the index of the cheapest setting that keeps within the budget; None if none does.
-
-    Parameters
-    ----------
-    costs
-        The cost of each setting.
-    errors
-        The error of each setting, (setting,), or of each quantity there, (setting, quantity).
-    budget
-        The largest error allowed, in the same unit: one number, or one for each quantity.
-
-    Of settings that cost the same the one with the smaller largest error is taken, then the first. A setting
-    with an error that is not a number keeps within no budget.
-    """
-    cost, error = _alike(costs, errors)
-    error = error.reshape(cost.size, -1) if cost.size else np.empty((0, 1))
-    within = np.all(error <= np.asarray(budget, dtype=np.float64), axis=1) & np.isfinite(cost)
-    if not within.any():
-        return None
-    there = np.flatnonzero(within)
-    largest = error[there].max(axis=1, initial=0.0)
-    return int(there[np.lexsort((there, largest, cost[there]))[0]])
-
-
-def _alike(
-    costs: Sequence[float], errors: ArrayLike
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    cost, error = np.asarray(costs, dtype=np.float64), np.asarray(errors, dtype=np.float64)
-    if cost.shape != error.shape[:1]:
-        raise ValueError(f"{cost.size} costs, but errors of {error.shape[:1]} settings")
-    return cost, error
 
 
 ASIDE = ("trials", "slip", "ruler")
@@ -159,7 +124,7 @@ class Fitted(NamedTuple):
 
 
 class Optimum(NamedTuple):
-    """The number of positions at which a hand errs least, and the first that is at least twice as many.
+    """The number of positions at which a hand errs least.
 
     ``sure``: the numbers whose error may as well be the least, as far as it is known. ``inside``: whether fewer
     and more were tried. ``flat``: whether the number makes no difference.
@@ -169,7 +134,6 @@ class Optimum(NamedTuple):
     axis: str
     hand: str
     best: Measurement
-    finer: Measurement | None
     sure: tuple[int, ...]
     inside: bool
     flat: bool
@@ -232,10 +196,9 @@ def _optimum(row: Sequence[Measurement]) -> Optimum:
     sure = tuple(
         divisions(run) for run in row if run.error - 2.0 * _both(run, spread) <= best.error
     )
-    finer = next((run for run in row if divisions(run) >= 2 * divisions(best)), None)
     flat = max(errors) <= FLAT * best.error or len(sure) >= MOST * len(row)
     inside = 0 < at < len(row) - 1
-    return Optimum(best.quantity, best.axis, best.hand, best, finer, sure, inside, flat)
+    return Optimum(best.quantity, best.axis, best.hand, best, sure, inside, flat)
 
 
 def _both(run: Measurement, spread: float) -> float:
@@ -244,13 +207,11 @@ def _both(run: Measurement, spread: float) -> float:
     return float(np.hypot(own, spread))
 
 
-def best_of(runs: Sequence[Measurement], *, machine: bool = False) -> frozenset[Measurement]:
-    """Return the runs on the Pareto front of their quantity and hand: error over minutes, or over seconds."""
+def best_of(runs: Sequence[Measurement]) -> frozenset[Measurement]:
+    """Return the runs on the Pareto front of their quantity and hand: error over minutes at the board."""
     found: list[Measurement] = []
     for quantity, hand in dict.fromkeys((run.quantity, run.hand) for run in runs):
         row = [r for r in runs if (r.quantity, r.hand) == (quantity, hand) and r.axis not in ASIDE]
-        if machine:
-            row = [run for run in row if run.seconds is not None]
-        costs = [run.seconds.least if machine and run.seconds else run.work.minutes for run in row]
+        costs = [run.work.minutes for run in row]
         found += [row[k] for k in front(costs, [run.error for run in row])]
     return frozenset(found)

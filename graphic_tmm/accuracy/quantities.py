@@ -136,7 +136,7 @@ class Accuracy(Answer):
 
     ``enlarged``: the scene drawn larger by a factor, every μ finer by it. ``poles``: the quantities that depend
     on its pole distances, none without a pole; ``farther``: the given marks with pole distances multiplied by a
-    factor; ``moved``: the scene with them, None if no scene can say it.
+    factor.
     """
 
     stands: ClassVar[str] = "accuracy.ACCURACY"
@@ -151,7 +151,6 @@ class Accuracy(Answer):
     enlarged: Callable[[Scene, Drawn, float], Scene] = lambda scene, drawn, times: scene
     poles: Callable[[Scene], tuple[str, ...]] = lambda scene: ()
     farther: Callable[[Project, float], Mapping[Mark, object]] = lambda project, times: {}
-    moved: Callable[[Scene, Drawn, float], Scene] | None = None
 
 
 def quantities(project: Project) -> tuple[Quantity, ...]:

@@ -6,12 +6,12 @@ import json
 import math
 from typing import Any
 
-from graphic_tmm.accuracy.advice import advice, best_numbers, slopes
 from graphic_tmm.accuracy.answer import Answer, Origin, Row
 from graphic_tmm.accuracy.answer_text import sentences, setting, step_name
 from graphic_tmm.accuracy.cost import BoardWork
 from graphic_tmm.accuracy.lessons import Fitted, Optimum, divisions
 from graphic_tmm.accuracy.measure import Measurement
+from graphic_tmm.accuracy.report_text import best_numbers, slopes
 from graphic_tmm.accuracy.study import Study
 from graphic_tmm.accuracy.timing import Seconds
 from graphic_tmm.scene.packaged import scene_name
@@ -33,7 +33,6 @@ def json_report(study: Study) -> str:
         "optima": [_optimum(one) for one in study.optima],
         "choice": _work(study.choice),
         "sentences": [*slopes(study), *best_numbers(study)],
-        "advice": [*advice(study)],
         "left_out": list(study.left_out),
         **_machine(study),
     }
@@ -118,7 +117,6 @@ def _run(study: Study, run: Measurement) -> dict[str, Any]:
     if run.seconds is not None:
         found |= {
             **_seconds(run.seconds),
-            "pareto_seconds": run in study.fast,
         }
     return found
 

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
-from graphic_tmm.accuracy.advice import advice, best_numbers, own_count, slopes
 from graphic_tmm.accuracy.answer_text import DOUBTFUL, answer_text, parts, step_name
 from graphic_tmm.accuracy.lessons import along, divisions
 from graphic_tmm.accuracy.measure import NOISE, Measurement
-from graphic_tmm.accuracy.settings import GRID, dividing
+from graphic_tmm.accuracy.settings import GRID, POSITIONS, dividing, own_parts
 from graphic_tmm.accuracy.study import Study
-from graphic_tmm.accuracy.words import WORDS
+from graphic_tmm.accuracy.words import WORDS, counted
 from graphic_tmm.language.numbers import fixed, number
 
+KNOWN, LEVEL = 0.5, 0.25
+"""A slope is printed if its error is below the first; it is zero if below the second. Both chosen by eye."""
 TOP = 3
 """So many steps of a construction are named for each quantity."""
 
@@ -30,7 +31,6 @@ def text_report(study: Study) -> list[Any]:
     for heading, lines in (
         ("slopes", slopes(study)),
         ("optima", best_numbers(study)),
-        ("advices", advice(study)),
     ):
         told = list(lines)
         if told:
@@ -175,3 +175,47 @@ def _steps(study: Study) -> Any:
                 escape("\n".join(steps)),
             )
     return table
+
+
+def slopes(study: Study) -> Iterator[str]:
+    """Yield how the exact hand's error falls with the number of positions, and how its costs grow."""
+    language, words = study.scene.language, WORDS[study.scene.language]
+    for one in study.fitted:
+        width = one.error.half_width()
+        if not width < KNOWN:
+            continue
+        spread = one.seconds.half_width()
+        form = "slope timed" if spread < KNOWN else "slope"
+        form = form if one.error.slope < -LEVEL else "slope flat"
+        yield words[form].format(
+            quantity=words[one.quantity],
+            error=number(one.error.slope, language, 3),
+            width=number(width, language, 1),
+            minutes=number(one.minutes.slope, language, 3),
+            seconds=number(one.seconds.slope, language, 2),
+            spread=number(spread, language, 1),
+        )
+
+
+def best_numbers(study: Study) -> Iterator[str]:
+    """Yield at which number of positions each hand errs least."""
+    language, words = study.scene.language, WORDS[study.scene.language]
+    for one in study.optima:
+        form = "optimum" if len(one.sure) > 1 else "optimum sure"
+        form = "optimum edge" if not one.inside else form
+        form = "optimum flat" if one.flat else form
+        yield words[form].format(
+            quantity=words[one.quantity],
+            hand=words[one.hand],
+            best=counted(divisions(one.best), one.axis, language),
+            error=number(one.best.error, language, 2),
+            low=min(one.sure),
+            high=max(one.sure),
+        )
+
+
+def own_count(study: Study) -> int:
+    """Return into how many parts the scene's own setting divides the drawing."""
+    divided = dividing()
+    axis = next((run.axis for run in study.runs if run.axis in divided), POSITIONS.name)
+    return own_parts(study.scene, axis)

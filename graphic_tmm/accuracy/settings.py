@@ -59,22 +59,6 @@ def enlarge(scene: Scene, made: DrawnScene, times: float) -> Scene:
     return scene
 
 
-def farther(scene: Scene, made: DrawnScene, times: float) -> Scene:
-    """Return a scene whose graphs have the pole distances of ``made`` times a factor, where it can say so."""
-    for drawn in made.boards:
-        for chapter in chapters(drawn.board):
-            moved = Accuracy.of(chapter).moved
-            scene = moved(scene, drawn, times) if moved is not None else scene
-    return scene
-
-
-def can_move(scene: Scene) -> bool:
-    """Whether a scene can say how far poles of its graphs stand."""
-    return any(
-        Accuracy.of(one).moved is not None and Accuracy.of(one).poles(scene) for one in chapters()
-    )
-
-
 COUNTS = (4, 6, 8, 10, 12, 14, 16, 18, 24, 36, 48)
 """Numbers of positions that every hand draws."""
 LONG = (96, 192, 384, 768)

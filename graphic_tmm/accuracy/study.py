@@ -33,7 +33,7 @@ class Study:
     """All runs of a scene and what they teach, and the ``answer`` in short.
 
     ``quantities``: their units by name. ``hand``: about whose setting axes vary. ``fronts``: runs on the Pareto
-    front over minutes, ``fast``: over seconds. ``timed``: whether seconds were measured. ``left_out``: settings
+    front over minutes. ``timed``: whether seconds were measured. ``left_out``: settings
     that could not be drawn, and why. ``choice``: the work of choosing all scale factors.
     """
 
@@ -45,7 +45,6 @@ class Study:
     fitted: tuple[Fitted, ...]
     optima: tuple[Optimum, ...]
     fronts: frozenset[Measurement]
-    fast: frozenset[Measurement]
     timed: bool
     left_out: tuple[str, ...]
     choice: BoardWork
@@ -108,7 +107,6 @@ def study(
         slopes(runs),
         optima(runs, hands),
         best_of(runs),
-        best_of(runs, machine=True),
         clock,
         tuple(left_out),
         _choice(made, minutes),

@@ -141,24 +141,8 @@ TEXTS: dict[str, str] = {
         "{quantity}, {hand}: least at the end of what was tried, {best} ({error} %)."
     ),
     "optimum flat": said("{quantity}, {hand}: about {error} % at any number."),
-    "advice": said(
-        "{best}, {hand}: {quantity} to {error} %; {finer} cost {times} times the work "
-        "and give {other} %."
-    ),
-    "advice flat": said(
-        "{quantity}, {hand}: to {error} % with any number of {unit}; {finer} "
-        "instead of {number} only cost {times} times the work."
-    ),
-    "advice last": said(
-        "{best}, {hand}: {quantity} to {error} %, the more the better: {finer} take "
-        "{times} of the work and give {other} %."
-    ),
-    "most": said(
-        "{quantity}: most of the student's error comes from {step} ({share} % of the variance)."
-    ),
     "slopes": said("Slopes"),
     "optima": said("Best numbers"),
-    "advices": said("Advice"),
     "left out": said("Not drawn: {text}"),
     "budget": said("budget {percent} %: {setting}; {minutes} min at the board; {errors}"),
     "budget size": said("{times} times as large"),
@@ -182,7 +166,6 @@ TEXTS: dict[str, str] = {
     "from reading": said("reading lengths by eye"),
     "from ruler": said("divisions of the ruler"),
     "from digits": said("digits of calculation"),
-    "advice same": said("{quantity}, {hand}: to {error} % with any number of {unit}."),
     "slope flat": said(
         "{quantity}: with the exact hand the error is the same at any number "
         "(N^{error}), the work grows as N^{minutes}."

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from support.gallery import SHEETS
 
-from graphic_tmm.accuracy.advice import advice, most
+from graphic_tmm.accuracy.answer_text import sentences
 from graphic_tmm.accuracy.budget import choose
 from graphic_tmm.accuracy.quantities import Accuracy, Axis, Quantity, Value
 from graphic_tmm.accuracy.report_json import json_report
@@ -102,7 +102,7 @@ def test_a_chapter_of_a_test_is_studied_and_told(scene: Scene) -> None:
     assert values == {"1", "2", "4", "8"}
     exact = [r["error_percent"] for r in told["runs"] if r["hand"] == "exact"]
     assert exact == [0.0] * 4
-    lines = [*advice(found), *most(found)]
+    lines = [*sentences(found.answer)]
     assert any("the first part" in line for line in lines)
     assert any("piece" in line for line in lines)
 

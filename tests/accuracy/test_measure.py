@@ -94,7 +94,7 @@ def test_velocities_of_a_slider_are_what_one_counts_on_the_fingers(n: int) -> No
     """
     changed = at_count(scene("slider-diagrams"), n)
     drawn = drawing("slider-diagrams", changed)
-    assert work_of(drawn, quantity(drawn, "v")).simplicity == 12 + 31 * n
+    assert work_of(drawn, quantity(drawn, "v").marks).simplicity == 12 + 31 * n
 
 
 @pytest.mark.turns(3, "measured")
@@ -102,15 +102,15 @@ def test_velocities_of_a_slider_are_what_one_counts_on_the_fingers(n: int) -> No
 def test_a_row_twice_as_long_is_twice_the_work_for_readings() -> None:
     drawn = drawing("windrower")
     finer = drawing("windrower", at_count(scene("windrower"), 24))
-    one, two = (work_of(d, quantity(d, "v")).elements["M3"] for d in (drawn, finer))
+    one, two = (work_of(d, quantity(d, "v").marks).elements["M3"] for d in (drawn, finer))
     assert two == pytest.approx(2 * one, abs=5)
 
 
 def test_minutes_are_those_of_the_table_that_is_told() -> None:
     drawn = drawing("slider-diagrams")
     v = quantity(drawn, "v")
-    only = dict.fromkeys(work_of(drawn, v).elements, 0.0)
-    assert work_of(drawn, v, {**only, "M3": 2.0}).minutes == 2.0 * 8 * 2
+    only = dict.fromkeys(work_of(drawn, v.marks).elements, 0.0)
+    assert work_of(drawn, v.marks, {**only, "M3": 2.0}).minutes == 2.0 * 8 * 2
 
 
 @pytest.mark.turns(3, "measured")
@@ -123,7 +123,7 @@ def test_an_extreme_position_that_is_tried_costs_its_trials() -> None:
     ((mark, trial),) = tried(drawn).items()
     assert mark.letter == "φ_{0}"
     v = quantity(drawn, "v")
-    whole = work_of(drawn, v)
+    whole = work_of(drawn, v.marks)
     alone = count(drawn.construction, varying(drawn.given), v.marks, positions=drawn.count)
     with_trials, plain = (work.operations["measure_along"] for work in (whole, alone))
     once = count(trial.log, [trial.angle], [trial.reading]).operations["measure_along"]

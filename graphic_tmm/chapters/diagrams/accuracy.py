@@ -101,23 +101,6 @@ def _drawn_order(scene: Scene) -> KinematicTask | None:
     return replace(settled(order, scene.mechanism.drive.speed), standard=False)
 
 
-def _moved(scene: Scene, drawn: Drawn, times: float) -> Scene:
-    order = _drawn_order(scene)
-    if order is None:
-        return scene
-    changes = _finer(order.start, times)
-
-    def scaled(symbol: str, one: ScaleOrder) -> ScaleOrder:
-        if symbol not in changes:
-            return one
-        if one.pole is not None:
-            return ScaleOrder(None, one.pole * times)
-        own = drawn.scales.get(VIEWS[symbol])
-        return one if own is None else ScaleOrder(own.value * changes[symbol])
-
-    return ASKED.put(scene, _scaled(order, scaled))
-
-
 def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     order = _drawn_order(scene)
     if order is None:
@@ -162,7 +145,6 @@ ACCURACY = Accuracy(
     enlarged=_enlarged,
     poles=_poles,
     farther=_farther,
-    moved=_moved,
     words=WORDS,
 )
 
