@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from graphic_tmm.accuracy.budget import Measured, Taken, Tell, cheapest, in_the_way, nearest_way
 from graphic_tmm.accuracy.drawing import draw
-from graphic_tmm.accuracy.machine import MachineTime, machine_times
+from graphic_tmm.accuracy.machine_times import MachineTime, machine_times
 from graphic_tmm.accuracy.quantities import Accuracy, quantities
 from graphic_tmm.accuracy.settings import own_setting
 from graphic_tmm.accuracy.sources import Sources, sources

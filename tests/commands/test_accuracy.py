@@ -121,7 +121,7 @@ def test_a_budget_is_a_percentage(budget: str, tmp_path: Path) -> None:
 def test_a_budget_that_nothing_keeps_draws_nothing(tmp_path: Path) -> None:
     found = invoke("draw", "cam", "--budget", "0.0001%", "-o", tmp_path / "out")
     assert found.exit_code == 2
-    assert "ни одна" in found.stderr
+    assert "ничто из испытанного" in found.stderr
     assert not (tmp_path / "out").exists()
 
 
@@ -137,3 +137,32 @@ def test_the_package_is_imported_without_matplotlib_and_rich() -> None:
         "sys.exit(any(m in sys.modules for m in ('matplotlib', 'rich', 'graphic_tmm.accuracy')))"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_nearest_draws_the_best_where_nothing_keeps_a_budget(tmp_path: Path) -> None:
+    found = invoke("draw", "cam", "--budget", "0.0001%", "--nearest", "-o", tmp_path / "out")
+    assert found.exit_code == 0, found.output
+    assert "ближе всего" in found.stderr
+    assert "Мешает" in found.stderr
+    assert (tmp_path / "out" / "cam.svg").exists()
+
+
+def test_nearest_without_a_budget_is_refused(tmp_path: Path) -> None:
+    found = invoke("draw", "cam", "--nearest", "-o", tmp_path / "out")
+    assert found.exit_code == 2
+    assert "--budget" in found.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_the_answer_comes_first_in_lines_of_eighty_characters_and_a_short_table() -> None:
+    found = invoke("accuracy", "slider-diagrams", "--no-time")
+    assert found.exit_code == 0, found.output
+    lines = found.stdout.splitlines()
+    assert max(map(len, lines)) <= 80
+    text = " ".join(lines)
+    places = [text.index(word) for word in ("Этот чертёж", "Вдвое точнее", "Не окупается")]
+    assert places == sorted(places)
+    rows = [line for line in lines if re.match(r"[●◆ ]{1,3} +\d+ ", line)]
+    assert 3 <= len(rows) <= 12
+    assert sum("●" in row for row in rows) == 1
+    assert all(mark in text for mark in ("● как в задании", "◆ перелом", "× во сколько раз"))

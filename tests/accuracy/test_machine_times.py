@@ -8,9 +8,9 @@ import pytest
 from support import gallery
 from support.tasks import scales
 
-from graphic_tmm.accuracy import machine
+from graphic_tmm.accuracy import machine_times as machine
 from graphic_tmm.accuracy.drawing import References
-from graphic_tmm.accuracy.machine import DEAR, DRAWN, SCALED, machine_times
+from graphic_tmm.accuracy.machine_times import DEAR, DRAWN, SCALED, machine_times
 from graphic_tmm.accuracy.measure import Measure
 from graphic_tmm.accuracy.timing import CALLS, Calls, Key, Seconds, Stopwatch
 from graphic_tmm.board.execute import Program
