@@ -1,7 +1,8 @@
 """Seconds of the processor that calls take, in a way that other work on the machine disturbs little.
 
-Calls take turns, so that a disturbance that lasts hits a few of each and not all of one. A short call is
-repeated to a slice that the clock resolves; the first of each is not counted, and no garbage is collected.
+Calls take turns, so that a disturbance that lasts hits a few of each and not all of one. A short call is made
+several times a turn, each by itself (between two changes of process some run undisturbed), the first of them
+uncounted; one that the clock does not resolve, in a batch. No garbage is collected meanwhile.
 """
 
 from __future__ import annotations
@@ -18,11 +19,13 @@ import numpy as np
 from graphic_tmm.errors import TmmError
 
 CALLS, MORE = 5, 4
-"""Slices of each call that are counted; and further ones of a call whose slices scatter."""
-SLICE = 0.002
-"""Seconds that a slice lasts at least; what is shorter is called several times."""
+"""Turns of each call; and further ones of a call whose times scatter."""
+TURN = 0.002
+"""Seconds that a turn lasts; what is shorter is called several times."""
+COOL = 0.01
+"""The first call of a turn counts only if it lasts so long, s: what it has lost of the cache is little then."""
 TICKS = 4
-"""A slice lasts at least so many ticks of the clock, which is known to a quarter then."""
+"""A batch lasts at least so many ticks of the clock, which is known to a quarter then."""
 APART = 1.5
 """Quartiles that far apart are not believed."""
 BUSY, SCATTERED = 1.15, 0.1
@@ -35,7 +38,7 @@ Calls = Mapping[Key, Callable[[], object]]
 
 
 class Seconds(NamedTuple):
-    """Seconds of the processor that a call takes, warm: the least of ``calls`` slices, quartiles and median."""
+    """Seconds of the processor that a call takes, warm: least of ``calls``, quartiles, median."""
 
     least: float
     low: float
@@ -74,10 +77,10 @@ class Load(NamedTuple):
 
 
 class _Row:
-    """A call, how many of it make a slice, and what its slices took."""
+    """A call, how many of it are timed in a batch, and what each call took."""
 
-    def __init__(self, call: Callable[[], object], repeats: int) -> None:
-        self.call, self.repeats = call, repeats
+    def __init__(self, call: Callable[[], object], batch: int = 1) -> None:
+        self.call, self.batch = call, batch
         self.found: list[float] = []
 
     @property
@@ -100,25 +103,25 @@ class Stopwatch:
         tick: float | None = None,
     ) -> None:
         self.clock, self.wall = clock, wall
-        self.slice = max(SLICE, TICKS * (_tick(clock) if tick is None else tick))
-        self._processor = self._passed = 0.0
+        self.resolved = TICKS * (_tick(clock) if tick is None else tick)
+        self._processor = self._wall = 0.0
         self._scattered = self._calls = 0
 
     @property
     def load(self) -> Load:
         """What else the machine did while this was timing."""
-        return Load(self._processor, self._passed, self._scattered, self._calls)
+        return Load(self._processor, self._wall, self._scattered, self._calls)
 
     def in_turns(self, calls: Calls[Key]) -> dict[Key, Seconds]:
         """Return the seconds of each call, warm; what cannot be drawn is left out."""
         rows: dict[Key, _Row] = {}
         for key, call in calls.items():
             with suppress(TmmError):
-                rows[key] = _Row(call, self._repeats(call))
+                rows[key] = self._warm(call)
         for turn in range(CALLS + MORE):
             for row in rows.values():
                 if turn < CALLS or row.seconds.doubtful:
-                    self._slice(row)
+                    self._turn(row)
         found = {key: row.seconds for key, row in rows.items()}
         self._calls += len(found)
         self._scattered += sum(one.doubtful for one in found.values())
@@ -126,38 +129,45 @@ class Stopwatch:
 
     def once(self, calls: Calls[Key]) -> dict[Key, Seconds]:
         """Return the seconds of calls that are dear: of one each, doubtful therefore; see `in_turns`."""
-        rows = {key: _Row(call, 1) for key, call in calls.items()}
+        rows = {key: _Row(call) for key, call in calls.items()}
         for row in rows.values():
             with suppress(TmmError):
-                self._slice(row)
+                self._turn(row)
         return {key: row.seconds for key, row in rows.items() if row.found}
 
-    def _repeats(self, call: Callable[[], object]) -> int:
-        """Warm a call up; return how many of it fill a slice."""
+    def _warm(self, call: Callable[[], object]) -> _Row:
+        """Warm a call up; see how many of it the clock resolves."""
         start = self.wall()
         call()
-        last = self.wall() - start
-        if last < self.slice:
+        lasted = self.wall() - start
+        if lasted < COOL:
             start = self.wall()
             call()
-            last = min(last, self.wall() - start)
-        return ceil(self.slice / max(last, self.slice / MANY))
+            lasted = min(lasted, self.wall() - start)
+        return _Row(call, min(ceil(self.resolved / lasted), MANY) if lasted > 0.0 else MANY)
 
-    def _slice(self, row: _Row) -> None:
+    def _turn(self, row: _Row) -> None:
+        """Time calls for as long as a turn lasts; the first of short ones finds its data out of the cache."""
+        spent, count = 0.0, 0
         with _no_collection():
-            if row.repeats > 1:
-                row.call()  # what ran before it has left little of it in the processor's memory
-            wall, start = self.wall(), self.clock()
-            for _ in range(row.repeats):
-                row.call()
-            processor = self.clock() - start
-            self._passed += self.wall() - wall
-        self._processor += processor
-        row.found.append(processor / row.repeats)
+            while spent < TURN and count < MANY:
+                seconds, count = self._timed(row), count + 1
+                if count > 1 or seconds >= COOL:
+                    row.found.append(seconds / row.batch)
+                    spent += seconds
+
+    def _timed(self, row: _Row) -> float:
+        wall, start = self.wall(), self.clock()
+        for _ in range(row.batch):
+            row.call()
+        seconds = self.clock() - start
+        self._wall += self.wall() - wall
+        self._processor += seconds
+        return seconds
 
 
 MANY = 1000
-"""Calls of a slice at most."""
+"""Calls of a batch, and batches of a turn, at most."""
 LOOK = 0.05
 """Seconds by the wall clock for which the tick of a clock is looked for."""
 
