@@ -43,7 +43,7 @@ STUDENT = "student"
 """The hand by which a drawing is judged that leaves nothing to chance itself."""
 
 
-class Row(NamedTuple):
+class MeasuredWay(NamedTuple):
     """A way and its errors as measured, % by quantity."""
 
     way: Way
@@ -78,14 +78,14 @@ class Answer:
     """
 
     scene: Scene
-    own: Row
+    own: MeasuredWay
     student: Mapping[str, float] | None
     halved: Taken | None
-    nearest: tuple[Row, str] | None
-    wasted: Row | None
+    nearest: tuple[MeasuredWay, str] | None
+    wasted: MeasuredWay | None
     ways: tuple[Way, ...]
-    rows: tuple[Row, ...]
-    knee: Row
+    rows: tuple[MeasuredWay, ...]
+    knee: MeasuredWay
     origins: tuple[Origin, ...]
     machine: tuple[MachineTime, ...] = ()
     load: Load | None = None
@@ -125,7 +125,7 @@ def answer(
     on_the_way(1, PARTS, "")
     if not measured.ways.every:
         raise SceneError(scene.source, (Fault("", 0, nothing(scene)),))
-    own = Row(measured.ways.own, measured.roughly(measured.ways.own).measured)
+    own = MeasuredWay(measured.ways.own, measured.roughly(measured.ways.own).measured)
     student = None
     if not HANDS[scene.hand].slips:
         by = replace(measured.ways.own, hand=STUDENT, ruler=DIVISIONS[STUDENT])
@@ -134,7 +134,7 @@ def answer(
     near = None
     if halved is None:
         way, drawn, errors = nearest_way(measured)
-        near = Row(way, errors), in_the_way(measured, way, drawn, errors)
+        near = MeasuredWay(way, errors), in_the_way(measured, way, drawn, errors)
     on_the_way(2, PARTS, "")
     rows = _front(measured, own)
     on_the_way(3, PARTS, "")
@@ -162,13 +162,13 @@ def answer(
     )
 
 
-def _front(measured: Measured, own: Row) -> tuple[Row, ...]:
+def _front(measured: Measured, own: MeasuredWay) -> tuple[MeasuredWay, ...]:
     """Return the ways none of which is both dearer and less exact than another, and the scene itself."""
-    rows, least, expected = list[Row](), float("inf"), float("inf")
+    rows, least, expected = list[MeasuredWay](), float("inf"), float("inf")
     for way in measured.ways.every:
         # a ruler without a hand that slips may be lucky: what is expected has to be less, too
         if way.worst < expected and measured.has_room(way.times):
-            row = Row(way, measured.roughly(way).measured)
+            row = MeasuredWay(way, measured.roughly(way).measured)
             if row.errors and row.worst < BETTER * least:
                 rows.append(row)
                 least, expected = row.worst, way.worst
@@ -180,26 +180,26 @@ def _front(measured: Measured, own: Row) -> tuple[Row, ...]:
     return tuple(sorted(rows, key=lambda row: (row.way.minutes, -row.worst)))
 
 
-def _knee(rows: Sequence[Row]) -> Row:
+def _knee(rows: Sequence[MeasuredWay]) -> MeasuredWay:
     """Return the row farthest below the straight line from the cheapest to the most exact."""
     first, last = rows[0], min(rows, key=lambda row: row.worst)
     x, y = last.way.minutes - first.way.minutes, last.worst - first.worst
 
-    def above(row: Row) -> float:
+    def above(row: MeasuredWay) -> float:
         return (row.worst - first.worst) * x - (row.way.minutes - first.way.minutes) * y
 
     return min(rows, key=above)
 
 
-def _wasted(measured: Measured, own: Row) -> Row | None:
+def _wasted(measured: Measured, own: MeasuredWay) -> MeasuredWay | None:
     """Return the dearest way that differs from the scene's in one thing, and is hardly more exact."""
-    found: Row | None = None
+    found: MeasuredWay | None = None
     for way in measured.ways.every:
         if _differences(way, own.way) != 1 or way.minutes < DEARER * own.way.minutes:
             continue
         if way.worst < WASTED * own.way.worst or way.minutes > 2.5 * own.way.minutes:
             continue
-        row = Row(way, measured.roughly(way).measured)
+        row = MeasuredWay(way, measured.roughly(way).measured)
         if row.errors and WASTED * own.worst <= row.worst:
             found = row
     return found

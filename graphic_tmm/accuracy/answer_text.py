@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from graphic_tmm.accuracy.answer import STUDENT, Answer, Origin, Row
+from graphic_tmm.accuracy.answer import STUDENT, Answer, MeasuredWay, Origin
 from graphic_tmm.accuracy.settings import dividing
 from graphic_tmm.accuracy.sources import TOGETHER, Share, Sources
 from graphic_tmm.accuracy.timing import Load, Seconds
@@ -226,7 +226,7 @@ def _plain(title: str) -> Any:
     return Table(title=title, title_justify="left", box=None, pad_edge=False)
 
 
-def mark(answer: Answer, row: Row) -> str:
+def mark(answer: Answer, row: MeasuredWay) -> str:
     """Return how a row is marked: the scene as it is, the knee."""
     return ("●" if row.way is answer.own.way else "") + ("◆" if row is answer.knee else "")
 
@@ -261,7 +261,7 @@ def _rulers(answer: Answer) -> bool:
     return len(rows) > len({hand for hand, _ in rows})
 
 
-def table_cells(answer: Answer, row: Row, language: str) -> list[str]:
+def table_cells(answer: Answer, row: MeasuredWay, language: str) -> list[str]:
     """Return the cells of a row, in the order of the heads."""
     words, changes, way = _words(answer), dict(row.way.changes), row.way
     cells = [words.get(changes[name]) or changes[name] for name in _varied(answer)]

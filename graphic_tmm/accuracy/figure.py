@@ -11,7 +11,7 @@ from io import BytesIO
 from math import log10
 from typing import TYPE_CHECKING, Any
 
-from graphic_tmm.accuracy.answer import Answer, Row
+from graphic_tmm.accuracy.answer import Answer, MeasuredWay
 from graphic_tmm.accuracy.answer_text import hand_name, of_worst, parts
 from graphic_tmm.accuracy.settings import dividing
 from graphic_tmm.accuracy.words import WORDS
@@ -140,13 +140,13 @@ def _board(axes: Axes, answer: Answer) -> None:
     axes.legend(loc="best", fontsize=7.5, framealpha=0.9, handletextpad=0.3)
 
 
-def _rows(axes: Axes, rows: Sequence[Row], shape: str, label: str, **style: Any) -> None:
+def _rows(axes: Axes, rows: Sequence[MeasuredWay], shape: str, label: str, **style: Any) -> None:
     rows = [row for row in rows if row.worst > 0.0]
     x, y = [row.way.minutes for row in rows], [row.worst for row in rows]
     axes.plot(x, y, shape, label=label, **style)
 
 
-def _number(axes: Axes, row: Row) -> None:
+def _number(axes: Axes, row: MeasuredWay) -> None:
     """Write next to a row into how many parts it is divided."""
     divided = dividing()
     counts = [value for name, value in row.way.changes if name in divided]

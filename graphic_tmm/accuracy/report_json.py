@@ -1,12 +1,14 @@
-"""A study for machines: one JSON object; without seconds it is the same bytes for the same scene."""
+"""A study for machines: JSON, or its runs as CSV; without seconds the same bytes for the same scene."""
 
 from __future__ import annotations
 
+import csv
 import json
 import math
+from io import StringIO
 from typing import Any
 
-from graphic_tmm.accuracy.answer import Answer, Origin, Row
+from graphic_tmm.accuracy.answer import Answer, MeasuredWay, Origin
 from graphic_tmm.accuracy.answer_text import sentences, setting, step_name
 from graphic_tmm.accuracy.cost import BoardWork
 from graphic_tmm.accuracy.lessons import Fitted, Optimum, divisions
@@ -21,7 +23,7 @@ TOP = 10
 
 
 def json_report(study: Study) -> str:
-    """Return the study as JSON text: runs, slopes, best numbers, shares of steps, advice."""
+    """Return the study as JSON text: the answer, runs, slopes, best numbers."""
     told: dict[str, Any] = {
         "scene": scene_name(study.scene.source),
         "hand": study.hand,
@@ -39,6 +41,21 @@ def json_report(study: Study) -> str:
     return json.dumps(told, ensure_ascii=False, indent=1) + "\n"
 
 
+def csv_report(study: Study) -> str:
+    """Return the runs of a study as CSV text, a line each; operations are left to JSON."""
+    rows = []
+    for run in study.runs:
+        row = _run(study, run)
+        del row["operations"]
+        low, high = row.pop("seconds_quartiles", (None, None))
+        rows.append({**row, "seconds_low": low, "seconds_high": high})
+    out = StringIO()
+    writer = csv.DictWriter(out, [*rows[0]], lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    return out.getvalue()
+
+
 def _answer(answer: Answer) -> dict[str, Any]:
     told: dict[str, Any] = {
         "sentences": [*sentences(answer)],
@@ -52,7 +69,7 @@ def _answer(answer: Answer) -> dict[str, Any]:
     if answer.student is not None:
         told["student"] = {name: figure(error) for name, error in answer.student.items()}
     if answer.halved is not None:
-        told["halved"] = _row(answer, Row(answer.halved.way, answer.halved.errors))
+        told["halved"] = _row(answer, MeasuredWay(answer.halved.way, answer.halved.errors))
     if answer.nearest is not None:
         told["nearest"] = _row(answer, answer.nearest[0])
     if answer.wasted is not None:
@@ -60,7 +77,7 @@ def _answer(answer: Answer) -> dict[str, Any]:
     return told
 
 
-def _row(answer: Answer, row: Row) -> dict[str, Any]:
+def _row(answer: Answer, row: MeasuredWay) -> dict[str, Any]:
     way = row.way
     return {
         "setting": setting(answer, way),
@@ -114,11 +131,7 @@ def _run(study: Study, run: Measurement) -> dict[str, Any]:
         **_work(run.work),
         "pareto": run in study.fronts,
     }
-    if run.seconds is not None:
-        found |= {
-            **_seconds(run.seconds),
-        }
-    return found
+    return found if run.seconds is None else found | _seconds(run.seconds)
 
 
 def _seconds(seconds: Seconds) -> dict[str, Any]:

@@ -51,7 +51,7 @@ Changes = tuple[tuple[str, str], ...]
 
 
 @dataclass(frozen=True)
-class Part:
+class BoardWay:
     """One way to divide and draw a board: minutes at the board, how its quantities answer to slips."""
 
     changes: Changes
@@ -139,7 +139,7 @@ class Ways:
         self.parts = [row for b in (*boards, *own_boards(scene)) if (row := self._parts(b))]
         self.every = tuple(sorted(self._ways(), key=_order)) if self.parts else ()
 
-    def _parts(self, board: str) -> list[Part]:
+    def _parts(self, board: str) -> list[BoardWay]:
         """Return the parts of a board; the scene's own first; none if nothing there can be told."""
         own = self._part(board, self._own_changes(board))
         if own is None:
@@ -173,7 +173,7 @@ class Ways:
     def _own_changes(self, board: str) -> Changes:
         return (*self._own_divided(board), *self._own_free(board))
 
-    def _best(self, board: str, own: Part, who: Hand) -> Changes:
+    def _best(self, board: str, own: BoardWay, who: Hand) -> Changes:
         """Return each free axis at the value with the least error of what it bears on, others as they are."""
         found, divided, drawn = [], self._own_divided(board), [Drawing(who)]
         methods = dict(self._own_free(board))
@@ -189,7 +189,7 @@ class Ways:
             found.append((axis.name, best))
         return tuple(found)
 
-    def _part(self, board: str, changes: Changes) -> Part | None:
+    def _part(self, board: str, changes: Changes) -> BoardWay | None:
         """Record a board with its axes so; None if it cannot be drawn, or nothing of it can be told."""
         try:
             scene = changed(self.scene, changes)
@@ -202,7 +202,7 @@ class Ways:
         if not answers:
             return None
         marks = [mark for q in quantities(sheet) if wanted(scene, q) for mark in q.marks]
-        return Part(changes, work_of(sheet, marks, self._minutes).minutes, answers)
+        return BoardWay(changes, work_of(sheet, marks, self._minutes).minutes, answers)
 
     def _ways(self) -> Iterator[Way]:
         drawn = list(_drawings(self.scene))
@@ -230,7 +230,7 @@ class Ways:
         return next(w for w in self.every if (w.boards, w.hand, w.ruler, w.times) == key)
 
 
-def _finer(part: Part, own: Part) -> bool:
+def _finer(part: BoardWay, own: BoardWay) -> bool:
     """Whether a part is divided finer than that of the scene."""
     divided, there = dividing(), dict(own.changes)
     return any(int(v) > int(there[axis]) for axis, v in part.changes if axis in divided)
@@ -240,11 +240,11 @@ def _order(way: Way) -> tuple[float, float, float]:
     return way.minutes, way.times, way.worst
 
 
-def _errors(part: Part, drawn: Sequence[Drawing]) -> dict[str, Reals]:
+def _errors(part: BoardWay, drawn: Sequence[Drawing]) -> dict[str, Reals]:
     return {name: answer.errors(drawn) for name, answer in part.answers.items()}
 
 
-def _error(part: Part, names: Sequence[str], drawn: Sequence[Drawing]) -> float:
+def _error(part: BoardWay, names: Sequence[str], drawn: Sequence[Drawing]) -> float:
     return worst({k: float(e[0]) for k, e in _errors(part, drawn).items() if k in names})
 
 

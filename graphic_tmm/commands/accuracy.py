@@ -27,7 +27,7 @@ NARROW = 80
 @click.command(cls=Command)
 @click.argument("scene", required=False, type=SceneName())
 @click.option("-o", "--output", help=said("Folder for the report, and the figure as SVG and PNG."))
-@click.option("-f", "--format", "form", type=click.Choice(["text", "json"]), default="text")
+@click.option("-f", "--format", "form", type=click.Choice(["text", "json", "csv"]), default="text")
 @click.option("--trials", type=click.IntRange(10, 10_000), default=100, show_default=True)
 @click.option(
     "--minutes", help=said("TOML file: minutes of elementary operations, R1 = 0.1 and so on.")
@@ -63,23 +63,29 @@ def accuracy(
     from graphic_tmm.accuracy.answer import answer
     from graphic_tmm.accuracy.answer_text import answer_text
     from graphic_tmm.accuracy.geometrography import read_minutes
-    from graphic_tmm.accuracy.report_json import json_report
+    from graphic_tmm.accuracy.report_json import csv_report, json_report
     from graphic_tmm.accuracy.report_text import text_report
     from graphic_tmm.accuracy.study import study
     from graphic_tmm.accuracy.timing import Stopwatch
+    from graphic_tmm.errors import SheetError
 
     task = drawn_by(read_scene(scene), None, seed)
     table = read_minutes(minutes) if minutes is not None else None
     if effects:
+        if form == "csv":
+            raise SheetError(said("--effects is printed as text or JSON; leave -f csv out"))
         _effects(task, hand, trials, table, form, output, clock=not no_time)
         return
     own = drawn_by(task, hand, seed)
     report: str | list[Any]
-    if everything or form == "json":
+    if everything or form != "text":
         with progress() as tell:
             found = study(own, trials=trials, minutes=table, clock=not no_time, tell=tell)
         weighed, width = found.answer, WIDTH
-        report = json_report(found) if form == "json" else text_report(found)
+        if form == "text":
+            report = text_report(found)
+        else:
+            report = json_report(found) if form == "json" else csv_report(found)
     else:
         with progress() as tell:
             watch = None if no_time else Stopwatch()
@@ -88,7 +94,7 @@ def accuracy(
         report = answer_text(weighed)
     show(report, width)
     if output is not None:
-        end = "json" if form == "json" else "txt"
+        end = {"text": "txt"}.get(form, form)
         for path in _written(weighed, {end: rendered(report, width, printed=False)}, output):
             say(str(path))
 

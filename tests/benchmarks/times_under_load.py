@@ -81,10 +81,10 @@ def compared(scene: str, several: Sequence[dict[str, Any]]) -> Row:
 
 def scaled(scene: str) -> Row:
     """Return what 10,000 drawings take, as a share of ten times 1000."""
+    from graphic_tmm.accuracy.machine import DRAWN, SCALED
     from support.gallery import scene as read
     from support.tasks import drawing
 
-    from graphic_tmm.accuracy.machine import DRAWN, SCALED
     from graphic_tmm.accuracy.quantities import quantities
     from graphic_tmm.accuracy.settings import hand_named
     from graphic_tmm.board.execute import prepare

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import re
 import subprocess
@@ -145,6 +146,18 @@ def test_nearest_draws_the_best_where_nothing_keeps_a_budget(tmp_path: Path) -> 
     assert "ближе всего" in found.stderr
     assert "Мешает" in found.stderr
     assert (tmp_path / "out" / "cam.svg").exists()
+
+
+@pytest.mark.turns(2, "budgets")
+@pytest.mark.slow
+def test_the_runs_are_a_table_for_a_spreadsheet() -> None:
+    found = invoke("accuracy", "cam", "--trials", "10", "--no-time", "-f", "csv")
+    assert found.exit_code == 0, found.output
+    rows = list(csv.DictReader(found.stdout.splitlines()))
+    assert {row["hand"] for row in rows if row["axis"] == "parts"} >= {"exact", "student"}
+    assert all(float(row["minutes"]) > 0.0 for row in rows)
+    refused = invoke("accuracy", "cam", "--effects", "-f", "csv")
+    assert refused.exit_code == 2
 
 
 def test_nearest_without_a_budget_is_refused(tmp_path: Path) -> None:
