@@ -18,13 +18,16 @@ from graphic_tmm.accuracy.drawing import References
 from graphic_tmm.accuracy.quantities import Quantity
 from graphic_tmm.accuracy.response import SORTS, size
 from graphic_tmm.board.execute import Program, Reading, needed, prepare
-from graphic_tmm.board.hand import BALANCED, EXACT, Hand, slip_of
+from graphic_tmm.board.hand import EXACT, Hand, slip_of
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Reals
 from graphic_tmm.project import Project
 
-DRAWINGS = 500
-"""How often all is drawn with each source mended: shares are then known to about 1 % of the whole."""
+DRAWINGS, MANY = 1000, 4000
+"""How often all is drawn with each source mended, the second where a drawing has but one number of a quantity
+and not a row: shares are then known to some 1 % of the whole."""
+TURNS, MORE_TURNS = 16, 64
+"""Turns of each step that slips alone; the second where many places of a step end in one number."""
 METHOD = "method"
 """What is left with no slip at all: chords, the number of positions, passes."""
 MENDED: Mapping[str, float | None] = {
@@ -75,19 +78,37 @@ def sources(
     drawing: Project, asked: Sequence[Quantity], references: References, who: Hand
 ) -> dict[str, Sources]:
     """Return where the errors of quantities come from, by name; none of what has no error or no true value."""
-    program = prepare(drawing.construction, [mark for q in asked for mark in q.marks])
-    who = who._replace(trials=DRAWINGS if who.slips else 1, first=0)
+    told = [(q, largest) for q in asked if (largest := references.largest(q, drawing)) > 0.0]
+    rows = _sources(drawing, [one for one in told if one[0].row], references, who, DRAWINGS, TURNS)
+    single = [one for one in told if not one[0].row]
+    found = rows | _sources(drawing, single, references, who, MANY, MORE_TURNS)
+    return {q.name: found[q.name] for q in asked if q.name in found}
+
+
+def _sources(
+    drawing: Project,
+    asked: Sequence[tuple[Quantity, float]],
+    references: References,
+    who: Hand,
+    drawings: int,
+    turns: int,
+) -> dict[str, Sources]:
+    """Return the same of quantities, each with its largest value, from so many drawings and turns."""
+    if not asked:
+        return {}
+    program = prepare(drawing.construction, [mark for q, _ in asked for mark in q.marks])
+    who = who._replace(trials=drawings if who.slips else 1, first=0)
     whole, exact = program.run(drawing.given, hand=who), program.run(drawing.given)
     there = [name for name, mended in MENDED.items() if getattr(who, name) != mended]
     without = {
         name: program.run(drawing.given, hand=who._replace(**{name: MENDED[name]}))  # type: ignore[arg-type]
         for name in there
     }
-    steps = _Steps(drawing, program, asked, who)
+    steps = _Steps(drawing, program, [q for q, _ in asked], who, turns)
     found = {}
-    for quantity in asked:
-        due, largest = references.of(quantity, drawing), references.largest(quantity, drawing)
-        if due is None or not largest > 0.0:
+    for quantity, largest in asked:
+        due = references.of(quantity, drawing)
+        if due is None:
             continue
         square = _square(quantity, whole, due, largest)
         if not square > 0.0:
@@ -113,7 +134,12 @@ class _Steps:
     """A log each of whose steps slips alone, in turn."""
 
     def __init__(
-        self, drawing: Project, program: Program, asked: Sequence[Quantity], who: Hand
+        self,
+        drawing: Project,
+        program: Program,
+        asked: Sequence[Quantity],
+        who: Hand,
+        turns: int,
     ) -> None:
         marks = [mark for q in asked for mark in q.marks]
         self._log = drawing.construction
@@ -122,7 +148,8 @@ class _Steps:
             slip = slip_of(step.op, *step.it.key)
             if slip is not None and slip.kind != "digits" and size(who, slip.kind) > 0.0:
                 slipping[slip.key] = step
-        self._steps, self._trials = tuple(slipping.values()), BALANCED * len(slipping)
+        self._steps, self._turns = tuple(slipping.values()), turns
+        self._trials = turns * len(slipping)
         sizes: dict[str, Any] = {sort: size(who, sort) for sort in SORTS}
         hand = EXACT._replace(alone=tuple(slipping), trials=self._trials, **sizes)
         self._drawn = program.run(drawing.given, hand=hand) if slipping else None
@@ -135,7 +162,7 @@ class _Steps:
             return ()
         off = 100.0 * (quantity.read(self._drawn, self._trials) - exact) / largest
         count = len(self._steps)
-        each = off.reshape(BALANCED, count, -1).transpose(1, 0, 2).reshape(count, -1)
+        each = off.reshape(self._turns, count, -1).transpose(1, 0, 2).reshape(count, -1)
         known = np.isfinite(each)
         mean = np.sum(np.where(known, each, 0.0) ** 2, axis=1) / np.maximum(known.sum(axis=1), 1)
         own = {step.it.slot for step in needed(self._log, quantity.marks)}

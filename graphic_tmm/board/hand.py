@@ -54,8 +54,8 @@ class Hand(NamedTuple):
     ``ruler``: its division in mm, None for readings without rounding; ``digits``: significant digits of a
     calculation, None for all. ``seed`` of the random streams; ``trials``: how often everything is drawn;
     ``first``: the number of the first of them, a multiple of `MOST`. ``alone``: keys of slips of which but one
-    slips in each trial, in turn, up or down by its standard deviation in a balanced design of `BALANCED` turns;
-    () for all of them, at random.
+    slips in each trial, in turn, up or down by its standard deviation in a balanced design: ``trials``
+    is their number times a power of two, the turns; () for all of them, at random.
     """
 
     ruler: float | None = None
@@ -113,17 +113,13 @@ HANDS = {
 """Named hands; the student's is fitted to 49 published examples (see checking/README.md)."""
 
 
-BALANCED = 16
-"""Turns of a balanced design: so many places next to each other slip up and down without being alike."""
-
-
 @lru_cache(maxsize=64)
-def _signs(width: int) -> Reals:
-    """Return ±1, (turn, place): among the first places no two go together, of others as good as none."""
+def _signs(turns: int, width: int) -> Reals:
+    """Return ±1, (turn, place): of as many places no two go together, of others as good as none."""
     rows = np.ones((1, 1))
-    while len(rows) < BALANCED:  # Sylvester's matrices
+    while len(rows) < turns:  # Sylvester's matrices
         rows = np.block([[rows, rows], [rows, -rows]])
-    more = np.random.default_rng(0).choice((-1.0, 1.0), size=(BALANCED, max(width - BALANCED, 0)))
+    more = np.random.default_rng(0).choice((-1.0, 1.0), size=(turns, max(width - turns, 0)))
     return np.hstack([rows, more])[:, :width]
 
 
@@ -191,7 +187,8 @@ class Slipping(NamedTuple):
         alone = self.hand.alone
         trials = self.block * trials_in_block(self.whole) + np.arange(self.trials)
         mine = (trials % len(alone) == alone.index(key))[:, None]
-        return np.asarray(mine * _signs(width)[trials // len(alone) % BALANCED])
+        signs = _signs(self.hand.trials // len(alone), width)
+        return np.asarray(mine * signs[trials // len(alone) % len(signs)])
 
     def _drawn(self, slip: Slip, width: int, part: slice, axes: int) -> Reals:
         if width == 1:
