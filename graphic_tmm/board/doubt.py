@@ -114,12 +114,19 @@ class Doubts:
             bound = self._bound_of(told, mark, by, places)
             seen = bound > WRITTEN * np.abs(told)
             unit = 10.0 ** np.floor(np.log10(np.where(seen & np.isfinite(bound), bound, 1.0)))
-            short = np.where(np.abs(told) <= bound, 0.0 * told, np.round(told / unit) * unit)
-            told = np.where(seen, short, told)
+            nothing = seen & (np.abs(told) <= bound)
+            told = np.where(seen, np.round(told / unit) * unit, told)
+            if nothing.any():
+                told = np.where(nothing, self._nought(mark, places), told)
             if mark.kind in FIGURES and self.to_scale:
                 told = np.where(self._unread(told, mark, by, places), 0.0 * told, told)
         gone = self.lost.get(mark.slot)
         return told if gone is None else np.where(at(gone, places), np.nan, told)
+
+    def size(self, mark: Mark) -> Reals:
+        """Return the natural size of a mark, that of what it is computed from, (1, position)."""
+        with np.errstate(all="ignore"):
+            return self._sizes.of(mark)
 
     def nothing(self, mark: Mark) -> Mask:
         """Where a figure is nothing but rounding, drawn exactly, (1, position)."""
@@ -144,6 +151,17 @@ class Doubts:
             size = np.fmin.reduce(size, axis=1, keepdims=True)
         least = UNREAD * size * np.abs(by)
         return np.asarray(np.isfinite(least) & (np.abs(told) < least))
+
+    def _nought(self, mark: Mark, places: Any) -> Reals:
+        """Return 0 where a bound is small against what a mark is computed from, NaN where it is not."""
+        if mark.kind not in FIGURES:
+            return np.zeros((1, 1))
+        return np.asarray(at(np.where(self._small(mark), 0.0, np.nan), places))
+
+    def _small(self, mark: Mark) -> Mask:
+        """Where a bound, if there is one, is small against what a mark is computed from."""
+        bound = self.bound(mark)
+        return np.asarray((bound <= DOUBTFUL * self._sizes.of(mark)) & np.isfinite(bound))
 
     def _by_ruler(self, mark: Mark, value: Any, places: Any) -> Any:
         """Return a value to the digits that the ruler leaves of it, but whole at least."""
@@ -184,7 +202,7 @@ class Doubts:
             unsure = ~(bound <= DIGIT * np.abs(value)) & np.isfinite(value)
             if not unsure.any():
                 return None
-            unclean = ~(bound <= DOUBTFUL * self._sizes.of(mark))
+            unclean = ~self._small(mark)
             figures = [
                 use.slot for use in step.uses if use.kind in FIGURES and use.slot in self.steps
             ]

@@ -10,7 +10,18 @@ import numpy as np
 from graphic_tmm.board.blocks import part_of, spread
 from graphic_tmm.board.geometry import EPS
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.board.values import Angle, Arc, Curve, Length, Line, Point, Reals, Side, places
+from graphic_tmm.board.values import (
+    Angle,
+    Arc,
+    Curve,
+    Length,
+    Line,
+    Point,
+    Reals,
+    Side,
+    places,
+    undefined,
+)
 
 SHAKE = 64 * EPS
 """More than a step's own rounding, so that a few shakes stand for the worst of it."""
@@ -59,6 +70,7 @@ def _block(steps: Sequence[Step], given: Mapping[Mark, Any], ruler: float | None
     values = {mark.slot: value for mark, value in given.items()}
     still, bounds = dict(values), dict[int, Reals]()
     count = max(map(places, values.values()), default=1)
+    rooted, parted = {step.it.view for step in steps if step.op.gaps}, dict[int, Any]()
     for mark in given:
         if mark.kind in (Point, Length, Angle) and ruler is None:
             values[mark.slot] = _moved(values[mark.slot], next(shakes))
@@ -69,7 +81,13 @@ def _block(steps: Sequence[Step], given: Mapping[Mark, Any], ruler: float | None
         value = step.op.run(*takes, **step.choice)
         slot = step.it.slot
         values[slot] = value = _with_error(step, value, next(shakes), ruler)
-        still[slot], bounds[slot] = _first(value), _off(value)
+        apart = [parted[mark.slot] for mark in step.uses if mark.slot in parted]
+        if step.op.gaps:
+            apart.append(_gone(value).any(axis=0, keepdims=True))
+        if apart and (there := np.logical_or.reduce(np.broadcast_arrays(*apart))).any():
+            parted[slot] = there
+        gone = None if step.it.view in rooted else parted.get(slot)
+        still[slot], bounds[slot] = _first(value), _off(value, gone)
     return Shaken(still, bounds)
 
 
@@ -124,10 +142,16 @@ def _first(value: Any) -> Any:
     return value[:1].copy()
 
 
-def _off(value: Any) -> Reals:
+def _gone(value: Any) -> Any:
+    """Return where the shaken trials, each for itself, are not there though the first is."""
+    return undefined(value) & ~undefined(_first(value))
+
+
+def _off(value: Any, parted: Any = None) -> Reals:
     """Return how far the shaken trials are from the first, at most; without end where none of them is there.
 
-    What is not there in the first cannot be off.
+    What is not there in the first cannot be off. ``parted``: where shaking parts figures of another plan that
+    touch. That moves their point by its own root the other way; a direction that is taken from it may be any.
     """
     if isinstance(value, Curve):
         return NOTHING
@@ -138,6 +162,7 @@ def _off(value: Any) -> Reals:
     off = np.abs(value - value[:1])[1:]
     if not off.size:
         return NOTHING
-    lost = np.isnan(off).all(axis=0)
+    gone = np.isnan(off)
+    lost = gone.all(axis=0) if parted is None else gone.all(axis=0) | (gone.any(axis=0) & parted)
     off = np.where(lost, np.inf, np.fmax.reduce(off, axis=0))
     return np.atleast_2d(np.where(np.isfinite(value[0]), off, 0.0))

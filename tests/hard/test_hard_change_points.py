@@ -8,8 +8,17 @@ import numpy as np
 import pytest
 from support.drawn import board
 from support.each import each
+from support.figures_judge import drawn_at
 from support.hard_judge import Verdict, judge, named, right
-from support.hard_mechanisms import FRAMES, Frame, coulisse, four_bar, put, slider_crank
+from support.hard_mechanisms import (
+    FRAMES,
+    Frame,
+    coulisse,
+    four_bar,
+    put,
+    slider_crank,
+    weighed,
+)
 
 from graphic_tmm.chapters.kinematics.assembly import check_assembly
 from graphic_tmm.chapters.kinematics.survey import survey
@@ -129,3 +138,25 @@ def test_grashofs_borderline_is_told_from_both_sides() -> None:
     found = check_assembly(survey(locks, dissect(locks)))
     half = math.degrees(math.acos((r * r + d * d - (rod + s) ** 2) / (2 * r * d)))
     assert found.ranges[0] == pytest.approx((360 - half, 360 + half), abs=1e-6)
+
+
+@pytest.mark.slow
+def test_close_to_a_change_point_a_rate_is_right_or_left_out() -> None:
+    """A parallelogram turns both cranks alike; some 1e-6° off the line rounding alone parts its circles.
+
+    The point where they touch is off by the root of that, so what is drawn of its directions agrees with
+    itself, and is wrong: the rocker turned by −2.8, −3.4 or −1 rad/s instead of 2.
+    """
+    source, there = np.random.default_rng(0), 0
+    angles = [s * off % 360.0 for off in (1e-3, 1e-4, 3e-7, 3e-8, 1e-8) for s in (1, -1)]
+    for _ in range(12):
+        r = float(source.uniform(0.05, 0.3))
+        c = r * float(source.uniform(1.5, 4.0))
+        linkage = weighed(four_bar(r, c, r, c, flips=(0.0, 180.0)))
+        _, columns = drawn_at(linkage, [30.0, *angles])
+        (row,) = (one.first_figures[1] for one in columns if one.segment == "omega3")
+        assert row[0] == pytest.approx(2.0, rel=1e-11)
+        rates = [rate for rate in row[1:] if rate is not None]
+        assert rates == pytest.approx([2.0] * len(rates), rel=0.1)
+        there += len(rates)
+    assert there >= 4 * 12
