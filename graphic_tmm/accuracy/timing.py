@@ -30,7 +30,7 @@ APART = 1.5
 """Quartiles that far apart are not believed."""
 BUSY, SCATTERED = 1.15, 0.1
 """The machine is busy if so many times the seconds of the processor pass by the wall clock, or if that share of
-what was timed scatters. On an idle machine it was 1.00 to 1.03, and 0 to 0.03."""
+what was timed scatters. Chosen by eye."""
 
 Key = TypeVar("Key", bound=Hashable)
 Calls = Mapping[Key, Callable[[], object]]

@@ -46,8 +46,8 @@ def beside(processes: int) -> Iterator[None]:
 
 def told(scene: str) -> dict[str, Any]:
     """Return what the command tells of a scene, in a process of its own."""
-    command = [sys.executable, "-m", "graphic_tmm", "accuracy", scene, "-f", "json"]
-    done = subprocess.run(command, check=True, capture_output=True, cwd=ROOT)
+    command = f"-m graphic_tmm accuracy {scene} --format json --trials 20".split()
+    done = subprocess.run([sys.executable, *command], check=True, capture_output=True, cwd=ROOT)
     found: dict[str, Any] = json.loads(done.stdout)
     return found
 
@@ -81,10 +81,10 @@ def compared(scene: str, several: Sequence[dict[str, Any]]) -> Row:
 
 def scaled(scene: str) -> Row:
     """Return what 10,000 drawings take, as a share of ten times 1000."""
-    from graphic_tmm.accuracy.machine import DRAWN, SCALED
     from support.gallery import scene as read
     from support.tasks import drawing
 
+    from graphic_tmm.accuracy.machine_times import DRAWN, SCALED
     from graphic_tmm.accuracy.quantities import quantities
     from graphic_tmm.accuracy.settings import hand_named
     from graphic_tmm.board.execute import prepare
