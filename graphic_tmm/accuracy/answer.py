@@ -15,12 +15,12 @@ from graphic_tmm.accuracy.budget import Measured, Taken, Tell, cheapest, in_the_
 from graphic_tmm.accuracy.drawing import draw
 from graphic_tmm.accuracy.machine_times import MachineTime, machine_times
 from graphic_tmm.accuracy.quantities import Accuracy, quantities
-from graphic_tmm.accuracy.settings import own_setting
 from graphic_tmm.accuracy.sources import Sources, sources
 from graphic_tmm.accuracy.timing import Load, Stopwatch
 from graphic_tmm.accuracy.ways import Way, wanted, worst
 from graphic_tmm.board.execute import Reading, execute
-from graphic_tmm.board.hand import HANDS
+from graphic_tmm.board.hand import HANDS, Hand
+from graphic_tmm.drawn import hand_of
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
@@ -40,7 +40,7 @@ HALF = 0.5
 DEARER, WASTED = 1.1, 0.9
 """A setting that costs by this factor more and leaves this share of the error or more is not worth it."""
 STUDENT = "student"
-"""The hand by which a drawing is judged that leaves nothing to chance itself."""
+"""The hand at the board of a scene whose own leaves nothing to chance: nobody draws so."""
 
 
 class MeasuredWay(NamedTuple):
@@ -69,17 +69,19 @@ class Origin:
 class Answer:
     """What accuracy costs in a scene, in short.
 
-    ``own``: the scene as it is; ``student``: its errors by a student's hand, None if its own hand slips.
-    ``halved``: the cheapest way with half the error, None if there is none: ``nearest`` then. ``wasted``: a
-    dearer way that brings next to nothing. ``ways``: all, with their expected errors. ``rows``: the front, the
-    cheapest first, and the scene itself; ``knee``: the row where the front bends, farthest below the straight
-    line between its ends. ``machine``: seconds of what a user asks for, ``load``: what else the machine did
-    then, None if nothing was timed.
+    ``scene``: by the hand at the board. ``own``: the scene as it is, by that hand; ``printed``: its errors by
+    the scene's own hand, None if that is the same. ``halved``: the cheapest way with half the error, None if
+    there is none: ``nearest`` then. ``wasted``: a dearer way that brings next to nothing. ``ways``: all, with
+    their expected errors. ``rows``: the front, the cheapest first, and the scene itself; ``knee``: the row where the
+    front bends, farthest below the straight line between its ends. ``origins``: by the hand at the board, then
+    by the scene's own. ``counts``: the error expected as printed and at the board, by the number of positions.
+    ``machine``: seconds of what a user asks for, ``load``: what else the machine did then, None if nothing was
+    timed.
     """
 
     scene: Scene
     own: MeasuredWay
-    student: Mapping[str, float] | None
+    printed: Mapping[str, float] | None
     halved: Taken | None
     nearest: tuple[MeasuredWay, str] | None
     wasted: MeasuredWay | None
@@ -87,6 +89,7 @@ class Answer:
     rows: tuple[MeasuredWay, ...]
     knee: MeasuredWay
     origins: tuple[Origin, ...]
+    counts: Mapping[int, tuple[float, float]]
     machine: tuple[MachineTime, ...] = ()
     load: Load | None = None
 
@@ -108,11 +111,13 @@ def answer(
     tell: Tell | None = None,
     *,
     around: bool = True,
+    literal: bool = False,
 ) -> Answer:
-    """Weigh the ways of drawing a scene.
+    """Weigh the ways of drawing a scene, by a student where its own hand leaves nothing to chance.
 
     ``minutes``: a user's own table of minutes. ``watch``: what times the machine, nothing if None; ``around``:
     not at the scene's number of positions only. ``tell`` is called with the number of parts done, of how many.
+    ``literal``: by the scene's own hand whatever it is.
 
     Raises
     ------
@@ -121,15 +126,18 @@ def answer(
     """
     on_the_way = tell or (lambda done, of, name: None)
     on_the_way(0, PARTS, "")
+    own_hand, own_ruler = scene.hand, scene.ruler
+    if not (literal or HANDS[scene.hand].slips):
+        scene = replace(scene, hand=STUDENT, ruler=DIVISIONS[STUDENT])
     measured = Measured(scene, minutes)
     on_the_way(1, PARTS, "")
     if not measured.ways.every:
         raise SceneError(scene.source, (Fault("", 0, nothing(scene)),))
     own = MeasuredWay(measured.ways.own, measured.roughly(measured.ways.own).measured)
-    student = None
-    if not HANDS[scene.hand].slips:
-        by = replace(measured.ways.own, hand=STUDENT, ruler=DIVISIONS[STUDENT])
-        student = measured.roughly(by).measured
+    printed, own_who = None, hand_of(replace(scene, hand=own_hand, ruler=own_ruler))
+    if scene.hand != own_hand:
+        by = replace(measured.ways.own, hand=own_hand, ruler=own_ruler)
+        printed = measured.roughly(by).measured
     halved = cheapest(measured, HALF * own.worst)
     near = None
     if halved is None:
@@ -139,9 +147,10 @@ def answer(
     rows = _front(measured, own)
     on_the_way(3, PARTS, "")
     knee = _knee(rows)
-    origins = tuple(_origins(measured, scene.hand))
-    if student is not None:
-        origins += tuple(_origins(measured, STUDENT))
+    origins = tuple(_origins(measured, scene.hand, hand_of(scene)))
+    if printed is not None:
+        origins += tuple(_origins(measured, own_hand, own_who))
+    as_printed, at_board = (measured.ways.by_count(who) for who in (own_who, hand_of(scene)))
     on_the_way(4, PARTS, "")
     machine = (
         machine_times(scene, measured.measure, watch, around=around) if watch is not None else ()
@@ -149,7 +158,7 @@ def answer(
     return Answer(
         scene,
         own,
-        student,
+        printed,
         halved,
         near,
         _wasted(measured, own),
@@ -157,6 +166,7 @@ def answer(
         rows,
         knee,
         origins,
+        {count: (as_printed[count], error) for count, error in at_board.items()},
         machine,
         watch.load if watch is not None else None,
     )
@@ -212,13 +222,10 @@ def _differences(way: Way, own: Way) -> int:
     return axes + hand + (way.times != own.times)
 
 
-def _origins(measured: Measured, name: str) -> Iterator[Origin]:
+def _origins(measured: Measured, name: str, who: Hand) -> Iterator[Origin]:
     """Yield where the errors of the scene as it is come from, by a hand, board by board."""
     scene = measured.scene
     full = at_all_positions(scene)
-    who = own_setting(full, None, 1).who
-    if name != scene.hand:
-        who = HANDS[name]._replace(seed=scene.seed)
     for drawing in draw(full, measured.ways.references.scales):
         there = [q for q in quantities(drawing) if wanted(scene, q)]
         if there:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from graphic_tmm.accuracy.answer import STUDENT, Answer, MeasuredWay, Origin
+from graphic_tmm.accuracy.answer import Answer, MeasuredWay, Origin
 from graphic_tmm.accuracy.settings import dividing
 from graphic_tmm.accuracy.sources import TOGETHER, Share, Sources
 from graphic_tmm.accuracy.timing import Load, Seconds
@@ -77,8 +77,7 @@ def _how_far(answer: Answer) -> str:
     if own.way.ruler is not None:
         ruler = number(own.way.ruler, answer.scene.language)
         parts.append(words["by ruler"].format(ruler=ruler))
-    if answer.student is None:
-        parts.append(words[f"by {own.way.hand}"])
+    parts.append(words[f"by {own.way.hand}"])
     key = "answer far" if main == answer.worst else "answer far main"
     text = words[key].format(
         setting=", ".join(part for part in parts if part),
@@ -87,11 +86,11 @@ def _how_far(answer: Answer) -> str:
         main=words[main],
         least=_percent(answer, own.errors[main]),
     )
-    if answer.student is not None:
-        key = "answer student" if main == answer.worst else "answer student main"
+    if answer.printed is not None:
+        key = "answer printed" if main == answer.worst else "answer printed main"
         text += " " + words[key].format(
-            error=_percent(answer, answer.student.get(answer.worst, float("nan"))),
-            least=_percent(answer, answer.student.get(main, float("nan"))),
+            error=_percent(answer, answer.printed.get(answer.worst, float("nan"))),
+            least=_percent(answer, answer.printed.get(main, float("nan"))),
         )
     return text
 
@@ -156,9 +155,7 @@ def _sources(answer: Answer, origin: Origin) -> str:
     each = ", ".join(
         f"{words[f'from {name}']} {_percent(answer, 100.0 * share)} %" for name, share in parts(of)
     )
-    key = (
-        "answer from" if origin.hand != STUDENT or answer.student is None else "answer from student"
-    )
+    key = "answer from" if origin.hand == answer.own.way.hand else "answer from printed"
     text = words[key].format(quantity=words[answer.worst], each=each)
     if of.steps and of.steps[0].share > STEP:
         text += " " + words["answer step"].format(
@@ -195,15 +192,15 @@ def bars(answer: Answer) -> Iterator[str]:
             named[name] * (round(b) - round(a))
             for (name, _), a, b in zip(row, ends, ends[1:], strict=False)
         )
-        lines.append(f"{bar} {words[hand_name(origin)]}")
+        lines.append(f"{bar} {words[hand_name(answer, origin)]}")
     yield from lines
     legend = (f"{shade} {words[f'from {name}']}" for name, shade in named.items())
     yield "; ".join(legend)
 
 
-def hand_name(origin: Origin) -> str:
-    """Return what a hand is called in words: the scene's own, or the student's."""
-    return origin.hand if origin.hand == STUDENT else "scene"
+def hand_name(answer: Answer, origin: Origin) -> str:
+    """Return what a hand is called in words: that at the board, or the scene's own."""
+    return origin.hand if origin.hand == answer.own.way.hand else "printed"
 
 
 def _table(answer: Answer) -> Any:

@@ -124,10 +124,10 @@ def _board(axes: Axes, answer: Answer) -> None:
         ("figure knee", answer.knee, "D", "#0072b2"),
     ):
         _rows(axes, [row], shape, words[key], color=colour, markersize=8, markeredgecolor="black")
-    if answer.student is not None:
+    if answer.printed is not None and max(answer.printed.values()) > 0.0:
         axes.plot(
-            [answer.own.way.minutes], [max(answer.student.values())], "P", color="#cc79a7",
-            markersize=8, markeredgecolor="black", label=words["figure student"],
+            [answer.own.way.minutes], [max(answer.printed.values())], "P", color="#cc79a7",
+            markersize=8, markeredgecolor="black", label=words["figure printed"],
         )  # fmt: skip
     for row in {id(row.way): row for row in (answer.own, answer.knee)}.values():
         _number(axes, row)
@@ -161,13 +161,17 @@ def _number(axes: Axes, row: MeasuredWay) -> None:
 def _machine(axes: Axes, answer: Answer) -> None:
     """Draw the error over CPU seconds of what a user asks for; what is not to be believed is hollow."""
     words = WORDS[answer.scene.language]
-    errors = _by_count(answer)
     for what, shape in WORK:
         rows = sorted(
-            (one.seconds.least, errors[one.positions], one.seconds.doubtful)
+            (
+                one.seconds.least,
+                answer.counts[one.positions][what == "drawings"],
+                one.seconds.doubtful,
+            )
             for one in answer.machine
-            if one.what == what and one.positions in errors
+            if one.what == what and one.positions in answer.counts
         )
+        rows = [row for row in rows if row[1] > 0.0]
         for believed, fill in ((True, "black"), (False, "white")):
             some = [(x, y) for x, y, doubtful in rows if doubtful != believed]
             axes.plot(
@@ -183,27 +187,13 @@ def _machine(axes: Axes, answer: Answer) -> None:
     axes.set_xlabel(words["machine"])
 
 
-def _by_count(answer: Answer) -> dict[int, float]:
-    """Return the error that is expected as the scene is drawn, by the number of its parts."""
-    own, divided = answer.own.way, dividing()
-    fixed = {name: value for name, value in own.changes if name not in divided}
-    found: dict[int, float] = {}
-    for way in answer.ways:
-        changes = dict(way.changes)
-        same = (way.hand, way.ruler, way.times) == (own.hand, own.ruler, own.times)
-        counts = [int(value) for name, value in way.changes if name in divided]
-        if same and all(changes[name] == value for name, value in fixed.items()) and counts:
-            found.setdefault(counts[0], way.worst)
-    return found
-
-
 def _sources(axes: Axes, answer: Answer) -> None:
     """Draw a bar of the sources for each hand."""
     words = WORDS[answer.scene.language]
     names: dict[str, None] = {}
     heads = []
     for k, origin in enumerate(of_worst(answer)):
-        heads.append(words[hand_name(origin)])
+        heads.append(words[hand_name(answer, origin)])
         at = 0.0
         for name, share in parts(origin.of[answer.worst]):
             colour, hatch = SOURCES[name]

@@ -66,8 +66,8 @@ def _answer(answer: Answer) -> dict[str, Any]:
         "knee": _row(answer, answer.knee),
         "sources": [_sources(origin, answer) for origin in answer.origins],
     }
-    if answer.student is not None:
-        told["student"] = {name: figure(error) for name, error in answer.student.items()}
+    if answer.printed is not None:
+        told["printed"] = {name: figure(error) for name, error in answer.printed.items()}
     if answer.halved is not None:
         told["halved"] = _row(answer, MeasuredWay(answer.halved.way, answer.halved.errors))
     if answer.nearest is not None:

@@ -63,8 +63,11 @@ def study(
     minutes: Mapping[str, float] | None = None,
     clock: bool = True,
     tell: Tell | None = None,
+    literal: bool = False,
 ) -> Study:
     """Measure a scene on all axes that it calls for.
+
+    ``literal``: the answer is by the scene's own hand, too, whatever it is.
 
     Raises
     ------
@@ -99,7 +102,7 @@ def study(
         runs = measure.timed(runs, watch)
     hands = tuple(dict.fromkeys((*SLIPPING, own.hand)))
     return Study(
-        answer(scene, minutes, watch),
+        answer(scene, minutes, watch, literal=literal),
         own.hand,
         trials,
         units,

@@ -204,6 +204,19 @@ class Ways:
         marks = [mark for q in quantities(sheet) if wanted(scene, q) for mark in q.marks]
         return BoardWay(changes, work_of(sheet, marks, self._minutes).minutes, answers)
 
+    def by_count(self, who: Hand) -> dict[int, float]:
+        """Return the error that is expected of a hand, %, by the number of parts of the first board divided."""
+        divided = dividing()
+        rows = (row for row in self.parts if any(name in divided for name, _ in row[0].changes))
+        found, row = {}, next(rows, [])
+        for part in row:
+            counts = [int(value) for name, value in part.changes if name in divided]
+            fixed = [one for one in part.changes if one[0] not in divided]
+            if all(one in row[0].changes for one in fixed):
+                errors = _errors(part, [Drawing(who)])
+                found[counts[0]] = worst({name: float(each[0]) for name, each in errors.items()})
+        return found
+
     def _ways(self) -> Iterator[Way]:
         drawn = list(_drawings(self.scene))
         by = [Drawing(who, times) for _, who, times in drawn]

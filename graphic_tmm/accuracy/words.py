@@ -48,7 +48,8 @@ TEXTS: dict[str, str] = {
     "figure all": said("settings tried"),
     "figure own": said("as in the scene"),
     "figure knee": said("the knee"),
-    "figure student": said("by a student's hand"),
+    "figure printed": said("as printed"),
+    "printed": said("as printed"),
     "figure sources": said("{quantity}: where the error comes from"),
     "worst error": said("error of the worst, %"),
     "timed log": said("the log"),
@@ -83,9 +84,9 @@ TEXTS: dict[str, str] = {
         "This drawing ({setting}) gives what it is made for, {main}, to {least} % of its largest value, "
         "and {quantity}, the least exact, to {error} %."
     ),
-    "answer student": said("A student's hand with a ruler of 0.5 mm would bring it to {error} %."),
-    "answer student main": said(
-        "A student's hand with a ruler of 0.5 mm would bring them to {least} and {error} %."
+    "answer printed": said("As the program prints it, it is right to {error} %."),
+    "answer printed main": said(
+        "As the program prints it, they are right to {least} and {error} %."
     ),
     "answer halved": said(
         "Half the error: {setting} ({error} %; {minutes} min at the board instead of {own})."
@@ -105,10 +106,8 @@ TEXTS: dict[str, str] = {
     "answer knee": said(
         "The knee: {setting} ({error} %, {minutes} min); beyond it each per cent takes ever more time."
     ),
-    "answer from": said("As drawn, the error of {quantity} comes from: {each}."),
-    "answer from student": said(
-        "By a student's hand, the error of {quantity} would come from: {each}."
-    ),
+    "answer from": said("The error of {quantity} comes from: {each}."),
+    "answer from printed": said("As the program prints it, it comes from: {each}."),
     "answer step": said("Most comes from {step} ({share} %)."),
     "answer table": said("Settings none of which is both dearer and less exact than another"),
     "answer letters": said(

@@ -80,7 +80,14 @@ def accuracy(
     report: str | list[Any]
     if everything or form != "text":
         with progress() as tell:
-            found = study(own, trials=trials, minutes=table, clock=not no_time, tell=tell)
+            found = study(
+                own,
+                trials=trials,
+                minutes=table,
+                clock=not no_time,
+                tell=tell,
+                literal=hand is not None,
+            )
         weighed, width = found.answer, WIDTH
         if form == "text":
             report = text_report(found)
@@ -89,7 +96,8 @@ def accuracy(
     else:
         with progress() as tell:
             watch = None if no_time else Stopwatch()
-            weighed = answer(own, table, watch, tell, around=output is not None)
+            around, literal = output is not None, hand is not None
+            weighed = answer(own, table, watch, tell, around=around, literal=literal)
         width = NARROW
         report = answer_text(weighed)
     show(report, width)
