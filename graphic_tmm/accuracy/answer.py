@@ -72,11 +72,11 @@ class Answer:
     ``scene``: by the hand at the board. ``own``: the scene as it is, by that hand; ``printed``: its errors by
     the scene's own hand, None if that is the same. ``halved``: the cheapest way with half the error, None if
     there is none: ``nearest`` then. ``wasted``: a dearer way that brings next to nothing. ``ways``: all, with
-    their expected errors. ``rows``: the front, the cheapest first, and the scene itself; ``knee``: the row where the
-    front bends, farthest below the straight line between its ends. ``origins``: by the hand at the board, then
-    by the scene's own. ``counts``: the error expected as printed and at the board, by the number of positions.
-    ``machine``: seconds of what a user asks for, ``load``: what else the machine did then, None if nothing was
-    timed.
+    their expected errors. ``rows``: the front, the cheapest first, and the scene itself; ``knee``: the row
+    where the front bends, farthest below the straight line between its ends. ``origins``: by the hand at the
+    board, then by the scene's own. ``counts``: the error expected as printed and at the board, by the number
+    of positions. ``machine``: seconds of what a user asks for, ``load``: what else the machine did then, None
+    if nothing was timed.
     """
 
     scene: Scene
