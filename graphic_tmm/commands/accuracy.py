@@ -46,6 +46,11 @@ NARROW = 80
     is_flag=True,
     help=said("Show what each effect costs and changes, and which is not worth drawing."),
 )
+@click.option(
+    "--hard",
+    is_flag=True,
+    help=said("Walk the turn instead: how many digits are left near dead centres and locks."),
+)
 @hands
 def accuracy(
     scene: str | None,
@@ -56,6 +61,7 @@ def accuracy(
     no_time: bool,
     everything: bool,
     effects: bool,
+    hard: bool,
     hand: str | None,
     seed: int | None,
 ) -> None:
@@ -75,6 +81,9 @@ def accuracy(
         if form == "csv":
             raise SheetError(said("--effects is printed as text or JSON; leave -f csv out"))
         _effects(task, hand, trials, table, form, output, clock=not no_time)
+        return
+    if hard:
+        _hard(task, form, output)
         return
     own = drawn_by(task, hand, seed)
     report: str | list[Any]
@@ -132,6 +141,22 @@ def _effects(
     if output is not None:
         name = f"{scene_name(scene.source)}-effects.{'json' if form == 'json' else 'txt'}"
         files = {name: rendered(report, NARROW, printed=False)}
+        for path in write(Path(output), files, remedy=said("name another folder with -o")):
+            say(str(path))
+
+
+def _hard(scene: Scene, form: str, output: str | None) -> None:
+    """Show how many digits are left along the turn of a scene; write it into a folder, too."""
+    from graphic_tmm.accuracy.hard import walk
+    from graphic_tmm.accuracy.hard_text import hard_json, hard_text
+    from graphic_tmm.files import write
+    from graphic_tmm.scene.packaged import scene_name
+
+    end, tell = ("json", hard_json) if form == "json" else ("txt", hard_text)
+    report = tell(walk(scene))
+    show(report, NARROW)
+    if output is not None:
+        files: dict[str, str | bytes] = {f"{scene_name(scene.source)}-hard.{end}": report}
         for path in write(Path(output), files, remedy=said("name another folder with -o")):
             say(str(path))
 

@@ -179,3 +179,19 @@ def test_the_answer_comes_first_in_lines_of_eighty_characters_and_a_short_table(
     assert 3 <= len(rows) <= 12
     assert sum("●" in row for row in rows) == 1
     assert all(mark in text for mark in ("● как в задании", "◆ перелом", "× во сколько раз"))
+
+
+def test_hard_cases_are_printed_and_written(tmp_path: Path) -> None:
+    found = invoke("accuracy", "offset-slider", "--hard", "-o", tmp_path)
+    assert found.exit_code == 0, found.output
+    assert max(map(len, found.stdout.splitlines())) <= 80
+    assert (tmp_path / "offset-slider-hard.txt").read_text("utf-8") == found.stdout
+    told = invoke("accuracy", "offset-slider", "--hard", "-f", "json")
+    assert [place["kind"] for place in json.loads(told.stdout)["places"]] == ["still", "still"]
+
+
+def test_hard_cases_of_a_scene_without_a_mechanism_are_refused() -> None:
+    found = invoke("accuracy", "gear-pair", "--hard")
+    assert found.exit_code == 2
+    assert "--hard" in found.stderr
+    assert not found.stdout

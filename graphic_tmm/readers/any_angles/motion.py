@@ -54,6 +54,11 @@ class Recorded:
         """Of which plans there is anything."""
         return frozenset(row.plan for row in self.told)
 
+    @property
+    def still(self) -> dict[Mark, Any]:
+        """What is given, or drawn across the positions of the sheet, and is the same at all angles."""
+        return _still(self.sheet, self.known(np.zeros((1, 1))))
+
     def known(self, angles: Reals) -> dict[Mark, Any]:
         """Return what is given at angles of the crank (degrees; (1, angle)), and nowhere else."""
         project = self.sheet.project
@@ -77,8 +82,7 @@ class Recorded:
     def ready(self, name: object, rows: Callable[[], Sequence[TurnQuantity]]) -> Ready:
         """Return the slice of the log that gives some rows, without further steps; it is cached by name."""
         if name not in self.slices:
-            still = _still(self.sheet, self.known(np.zeros((1, 1))))
-            self.slices[name] = made_ready(self.sheet, still, self.known, rows())
+            self.slices[name] = made_ready(self.sheet, self.still, self.known, rows())
         return self.slices[name]
 
 
