@@ -38,7 +38,8 @@ def answer_text(answer: Answer) -> list[Any]:
     printed: list[Any] = [Text(words["title"].format(title=answer.scene.title), style="bold")]
     printed += [Text(line) for line in sentences(answer)]
     printed += [Text(line) for line in bars(answer)]
-    printed += [_table(answer), Text(words["answer letters"])]
+    if answer.own.worst > 0.0:
+        printed += [_table(answer), Text(words["answer letters"])]
     if answer.load is not None:
         printed += [_machine(answer), Text(_load(answer))]
     return printed
@@ -46,6 +47,9 @@ def answer_text(answer: Answer) -> list[Any]:
 
 def sentences(answer: Answer) -> Iterator[str]:
     """Yield how far the drawing is off, what halves that, what is not worth its cost, where it comes from."""
+    if not answer.own.worst > 0.0:
+        yield _words(answer)["answer exact"]
+        return
     yield _how_far(answer)
     yield _halved(answer)
     yield _wasted(answer)
@@ -193,6 +197,8 @@ def bars(answer: Answer) -> Iterator[str]:
             for (name, _), a, b in zip(row, ends, ends[1:], strict=False)
         )
         lines.append(f"{bar} {words[hand_name(answer, origin)]}")
+    if not lines:
+        return
     yield from lines
     legend = (f"{shade} {words[f'from {name}']}" for name, shade in named.items())
     yield "; ".join(legend)

@@ -65,7 +65,7 @@ def _draw(answer: Answer) -> Figure:
     from matplotlib.figure import Figure
 
     bars = len([*of_worst(answer)])
-    heights = [BOARD, *([MACHINE] if answer.machine else []), BAR * bars]
+    heights = [BOARD, *([MACHINE] if answer.machine else []), *([BAR * bars] if bars else [])]
     title = _folded(answer.scene.title, 52)
     head = HEAD + 0.17 * title.count("\n")
     height = head + sum(heights) + GAP * (len(heights) - 1) + FOOT
@@ -84,8 +84,9 @@ def _draw(answer: Answer) -> Figure:
     _board(panels[0], answer)
     if answer.machine:
         _machine(panels[1], answer)
-    _sources(panels[-1], answer)
-    for axes in panels[:-1]:
+    if bars:
+        _sources(panels[-1], answer)
+    for axes in panels[: len(panels) - (bars > 0)]:
         _ticks(axes, answer.scene.language)
         axes.set_ylabel(words["worst error"])
     return figure
@@ -102,6 +103,8 @@ def _ticks(axes: Axes, language: str) -> None:
     from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
     for axis, (low, high) in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
+        if not low > 0.0:  # nothing is off
+            continue
         decades = log10(high / low)
         subs = (1.0, 2.0, 5.0) if decades < 2.5 else (1.0,)
         axis.set_major_locator(LogLocator(subs=subs, numticks=7 if decades >= 2.5 else 12))
@@ -153,7 +156,7 @@ def _number(axes: Axes, row: MeasuredWay) -> None:
     if counts and row.worst > 0.0:
         axes.annotate(
             f"N = {counts[0]}", (row.way.minutes, row.worst), textcoords="offset points",
-            xytext=(0, -13), ha="center", fontsize=8,
+            xytext=(7, 5), ha="left", fontsize=8,
             bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8},
         )  # fmt: skip
 

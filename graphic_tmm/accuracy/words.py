@@ -49,7 +49,7 @@ TEXTS: dict[str, str] = {
     "figure own": said("as in the scene"),
     "figure knee": said("the knee"),
     "figure printed": said("as printed"),
-    "printed": said("as printed"),
+    "printed": said("printed"),
     "figure sources": said("{quantity}: where the error comes from"),
     "worst error": said("error of the worst, %"),
     "timed log": said("the log"),
@@ -76,6 +76,9 @@ TEXTS: dict[str, str] = {
     "shares": said("Where the error comes from: shares of the mean square error"),
     "sources": said("sources"),
     "step of": said("{view}, step {number}: {text}"),
+    "answer exact": said(
+        "Drawn so, nothing is off: the construction itself is exact, and nothing slips."
+    ),
     "answer far": said(
         "This drawing ({setting}) gives {quantity} to {error} % of its largest value; nothing in it is "
         "less exact."

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path
 
+from graphic_tmm.accuracy.answer import Answer, answer
 from graphic_tmm.accuracy.drawing import Pinned, References, draw, pinned
 from graphic_tmm.accuracy.effect_study import EffectStudy, Weighed, study_effects
 from graphic_tmm.accuracy.measure import Measure
@@ -50,6 +51,11 @@ def by(name: str, hand: str, trials: int = 100, changed: Scene | None = None) ->
 @cache
 def studied(name: str) -> Study:
     return study(gallery.scene(name), trials=40, clock=False)
+
+
+@cache
+def answered(name: str) -> Answer:
+    return answer(gallery.scene(name))
 
 
 def effects_of(own: Scene) -> EffectStudy:
