@@ -103,7 +103,7 @@ def _ticks(axes: Axes, language: str) -> None:
     from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
     for axis, (low, high) in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
-        if not low > 0.0:  # nothing is off
+        if axis.get_scale() != "log":
             continue
         decades = log10(high / low)
         subs = (1.0, 2.0, 5.0) if decades < 2.5 else (1.0,)
@@ -135,7 +135,8 @@ def _board(axes: Axes, answer: Answer) -> None:
     for row in {id(row.way): row for row in (answer.own, answer.knee)}.values():
         _number(axes, row)
     axes.set_xscale("log")
-    axes.set_yscale("log")
+    if answer.own.worst > 0.0:
+        axes.set_yscale("log")
     axes.margins(0.06, 0.1)
     axes.grid(True, which="major", color="#dddddd", linewidth=0.6)
     axes.set_axisbelow(True)
@@ -183,7 +184,8 @@ def _machine(axes: Axes, answer: Answer) -> None:
             )  # fmt: skip
         axes.plot([x for x, *_ in rows], [y for _, y, _ in rows], ":", color="black", linewidth=0.8)
     axes.set_xscale("log")
-    axes.set_yscale("log")
+    if answer.own.worst > 0.0:
+        axes.set_yscale("log")
     axes.margins(0.1, 0.2)
     axes.grid(True, which="major", color="#dddddd", linewidth=0.6)
     axes.legend(loc="best", fontsize=7.5, framealpha=0.9, handletextpad=0.3)
