@@ -178,9 +178,14 @@ class Measure:
             program = prepare(drawing.construction, quantity.marks)
             self._calls[key] = partial(program.run, drawing.given, hand=who)
 
+    def keep(self, watch: Stopwatch) -> None:
+        """Have what has run so far timed, in turns with all that is timed later."""
+        watch.keep(self._calls)
+
     def timed(self, runs: Iterable[Measurement], watch: Stopwatch) -> list[Measurement]:
-        """Return the runs with their seconds, all timed in turns."""
-        seconds = watch.in_turns(self._calls)
+        """Return the runs with their seconds; `keep` them on the watch now and then before."""
+        self.keep(watch)
+        seconds = watch.kept()
         return [replace(run, seconds=seconds.get(self._keys[run])) for run in runs]
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from math import ceil
 
 from graphic_tmm.accuracy.answer import Answer, answer, nothing
 from graphic_tmm.accuracy.budget import Tell
@@ -24,6 +25,8 @@ from graphic_tmm.studio import make
 
 DRAWINGS = 100
 """Default number of drawings by a hand that slips at each setting."""
+PASSES = 3
+"""So often, while the settings are measured, what has been measured is timed."""
 SLIPPING = ("student", "careful")
 """The hands whose best number of positions is reported, in addition to the scene's own."""
 
@@ -89,6 +92,7 @@ def study(
     }
     if not units:
         raise SceneError(scene.source, (Fault("", 0, nothing(scene)),))
+    watch = Stopwatch() if clock else None
     runs: list[Measurement] = []
     left_out: list[str] = []
     for k, place in enumerate(along):
@@ -96,13 +100,16 @@ def study(
         if place.only is not None and not set(place.only) & set(units):
             continue
         _measure(measure, place, runs, left_out)
+        if watch is not None and (k + 1) % ceil(len(along) / PASSES) == 0:
+            measure.keep(watch)
     told(len(along) + 1, len(along) + 2, "")
-    watch = Stopwatch() if clock else None
+    weighed = answer(scene, minutes, watch, literal=literal)
     if watch is not None:
         runs = measure.timed(runs, watch)
+        weighed = replace(weighed, load=watch.load)
     hands = tuple(dict.fromkeys((*SLIPPING, own.hand)))
     return Study(
-        answer(scene, minutes, watch, literal=literal),
+        weighed,
         own.hand,
         trials,
         units,

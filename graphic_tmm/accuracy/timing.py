@@ -12,7 +12,7 @@ import time
 from collections.abc import Callable, Hashable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from math import ceil
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -20,6 +20,8 @@ from graphic_tmm.errors import TmmError
 
 CALLS, MORE = 5, 4
 """Turns of each call; and further ones of a call whose times scatter."""
+BETWEEN = (1, 3)
+"""Turns after which what is kept has one, too."""
 TURN = 0.002
 """Seconds that a turn lasts; what is shorter is called several times."""
 COOL = 0.01
@@ -80,7 +82,7 @@ class _Row:
     """A call, how many of it are timed in a batch, and what each call took."""
 
     def __init__(self, call: Callable[[], object], batch: int = 1) -> None:
-        self.call, self.batch = call, batch
+        self.call, self.batch, self.turns = call, batch, 0
         self.found: list[float] = []
 
     @property
@@ -106,6 +108,7 @@ class Stopwatch:
         self.resolved = TICKS * (_tick(clock) if tick is None else tick)
         self._processor = self._wall = 0.0
         self._scattered = self._calls = 0
+        self._kept: dict[Any, _Row] = {}
 
     @property
     def load(self) -> Load:
@@ -114,14 +117,41 @@ class Stopwatch:
 
     def in_turns(self, calls: Calls[Key]) -> dict[Key, Seconds]:
         """Return the seconds of each call, warm; what cannot be drawn is left out."""
-        rows: dict[Key, _Row] = {}
+        return self._seconds(dict(self._warmed(calls)))
+
+    def keep(self, calls: Calls[Key]) -> None:
+        """Time calls for a turn, and those kept before; they have other turns while something else is timed.
+
+        So the turns of what is timed by the hundred are spread over all that the program does.
+        """
+        new = {key: call for key, call in calls.items() if key not in self._kept}
+        self._kept |= dict(self._warmed(new))
+        self._pass()
+
+    def kept(self) -> dict[Any, Seconds]:
+        """Return the seconds of the calls that were kept; they have what they still lack of their turns."""
+        rows, self._kept = self._kept, {}
+        return self._seconds(rows)
+
+    def _warmed(self, calls: Calls[Key]) -> Iterator[tuple[Key, _Row]]:
         for key, call in calls.items():
             with suppress(TmmError):
-                rows[key] = self._warm(call)
+                yield key, self._warm(call)
+
+    def _pass(self) -> None:
+        """Give what is kept a turn each."""
+        for row in self._kept.values():
+            if row.turns < CALLS:
+                self._turn(row)
+
+    def _seconds(self, rows: Mapping[Key, _Row]) -> dict[Key, Seconds]:
+        """Return the seconds of rows, after as many turns as they lack, and more where they scatter."""
         for turn in range(CALLS + MORE):
             for row in rows.values():
-                if turn < CALLS or row.seconds.doubtful:
+                if row.turns < CALLS or row.seconds.doubtful:
                     self._turn(row)
+            if turn in BETWEEN:
+                self._pass()
         found = {key: row.seconds for key, row in rows.items()}
         self._calls += len(found)
         self._scattered += sum(one.doubtful for one in found.values())
@@ -148,7 +178,7 @@ class Stopwatch:
 
     def _turn(self, row: _Row) -> None:
         """Time calls for as long as a turn lasts; the first of short ones finds its data out of the cache."""
-        spent, count = 0.0, 0
+        spent, count, row.turns = 0.0, 0, row.turns + 1
         with _no_collection():
             while spent < TURN and count < MANY:
                 seconds, count = self._timed(row), count + 1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from support.tasks import by, drawing, measure, quantity, scales, scene
 from graphic_tmm.accuracy.cost import count, varying
 from graphic_tmm.accuracy.drawing import References, draw, tried
 from graphic_tmm.accuracy.measure import Measure, off, work_of
-from graphic_tmm.accuracy.timing import Calls, Key, Seconds, Stopwatch
+from graphic_tmm.accuracy.timing import Calls, Seconds, Stopwatch
 from graphic_tmm.board.execute import execute
 from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.readers.position_count import at_count
@@ -60,8 +61,11 @@ def test_nothing_due_is_no_error() -> None:
 class Still(Stopwatch):
     """Times nothing: every call is said to take as long as there were calls before it."""
 
-    def in_turns(self, calls: Calls[Key]) -> dict[Key, Seconds]:
-        return {key: Seconds(k, k, k, k) for k, key in enumerate(calls)}
+    def keep(self, calls: Calls[Any]) -> None:
+        self.calls = dict(calls)
+
+    def kept(self) -> dict[Any, Seconds]:
+        return {key: Seconds(k, k, k, k) for k, key in enumerate(self.calls)}
 
 
 def test_runs_of_hands_of_one_sort_are_timed_together_and_others_apart() -> None:

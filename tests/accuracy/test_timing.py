@@ -111,6 +111,20 @@ def test_what_scatters_is_timed_more_often_and_marked_if_it_still_does() -> None
     assert (watch.load.scattered, watch.load.calls) == (1, 3)
 
 
+def test_what_is_kept_has_its_turns_spread_over_what_else_is_timed() -> None:
+    machine = Machine()
+    watch = machine.watch()
+    watch.keep({"first": machine.call(LONG, 2 * LONG, LONG, name="k")})
+    watch.keep({"first": machine.call(9.0), "second": machine.call(LONG, name="s")})
+    watch.in_turns({"other": machine.call(LONG, name="o")})
+    found = watch.kept()
+    assert "".join(machine.calls) == "kk" + "sks" + "o" + "ooks" + "ooks" + "o" + "ks" + "s"
+    assert [found[name].least for name in ("first", "second")] == pytest.approx([LONG, LONG])
+    assert found["first"].calls == found["second"].calls == CALLS
+    assert watch.load.calls == 3
+    assert watch.kept() == {}
+
+
 @pytest.mark.parametrize(
     ("seconds", "doubtful"),
     [
