@@ -296,11 +296,9 @@ def _largest(quantity: Quantity, drawing: Project, references: References) -> fl
 def _values(quantity: Quantity, drawing: Project) -> dict[str, Reals]:
     """Return the values of a quantity by the exact hand, by letter; a single one has none."""
     reading = execute(drawing.construction, drawing.given, quantity.marks)
-    single = len(quantity.values) == 1
-    return {
-        "" if single else value.mark.letter: quantity._replace(values=(value,)).read(reading, 1)[0]
-        for value in quantity.values
-    }
+    names = [value.mark.letter for value in quantity.values] if len(quantity.values) > 1 else [""]
+    each = (quantity._replace(values=(value,)) for value in quantity.values)
+    return dict(zip(names, (one.read(reading, 1)[0] for one in each), strict=True))
 
 
 def _change(result: _Result, rest: Sequence[Project]) -> Change | None:

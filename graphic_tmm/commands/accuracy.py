@@ -163,7 +163,7 @@ def _hard(scene: Scene, form: str, output: str | None) -> None:
 
 def _written(weighed: Answer, report: dict[str, str], output: str) -> tuple[Path, ...]:
     """Write the report and the figure of an answer (by their ends) into a folder; return the files."""
-    from graphic_tmm.accuracy.figure import figures
+    from graphic_tmm.accuracy.cost_figure import figures
     from graphic_tmm.files import write
     from graphic_tmm.scene.packaged import scene_name
 

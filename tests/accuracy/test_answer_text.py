@@ -13,7 +13,7 @@ from support.tasks import answered
 
 from graphic_tmm.accuracy.answer import Answer, answer
 from graphic_tmm.accuracy.answer_text import BAR, WIDTH, answer_text, bars, parts, sentences
-from graphic_tmm.accuracy.figure import figures
+from graphic_tmm.accuracy.cost_figure import figures
 from graphic_tmm.accuracy.sources import Sources
 from graphic_tmm.accuracy.words import WORDS
 

@@ -14,7 +14,7 @@ from support.tasks import studied
 
 from graphic_tmm.accuracy.answer_text import sentences
 from graphic_tmm.accuracy.cost import MINUTES
-from graphic_tmm.accuracy.figure import figures
+from graphic_tmm.accuracy.cost_figure import figures
 from graphic_tmm.accuracy.lessons import along, divisions
 from graphic_tmm.accuracy.report_json import json_report
 from graphic_tmm.accuracy.report_text import best_numbers, slopes, text_report

@@ -11,7 +11,7 @@ from PIL import Image
 from support.tasks import answered
 
 from graphic_tmm.accuracy.answer import Answer
-from graphic_tmm.accuracy.figure import figures
+from graphic_tmm.accuracy.cost_figure import figures
 from graphic_tmm.accuracy.machine_times import MachineTime
 from graphic_tmm.accuracy.timing import Seconds
 
