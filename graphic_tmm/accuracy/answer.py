@@ -103,6 +103,10 @@ class Answer:
         """The quantity that the drawing is made for: the last that is constructed."""
         return [*self.own.errors][-1]
 
+    def origin(self, name: str) -> Origin | None:
+        """Return where the error of a quantity comes from: by the hand at the board."""
+        return next((one for one in self.origins if name in one.of), None)
+
 
 def answer(
     scene: Scene,

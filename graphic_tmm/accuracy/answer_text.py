@@ -47,6 +47,14 @@ def answer_text(answer: Answer) -> list[Any]:
 
 def sentences(answer: Answer) -> Iterator[str]:
     """Yield how far the drawing is off, what halves that, what is not worth its cost, where it comes from."""
+    yield from costs(answer)
+    if answer.own.worst > 0.0:
+        for origin in of_worst(answer):
+            yield _sources(answer, origin)
+
+
+def costs(answer: Answer) -> Iterator[str]:
+    """Yield how far the drawing is off, what halves that, what is not worth its cost, where the knee is."""
     if not answer.own.worst > 0.0:
         yield _words(answer)["answer exact"]
         return
@@ -54,8 +62,6 @@ def sentences(answer: Answer) -> Iterator[str]:
     yield _halved(answer)
     yield _wasted(answer)
     yield _knee(answer)
-    for origin in of_worst(answer):
-        yield _sources(answer, origin)
 
 
 def _words(answer: Answer) -> Words:
@@ -161,12 +167,17 @@ def _sources(answer: Answer, origin: Origin) -> str:
     )
     key = "answer from" if origin.hand == answer.own.way.hand else "answer from printed"
     text = words[key].format(quantity=words[answer.worst], each=each)
-    if of.steps and of.steps[0].share > STEP:
-        text += " " + words["answer step"].format(
-            step=step_name(origin, of.steps[0], answer.scene.language).rstrip("."),
-            share=_percent(answer, 100.0 * of.steps[0].share),
-        )
-    return text
+    return f"{text} {most(origin, of, answer.scene.language)}".rstrip()
+
+
+def most(origin: Origin, of: Sources, language: str) -> str:
+    """Return which step brings most of the error of a quantity, "" if none brings much."""
+    if not of.steps or of.steps[0].share <= STEP:
+        return ""
+    return WORDS[language]["answer step"].format(
+        step=step_name(origin, of.steps[0], language).rstrip("."),
+        share=number(100.0 * of.steps[0].share, language, 2),
+    )
 
 
 def step_name(origin: Origin, share: Share, language: str) -> str:

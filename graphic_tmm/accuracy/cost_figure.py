@@ -31,7 +31,7 @@ SOURCES = {
     "method": ("#4d4d4d", ""),
     "reading": ("#d55e00", "///"),
     "ruler": ("#e69f00", ""),
-    "swing": ("#0072b2", "..."),
+    "swing": ("#0072b2", "--"),
     "prick": ("#56b4e9", "\\\\\\"),
     "compass": ("#009e73", "xx"),
     "digits": ("#cc79a7", "++"),
@@ -59,6 +59,17 @@ def figures(answer: Answer) -> dict[str, bytes]:
         drawn.savefig(svg, format="svg", metadata={"Date": None, "Creator": None})
         drawn.savefig(png, format="png", dpi=160, metadata={"Software": None})
     return {"svg": svg.getvalue(), "png": png.getvalue()}
+
+
+def vector(answer: Answer, *, lettered: bool = False) -> str:
+    """Return the figure as SVG; ``lettered``: its letters as text, not as outlines."""
+    import matplotlib
+
+    letters = {"svg.fonttype": "none" if lettered else "path"}
+    with matplotlib.rc_context(SETTINGS | letters):
+        svg = BytesIO()
+        _draw(answer).savefig(svg, format="svg", metadata={"Date": None, "Creator": None})
+    return svg.getvalue().decode("utf-8")
 
 
 def _draw(answer: Answer) -> Figure:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -10,6 +11,12 @@ from graphic_tmm.commands.shared.options import chosen_forms, drawn_by, hands, r
 from graphic_tmm.commands.shared.spoken import Command
 from graphic_tmm.commands.shared.telling import waiting, warn
 from graphic_tmm.language.said import said
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from graphic_tmm.note.document import Block
+    from graphic_tmm.scene.records import Scene
 
 
 @click.command(cls=Command)
@@ -23,8 +30,18 @@ from graphic_tmm.language.said import said
     show_default=True,
     help=said("pdf, html, docx, md; several with commas."),
 )
+@click.option(
+    "--accuracy",
+    "weighed",
+    is_flag=True,
+    help=said(
+        "With a section on how exact the constructions are and what accuracy costs (seconds more)."
+    ),
+)
 @hands
-def note(scene: str | None, output: str, forms: str, hand: str | None, seed: int | None) -> None:
+def note(
+    scene: str | None, output: str, forms: str, weighed: bool, hand: str | None, seed: int | None
+) -> None:
     """Write the explanatory note of SCENE: task, structure, plans with their calculations, conclusions."""
     from graphic_tmm.files import write
     from graphic_tmm.fitting.composition import composition_file, read_composition
@@ -40,7 +57,16 @@ def note(scene: str | None, output: str, forms: str, hand: str | None, seed: int
     given = read_composition(composition_file(task.source))
     with waiting(said("choosing scale factors and writing the note")):
         made = make(task, wanted=drawn_for(task), given=given)
-        texts = note_files(made, f"{scene_name(task.source)}-note", wanted)
+        further = _accuracy(task) if weighed else ()
+        texts = note_files(made, f"{scene_name(task.source)}-note", wanted, further)
     for path in write(Path(output), texts, remedy=said("name another folder with -o")):
         click.echo(str(path))
     warn(made)
+
+
+def _accuracy(task: Scene) -> Iterable[Block]:
+    """Return the section on the accuracy of a scene's constructions."""
+    from graphic_tmm.accuracy.answer import answer
+    from graphic_tmm.accuracy.note_section import accuracy_section
+
+    return accuracy_section(answer(task))

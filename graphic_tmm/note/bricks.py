@@ -18,6 +18,7 @@ from graphic_tmm.language.units import unit
 from graphic_tmm.note.columns import fits
 from graphic_tmm.note.document import (
     Block,
+    Figure,
     Heading,
     Letter,
     Number,
@@ -51,8 +52,6 @@ from graphic_tmm.readers.rounding import ROUGH, Figures, rounded, rounded_figure
 from graphic_tmm.readers.text import column_name
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.chapter import Chapter, Place
-
-Figure = Picture | SideBySide
 
 ACROSS = 13
 """So many positions stand beside one another in a table of a page's width."""

@@ -164,6 +164,17 @@ class Picture(NamedTuple):
     alt: str
 
 
+class ReadyPicture(NamedTuple):
+    """A figure that is SVG already, without a head of XML: its id, its caption, its size on the page, mm."""
+
+    id: str
+    caption: Runs
+    svg: str
+    width: float
+    height: float
+    alt: str
+
+
 class SideBySide(NamedTuple):
     """Views beside one another as one figure: its id, what it shows; each view is a part with a letter."""
 
@@ -180,7 +191,8 @@ class Break(NamedTuple):
     """A new page."""
 
 
-Block = Heading | Paragraph | Display | Listed | Table | Picture | SideBySide | Contents | Break
+Figure = Picture | ReadyPicture | SideBySide
+Block = Heading | Paragraph | Display | Listed | Table | Figure | Contents | Break
 
 
 class Document(NamedTuple):
@@ -219,7 +231,7 @@ def runs_of(block: Block) -> Iterator[Run]:
         yield from block.runs
     elif isinstance(block, Display):
         yield from block.formulas
-    elif isinstance(block, Picture | SideBySide):
+    elif isinstance(block, Figure):
         yield from block.caption
     elif isinstance(block, Table):
         yield from block.caption
@@ -358,7 +370,7 @@ def numbered(document: Document) -> Numbered:
     wholes: dict[str, str] = {}
     count = 0
     for block in document.blocks:
-        if isinstance(block, Picture | SideBySide):
+        if isinstance(block, Figure):
             count += 1
             figures[block.id] = str(count)
         if isinstance(block, SideBySide):

@@ -8,13 +8,13 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.note.document import Document, Picture, SideBySide, letter_of, text
+from graphic_tmm.note.document import Document, Picture, ReadyPicture, SideBySide, letter_of, text
 from graphic_tmm.paper.drawing import EQUATIONS, TABLE, Drawing, Label, Sheet
 from graphic_tmm.paper.formats import HEIGHTS, Heights
 from graphic_tmm.paper.lettering.letters import plain
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.views import alone
-from graphic_tmm.paper.write.svg import clean
+from graphic_tmm.paper.write.svg import clean, svg
 
 FORMAT = "A4"
 """The format whose pens figures are drawn with: a note is held in the hand."""
@@ -192,9 +192,14 @@ class DrawnFigure(NamedTuple):
     """A figure ready to be shown: its file's name, its paper, how wide it stands on the page, mm."""
 
     name: str
-    sheet: Sheet
+    sheet: Sheet | ReadyPicture
     width: float
     alt: str
+
+    @property
+    def svg(self) -> str:
+        """The figure as SVG."""
+        return svg(self.sheet) if isinstance(self.sheet, Sheet) else self.sheet.svg
 
     @property
     def height(self) -> float:
@@ -206,7 +211,10 @@ def drawn_figures(document: Document) -> dict[str, DrawnFigure]:
     """Return the figures of a note by id, each on a paper of its size."""
     found: dict[str, DrawnFigure] = {}
     for block in document.blocks:
-        if isinstance(block, Picture | SideBySide):
+        if isinstance(block, ReadyPicture):
+            name = f"figure-{len(found) + 1}"
+            found[block.id] = DrawnFigure(name, block, round(block.width, 1), block.alt)
+        elif isinstance(block, Picture | SideBySide):
             _draw(block, document.language, found)
     return found
 

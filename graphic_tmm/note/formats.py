@@ -11,7 +11,7 @@ from typing import Any
 
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.note import pandoc, word
-from graphic_tmm.note.document import Document, Picture, Table
+from graphic_tmm.note.document import Document, Picture, ReadyPicture, Table
 from graphic_tmm.note.figures import DrawnFigure, drawn_figures
 from graphic_tmm.note.pdf import pdf, typesetter
 from graphic_tmm.note.styles import CSS
@@ -27,7 +27,6 @@ from graphic_tmm.note.target import (
     escaped,
     raw,
 )
-from graphic_tmm.paper.write.svg import svg
 
 FORMATS = ("pdf", "html", "docx", "md")
 """What a note can be written as."""
@@ -74,7 +73,7 @@ def refuse_missing(formats: Sequence[str]) -> None:
 def html(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dict[str, str | bytes]:
     """Return a page that needs no other file: figures drawn in it, formulas as MathML."""
 
-    def picture(block: Picture) -> Tree:
+    def picture(block: Picture | ReadyPicture) -> Tree:
         return raw("html", _inline(shown[block.id]))
 
     target = Target(
@@ -98,7 +97,7 @@ def html(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dic
 
 def _inline(one: DrawnFigure) -> str:
     """Return a figure as an element of a page: an image to who does not see it."""
-    text = svg(one.sheet)
+    text = one.svg
     text = text[text.index("<svg") :]
     head, rest = text.split(">", 1)
     head = re.sub(r' (?:width|height)="[^"]*mm"', "", head)
@@ -187,7 +186,7 @@ def markdown(
 ) -> dict[str, str | bytes]:
     """Return the note as Markdown, and its figures as files beside it."""
 
-    def picture(block: Picture) -> Tree:
+    def picture(block: Picture | ReadyPicture) -> Tree:
         one = shown[block.id]
         words = [{"t": "Str", "c": one.alt}]
         return {"t": "Image", "c": [NONE, words, [f"{stem}-{one.name}.svg", ""]]}
@@ -205,7 +204,7 @@ def markdown(
     )
     found: dict[str, str | bytes] = {f"{stem}.md": pandoc.written(document, target).decode("utf-8")}
     for one in shown.values():
-        found[f"{stem}-{one.name}.svg"] = svg(one.sheet)
+        found[f"{stem}-{one.name}.svg"] = one.svg
     return found
 
 
@@ -226,7 +225,7 @@ def docx(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dic
     """Return the note as DOCX: formulas are those of a word processor, figures pictures."""
     typst = typesetter("docx")
 
-    def picture(block: Picture) -> Tree:
+    def picture(block: Picture | ReadyPicture) -> Tree:
         one = shown[block.id]
         words = [{"t": "Str", "c": one.alt}]
         attributes = ["", [], [["width", f"{one.width}mm"]]]
@@ -272,7 +271,7 @@ def _pictures(typst: Any, home: Path, shown: Sequence[DrawnFigure]) -> None:
         return
     lines = []
     for one in shown:
-        (home / f"{one.name}.svg").write_text(svg(one.sheet), encoding="utf-8")
+        (home / f"{one.name}.svg").write_text(one.svg, encoding="utf-8")
         size = f"width: {one.sheet.width:.3f}mm, height: {one.sheet.height:.3f}mm"
         lines.append(f'#page({size}, margin: 0pt)[#image("{one.name}.svg", {size})]')
     (home / "figures.typ").write_text("\n".join(lines), encoding="utf-8")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 
 from graphic_tmm.drawn import Drawn, DrawnScene
@@ -25,8 +25,8 @@ def wanted(scene: Scene) -> set[str]:
     return {*scene.called, *chain.from_iterable(noted)}
 
 
-def note(made: DrawnScene) -> Document:
-    """Return the note of a scene in its language."""
+def note(made: DrawnScene, further: Iterable[Block] = ()) -> Document:
+    """Return the note of a scene in its language; ``further``: sections before the conclusions."""
     language = made.scene.language
     blocks: list[Block] = [*title_page(made, language), *introduction(made, language)]
     blocks += task(made, language)
@@ -42,6 +42,7 @@ def note(made: DrawnScene) -> Document:
     blocks += _sections(made, early, known)
     blocks += scales(made, language)
     blocks += _sections(made, late, known)
+    blocks += further
     blocks += conclusions(made, language)
     blocks += symbol_list(made, blocks, language)
     blocks += literature(made, language)
@@ -63,12 +64,14 @@ FIRST = 2
 """Chapters before this one need no scale factor: these are told behind them."""
 
 
-def note_files(made: DrawnScene, stem: str, formats: Sequence[str]) -> dict[str, str | bytes]:
-    """Return the files of the note of a scene by name.
+def note_files(
+    made: DrawnScene, stem: str, formats: Sequence[str], further: Iterable[Block] = ()
+) -> dict[str, str | bytes]:
+    """Return the files of the note of a scene by name; ``further``: sections before the conclusions.
 
     Raises
     ------
     SheetError
         If what writes a format is not installed.
     """
-    return files(note(made), stem, formats)
+    return files(note(made, further), stem, formats)

@@ -18,7 +18,6 @@ from graphic_tmm.language.numbers import EXACTLY, fixed, number
 from graphic_tmm.language.symbols import plain
 from graphic_tmm.language.units import unit
 from graphic_tmm.note.bricks import (
-    Figure,
     column_source,
     columns,
     figures_of,
@@ -29,6 +28,7 @@ from graphic_tmm.note.bricks import (
 )
 from graphic_tmm.note.document import (
     Block,
+    Figure,
     Heading,
     Item,
     Listed,

@@ -23,13 +23,13 @@ from graphic_tmm.note.document import (
     Contents,
     Display,
     Document,
+    Figure,
     Formula,
     Heading,
     Letter,
     Listed,
     Number,
     Paragraph,
-    Picture,
     Ref,
     Run,
     SideBySide,
@@ -113,7 +113,7 @@ class _Writer:
         if isinstance(block, Table):
             made = self.table(block)
             return self.target.tabled(made, block)
-        if isinstance(block, Picture | SideBySide):
+        if isinstance(block, Figure):
             return self.figure(block)
         if isinstance(block, Contents):
             return self.target.contents(self.outline())
@@ -202,7 +202,7 @@ class _Writer:
         inside = [of("Plain", self.inlines(runs))] if runs else []
         return [NONE, {"t": "AlignDefault"}, 1, 1, inside]
 
-    def figure(self, block: Picture | SideBySide) -> list[Tree]:
+    def figure(self, block: Figure) -> list[Tree]:
         number = self.speech(FIGURE, number=self.numbers.figures[block.id])
         caption = [*as_words(number), *self.inlines(block.caption)]
         parts = block.parts if isinstance(block, SideBySide) else (block,)

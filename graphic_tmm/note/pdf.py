@@ -12,7 +12,7 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.language.catalogue import code_of, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note import pandoc
-from graphic_tmm.note.document import Document, Picture, SideBySide, Table
+from graphic_tmm.note.document import Document, Figure, SideBySide, Table
 from graphic_tmm.note.figures import DrawnFigure
 from graphic_tmm.note.styles import APART, NEARER, TYPST
 from graphic_tmm.note.target import CONTENTS, LEADING, RAGGED, Target, Tree, escaped, raw
@@ -35,7 +35,7 @@ def pdf(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dict
     """Return the note as PDF: tagged, with bookmarks, its title and its language."""
     typst = typesetter("pdf")
 
-    def figure(block: Picture | SideBySide, caption: Tree) -> list[Tree]:
+    def figure(block: Figure, caption: Tree) -> list[Tree]:
         parts = [
             shown[one.id] for one in (block.parts if isinstance(block, SideBySide) else [block])
         ]
@@ -75,7 +75,7 @@ def pdf(document: Document, stem: str, shown: Mapping[str, DrawnFigure]) -> dict
     with TemporaryDirectory() as folder:
         home = Path(folder)
         for one in shown.values():
-            (home / f"{one.name}.svg").write_text(svg(one.sheet), encoding="utf-8")
+            (home / f"{one.name}.svg").write_text(one.svg, encoding="utf-8")
         file = home / "note.typ"
         text = f"{TYPST}{body}"
         if document.frame is not None:

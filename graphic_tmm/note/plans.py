@@ -12,11 +12,12 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.note.bricks import Figure, by_ruler, heading, referred, worked
+from graphic_tmm.note.bricks import by_ruler, heading, referred, worked
 from graphic_tmm.note.calculations import Section, as_table
 from graphic_tmm.note.document import (
     Block,
     Display,
+    Figure,
     Formula,
     Once,
     Paragraph,

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from graphic_tmm.language.said import said
-from graphic_tmm.note.document import Picture, SideBySide, Table
+from graphic_tmm.note.document import Figure, Picture, ReadyPicture, Table
 
 NONE: list[Any] = ["", [], []]
 """An element without id, classes and attributes."""
@@ -45,7 +45,7 @@ class Target(NamedTuple):
     """
 
     name: str
-    picture: Callable[[Picture], Tree]
+    picture: Callable[[Picture | ReadyPicture], Tree]
     contents: Callable[[Outline], list[Tree]]
     break_page: Callable[[], list[Tree]]
     options: tuple[str, ...] = ()
@@ -55,7 +55,7 @@ class Target(NamedTuple):
     captioned: bool = True
     linked: bool = True
     headed: bool = False
-    figure: Callable[[Picture | SideBySide, Tree], list[Tree]] | None = None
+    figure: Callable[[Figure, Tree], list[Tree]] | None = None
     styled_rows: bool = False
     word: Callable[[str], list[Tree]] = lambda word: one_string(word)
     continued: Callable[[str, str], Tree] | None = None
