@@ -10,7 +10,7 @@ import re
 from typing import NamedTuple
 
 from graphic_tmm.accuracy.answer import Answer
-from graphic_tmm.accuracy.figure import vector
+from graphic_tmm.accuracy.cost_figure import vector
 
 MM = 25.4 / 72.0
 """Millimetres of a point."""
