@@ -17,7 +17,7 @@ from graphic_tmm.accuracy.cost_figure import figures
 from graphic_tmm.accuracy.sources import Sources
 from graphic_tmm.accuracy.words import WORDS
 
-NAMES = ["slider-diagrams", "crank-rocker", "cam"]
+NAMES = ["slider-diagrams", "crank-rocker", pytest.param("cam", marks=pytest.mark.slow)]
 
 
 def printed(own: Answer) -> list[str]:
