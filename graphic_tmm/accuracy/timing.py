@@ -22,7 +22,7 @@ CALLS, MORE = 5, 4
 """Turns of each call; and further ones of a call whose times scatter."""
 BETWEEN = (1, 3)
 """Turns after which what is kept has one, too."""
-TURN = 0.002
+TURN = 0.004
 """Seconds that a turn lasts; what is shorter is called several times."""
 COOL = 0.01
 """The first call of a turn counts only if it lasts so long, s: what it has lost of the cache is little then."""
