@@ -127,8 +127,8 @@ def _effects(
     clock: bool,
 ) -> None:
     """Show what the effects of a scene cost and change; write it into a folder, too."""
-    from graphic_tmm.accuracy.effect_study import study_effects
-    from graphic_tmm.accuracy.report_effects import effects_json, effects_text
+    from graphic_tmm.accuracy.effects.effect_study import study_effects
+    from graphic_tmm.accuracy.effects.report_effects import effects_json, effects_text
     from graphic_tmm.files import write
     from graphic_tmm.scene.packaged import scene_name
 
@@ -147,8 +147,8 @@ def _effects(
 
 def _hard(scene: Scene, form: str, output: str | None) -> None:
     """Show how many digits are left along the turn of a scene; write it into a folder, too."""
-    from graphic_tmm.accuracy.hard import walk
-    from graphic_tmm.accuracy.hard_text import hard_json, hard_text
+    from graphic_tmm.accuracy.hard.hard_text import hard_json, hard_text
+    from graphic_tmm.accuracy.hard.walk import walk
     from graphic_tmm.files import write
     from graphic_tmm.scene.packaged import scene_name
 

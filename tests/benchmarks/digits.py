@@ -21,7 +21,7 @@ from support.hard_mechanisms import weighed
 from support.loaded import weighed as loaded
 from support.mechanisms import sample
 
-from graphic_tmm.accuracy.hard import walk
+from graphic_tmm.accuracy.hard.walk import walk
 from graphic_tmm.scene.records import Scene
 
 RANDOM, SEED = 100, 5000

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
 
-from graphic_tmm.accuracy.hard import Walk
+from graphic_tmm.accuracy.hard.walk import Walk
 from graphic_tmm.board.execute import execute, needed
 from graphic_tmm.board.values import Reals
 from graphic_tmm.board.values import given as as_value

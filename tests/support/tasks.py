@@ -7,7 +7,7 @@ from pathlib import Path
 
 from graphic_tmm.accuracy.answer import Answer, answer
 from graphic_tmm.accuracy.drawing import Pinned, References, draw, pinned
-from graphic_tmm.accuracy.effect_study import EffectStudy, Weighed, study_effects
+from graphic_tmm.accuracy.effects.effect_study import EffectStudy, Weighed, study_effects
 from graphic_tmm.accuracy.measure import Measure
 from graphic_tmm.accuracy.quantities import Quantity, quantities
 from graphic_tmm.accuracy.settings import Setting, hand_named

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.accuracy.drawing import Pinned, References, draw, pinned
-from graphic_tmm.accuracy.effect_costs import Cost, cost_of, seconds_apart, seconds_of
+from graphic_tmm.accuracy.effects.effect_costs import Cost, cost_of, seconds_apart, seconds_of
 from graphic_tmm.accuracy.measure import NOISE, off
 from graphic_tmm.accuracy.quantities import Accuracy, Effect, Quantity, with_affected
 from graphic_tmm.accuracy.settings import hand_named, own_setting

@@ -11,8 +11,8 @@ from support import gallery
 from support.digits_left import scene_of
 from support.hard_mechanisms import four_bar, slider_crank, weighed
 
-from graphic_tmm.accuracy.hard import OFFS, Walk, walk
-from graphic_tmm.accuracy.hard_text import hard_json, hard_text
+from graphic_tmm.accuracy.hard.hard_text import hard_json, hard_text
+from graphic_tmm.accuracy.hard.walk import OFFS, Walk, walk
 from graphic_tmm.mechanism.records import Mechanism
 
 

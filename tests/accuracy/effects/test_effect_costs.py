@@ -10,10 +10,10 @@ import pytest
 from support.gallery import scene as gallery
 from support.tasks import effect, effects_known, scales, text_of, written
 
-from graphic_tmm.accuracy import effect_costs, effect_study
 from graphic_tmm.accuracy.cost import MINUTES, done, varying
 from graphic_tmm.accuracy.drawing import draw
-from graphic_tmm.accuracy.effect_study import study_effects
+from graphic_tmm.accuracy.effects import effect_costs, effect_study
+from graphic_tmm.accuracy.effects.effect_study import study_effects
 from graphic_tmm.accuracy.geometrography import elements, symbol
 from graphic_tmm.accuracy.timing import Calls, Key, Seconds, Stopwatch
 from graphic_tmm.project import Project, record

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from graphic_tmm.accuracy.answer_text import busy
-from graphic_tmm.accuracy.effect_study import Change, EffectStudy, Hidden, Weighed
+from graphic_tmm.accuracy.effects.effect_study import Change, EffectStudy, Hidden, Weighed
 from graphic_tmm.accuracy.measure import NOISE
 from graphic_tmm.accuracy.report_json import figure
 from graphic_tmm.accuracy.words import WORDS

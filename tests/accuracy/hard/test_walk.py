@@ -11,8 +11,8 @@ from support.hard_mechanisms import coulisse, slider_crank, weighed
 from support.loaded import weighed as loaded
 from support.mechanisms import sample
 
-from graphic_tmm.accuracy.hard import MOST, walk
-from graphic_tmm.accuracy.hard_places import degrees_apart
+from graphic_tmm.accuracy.hard.hard_places import degrees_apart
+from graphic_tmm.accuracy.hard.walk import MOST, walk
 from graphic_tmm.errors import SceneError
 
 

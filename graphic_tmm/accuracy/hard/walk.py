@@ -16,7 +16,7 @@ from typing import NamedTuple, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from graphic_tmm.accuracy.hard_places import AnyAngle, HardPlace, degrees_apart, hard_places
+from graphic_tmm.accuracy.hard.hard_places import AnyAngle, HardPlace, degrees_apart, hard_places
 from graphic_tmm.board.doubt import DOUBTFUL, Doubts
 from graphic_tmm.board.execute import needed
 from graphic_tmm.board.findings import Finding, examine, step_number

@@ -16,8 +16,8 @@ from support.gallery import scene as gallery
 from support.oracle import State, solve_from_points
 from support.tasks import effect, effects_known, effects_of, text_of, written
 
-from graphic_tmm.accuracy.effect_costs import Cost
-from graphic_tmm.accuracy.effect_study import Weighed, study_effects
+from graphic_tmm.accuracy.effects.effect_costs import Cost
+from graphic_tmm.accuracy.effects.effect_study import Weighed, study_effects
 from graphic_tmm.chapters.forces.task import ForcesTask
 from graphic_tmm.project import Project, record
 from graphic_tmm.scene.records import Scene, SheetOrder

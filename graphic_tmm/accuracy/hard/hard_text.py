@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from graphic_tmm.accuracy.hard import MOST, OFFS, Result, Walk
-from graphic_tmm.accuracy.hard_places import HardPlace, degrees_apart
+from graphic_tmm.accuracy.hard.hard_places import HardPlace, degrees_apart
+from graphic_tmm.accuracy.hard.walk import MOST, OFFS, Result, Walk
 from graphic_tmm.board.findings import Finding, step_number
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.numbers import number

@@ -11,8 +11,8 @@ from support.command import invoke
 from support.gallery import scene as gallery
 from support.tasks import effect, effects_known, effects_of
 
-from graphic_tmm.accuracy.effect_study import EffectStudy, study_effects
-from graphic_tmm.accuracy.report_effects import effects_text, sentences
+from graphic_tmm.accuracy.effects.effect_study import EffectStudy, study_effects
+from graphic_tmm.accuracy.effects.report_effects import effects_text, sentences
 from graphic_tmm.chapters.forces.task import Load
 from graphic_tmm.commands.shared.telling import rendered
 from graphic_tmm.project import record

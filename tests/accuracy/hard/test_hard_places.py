@@ -8,8 +8,8 @@ import pytest
 from support.digits_left import scene_of
 from support.hard_mechanisms import coulisse, four_bar, slider_crank, weighed
 
-from graphic_tmm.accuracy.hard import walk
-from graphic_tmm.accuracy.hard_places import HardPlace
+from graphic_tmm.accuracy.hard.hard_places import HardPlace
+from graphic_tmm.accuracy.hard.walk import walk
 from graphic_tmm.mechanism.records import Mechanism
 
 
