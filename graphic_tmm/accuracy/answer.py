@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from math import isfinite
 from typing import NamedTuple
 
 from graphic_tmm.accuracy.budget import Measured, Taken, Tell, cheapest, in_the_way, nearest_way
@@ -69,18 +70,19 @@ class Origin:
 class Answer:
     """What accuracy costs in a scene, in short.
 
-    ``scene``: by the hand at the board. ``own``: the scene as it is, by that hand; ``printed``: its errors by
-    the scene's own hand, None if that is the same. ``halved``: the cheapest way with half the error, None if
-    there is none: ``nearest`` then. ``wasted``: a dearer way that brings next to nothing. ``ways``: all, with
-    their expected errors. ``rows``: the front, the cheapest first, and the scene itself; ``knee``: the row
-    where the front bends, farthest below the straight line between its ends. ``origins``: by the hand at the
-    board, then by the scene's own. ``counts``: the error expected as printed and at the board, by the number
-    of positions. ``machine``: seconds of what a user asks for, ``load``: what else the machine did then, None
-    if nothing was timed.
+    ``scene``: by the hand at the board. ``own``: the scene as it is, by that hand, without what is ``lost`` in
+    too many drawings to have an error; ``printed``: its errors by the scene's own hand, None if that is the
+    same. ``halved``: the cheapest way with half the error, None if there is none: ``nearest`` then. ``wasted``:
+    a dearer way that brings next to nothing. ``ways``: all, with their expected errors. ``rows``: the front,
+    the cheapest first, and the scene itself; ``knee``: the row where the front bends, farthest below the
+    straight line between its ends. ``origins``: by the hand at the board, then by the scene's own. ``counts``:
+    the error expected as printed and at the board, by the number of positions. ``machine``: seconds of what a
+    user asks for, ``load``: what else the machine did then, None if nothing was timed.
     """
 
     scene: Scene
     own: MeasuredWay
+    lost: tuple[str, ...]
     printed: Mapping[str, float] | None
     halved: Taken | None
     nearest: tuple[MeasuredWay, str] | None
@@ -137,7 +139,9 @@ def answer(
     on_the_way(1, PARTS, "")
     if not measured.ways.every:
         raise SceneError(scene.source, (Fault("", 0, nothing(scene)),))
-    own = MeasuredWay(measured.ways.own, measured.roughly(measured.ways.own).measured)
+    errors = measured.roughly(measured.ways.own).measured
+    known = {name: error for name, error in errors.items() if isfinite(error)}
+    own = MeasuredWay(measured.ways.own, known or errors)
     printed, own_who = None, hand_of(replace(scene, hand=own_hand, ruler=own_ruler))
     if scene.hand != own_hand:
         by = replace(measured.ways.own, hand=own_hand, ruler=own_ruler)
@@ -145,8 +149,8 @@ def answer(
     halved = cheapest(measured, HALF * own.worst)
     near = None
     if halved is None:
-        way, drawn, errors = nearest_way(measured)
-        near = MeasuredWay(way, errors), in_the_way(measured, way, drawn, errors)
+        way, drawn, least = nearest_way(measured)
+        near = MeasuredWay(way, least), in_the_way(measured, way, drawn, least)
     on_the_way(2, PARTS, "")
     rows = _front(measured, own)
     on_the_way(3, PARTS, "")
@@ -162,6 +166,7 @@ def answer(
     return Answer(
         scene,
         own,
+        tuple(name for name in errors if name not in own.errors),
         printed,
         halved,
         near,
@@ -213,8 +218,9 @@ def _wasted(measured: Measured, own: MeasuredWay) -> MeasuredWay | None:
             continue
         if way.worst < WASTED * own.way.worst or way.minutes > 2.5 * own.way.minutes:
             continue
-        row = MeasuredWay(way, measured.roughly(way).measured)
-        if row.errors and WASTED * own.worst <= row.worst:
+        errors = measured.roughly(way).measured
+        row = MeasuredWay(way, {k: errors[k] for k in own.errors if k in errors})
+        if row.errors and WASTED * own.worst <= row.worst < float("inf"):
             found = row
     return found
 

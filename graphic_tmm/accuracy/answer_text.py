@@ -102,7 +102,8 @@ def _how_far(answer: Answer) -> str:
             error=_percent(answer, answer.printed.get(answer.worst, float("nan"))),
             least=_percent(answer, answer.printed.get(main, float("nan"))),
         )
-    return text
+    lost = [words["answer lost"].format(quantity=words[name]) for name in answer.lost]
+    return " ".join([text, *lost])
 
 
 def _halved(answer: Answer) -> str:

@@ -146,7 +146,9 @@ class _Steps:
         slipping: dict[str, Step] = {}
         for step in needed(drawing.construction, marks):
             slip = slip_of(step.op, *step.it.key)
-            if slip is not None and slip.kind != "digits" and size(who, slip.kind) > 0.0:
+            if slip is None or slip.kind == "digits" or not who.slips:
+                continue  # what a ruler alone rounds is no matter of chance
+            if size(who, slip.kind) > 0.0:
                 slipping[slip.key] = step
         self._steps, self._turns = tuple(slipping.values()), turns
         self._trials = turns * len(slipping)

@@ -87,10 +87,11 @@ TEXTS: dict[str, str] = {
         "This drawing ({setting}) gives what it is made for, {main}, to {least} % of its largest value, "
         "and {quantity}, the least exact, to {error} %."
     ),
-    "answer printed": said("As the program prints it, it is right to {error} %."),
+    "answer printed": said("Printed by the program, it would be off by {error} %."),
     "answer printed main": said(
-        "As the program prints it, they are right to {least} and {error} %."
+        "Printed by the program, they would be off by {least} and {error} %."
     ),
+    "answer lost": said("{quantity} cannot be drawn at all in more than one such drawing of ten."),
     "answer halved": said(
         "Half the error: {setting} ({error} %; {minutes} min at the board instead of {own})."
     ),
@@ -104,14 +105,14 @@ TEXTS: dict[str, str] = {
         "Not worth its cost: {setting}; {minutes} min more, and {error} % instead of {own} %."
     ),
     "answer none wasted": said(
-        "Nothing dearer that was tried is in vain: each brings a tenth or more."
+        "Nothing is in vain: each single change that costs more brings a tenth or more."
     ),
     "answer knee": said(
         "The knee: {setting} ({error} %, {minutes} min); beyond it each per cent takes ever more time."
     ),
     "answer from": said("The error of {quantity} comes from: {each}."),
     "answer from printed": said("As the program prints it, it comes from: {each}."),
-    "answer step": said("Most comes from {step} ({share} %)."),
+    "answer step": said("The step that brings most: {step} ({share} %)."),
     "answer table": said("Settings none of which is both dearer and less exact than another"),
     "answer letters": said(
         "● the scene as it is, ◆ the knee, × how many times as large. Nine readings of ten are off by no "

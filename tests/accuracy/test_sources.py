@@ -16,7 +16,7 @@ from support.switched_off import (
 )
 
 from graphic_tmm.accuracy.answer_text import parts
-from graphic_tmm.accuracy.sources import Sources
+from graphic_tmm.accuracy.sources import Sources, sources
 from graphic_tmm.board.hand import EXACT, HANDS
 
 SCENES = ("slider-diagrams", "windrower", "crank-rocker", "cam", "engine", "gear-pair")
@@ -100,5 +100,7 @@ def test_what_is_drawn_without_a_slip_errs_by_its_method_alone() -> None:
     (task,) = tasks(scene("slider-diagrams"))
     found = sources_of(task, "exact")
     assert found["a_diagram"].parts == {"method": 1.0}
-    assert found["a_diagram"].steps == ()
+    ruled = sources(*task, EXACT._replace(ruler=0.1))["a_diagram"]
+    assert ruled.parts.keys() == {"method", "ruler"}
+    assert found["a_diagram"].steps == ruled.steps == ()
     assert deviations(task, EXACT)["a_diagram"][1] == 0.0
