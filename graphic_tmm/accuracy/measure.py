@@ -13,7 +13,7 @@ from graphic_tmm.accuracy.cost import BoardWork, count, varying
 from graphic_tmm.accuracy.drawing import Pinned, References, draw, tried
 from graphic_tmm.accuracy.quantities import Quantity, quantities
 from graphic_tmm.accuracy.response import SHARE
-from graphic_tmm.accuracy.settings import Setting
+from graphic_tmm.accuracy.settings import Setting, dividing
 from graphic_tmm.accuracy.timing import Seconds, Stopwatch
 from graphic_tmm.board.execute import prepare
 from graphic_tmm.board.record import Mark
@@ -150,7 +150,7 @@ class Measure:
                 work = self.work(setting, drawing, quantity)
                 place = (axis, value, quantity.name, drawing.count, setting.hand)
                 found.append(Measurement(*place, setting.enlarged, who.trials, errors, work))
-                if self.clock:
+                if self.clock and axis in dividing() and not (who.slips or who.digits):
                     self._keep(found[-1], setting, drawing, quantity)
         return found
 
@@ -165,18 +165,12 @@ class Measure:
     def _keep(
         self, run: Measurement, setting: Setting, drawing: Project, quantity: Quantity
     ) -> None:
-        """Keep one drawing of a quantity to be timed; on the axis of trials all of them.
-
-        Hands of one sort (that slip, that round, that do neither) take the same time: the first is timed.
-        """
-        trials = setting.who.trials if run.axis == "trials" else 1
-        who = setting.who._replace(trials=trials)
-        sort = (who.slips, who.ruler is not None, who.digits is not None, trials)
-        key = id(setting.scene), quantity.name, *sort
+        """Keep a drawing of a quantity by a hand that does not slip to be timed: laws are of it alone."""
+        key = id(setting.scene), quantity.name, setting.who.ruler is not None
         self._keys[run] = key
         if key not in self._calls:
             program = prepare(drawing.construction, quantity.marks)
-            self._calls[key] = partial(program.run, drawing.given, hand=who)
+            self._calls[key] = partial(program.run, drawing.given, hand=setting.who)
 
     def keep(self, watch: Stopwatch) -> None:
         """Have what has run so far timed, in turns with all that is timed later."""
@@ -186,7 +180,7 @@ class Measure:
         """Return the runs with their seconds; `keep` them on the watch now and then before."""
         self.keep(watch)
         seconds = watch.kept()
-        return [replace(run, seconds=seconds.get(self._keys[run])) for run in runs]
+        return [replace(run, seconds=seconds.get(self._keys.get(run))) for run in runs]
 
 
 def work_of(

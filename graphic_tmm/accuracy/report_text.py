@@ -108,17 +108,12 @@ def _varied_table(study: Study) -> Any:
     runs = [run for run in study.runs if run.axis not in dividing()]
     names = [name for name in study.quantities if any(run.quantity == name for run in runs)]
     heads = [words["axis"], words["value"], *(words[name] for name in names)]
-    heads += [words["milliseconds"]] if study.timed else []
     table = _table(words["others"].format(hand=words[study.hand]), heads)
     own = {name: _own_minutes(study, name) for name in names}
     before = ""
     for axis, value in dict.fromkeys((run.axis, run.value) for run in runs):
         row = {run.quantity: run for run in runs if (run.axis, run.value) == (axis, value)}
         cells = [_other(row.get(name), own[name], language) for name in names]
-        if study.timed:
-            each = [run.seconds for run in row.values() if run.seconds]
-            mark = DOUBTFUL if any(one.doubtful for one in each) else ""
-            cells.append(mark + number(1e3 * sum(one.least for one in each), language, 3))
         if axis != before:
             table.add_section()
         table.add_row(words[axis] if axis != before else "", value_name(value, language), *cells)

@@ -40,7 +40,6 @@ TEXTS: dict[str, str] = {
     "reading": said("reading"),
     "digits": said("digits"),
     "minutes": said("min"),
-    "milliseconds": said("log, ms"),
     "quartiles": said("log, ms (quartiles)"),
     "board": said("work at the board, minutes"),
     "machine": said("time on the machine, CPU seconds"),

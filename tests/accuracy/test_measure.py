@@ -1,4 +1,4 @@
-"""Errors as one would count them, work as one counts on the fingers, seconds by sorts of hands."""
+"""Errors as one would count them, work as one counts on the fingers, seconds of the exact hand."""
 
 from __future__ import annotations
 
@@ -68,25 +68,17 @@ class Still(Stopwatch):
         return {key: Seconds(k, k, k, k) for k, key in enumerate(self.calls)}
 
 
-def test_runs_of_hands_of_one_sort_are_timed_together_and_others_apart() -> None:
+def test_runs_of_the_exact_hand_along_the_number_of_positions_are_timed_and_no_others() -> None:
     task = Measure(scales("slider-diagrams"), References(scene("slider-diagrams"), {}))
-    hands = ("exact", "student", "careful")
-    runs = [run for hand in hands for run in task.runs(by("slider-diagrams", hand), "", "")]
-    runs += task.runs(by("slider-diagrams", "student", 30), "trials", "30")
-    own = by("slider-diagrams", "exact")
-    pricks = task.runs(own.by("pricks", own.who._replace(prick=0.1)), "slip", "prick")
-    *done, last = task.timed([*runs, pricks[0]], Still())
-    assert last.seconds not in [run.seconds for run in done]
-    asked = {
-        (run.quantity, *(("many",) if run.axis else ()), run.hand == "exact"): run.seconds
-        for run in done
-    }
-    names = {run.quantity for run in runs}
-    assert len(asked) == 3 * len(names) == len({one.least for one in asked.values() if one})
-    student, careful = (
-        [run.seconds for run in done if run.hand == hand and not run.axis] for hand in hands[1:]
-    )
-    assert student == careful
+    exact, student = by("slider-diagrams", "exact"), by("slider-diagrams", "student")
+    runs = task.runs(exact, "positions", "8")
+    runs += task.runs(student, "positions", "8")
+    runs += task.runs(exact, "size", "1")
+    done = task.timed(runs, Still())
+    timed = [run for run in done if run.seconds is not None]
+    assert [(run.hand, run.axis) for run in timed] == [("exact", "positions")] * len(timed)
+    assert len(timed) == len({run.quantity for run in runs})
+    assert len({run.seconds for run in timed}) == len(timed)
     assert [run.errors for run in done] == [run.errors for run in runs]
 
 

@@ -24,7 +24,8 @@ def test_accuracy_prints_json_and_draws_the_figure(tmp_path: Path) -> None:
     file = tmp_path / "minutes.toml"
     file.write_text("".join(f"{name} = 0\n" for name in MINUTES if name != "N1") + "N1 = 2.0\n")
     found = invoke(
-        "accuracy", "cam", "--trials", "10", "-f", "json", "-o", tmp_path / "out", "--minutes", file
+        *("accuracy", "cam", "--trials", "10", "--no-time", "-f", "json"),
+        *("-o", tmp_path / "out", "--minutes", file),
     )
     assert found.exit_code == 0, found.output
     told = json.loads(found.stdout)
@@ -39,8 +40,22 @@ def test_accuracy_prints_json_and_draws_the_figure(tmp_path: Path) -> None:
             int(t.removesuffix("N1") or 1) for t in one["symbol"].split(" + ") if "N1" in t
         )
         assert one["minutes"] == 2.0 * formulas
+
+
+@pytest.mark.turns(2, "budgets")
+@pytest.mark.slow
+def test_the_exact_hand_s_runs_along_the_number_of_positions_are_timed() -> None:
+    """And what a user asks for."""
+    found = invoke("accuracy", "oscillating-cylinder", "--trials", "10", "-f", "json")
+    assert found.exit_code == 0, found.output
+    told = json.loads(found.stdout)
+    timed = [one for one in told["runs"] if "seconds" in one]
+    assert {(one["hand"], one["axis"]) for one in timed} >= {("exact", "positions")}
+    assert not any(one["hand"] == "student" for one in timed)
+    for one in timed:
         low, high = one["seconds_quartiles"]
         assert 0.0 < one["seconds"] <= low <= high
+    assert {one["what"] for one in told["machine"]} == {"log", "table", "sheets", "drawings"}
 
 
 @pytest.mark.turns(2, "budgets")
