@@ -24,11 +24,15 @@ from importlib.resources.abc import Traversable
 from posixpath import dirname, join, normpath
 from typing import Any
 
+from graphic_tmm.accuracy.answer import Answer
+from graphic_tmm.accuracy.answer_text import sentences
+from graphic_tmm.accuracy.figure_inline import inline_figure
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SheetError
 from graphic_tmm.files import environment
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.page.crank import crank
+from graphic_tmm.page.error_shares import ERRORS, error_shares, marked_up
 from graphic_tmm.page.practice.own import OWN, own
 from graphic_tmm.page.practice.pack import practice
 from graphic_tmm.page.practice.words import practice_words
@@ -42,12 +46,15 @@ from graphic_tmm.paper.write.svg import ids, svg
 LOWER = 0.2
 """How much lower than its page a figure in print is, mm."""
 
+ACCURACY = "accuracy"
+"""The folder of what tells of accuracy."""
 MAIN, ENTER, WRITTEN = "main", "enter", "written"
 """The module that begins a page; that of a folder which enters its ways of looking; one of the page alone."""
 
 _IMPORT = re.compile(r'^import (?:\{[^}]*\} from )?"(\.{1,2}/[\w/-]+)\.js";\n', re.M)
 _EXPORT = re.compile(r"^export (?=(?:async )?(?:function|const|let|class)\b)", re.M)
 _NAME = re.compile(r"^(?:export )?(?:async )?(?:function\*?|const|let|class) (\w+)", re.M)
+_INDEX = re.compile(r"_\{([^}]*)\}")
 _INDENT = re.compile(r"^[ \t]+", re.M)
 _WEB: Traversable = files(__package__) / "web"
 _COMMENT = re.compile(r"^[ \t]*/\*\*(?:(?!\*/).|\n)*\*/\n|^[ \t]*//.*\n", re.M)
@@ -112,9 +119,9 @@ def modules_of(*folders: str) -> dict[str, str]:
 
 
 def folders() -> tuple[str, ...]:
-    """Return the folders that enter ways of looking, practice before those that build on it."""
+    """Return the folders that enter ways of drawing oneself, practice before those that build on it."""
     found = [one.name for one in _WEB.iterdir() if one.is_dir() and (one / f"{ENTER}.js").is_file()]
-    return tuple(sorted(found, reverse=True))
+    return tuple(sorted({*found} - {ACCURACY}, reverse=True))
 
 
 def _texts(ending: str, *folders: str) -> dict[str, str]:
@@ -144,11 +151,17 @@ def _order(needs: dict[str, list[str]], before: list[str]) -> list[str]:
 
 
 def page(
-    made: DrawnScene, sheets: Sequence[Sheet], *, practised: bool = False, seed: int | None = None
+    made: DrawnScene,
+    sheets: Sequence[Sheet],
+    *,
+    practised: bool = False,
+    seed: int | None = None,
+    weighed: Answer | None = None,
 ) -> str:
     """Return a drawn scene as a page for a browser (HTML), in the scene's language.
 
-    ``practised``: with what lets a person draw the plans himself, each posed as ``seed`` says, if it is given.
+    ``practised``: with what lets a person draw the plans himself, each posed as ``seed`` says, if it is given;
+    ``weighed``: what accuracy costs in the scene, which is then told, too.
     """
     from markupsafe import Markup
 
@@ -157,12 +170,18 @@ def page(
     turned = crank(made, sheets)
     if turned is not None:
         data["crank"] = turned.data
-    program, looks = script(), style()
+    further: tuple[str, ...] = ()
+    written = ""
     if practised and (asked := practice(made, sheets, data["views"], seed)) is not None:
         data["practice"], written = asked
         data["own"] = own(sheets, language)
         data["words"] |= practice_words(language) | _said(OWN, language)
-        program, looks = script(*folders(), written=written), style(*folders())
+        further = folders()
+    if weighed is not None:
+        data["accuracy"] = error_shares(weighed, made, data["views"])
+        data["words"] |= _said(ERRORS, language)
+        further = (*further, ACCURACY)
+    program, looks = script(*further, written=written), style(*further)
     return (
         environment("graphic_tmm.page")
         .get_template("page.html")
@@ -173,6 +192,7 @@ def page(
             sheets=[(one, Markup(svg(one))) for one in sheets],
             rubbed=[Markup(svg(_rubbed(one))) for one in sheets],
             protocol=protocol_of(made, language) if made.boards else (),
+            accuracy=_accuracy(weighed, data["words"]["error figure"]) if weighed else None,
             data=packed(data),
             rows=carried(turned.rows) if turned is not None else "",
             style=Markup(looks),
@@ -181,6 +201,16 @@ def page(
             program_hash=_hash(program),
         )
     )
+
+
+def _accuracy(weighed: Answer, label: str) -> dict[str, Any]:
+    """Return what the page tells of accuracy at its end: sentences, and the figure by its label."""
+    from markupsafe import Markup, escape
+
+    drawn = inline_figure(weighed, lettered=True).svg
+    named = drawn.replace("<svg", f'<svg role="img" aria-label="{escape(label)}"', 1)
+    told = (_INDEX.sub(r"<sub>\1</sub>", str(escape(marked_up(one)))) for one in sentences(weighed))
+    return {"sentences": [*map(Markup, told)], "figure": Markup(named)}
 
 
 def page_data(made: DrawnScene, sheets: Sequence[Sheet]) -> dict[str, Any]:

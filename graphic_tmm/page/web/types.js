@@ -19,7 +19,10 @@
  * @typedef {{name: string, width: number, height: number, format: string}} SheetSize
  * @typedef {{language: string, title: string, words: Record<string, string>, sheets: SheetSize[],
  *   parts: Record<string, string>, views: View[], crank?: Dense, practice?: Practice,
- *   own?: import("./own/corners.js").OwnPack}} Data
+ *   own?: import("./own/corners.js").OwnPack, accuracy?: ErrorShares[]}} Data
+ * @typedef {{quantity: string, shares: [string, number, string][], student?: boolean, most?: string,
+ *   stop?: [number, number], views: number[]}} ErrorShares sources of an error with their shares in %, the largest
+ *   first; the step that brings most, view and picture of it; the views that it belongs to; page/error_shares.py
  *
  * The mechanism at every degree; the names are those of page/crank.py. A coordinate is a number of thousandths of
  * a millimetre, or a row and a distance; what is not always there says from which to behind which angle it is.

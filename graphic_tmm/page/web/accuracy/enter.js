@@ -1,0 +1,4 @@
+import { ROOMS } from "../rooms.js";
+import { accuracyRoom } from "./room.js";
+
+ROOMS["accuracy"] = accuracyRoom;
