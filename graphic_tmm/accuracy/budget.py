@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import NamedTuple
 
 from graphic_tmm.accuracy.drawing import References, draw, pinned
@@ -111,6 +112,11 @@ class Measured:
         """Return a way in words."""
         return way.sentence(self.ways.own, self.scene.language)
 
+    @cached_property
+    def sheets(self) -> int:
+        """How many sheets the scene takes as it is."""
+        return _sheets(self.made)
+
     def has_room(self, times: float) -> bool:
         """Whether the scene as it is has room when it is so many times as large; more so when it is smaller."""
         smaller = [size for size in SIZES if size < times]
@@ -125,7 +131,7 @@ class Measured:
 
     def _fits(self, scene: Scene) -> bool:
         drawn = make(scene, exact=True)
-        return _sheets(drawn) <= _sheets(self.made)
+        return _sheets(drawn) <= self.sheets
 
     def _draw(self, way: Way) -> tuple[Scene, Errors] | None:
         try:
@@ -133,7 +139,7 @@ class Measured:
             if way.times != 1.0:
                 scene = enlarge(scene, make(scene, exact=True), way.times)
             drawn = make(scene, exact=True)
-            if way.times != 1.0 and _sheets(drawn) > _sheets(self.made):
+            if way.times != 1.0 and _sheets(drawn) > self.sheets:
                 return None
             scales = pinned(drawn)
             references = References(at_all_positions(scene), scales)
