@@ -268,8 +268,12 @@ def pace(hand: str, ruler: float | None) -> float:
 
 
 def _drawings(scene: Scene) -> Iterator[tuple[str, Hand, float]]:
-    """Yield who may draw, and how large: the scene's hand with any ruler, a better one with its own."""
-    rulers = dict.fromkeys((scene.ruler, *RULERS)) if scene.ruler is not None else (None,)
+    """Yield who may draw, and how large: the scene's hand with any ruler, a better one with its own.
+
+    In CAD nobody chooses a ruler.
+    """
+    on_paper = scene.ruler is not None and scene.hand != "cad"
+    rulers = dict.fromkeys((scene.ruler, *RULERS)) if on_paper else (scene.ruler,)
     hands = [(scene.hand, hand_of(scene)._replace(ruler=ruler)) for ruler in rulers]
     if HANDS[scene.hand].slips and scene.hand in GRID:
         better = GRID[1 : GRID.index(scene.hand)]

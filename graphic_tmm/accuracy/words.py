@@ -95,7 +95,7 @@ TEXTS: dict[str, str] = {
         "Half the error: {setting} ({error} %; {minutes} min at the board instead of {own})."
     ),
     "answer halved less": said(
-        "Half the error, and less work: {setting} ({error} %; {minutes} min at the board instead of {own})."
+        "Half the error, and no more work: {setting} ({error} %; {minutes} min at the board instead of {own})."
     ),
     "answer not halved": said(
         "Nothing tried halves the error; the nearest: {setting} ({error} %; {minutes} min at the board)."

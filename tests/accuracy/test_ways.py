@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 
@@ -77,6 +78,13 @@ def test_what_is_expected_is_what_fresh_drawings_give() -> None:
         due = errors(way.of(scene(3)), FRESH, 600, scales)
         assert way.errors.keys() == due.keys()
         assert way.worst == pytest.approx(max(due.values()), rel=0.15), way.changes
+
+
+def test_a_ruler_is_chosen_on_paper_only() -> None:
+    own = replace(scene(0), hand="cad", ruler=0.01)
+    references = References(at_all_positions(own), pinned(make(own, exact=True)))
+    assert {way.ruler for way in Ways(own, references).every} == {0.01}
+    assert {way.ruler for way in ways(0).every if way.hand == "student"} >= {0.5, 0.1}
 
 
 def test_no_error_that_is_not_known_is_small() -> None:
