@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import islice
 from typing import NamedTuple
 
 from graphic_tmm.accuracy.drawing import References, draw, pinned
@@ -41,8 +42,8 @@ Tell = Callable[[int, int, str], None]
 """Called with the number of ways tried, of how many, and the next one."""
 ALIKE = 1.1
 """To the scales of the scene as it is, errors are as on a way's own sheets within this factor."""
-TRIED = 8
-"""Ways that are measured to find the nearest one."""
+TRIED, DRAWN = 8, 2
+"""Ways that are measured to find the nearest one; those of them that are drawn on their own sheets."""
 
 
 @dataclass(frozen=True)
@@ -212,14 +213,15 @@ def _hope(way: Way) -> float:
 
 
 def nearest_way(measured: Measured) -> tuple[Way, Scene, Mapping[str, float]]:
-    """Return the way with the least error of those from which the least is expected."""
+    """Return the way with the least error on its own sheets of those from which the least is expected."""
     ways = sorted(measured.ways.every, key=lambda way: way.worst)
     for first in range(0, len(ways), TRIED):
         some = ways[first : first + TRIED]
-        for way in sorted(some, key=lambda way: worst(measured.roughly(way).measured)):
-            drawn = measured.of(way)
-            if drawn is not None:
-                return way, drawn[0], drawn[1].measured
+        some.sort(key=lambda way: worst(measured.roughly(way).measured))
+        there = ((way, drawn) for way in some if (drawn := measured.of(way)) is not None)
+        if best := list(islice(there, DRAWN)):
+            way, (scene, errors) = min(best, key=lambda one: worst(one[1][1].measured))
+            return way, scene, errors.measured
     return measured.ways.own, measured.scene, measured.ways.own.errors
 
 

@@ -9,7 +9,7 @@ from itertools import pairwise
 import pytest
 from support.drawn_at_random import errors, scenes
 
-from graphic_tmm.accuracy.budget import Measured, Taken, choose
+from graphic_tmm.accuracy.budget import Measured, Taken, cheapest, choose, nearest_way
 from graphic_tmm.accuracy.drawing import References, draw, pinned
 from graphic_tmm.accuracy.measure import work_of
 from graphic_tmm.accuracy.quantities import quantities
@@ -130,6 +130,18 @@ def test_what_is_measured_is_what_fresh_drawings_give() -> None:
             due = errors(drawn[0], FRESH)
             assert drawn[1].measured == pytest.approx(due, rel=0.1)
             assert all(due[name] <= 1.03 * sure for name, sure in drawn[1].sure.items())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("k", "percent"), [(8, 0.02), (14, 1.0)])
+def test_the_nearest_is_hardly_less_exact_than_any(k: int, percent: float) -> None:
+    """Than any that is drawn on its own sheets, whatever was expected of it."""
+    measured = Measured(scene(k))
+    assert cheapest(measured, percent) is None
+    _, drawn, told = nearest_way(measured)
+    assert worst(told) == pytest.approx(worst(errors(drawn, FRESH)), rel=0.1)
+    others = (measured.of(way) for way in measured.ways.every if way.worst < 2.0 * worst(told))
+    assert worst(told) <= 1.1 * min(worst(one[1].measured) for one in others if one is not None)
 
 
 @pytest.mark.slow
