@@ -131,11 +131,12 @@ def _wasted(answer: Answer) -> str:
     words, own, row = _words(answer), answer.own, answer.wasted
     if row is None:
         return words["answer none wasted"]
-    return words["answer wasted"].format(
+    error, before = _percent(answer, row.worst), _percent(answer, own.worst)
+    return words["answer wasted same" if error == before else "answer wasted"].format(
         setting=setting(answer, row.way),
         minutes=fixed(row.way.minutes - own.way.minutes, 0, answer.scene.language),
-        error=_percent(answer, row.worst),
-        own=_percent(answer, own.worst),
+        error=error,
+        own=before,
     )
 
 

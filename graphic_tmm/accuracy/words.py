@@ -103,6 +103,9 @@ TEXTS: dict[str, str] = {
     "answer wasted": said(
         "Not worth its cost: {setting}; {minutes} min more, and {error} % instead of {own} %."
     ),
+    "answer wasted same": said(
+        "Not worth its cost: {setting}; {minutes} min more, and the error stays {error} %."
+    ),
     "answer none wasted": said(
         "Nothing is in vain: each single change that costs more brings a tenth or more."
     ),

@@ -107,7 +107,7 @@ OPTIONS = [
     (("check",), ["SCENE"]),
     (("draw", "cam", "--marks", "m.toml"), ["--marks; it is an option of mark"]),
     (("accuracy", "cam", "--trials", "9"), ["--trials", "10<=x"]),
-    (("accuracy", "cam", "-f", "csv"), ["-f", "json"]),
+    (("accuracy", "cam", "-f", "xlsx"), ["-f", "json"]),
     (("new",), ["FOLDER"]),
     (("scenes", "cam"), ["extra argument"]),
 ]
