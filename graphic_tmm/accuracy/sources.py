@@ -23,7 +23,7 @@ from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Reals
 from graphic_tmm.project import Project
 
-DRAWINGS, MANY = 1000, 4000
+DRAWINGS, MANY = 2000, 4000
 """How often all is drawn with each source mended, the second where a drawing has but one number of a quantity
 and not a row: shares are then known to some 1 % of the whole."""
 TURNS, MORE_TURNS = 16, 64
