@@ -9,23 +9,17 @@ from typing import Any
 import numpy as np
 
 from graphic_tmm.accuracy.hard.hard_places import HardPlace, degrees_apart
-from graphic_tmm.accuracy.hard.walk import MOST, OFFS, Result, Walk
+from graphic_tmm.accuracy.hard.walk import MOST, OFFS, PLANS, Result, Walk
 from graphic_tmm.board.findings import Finding, step_number
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.numbers import number
-from graphic_tmm.readers.any_angles.turn import Plan
 from graphic_tmm.readers.findings import reason
 from graphic_tmm.scene.packaged import scene_name
 
 CELL = 5.0
 """Degrees that a sign of a strip stands for."""
 MANY, ZERO, GONE = "·", "∘", "×"
-LABELS: dict[Plan, str] = {
-    "positions": "r",
-    "velocities": "v, ω",
-    "accelerations": "a, ε",
-    "forces": "R, P",
-}
+LABELS = dict(zip(PLANS, ("r", "v, ω", "a, ε", "R, P"), strict=True))
 """What the strips are called."""
 FEW = 10
 """From so many digits on none is counted."""
