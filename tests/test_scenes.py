@@ -13,8 +13,9 @@ from support.gallery import NAMES, scene
 from support.oracle import Motion, State, solve_from_points
 
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
-from graphic_tmm.chapters.kinematics.positions import side_record, side_values
+from graphic_tmm.chapters.kinematics.positions import side_record
 from graphic_tmm.chapters.kinematics.row import OTHER
+from graphic_tmm.chapters.kinematics.sides import side_values
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.symbols import plain
 from graphic_tmm.mechanism.structure import Group, dissect

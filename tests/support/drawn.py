@@ -17,9 +17,8 @@ from graphic_tmm.chapters.kinematics.positions import (
     Positions,
     draw_frame,
     draw_positions,
-    side_record,
-    side_values,
 )
+from graphic_tmm.chapters.kinematics.sides import standing
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure, dissect
@@ -41,10 +40,7 @@ class Board(NamedTuple):
     def read(self, angles: Any, hand: Hand = EXACT, **options: Any) -> dict[str, dict[Any, Any]]:
         """Points, velocities, accelerations by (letter, link), ω and ε by link; arrays over positions."""
         given = self.given | {self.positions.phi: np.atleast_2d(np.asarray(angles, float))}
-        for group in self.structure.groups:
-            side = side_record(self.mechanism, group)
-            if group.name in self.positions.sides and side is not None:
-                given[self.positions.sides[group.name]] = side_values(side, angles)
+        given |= standing(self, angles)
         reading = execute(self.log, given, hand=hand, **options)
         mu_l, mu_v, mu_a = self.mu
         turn = 1j * np.sign(self.mechanism.drive.speed) if self.turned else 1.0

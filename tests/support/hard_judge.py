@@ -25,7 +25,7 @@ from graphic_tmm.board.geometry import EPS
 from graphic_tmm.board.operations.instruments import cylinder_axis, rocker_line
 from graphic_tmm.board.values import Arc
 from graphic_tmm.chapters.kinematics.bodies import PinLeg
-from graphic_tmm.chapters.kinematics.positions import side_record, side_values
+from graphic_tmm.chapters.kinematics.sides import standing
 from graphic_tmm.mechanism.records import Mechanism
 from support import oracle
 from support.drawn import Board, board
@@ -101,12 +101,8 @@ def exactly(mechanism: Mechanism, degrees: float) -> Exact | None:
 
 
 def _given(sheet: Board, degrees: float) -> dict[Any, Any]:
-    given = sheet.given | {sheet.positions.phi: np.array([[degrees]])}
-    for group in sheet.structure.groups:
-        side = side_record(sheet.mechanism, group)
-        if group.name in sheet.positions.sides and side is not None:
-            given[sheet.positions.sides[group.name]] = side_values(side, np.array([[degrees]]))
-    return given
+    angles = np.array([[degrees]])
+    return sheet.given | {sheet.positions.phi: angles} | standing(sheet, angles)
 
 
 def _conditions(sheet: Board, reading: Any) -> tuple[float, float, float]:

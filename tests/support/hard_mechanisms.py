@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import mpmath as mp  # type: ignore[import-untyped]
 
-from graphic_tmm.chapters.kinematics.positions import side_values
+from graphic_tmm.chapters.kinematics.sides import side_values
 from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
 from support import linkages, oracle
 from support.loaded import Loaded

@@ -18,24 +18,21 @@ from graphic_tmm.chapters.kinematics.positions import (
     Positions,
     draw_frame,
     draw_positions,
-    side_record,
-    side_values,
 )
 from graphic_tmm.chapters.kinematics.reaches import Reach, guides, reaches
 from graphic_tmm.chapters.kinematics.row import draw_row, extreme_places
 from graphic_tmm.chapters.kinematics.rows import Further, Ground, draw_rows
+from graphic_tmm.chapters.kinematics.sides import LAST, standing
 from graphic_tmm.chapters.kinematics.survey import Survey, best, survey
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, ASKED, KINEMATICS, TURNS, VELOCITIES
 from graphic_tmm.chapters.kinematics.velocities import crank_arm, draw_velocities
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.records import Drive, Mechanism, Row, Side
+from graphic_tmm.mechanism.records import Drive, Mechanism, Row
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
 
-LAST = 12
-"""Decimals of an angle in degrees that are not rounding."""
 ALL = ("all",)
 """What is written for the positions of a row where none is left out."""
 
@@ -154,10 +151,6 @@ def record(bench: Bench) -> KinematicPlans:
     rows, quarters = ASKED.of(scene), (1 if mechanism.drive.speed > 0 else -1) * scene.turned
     ground = Ground(draft, mechanism, structure, positions, velocities, accelerations, quarters)
     further = draw_rows(ground, rows) if rows is not None else ()
-    for group in structure.groups:
-        side = side_record(mechanism, group)
-        if group.name in positions.sides and side is not None:
-            draft.given[positions.sides[group.name]] = sides_at(side, angles, mechanism.drive)
     made = KinematicPlans(
         mechanism,
         structure,
@@ -175,6 +168,7 @@ def record(bench: Bench) -> KinematicPlans:
         turns,
         further,
     )
+    draft.given |= standing(made, angles, carried=True)
     later = frozenset(made.repeated)
     of_first_turn = [k for k in range(len(bench.names)) if k not in later]
     bench.best = partial(best, tried, np.ravel(angles), accelerated, of_first_turn)
@@ -226,24 +220,6 @@ def _numbers(angles: np.ndarray, row: Row, drive: Drive) -> np.ndarray:
 def _angle(degrees: float) -> float:
     """Return an angle in [0, 360), free of the last bits."""
     return round(float(degrees), LAST) % 360.0 + 0.0
-
-
-def sides_at(side: Side, angles: np.ndarray, drive: Drive) -> object:
-    """Return the side in every position, carried on from the zero position in the sense of the drive.
-
-    With an odd number of flips (a pin that passes over another once a turn) the mechanism comes back to
-    its zero position only after two turns; the one turn drawn then ends on the other side.
-    """
-    if len(side.flips_at or ()) % 2 == 0:
-        return side_values(side, angles)
-    sense = 1.0 if drive.speed > 0 else -1.0
-    start = angles[0, 0]
-    travelled = np.round((angles - start) * sense, LAST) % 360.0
-    flips = np.round((np.asarray(side.flips_at, dtype=np.float64) - start) * sense, LAST) % 360.0
-    passed = (flips[:, None, None] <= travelled[None]) & (travelled[None] > 0.0)
-    if sense > 0:
-        passed &= flips[:, None, None] > 0.0
-    return side_values(side, start) * np.where(passed.sum(axis=0) % 2 == 0, 1.0, -1.0)
 
 
 def _draw_trajectories(

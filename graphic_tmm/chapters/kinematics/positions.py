@@ -9,8 +9,6 @@ import cmath
 import math
 from dataclasses import dataclass
 
-import numpy as np
-
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import lay_off, ray
 from graphic_tmm.board.record import Mark
@@ -120,6 +118,8 @@ def _crank(
 
 def side_record(mechanism: records.Mechanism, group: Group) -> records.Side | None:
     """Return the side a scene gives to a group of kinds 1–3, for legs in the group's order; None if absent."""
+    if group.kind > 3:
+        return None
     if group.kind == 1:
         given = [mechanism.by_number[leg.link].side for leg in group.legs]
         side = next((s for s in given if s is not None), None)
@@ -132,19 +132,6 @@ def side_record(mechanism: records.Mechanism, group: Group) -> records.Side | No
 
 def _take_side(draft: Draft, mechanism: records.Mechanism, group: Group) -> dict[str, Mark]:
     side = side_record(mechanism, group)
-    if group.kind > 3 or side is None:
+    if side is None:
         return {}
     return {group.name: draft.take(Side, f"±{group.name}", float(side.sign))}
-
-
-def side_values(side: records.Side, degrees: object) -> object:
-    """Return the sign at crank angles (degrees): constant, or changed at each of ``flips_at``.
-
-    The scene's sign is the one just behind the angle 0°; in the range from 0° to the next flip.
-    """
-    if not side.flips_at:
-        return float(side.sign)
-    angles = np.asarray(degrees, dtype=np.float64) % 360.0
-    flips = np.sort(np.asarray(side.flips_at, dtype=np.float64) % 360.0)
-    flips = flips[flips > 0.0]
-    return side.sign * np.where(np.searchsorted(flips, angles, side="right") % 2 == 0, 1.0, -1.0)

@@ -19,8 +19,8 @@ from graphic_tmm.chapters.kinematics.positions import (
     draw_frame,
     draw_positions,
     side_record,
-    side_values,
 )
+from graphic_tmm.chapters.kinematics.sides import standing
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -46,19 +46,13 @@ class Survey:
     @property
     def returning_late(self) -> tuple[str, ...]:
         """The groups that flip an odd number of times in a turn: back in their place after two turns only."""
-        sides = [
-            (g.name, side_record(self.mechanism, g)) for g in self.structure.groups if g.kind < 4
-        ]
+        sides = [(g.name, side_record(self.mechanism, g)) for g in self.structure.groups]
         return tuple(name for name, side in sides if side and len(side.flips_at or ()) % 2)
 
     def at(self, angles: Reals, wanted: Iterable[Mark]) -> Reading:
         """Run at crank angles, degrees (trial, position)."""
         given = self.given | {self.positions.phi: angles}
-        for group in self.structure.groups:
-            side = side_record(self.mechanism, group)
-            if group.name in self.positions.sides and side is not None:
-                given[self.positions.sides[group.name]] = side_values(side, angles)
-        return execute(self.construction, given, wanted)
+        return execute(self.construction, given | standing(self, angles), wanted)
 
     def turn(self, wanted: Iterable[Mark]) -> tuple[Reals, Reading]:
         """Run over a whole turn; return the angles (1, n) and the reading."""

@@ -11,13 +11,12 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.operations.instruments import stand
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.kinematics.ink_numbers import Letters
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
 from graphic_tmm.chapters.kinematics.ink_positions import FULL, PositionsInk, path_stays
-from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN, KinematicPlans, sides_at
-from graphic_tmm.chapters.kinematics.positions import side_record, side_values
+from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.scales import reaches
+from graphic_tmm.chapters.kinematics.sides import standing
 from graphic_tmm.chapters.kinematics.survey import least_angle
 from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, POSITIONS, VELOCITIES
@@ -79,29 +78,14 @@ def between(drawn: Drawn, turn: Turn) -> Between:
     """Return how far the crank has turned, that no angle is an extra one, on which side each group stands."""
     made, log = KINEMATICS_PLAN.on(drawn), drawn.construction
     if turn.angles is not None:
-        return _standing(made, turn.angles)
+        return {made.positions.phi: turn.angles} | standing(made, turn.angles)
     found: dict[Mark, object] = {
         mark: turn.turned[None, :] for mark in log.given if mark.role == roles.CRANK_ANGLE
     }
     none = np.zeros((1, turn.turned.size))
     found |= {step.uses[2]: none for step in log.steps if step.op is stand}
     angles = float(drawn.numbers.drawn[made.positions.phi][0, 0]) + turn.turned[None, :]
-    for group in made.structure.groups:
-        side = side_record(made.mechanism, group)
-        if group.name in made.positions.sides and side is not None:
-            mark = made.positions.sides[group.name]
-            found[mark] = sides_at(side, angles, made.mechanism.drive)
-    return found
-
-
-def _standing(made: KinematicPlans, angles: Reals) -> dict[Mark, object]:
-    """Return the direction of the crank, and the side of each group that flips, where it is nothing else."""
-    found: dict[Mark, object] = {made.positions.phi: angles}
-    for group in made.structure.groups:
-        side = side_record(made.mechanism, group)
-        if group.name in made.positions.sides and side is not None and side.flips_at:
-            found[made.positions.sides[group.name]] = side_values(side, angles)
-    return found
+    return found | standing(made, angles, carried=True)
 
 
 def moving(drawn: Drawn) -> Iterator[Moving]:
