@@ -18,7 +18,8 @@ from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.chapters.kinematics.sides import side_values
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.symbols import plain
-from graphic_tmm.mechanism.structure import Group, dissect
+from graphic_tmm.mechanism.groups import Group
+from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.readers.findings import warnings
 from graphic_tmm.readers.position_count import told_off
 

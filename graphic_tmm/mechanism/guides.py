@@ -9,8 +9,8 @@ from __future__ import annotations
 import cmath
 import math
 
+from graphic_tmm.mechanism.groups import Pair
 from graphic_tmm.mechanism.records import Slide
-from graphic_tmm.mechanism.structure import Pair
 
 _EXACT = {0.0: 1 + 0j, 90.0: 1j, 180.0: -1 + 0j, 270.0: -1j}
 

@@ -14,53 +14,8 @@ from typing import NamedTuple
 
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined, said
+from graphic_tmm.mechanism.groups import Group, Kind, Leg, Pair, class_two
 from graphic_tmm.mechanism.records import Link, Mechanism, Slide
-
-
-class Pair(NamedTuple):
-    """A kinematic pair of class 5: turning ("R", by its letter) or sliding ("P", by its guide's name).
-
-    For a sliding pair ``links`` is (slider, owner of the guide).
-    """
-
-    kind: str
-    name: str
-    links: tuple[int, int]
-    slide: Slide | None = None
-
-    def other(self, link: int) -> int:
-        """Return the other link of the pair."""
-        return self.links[1] if self.links[0] == link else self.links[0]
-
-
-class Leg(NamedTuple):
-    """How a group holds on to what is there: its link, the body it is joined to, and the pair."""
-
-    link: int
-    body: int
-    pair: Pair
-
-
-class Group(NamedTuple):
-    """An Assur group of class II: kind 1–5, its two legs, its inner pair.
-
-    The first leg of kinds 2 and 5 is the turning one; of kind 3 it is that of the slider (the stone).
-    """
-
-    kind: int
-    legs: tuple[Leg, Leg]
-    inner: Pair
-
-    @property
-    def links(self) -> tuple[int, int]:
-        """The two links, smaller number first."""
-        first, second = sorted(leg.link for leg in self.legs)
-        return first, second
-
-    @property
-    def name(self) -> str:
-        """The group as it stands in the formula of structure: "2-3"."""
-        return "{}-{}".format(*self.links)
 
 
 class Structure(NamedTuple):
@@ -81,7 +36,8 @@ class Structure(NamedTuple):
     @property
     def formula(self) -> str:
         """The formula of structure, groups in order of attachment."""
-        return " → ".join([f"I({self.driver})", *(f"II({group.name})" for group in self.groups)])
+        groups = (f"II({group.name})" for group in class_two(self.groups, "formula"))
+        return " → ".join([f"I({self.driver})", *groups])
 
 
 def dissect(mechanism: Mechanism) -> Structure:
@@ -375,7 +331,7 @@ def _group(one: Pair, two: Pair, inner: Pair, first: int, second: int) -> Group:
     legs = (Leg(first, one.other(first), one), Leg(second, two.other(second), two))
     kinds = (one.kind, two.kind)
     if inner.kind == "R":
-        kind = {("R", "R"): 1, ("P", "P"): 4}.get(kinds, 2)
+        kind: Kind = 1 if kinds == ("R", "R") else 4 if kinds == ("P", "P") else 2
         return Group(kind, legs if kinds != ("P", "R") else (legs[1], legs[0]), inner)
     if kinds == ("P", "P"):
         raise StructureError(

@@ -8,9 +8,9 @@ import math
 import pytest
 from support.each import each
 
+from graphic_tmm.mechanism.groups import Pair
 from graphic_tmm.mechanism.guides import direction, level
 from graphic_tmm.mechanism.records import Guide, Slide
-from graphic_tmm.mechanism.structure import Pair
 
 
 def pair(offset: float, turned: float, angle: float, through: complex) -> Pair:

@@ -19,8 +19,9 @@ import mpmath  # type: ignore[import-untyped]
 import numpy as np
 from hypothesis import strategies as st
 
+from graphic_tmm.mechanism.groups import Pair
 from graphic_tmm.mechanism.records import Link, Mechanism
-from graphic_tmm.mechanism.structure import Pair, dissect
+from graphic_tmm.mechanism.structure import dissect
 from support.oracle import Numbers, State
 from support.wrenches import (
     Forces,

@@ -14,8 +14,9 @@ from typing import Any, NamedTuple
 import mpmath  # type: ignore[import-untyped]
 import numpy as np
 
+from graphic_tmm.mechanism.groups import Pair
 from graphic_tmm.mechanism.records import Mechanism
-from graphic_tmm.mechanism.structure import Pair, Structure
+from graphic_tmm.mechanism.structure import Structure
 from support.oracle import Numbers, OracleError, State
 
 G = 9.81  # m/s²

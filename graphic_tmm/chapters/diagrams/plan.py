@@ -28,7 +28,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.diagrams import words as why
 from graphic_tmm.chapters.diagrams.task import ASKED, BASE, DIAGRAMS, VIEWS, KinematicTask, settled
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg
+from graphic_tmm.chapters.kinematics.bodies import GuideLeg, outer_guides
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
@@ -140,21 +140,14 @@ def sliding_leg(
 
     ``section``: of a scene, whose ``key`` (``point``, if it is not told) names the point.
     """
-    for closing in positions.closings:
-        for leg in closing.legs:
-            owns = letter in positions.bodies[leg.link].link.points
-            if isinstance(leg, GuideLeg) and leg.body == frame and not leg.inner and owns:
-                return leg
-    sliding = [
-        point
-        for closing in positions.closings
-        for leg in closing.legs
-        if isinstance(leg, GuideLeg) and leg.body == frame and not leg.inner
-        for point in positions.bodies[leg.link].link.points
-    ]
+    guides = [leg for _, leg in outer_guides(positions.closings, section) if leg.body == frame]
+    points = [(point, leg) for leg in guides for point in positions.bodies[leg.link].link.points]
+    for point, leg in points:
+        if point == letter:
+            return leg
     there = said("this mechanism has none")
-    if sliding:
-        there = said("points that do are {listed}", listed=", ".join(sliding))
+    if points:
+        there = said("points that do are {listed}", listed=", ".join(point for point, _ in points))
     raise StructureError(
         said(
             "point {letter} does not slide along a straight guide of the frame; {there}",

@@ -38,7 +38,7 @@ from graphic_tmm.chapters.engine.formulas import (
 from graphic_tmm.chapters.engine.masses import Harmonics, Lumped, draw_harmonics, lump
 from graphic_tmm.chapters.engine.task import ASKED, ENGINE, VIEW, EngineTask
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder, Machine, machine_of
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg
+from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg, dyads
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.errors import StructureError
@@ -151,7 +151,7 @@ def draw_engine(
 
 def _legs(machine: Machine, cylinder: Cylinder, order: EngineTask) -> _Legs:
     crank = machine.mechanism.drive.link
-    for closing in machine.positions.closings:
+    for closing in dyads(machine.positions.closings, "engine"):
         first, second = closing.legs
         joined = cylinder.leg in (first, second) and closing.letter == order.point
         if joined and isinstance(first, PinLeg) and first.body == crank:

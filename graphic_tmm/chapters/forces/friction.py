@@ -22,14 +22,14 @@ from graphic_tmm.chapters.forces.detached import Reaction
 from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.forces.statics import Slope
 from graphic_tmm.chapters.forces.task import Friction
-from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg
+from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, dyads
 from graphic_tmm.chapters.kinematics.motion import Motion, known_image
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.language.symbols import symbol
-from graphic_tmm.mechanism.structure import Pair
+from graphic_tmm.mechanism.groups import Pair
 
 VIEW = "friction"
 
@@ -69,7 +69,7 @@ def joints(closings: tuple[Closing, ...], driver: tuple[int, int, str]) -> tuple
     """Return all pairs of a mechanism; ``driver``: crank, frame, the letter of the crank's pivot."""
     crank, frame, pivot = driver
     found = [Joint(Pair("R", pivot, (crank, frame)), (crank, frame), None)]
-    for closing in closings:
+    for closing in dyads(closings, "forces"):
         for leg, own in zip(closing.legs, closing.group.legs, strict=True):
             found.append(Joint(own.pair, (leg.link, leg.body), closing))
         first, second = closing.legs

@@ -30,7 +30,7 @@ from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import bare
 from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.forces.statics import Driver
-from graphic_tmm.chapters.kinematics.bodies import PinLeg
+from graphic_tmm.chapters.kinematics.bodies import PinLeg, legs_of
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.positions import Positions
 
@@ -258,11 +258,10 @@ def _base(
         segment = draft.uses(image)[1]
         pole = velocities.images.pole
         return _Base(segment, driver.arm, pole, image, driver.body.axis, 1)
-    for closing in positions.closings:
-        for leg in closing.legs:
-            if isinstance(leg, PinLeg) and velocities.rates[leg.link] == rate:
-                start = velocities.images.by_letter[leg.link][leg.letter]
-                end = velocities.closed[closing.group.name]
-                segment = velocities.readings[leg.link]
-                return _Base(segment, leg.length, start, end, leg.line, sense)
+    for closing, leg in legs_of(positions.closings, VIEW):
+        if isinstance(leg, PinLeg) and velocities.rates[leg.link] == rate:
+            start = velocities.images.by_letter[leg.link][leg.letter]
+            end = velocities.closed[closing.group.name]
+            segment = velocities.readings[leg.link]
+            return _Base(segment, leg.length, start, end, leg.line, sense)
     return None

@@ -29,6 +29,7 @@ from graphic_tmm.chapters.forces.statics import (
 )
 from graphic_tmm.chapters.forces.task import ASKED, FORCES, ForcesTask
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder, Machine, machine_of
+from graphic_tmm.chapters.kinematics.bodies import dyads
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, chosen
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS
@@ -144,7 +145,7 @@ class _Figures:
         self.links: dict[int, tuple[int, ...]] = {crank: (crank,)}
         self.closing: dict[int, Mark] = {}
         self.known: dict[tuple[int, ...], Detached] = {}
-        for closing in ground.positions.closings:
+        for closing in dyads(ground.positions.closings, FORCES):
             for link in closing.group.links:
                 self.links[link], self.closing[link] = closing.group.links, closing.point
 
@@ -243,7 +244,7 @@ def _solve(
     for couple in (*loads.couples, *rubbing.couples):
         acting.add(couple)
     groups = []
-    for closing in reversed(ground.positions.closings):
+    for closing in reversed(tuple(dyads(ground.positions.closings, FORCES))):
         solved = solve_group(
             figures.of(closing.legs[0].link),
             closing,

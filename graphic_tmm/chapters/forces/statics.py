@@ -20,7 +20,14 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import Chain, Detached, Pair, Polygon, Reaction, Solution
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
-from graphic_tmm.chapters.kinematics.bodies import Body, Closing, GuideLeg, PinLeg
+from graphic_tmm.chapters.kinematics.bodies import (
+    Body,
+    Closing,
+    ClosingLeg,
+    GuideLeg,
+    PinLeg,
+    unheld,
+)
 
 
 class Slope(NamedTuple):
@@ -109,7 +116,7 @@ def solve_group(
     return _read(figure, closing, chain, corners, (turning, tangents), rough=rough)
 
 
-def summed_links(closing: Closing, leg: PinLeg | GuideLeg) -> tuple[int, ...]:
+def summed_links(closing: Closing, leg: ClosingLeg) -> tuple[int, ...]:
     """Return the links whose moments about the closing point the outer pair of a leg has to balance.
 
     Through an inner sliding pair they are passed on, so that it balances those of both links.
@@ -163,18 +170,20 @@ class _Corners(NamedTuple):
     top: Mark
 
 
-def _unknown(
-    draft: Draft, leg: PinLeg | GuideLeg, through: Mark, slopes: dict[Pair, Slope]
-) -> Mark:
+def _unknown(draft: Draft, leg: ClosingLeg, through: Mark, slopes: dict[Pair, Slope]) -> Mark:
     """Draw the line of an unknown force: along a link, or square to a guide but for the angle of friction."""
-    if isinstance(leg, PinLeg):
-        letter = f"(R_{{{leg.body}{leg.link}}})"
-        return draft.draw(parallel, letter, through, leg.line, sense=1, why=why.NORMAL_UNKNOWN)
-    pair = _pair(leg)
-    letter = f"(R_{{{pair[1]}{pair[0]}}})"
-    if pair in slopes:
-        return draft.draw(at_friction_angle, letter, through, leg.line, *slopes[pair])
-    return draft.draw(square, letter, through, leg.line, sense=1, why=why.GUIDE_UNKNOWN)
+    match leg:
+        case PinLeg():
+            letter, along = f"(R_{{{leg.body}{leg.link}}})", leg.line
+            return draft.draw(parallel, letter, through, along, sense=1, why=why.NORMAL_UNKNOWN)
+        case GuideLeg():
+            pair = _pair(leg)
+            letter = f"(R_{{{pair[1]}{pair[0]}}})"
+            if pair in slopes:
+                return draft.draw(at_friction_angle, letter, through, leg.line, *slopes[pair])
+            return draft.draw(square, letter, through, leg.line, sense=1, why=why.GUIDE_UNKNOWN)
+        case _:
+            unheld(leg, "forces")
 
 
 def _pair(leg: GuideLeg) -> Pair:
@@ -253,7 +262,7 @@ def hand_on(
         if leg.body == frame:
             continue
         figure = figure_of(leg.body)
-        point = leg.pivot if isinstance(leg, PinLeg) else closing.point
+        point = closing.at(leg)
         letter = f"R_{{{leg.link}{leg.body}}}"
         line = figure.act(letter, point, reaction.head, reaction.tail)
         acting.add(Force(letter, leg.body, point, line, reaction.value))

@@ -32,7 +32,6 @@ from graphic_tmm.chapters.forces.task import FORCES, LOADS
 from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.along import AlongGuides
-from graphic_tmm.chapters.kinematics.bodies import PinLeg
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
@@ -179,7 +178,7 @@ def group_shown(drawn: Drawn, made: Forces, solved: Solved) -> GroupFigure:
     # the sides of unknown size end a polygon, that of the first leg last
     last = reversed(solved.polygon.sides[-2:])
     for leg, reaction, along in zip(closing.legs, solved.reactions, last, strict=False):
-        at = leg.pivot if isinstance(leg, PinLeg) else closing.point
+        at = closing.at(leg)
         tangent = solved.tangents.get(leg.link)
         if tangent is None or tangent.side is None:
             unknown.append(Reactive(reaction.letter, at, reaction.tail, reaction.head))

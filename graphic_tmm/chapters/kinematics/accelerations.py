@@ -20,7 +20,14 @@ from graphic_tmm.board.operations.instruments import lay_off, measure_along, mee
 from graphic_tmm.board.record import Mark, between
 from graphic_tmm.board.values import Number, Point
 from graphic_tmm.chapters.kinematics import words as why
-from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
+from graphic_tmm.chapters.kinematics.bodies import (
+    Closing,
+    ClosingLeg,
+    GuideLeg,
+    PinLeg,
+    dyads,
+    unheld,
+)
 from graphic_tmm.chapters.kinematics.motion import (
     Base,
     Hanging,
@@ -55,7 +62,7 @@ def draw_accelerations(
     frame = positions.bodies[mechanism.frame.number]
     plan = Motion(Images(draft, pole, frame), mu)
     _crank(draft, mechanism, structure, positions, velocities, plan)
-    for closing in positions.closings:
+    for closing in dyads(positions.closings, VIEW):
         _group(draft, positions, velocities, plan, closing)
     measure_absolute(draft, plan, positions)
     return plan
@@ -108,12 +115,7 @@ def _group(
     draft: Draft, positions: Positions, velocities: Motion, plan: Motion, closing: Closing
 ) -> None:
     draft.say(f"II({closing.group.name})")
-    lines = [
-        _tangential_line(draft, velocities, plan, closing, leg)
-        if isinstance(leg, PinLeg)
-        else _relative_line(draft, velocities, plan, closing, leg)
-        for leg in closing.legs
-    ]
+    lines = [_line(draft, velocities, plan, closing, leg) for leg in closing.legs]
     point = draft.draw(
         meet, closing.image_letter, lines[1], lines[0], free=True, why=why.BOTH_EQUATIONS
     )
@@ -127,6 +129,18 @@ def _group(
             length = _read(draft, point, line, why.RELATIVE_READ)
             component(draft, length, "r", point.name, known_image(plan, closing, leg).name)
     hang_group(positions, plan, closing, point)
+
+
+def _line(
+    draft: Draft, velocities: Motion, plan: Motion, closing: Closing, leg: ClosingLeg
+) -> Mark:
+    match leg:
+        case PinLeg():
+            return _tangential_line(draft, velocities, plan, closing, leg)
+        case GuideLeg():
+            return _relative_line(draft, velocities, plan, closing, leg)
+        case _:
+            unheld(leg, VIEW)
 
 
 def _tangential_line(

@@ -16,11 +16,12 @@ from graphic_tmm.board.grammar import Gap
 from graphic_tmm.board.operations.locus import narrow
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Line, Reals
+from graphic_tmm.chapters.kinematics.bodies import dyads
 from graphic_tmm.chapters.kinematics.positions import side_record
 from graphic_tmm.chapters.kinematics.survey import STEPS, Survey
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined, said
-from graphic_tmm.mechanism.structure import Group
+from graphic_tmm.mechanism.groups import Group
 
 CHANGE = 1e-9
 """A gap whose least value is below this share of the lengths is zero: a change point. Far above rounding, far
@@ -59,7 +60,7 @@ class Assembly(NamedTuple):
 def closures(survey: Survey) -> tuple[Closure, ...]:
     """Return the steps that close the groups, with their gaps."""
     found = []
-    for closing in survey.positions.closings:
+    for closing in dyads(survey.positions.closings, "assembly"):
         step = survey.construction.step(closing.root)
         assert step is not None
         found += [Closure(closing.group, step, gap) for gap in step.op.gaps]

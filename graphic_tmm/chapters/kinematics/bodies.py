@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Never, NoReturn
 
 from graphic_tmm.board.draft import ROUNDING, Draft
 from graphic_tmm.board.operations.instruments import (
@@ -17,10 +17,11 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.chapters.kinematics import words as why
-from graphic_tmm.errors import ConstructionError
+from graphic_tmm.errors import ConstructionError, StructureError
+from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.groups import Group, Pair, class_two
 from graphic_tmm.mechanism.guides import direction, level, turn
 from graphic_tmm.mechanism.records import Link, Mechanism
-from graphic_tmm.mechanism.structure import Group, Pair
 
 
 @dataclass
@@ -83,6 +84,16 @@ class Closing(NamedTuple):
         small = self.letter.lower()
         return f"{small}{self.legs[1].link}" if self.group.kind in (3, 5) else small
 
+    def at(self, leg: ClosingLeg) -> Mark:
+        """Return where what a leg holds acts: at its pivot, or at the closing point."""
+        match leg:
+            case PinLeg():
+                return leg.pivot
+            case GuideLeg():
+                return self.point
+            case _:
+                unheld(leg, "forces")
+
 
 class PinLeg(NamedTuple):
     """T: link ``link`` turns on ``body`` about ``pivot``; the line and the length from there to Q."""
@@ -106,6 +117,46 @@ class GuideLeg(NamedTuple):
     line: Mark
     inner: bool
     on: int
+
+
+ClosingLeg = PinLeg | GuideLeg
+"""How a link of a group is held by what is there already."""
+
+
+def dyads(closings: Iterable[Closing], room: str) -> Iterator[Closing]:
+    """Yield groups of two legs in the order of attachment; StructureError of one that a room does not treat."""
+    closings = tuple(closings)
+    groups = class_two((closing.group for closing in closings), room)
+    for closing, _ in zip(closings, groups, strict=True):
+        for leg in closing.legs:
+            match leg:
+                case PinLeg() | GuideLeg():
+                    pass
+                case _:
+                    unheld(leg, room)
+        yield closing
+
+
+def legs_of(closings: Iterable[Closing], room: str) -> Iterator[tuple[Closing, ClosingLeg]]:
+    """Yield the legs of all groups, each beside its group."""
+    return ((closing, leg) for closing in dyads(closings, room) for leg in closing.legs)
+
+
+def outer_guides(closings: Iterable[Closing], room: str) -> Iterator[tuple[Closing, GuideLeg]]:
+    """Yield the legs that slide on what is there already, each beside its group."""
+    for closing, leg in legs_of(closings, room):
+        if isinstance(leg, GuideLeg) and not leg.inner:
+            yield closing, leg
+
+
+def unheld(leg: Never, room: str) -> NoReturn:
+    """Refuse a leg of a kind that a room does not treat: mypy sees that none of the kinds comes here."""
+    link, kind = getattr(leg, "link", "?"), type(leg).__name__
+    raise StructureError(
+        said("link {link} is held in a way that is not treated here: {kind}", link=link, kind=kind),
+        f"link {link}",
+        head=room,
+    )
 
 
 def off_axis(body: Body, point: complex) -> tuple[float, float]:
@@ -220,7 +271,7 @@ def tell_group(
     A stone is told by a point of its link and the line it slides along, a guide by the same two; where the line
     may turn round against its link, by the side too; of a cylinder what is in it, by what tells its piston.
     """
-    for leg in closing.legs:
+    for _, leg in legs_of([closing], "positions"):
         tell_link(draft, mechanism, bodies[leg.link])
     for leg in closing.legs:
         if not isinstance(leg, GuideLeg):

@@ -35,9 +35,9 @@ from graphic_tmm.chapters.kinematics.bodies import (
     incline_by,
     stand,
 )
+from graphic_tmm.mechanism.groups import Group, Leg, Pair, untreated
 from graphic_tmm.mechanism.guides import direction, level, turn
 from graphic_tmm.mechanism.records import Link
-from graphic_tmm.mechanism.structure import Group, Leg, Pair
 
 
 class Site(NamedTuple):
@@ -216,5 +216,18 @@ def _on_inner_guide(
     return letter, lifted
 
 
-DYADS = {1: _rrr, 2: _rrp, 3: _rpr, 4: _prp, 5: _rpp}
-"""How each kind is closed: a function of its `Site`."""
+def close(site: Site) -> Closing:
+    """Close a group of any kind."""
+    match site.group.kind:
+        case 1:
+            return _rrr(site)
+        case 2:
+            return _rrp(site)
+        case 3:
+            return _rpr(site)
+        case 4:
+            return _prp(site)
+        case 5:
+            return _rpp(site)
+        case _:
+            untreated(site.group.kind, site.group, "positions")

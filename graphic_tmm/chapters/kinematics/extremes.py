@@ -28,9 +28,9 @@ from graphic_tmm.chapters.kinematics.survey import STEPS, Survey
 from graphic_tmm.chapters.kinematics.task import EXTREMES as VIEW
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.groups import Group
 from graphic_tmm.mechanism.guides import level
 from graphic_tmm.mechanism.records import Extreme
-from graphic_tmm.mechanism.structure import Group
 
 SAME = 1e-6
 """Degrees: a drawn extreme that is nearer than this to the one tried out is the same."""

@@ -17,7 +17,15 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Construction, Mark, Step, between
 from graphic_tmm.chapters.kinematics import words as why
-from graphic_tmm.chapters.kinematics.bodies import Body, Closing, GuideLeg, PinLeg
+from graphic_tmm.chapters.kinematics.bodies import (
+    Body,
+    Closing,
+    ClosingLeg,
+    GuideLeg,
+    PinLeg,
+    outer_guides,
+    unheld,
+)
 from graphic_tmm.chapters.kinematics.positions import Positions
 
 
@@ -172,12 +180,16 @@ class Motion:
     closed: dict[str, Mark] = field(default_factory=dict)
 
 
-def known_image(plan: Motion, closing: Closing, leg: PinLeg | GuideLeg) -> Mark:
+def known_image(plan: Motion, closing: Closing, leg: ClosingLeg) -> Mark:
     """Return the image that a leg starts from: of its pivot, or of the point of the body under Q."""
-    if isinstance(leg, PinLeg):
-        return plan.images.of(leg.body, leg.pivot, leg.letter, image_letter(leg.letter))
-    shown = image_letter(closing.letter, leg.body)
-    return plan.images.of(leg.body, closing.point, closing.letter, shown)
+    match leg:
+        case PinLeg():
+            return plan.images.of(leg.body, leg.pivot, leg.letter, image_letter(leg.letter))
+        case GuideLeg():
+            shown = image_letter(closing.letter, leg.body)
+            return plan.images.of(leg.body, closing.point, closing.letter, shown)
+        case _:
+            unheld(leg, plan.images.pole.view)
 
 
 def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark) -> None:
@@ -191,16 +203,19 @@ def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark
     inner_first = isinstance(first, GuideLeg) and first.inner
     for leg in (second, first) if inner_first else (first, second):
         known = {}
-        if isinstance(leg, PinLeg):
-            start = known_image(plan, closing, leg)
-            hanging = Hanging(leg.pivot, start, Base(leg.pivot, closing.point, start, point))
-            known[leg.letter] = start
-        else:
-            model = second.link if leg.inner else leg.body
-            at = known_image(plan, closing, leg) if leg.inner else point
-            hanging = Hanging(closing.point, at, plan.images.hanging[model].base)
-            if model in plan.rates:
-                plan.rates[leg.link] = plan.rates[model]
+        match leg:
+            case PinLeg():
+                start = known_image(plan, closing, leg)
+                hanging = Hanging(leg.pivot, start, Base(leg.pivot, closing.point, start, point))
+                known[leg.letter] = start
+            case GuideLeg():
+                model = second.link if leg.inner else leg.body
+                at = known_image(plan, closing, leg) if leg.inner else point
+                hanging = Hanging(closing.point, at, plan.images.hanging[model].base)
+                if model in plan.rates:
+                    plan.rates[leg.link] = plan.rates[model]
+            case _:
+                unheld(leg, plan.images.pole.view)
         body = positions.bodies[leg.link]
         if closing.letter in body.link.points:
             known[closing.letter] = hanging.image if hanging.anchor == closing.point else point
@@ -226,9 +241,7 @@ def measure_absolute(draft: Draft, plan: Motion, positions: Positions) -> None:
     ]
     images += [
         known_image(plan, closing, leg)
-        for closing in positions.closings
-        for leg in closing.legs
-        if isinstance(leg, GuideLeg) and not leg.inner
+        for closing, leg in outer_guides(positions.closings, pole.view)
     ]
     images += plan.closed.values()
     for image in images:

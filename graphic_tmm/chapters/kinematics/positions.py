@@ -22,9 +22,10 @@ from graphic_tmm.chapters.kinematics.bodies import (
     tell_group,
     tell_link,
 )
-from graphic_tmm.chapters.kinematics.dyads import DYADS, Site
+from graphic_tmm.chapters.kinematics.dyads import Site, close
 from graphic_tmm.mechanism import records
-from graphic_tmm.mechanism.structure import Group, Structure
+from graphic_tmm.mechanism.groups import Group, Pair, untreated
+from graphic_tmm.mechanism.structure import Structure
 
 VIEW = "positions"
 
@@ -87,7 +88,7 @@ def draw_positions(
         sides |= _take_side(draft, mechanism, group)
         first, second = (mechanism.by_number[leg.link] for leg in group.legs)
         site = Site(draft, bodies, group, (first, second), sides.get(group.name), letters)
-        closing = DYADS[group.kind](site)
+        closing = close(site)
         closings.append(closing)
         for leg in group.legs:
             body = bodies[leg.link]
@@ -118,16 +119,27 @@ def _crank(
 
 def side_record(mechanism: records.Mechanism, group: Group) -> records.Side | None:
     """Return the side a scene gives to a group of kinds 1–3, for legs in the group's order; None if absent."""
-    if group.kind > 3:
-        return None
+    pair = _sliding(group)
     if group.kind == 1:
         given = [mechanism.by_number[leg.link].side for leg in group.legs]
         side = next((s for s in given if s is not None), None)
         if side is not None and side.left_of == (group.legs[1].pair.name, group.legs[0].pair.name):
             return records.Side(-side.sign, side.left_of, side.flips_at)
         return side
-    pair = group.legs[1].pair if group.kind == 2 else group.inner
-    return pair.slide.side if pair.slide is not None else None
+    return pair.slide.side if pair is not None and pair.slide is not None else None
+
+
+def _sliding(group: Group) -> Pair | None:
+    """Return the sliding pair that has the side of a group; None where it has none, or its link has it."""
+    match group.kind:
+        case 1 | 4 | 5:
+            return None
+        case 2:
+            return group.legs[1].pair
+        case 3:
+            return group.inner
+        case _:
+            untreated(group.kind, group, VIEW)
 
 
 def _take_side(draft: Draft, mechanism: records.Mechanism, group: Group) -> dict[str, Mark]:

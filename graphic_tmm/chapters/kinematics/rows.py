@@ -19,7 +19,7 @@ from graphic_tmm.board.operations.statics import STANDS
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.kinematics import words as why
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg
+from graphic_tmm.chapters.kinematics.bodies import GuideLeg, legs_of
 from graphic_tmm.chapters.kinematics.motion import Motion, image_letter, reading_of
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, POSITIONS, VELOCITIES, Rows
@@ -126,13 +126,12 @@ def _letters(pair: str) -> tuple[str, str]:
 def _length(ground: Ground, first: str, second: str) -> None:
     """Measure a distance; along its guide where the second point is of a link that slides on one."""
     draft, ends = ground.draft, (ground.place(first), ground.place(second))
-    for closing in ground.positions.closings:
-        for leg in closing.legs:
-            body = ground.positions.bodies[leg.link]
-            if isinstance(leg, GuideLeg) and body.marks.get(second) == ends[1]:
-                name = f"{first}{second}"
-                draft.draw(measure_along, name, *ends, leg.line, free=True, why=why.ALONG_THE_GUIDE)
-                return
+    for _, leg in legs_of(ground.positions.closings, "rows"):
+        body = ground.positions.bodies[leg.link]
+        if isinstance(leg, GuideLeg) and body.marks.get(second) == ends[1]:
+            name = f"{first}{second}"
+            draft.draw(measure_along, name, *ends, leg.line, free=True, why=why.ALONG_THE_GUIDE)
+            return
     draft.draw(measure, f"{first}{second}", *ends, free=True)
 
 

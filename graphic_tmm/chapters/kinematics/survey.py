@@ -12,7 +12,14 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.operations.instruments import measure_along, ray
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Complexes, Reals
-from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
+from graphic_tmm.chapters.kinematics.bodies import (
+    Closing,
+    ClosingLeg,
+    GuideLeg,
+    PinLeg,
+    dyads,
+    unheld,
+)
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.positions import (
     Positions,
@@ -24,6 +31,7 @@ from graphic_tmm.chapters.kinematics.sides import standing
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.groups import class_two
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure
 
@@ -95,7 +103,7 @@ def survey(mechanism: Mechanism, structure: Structure) -> Survey:
 
 
 def _refuse_missing_sides(mechanism: Mechanism, structure: Structure) -> None:
-    for group in structure.groups:
+    for group in class_two(structure.groups, "assembly"):
         if group.kind > 3 or side_record(mechanism, group) is not None:
             continue
         if group.kind == 1:
@@ -123,7 +131,7 @@ def _refuse_missing_sides(mechanism: Mechanism, structure: Structure) -> None:
 
 
 def _refuse_strange_sides(mechanism: Mechanism, structure: Structure) -> None:
-    for group in structure.groups:
+    for group in class_two(structure.groups, "assembly"):
         if group.kind != 1:
             continue
         a, c = (leg.pair.name for leg in group.legs)
@@ -162,6 +170,7 @@ def _refuse_strange_sides(mechanism: Mechanism, structure: Structure) -> None:
 
 POOR = 0.35
 """Where motion is passed on worse than this at all of some positions, another is looked for."""
+TRANSMISSION = "transmission"
 DIGITS = 9
 """Decimals of what is compared that are not rounding."""
 
@@ -185,7 +194,7 @@ def least_angle(tried: Survey) -> float:
     a four-bar that between coupler and rocker, of a slider that between its rod and what is square to its
     guide, of a stone that between its guide and what is square to the arm of the link that it slides on.
     """
-    closings = tried.positions.closings
+    closings = tuple(dyads(tried.positions.closings, TRANSMISSION))
     _, reading = tried.turn([leg.line for closing in closings for leg in closing.legs])
     with np.errstate(all="ignore"):
         sines = [float(np.nanmin(_sine(reading, one), initial=np.inf)) for one in closings]
@@ -202,7 +211,8 @@ def transmission(tried: Survey, angles: Reals) -> Reals:
     """
     body = tried.positions.bodies[tried.structure.driver]
     crank = (body.marks[tried.structure.pivot], body.marks[tried.structure.pin])
-    groups = [(c, tried.velocities.closed[c.group.name]) for c in tried.positions.closings]
+    closed = tried.velocities.closed
+    groups = [(c, closed[c.group.name]) for c in dyads(tried.positions.closings, TRANSMISSION)]
     lines = [leg.line for closing, _ in groups for leg in closing.legs]
     row = angles.astype(np.float64)[None, :]
     reading = tried.at(row, [*crank, *lines, *(image for _, image in groups)])
@@ -222,10 +232,16 @@ def _sine(reading: Reading, closing: Closing) -> Reals:
     return np.asarray(np.abs((np.conj(first) * second).imag))
 
 
-def _way(reading: Reading, leg: PinLeg | GuideLeg) -> Complexes:
+def _way(reading: Reading, leg: ClosingLeg) -> Complexes:
     """The direction of the velocity that a leg leaves free: square to a link, along a guide."""
     along = np.asarray(reading[leg.line].along)
-    return along * 1j if isinstance(leg, PinLeg) else along
+    match leg:
+        case PinLeg():
+            return along * 1j
+        case GuideLeg():
+            return along
+        case _:
+            unheld(leg, TRANSMISSION)
 
 
 def _speed(reading: Reading, image: Mark) -> Reals:

@@ -13,7 +13,14 @@ from graphic_tmm.board.operations.instruments import lay_off, measure_along, mee
 from graphic_tmm.board.record import Mark, between
 from graphic_tmm.board.values import Number, Point
 from graphic_tmm.chapters.kinematics import words as why
-from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg
+from graphic_tmm.chapters.kinematics.bodies import (
+    Closing,
+    ClosingLeg,
+    GuideLeg,
+    PinLeg,
+    dyads,
+    unheld,
+)
 from graphic_tmm.chapters.kinematics.motion import (
     Base,
     Hanging,
@@ -72,7 +79,7 @@ def draw_velocities(
     plan = Motion(Images(draft, pole, frame), mu)
     turn = _Turn(draft, turned, 1 if mechanism.drive.speed > 0 else -1)
     _crank(draft, mechanism, structure, positions, plan, turn)
-    for closing in positions.closings:
+    for closing in dyads(positions.closings, VIEW):
         _group(draft, positions, plan, turn, closing)
     measure_absolute(draft, plan, positions)
     return plan
@@ -123,7 +130,13 @@ def _group(draft: Draft, positions: Positions, plan: Motion, turn: _Turn, closin
     starts, lines = [], []
     for leg in closing.legs:
         start = known_image(plan, closing, leg)
-        draw = turn.across if isinstance(leg, PinLeg) else turn.along
+        match leg:
+            case PinLeg():
+                draw = turn.across
+            case GuideLeg():
+                draw = turn.along
+            case _:
+                unheld(leg, VIEW)
         starts.append(start)
         fixed = start == plan.images.pole
         lines.append(draw(f"({between(start, letter)})", start, leg.line, fixed))
@@ -134,7 +147,7 @@ def _group(draft: Draft, positions: Positions, plan: Motion, turn: _Turn, closin
 
 
 def _read(
-    draft: Draft, plan: Motion, leg: PinLeg | GuideLeg, start: Mark, point: Mark, line: Mark
+    draft: Draft, plan: Motion, leg: ClosingLeg, start: Mark, point: Mark, line: Mark
 ) -> None:
     name, fixed = between(start, point.letter), start == plan.images.pole
     because = why.ABSOLUTE_VELOCITY if fixed else why.RELATIVE_VELOCITY

@@ -15,6 +15,7 @@ from graphic_tmm.chapters.structure.table import (
 )
 from graphic_tmm.chapters.structure.views import part_views
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.groups import class_two
 from graphic_tmm.mechanism.structure import Structure
 from graphic_tmm.note.bricks import in_columns, referred, side_by_side
 from graphic_tmm.note.calculations import without_letters
@@ -72,7 +73,7 @@ class StructurePage(Page[Structure]):
         yield self.says(MOVING, n=n, p=p5)
         yield from self.worked_out(found.whole)
         yield self.says(ONE_DRIVE, link=structure.driver)
-        kinds = {group.name: group.kind for group in structure.groups}
+        kinds = {group.name: group.kind for group in class_two(structure.groups, PARTS)}
         titles = [
             self.sentence(GROUP, name=name, kind=kinds[name])
             if name in kinds

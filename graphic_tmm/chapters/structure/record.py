@@ -10,6 +10,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.structure import PARTS, STRUCTURE
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.groups import class_two
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene.chapter import Recorded, aside
@@ -39,7 +40,7 @@ MOBILITY: Recorded[Mobility] = Recorded(aside("structure"))
 def parts(structure: Structure) -> dict[str, tuple[int, int]]:
     """Return how many links and pairs the driving link and each group has, by the numbers of its links."""
     found = {str(structure.driver): (1, 1)}
-    return found | {group.name: (2, 3) for group in structure.groups}
+    return found | {group.name: (2, 3) for group in class_two(structure.groups, STRUCTURE)}
 
 
 def record_mobility(bench: Bench) -> Mobility | None:

@@ -8,8 +8,9 @@ from graphic_tmm.chapters.structure import STRUCTURE
 from graphic_tmm.chapters.structure.record import STRUCTURE_PLAN
 from graphic_tmm.language.catalogue import Tongues
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.groups import Pair, class_two
 from graphic_tmm.mechanism.records import Link, Mechanism
-from graphic_tmm.mechanism.structure import Pair, Structure
+from graphic_tmm.mechanism.structure import Structure
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import Heights
@@ -173,7 +174,10 @@ def _table(
 def structure_lines(structure: Structure, language: str) -> tuple[str, ...]:
     """Return mobility, formula of structure, and the kind of each group, as lines of lettering."""
     words = WORDS[language]
-    groups = [words["group"].format(name=g.name, kind=g.kind) for g in structure.groups]
+    groups = [
+        words["group"].format(name=g.name, kind=g.kind)
+        for g in class_two(structure.groups, STRUCTURE)
+    ]
     n, p = structure.moving, len(structure.pairs)
     mobility = f"n = {n}, p_5 = {p}, p_4 = 0, W = 3·{n} − 2·{p} = {structure.mobility}"
     highest = words["class II" if structure.groups else "class I"]

@@ -18,6 +18,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.numbers import number
+from graphic_tmm.mechanism.groups import class_two
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.drawing import Drawing, Ink, line
 from graphic_tmm.paper.figure import body
@@ -85,7 +86,7 @@ def part_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         return []
     structure = dissect(drawn.scene.mechanism)
     words, found = WORDS[drawn.scene.language], []
-    groups = {group.name for group in structure.groups}
+    groups = {group.name for group in class_two(structure.groups, PARTS)}
     for name, (n, p5) in parts(structure).items():
         links = [int(one) for one in name.split("-")]
         told = words["class of group" if name in groups else "class of link"].format(name=name)
