@@ -58,11 +58,15 @@ class MeasuredWay(NamedTuple):
 
 @dataclass(frozen=True)
 class Origin:
-    """Where the errors of a board's quantities come from, by a hand; with the log and its exact numbers."""
+    """Where the errors of a board's quantities come from, by a hand; with the log and its exact numbers.
+
+    ``wanted``: the quantities that the sheets show, ``of`` those that have an error.
+    """
 
     hand: str
     project: Project
     reading: Reading
+    wanted: tuple[str, ...]
     of: Mapping[str, Sources]
 
 
@@ -70,19 +74,21 @@ class Origin:
 class Answer:
     """What accuracy costs in a scene, in short.
 
-    ``scene``: by the hand at the board. ``own``: the scene as it is, by that hand, without what is ``lost`` in
-    too many drawings to have an error; ``printed``: its errors by the scene's own hand, None if that is the
-    same. ``halved``: the cheapest way with half the error, None if there is none: ``nearest`` then. ``wasted``:
-    a dearer way that brings next to nothing. ``ways``: all, with their expected errors. ``rows``: the front,
-    the cheapest first, and the scene itself; ``knee``: the row where the front bends, farthest below the
-    straight line between its ends. ``origins``: by the hand at the board, then by the scene's own. ``counts``:
-    the error expected as printed and at the board, by the number of positions. ``machine``: seconds of what a
-    user asks for, ``load``: what else the machine did then, None if nothing was timed.
+    ``scene``: by the hand at the board. ``own``: the scene as it is, by that hand, without what is ``lost``
+    in too many drawings to have an error, and what has no true value here: ``unjudged``; ``printed``: its
+    errors by the scene's own hand, None if that is the same. ``halved``: the cheapest way with half the
+    error, None if there is none: ``nearest`` then. ``wasted``: a dearer way that brings next to nothing.
+    ``ways``: all, with their expected errors. ``rows``: the front, the cheapest first, and the scene itself;
+    ``knee``: the row where the front bends, farthest below the straight line between its ends. ``origins``:
+    by the hand at the board, then by the scene's own. ``counts``: the error expected as printed and at the
+    board, by the number of positions. ``machine``: seconds of what a user asks for, ``load``: what else the
+    machine did then, None if nothing was timed.
     """
 
     scene: Scene
     own: MeasuredWay
     lost: tuple[str, ...]
+    unjudged: tuple[str, ...]
     printed: Mapping[str, float] | None
     halved: Taken | None
     nearest: tuple[MeasuredWay, str] | None
@@ -155,7 +161,7 @@ def answer(
     rows = _front(measured, own)
     on_the_way(3, PARTS, "")
     knee = _knee(rows)
-    origins = tuple(_origins(measured, scene.hand, hand_of(scene)))
+    origins = at_the_board = tuple(_origins(measured, scene.hand, hand_of(scene)))
     if printed is not None:
         origins += tuple(_origins(measured, own_hand, own_who))
     as_printed, at_board = (measured.ways.by_count(who) for who in (own_who, hand_of(scene)))
@@ -167,6 +173,7 @@ def answer(
         scene,
         own,
         tuple(name for name in errors if name not in own.errors),
+        tuple(name for origin in at_the_board for name in origin.wanted if name not in errors),
         printed,
         halved,
         near,
@@ -241,7 +248,7 @@ def _origins(measured: Measured, name: str, who: Hand) -> Iterator[Origin]:
         if there:
             exact = execute(drawing.construction, drawing.given)
             of = sources(drawing, there, measured.ways.references, who)
-            yield Origin(name, drawing, exact, of)
+            yield Origin(name, drawing, exact, tuple(q.name for q in there), of)
 
 
 def nothing(scene: Scene) -> str:

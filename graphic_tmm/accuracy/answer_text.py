@@ -103,6 +103,7 @@ def _how_far(answer: Answer) -> str:
             least=_percent(answer, answer.printed.get(main, float("nan"))),
         )
     lost = [words["answer lost"].format(quantity=words[name]) for name in answer.lost]
+    lost += [words["answer unjudged"].format(quantity=words[name]) for name in answer.unjudged]
     return " ".join([text, *lost])
 
 

@@ -144,7 +144,7 @@ class Measured:
                 return None
             scales = pinned(drawn)
             references = References(at_all_positions(scene), scales)
-            errors = _errors(Measure(scales, references, clock=False), scene)
+            errors = _errors(Measure(scales, references, clock=False), scene, names=way.errors)
         except TmmError:
             return None
         return (scene, errors) if errors.measured else None

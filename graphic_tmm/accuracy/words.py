@@ -91,6 +91,7 @@ TEXTS: dict[str, str] = {
         "Printed by the program, they would be off by {least} and {error} %."
     ),
     "answer lost": said("{quantity} cannot be drawn at all in more than one such drawing of ten."),
+    "answer unjudged": said("There is no true value of {quantity} here to judge it by."),
     "answer halved": said(
         "Half the error: {setting} ({error} %; {minutes} min at the board instead of {own})."
     ),

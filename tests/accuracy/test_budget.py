@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from support.gallery import SHEETS
+from support.tasks import text_of, written
 
+from graphic_tmm.accuracy.answer import answer
+from graphic_tmm.accuracy.answer_text import sentences
 from graphic_tmm.accuracy.budget import choose
 from graphic_tmm.accuracy.drawing import References, pinned
 from graphic_tmm.accuracy.measure import Measure
 from graphic_tmm.accuracy.settings import Setting, hand_named
+from graphic_tmm.accuracy.words import WORDS
 from graphic_tmm.errors import SceneError
 from graphic_tmm.readers.position_count import at_all_positions
 from graphic_tmm.scene.drawing import DIVISIONS
@@ -87,3 +92,30 @@ def test_parts_are_divided_too() -> None:
     taken = choose(task("cam"), 0.5)
     assert taken.scene.tasks.get("cam") is not None
     assert taken.scene.tasks["cam"].divisions == 6
+
+
+NOWHERE = """
+[cam]
+stroke = "25 deg"
+rise = "70 deg"
+upper_dwell = "10 deg"
+fall = "70 deg"
+law = "constant acceleration"
+follower = "rocker"
+lever = "130 mm"
+centres = "160 mm"
+pressure = "40 deg"
+"""
+"""A rocker's cam whose pivots stand so close that no region of centres keeps the angle of pressure."""
+
+
+def test_what_has_no_true_value_is_told_and_stands_in_the_way_of_nothing_else(
+    tmp_path: Path,
+) -> None:
+    own = written(tmp_path, text_of("gear-pair") + NOWHERE)
+    taken = choose(own, 10.0)
+    assert set(taken.errors) == {"contact_ratio", "contact_arc"}
+    weighed = answer(own)
+    assert weighed.unjudged == ("r0_min",)
+    assert weighed.halved is not None
+    assert WORDS["ru"]["r0_min"] in next(sentences(weighed))
