@@ -30,6 +30,7 @@ def printed(own: Answer) -> list[str]:
 
 @pytest.mark.parametrize("language", ["ru", "en"])
 @pytest.mark.parametrize("name", NAMES)
+@pytest.mark.slow
 def test_sentences_come_first_then_bars_then_a_table_of_twelve_rows_at_most(
     name: str, language: str
 ) -> None:

@@ -35,6 +35,7 @@ def image(answer: Answer) -> Image.Image:
 
 
 @pytest.mark.parametrize(("answer", "panels"), [(answered, 2), (lambda _: timed(), 3)])
+@pytest.mark.slow
 def test_there_is_a_panel_for_minutes_one_for_the_machine_if_timed_and_the_sources(
     answer: object, panels: int
 ) -> None:

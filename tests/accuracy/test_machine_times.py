@@ -89,6 +89,7 @@ def test_what_is_timed_is_the_work_of_the_commands(monkeypatch: pytest.MonkeyPat
     assert [n for what, n in done if what == "run" and n].count(DRAWN) == 3
 
 
+@pytest.mark.slow
 def test_every_table_and_sheet_is_drawn_as_of_a_scene_never_seen() -> None:
     """That a sheet holds these boxes was found by the call before; a person who waits has none before."""
     counts = []

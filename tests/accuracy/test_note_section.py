@@ -31,6 +31,7 @@ def words(runs: Runs) -> str:
 @pytest.mark.parametrize(
     ("language", "head"), [("en", "Accuracy of the constructions"), ("ru", "Точность построений")]
 )
+@pytest.mark.slow
 def test_sentences_sources_front_and_figure_stand_in_it(language: str, head: str) -> None:
     of = weighed(language)
     first, *blocks = accuracy_section(of)
@@ -62,6 +63,7 @@ def test_a_main_quantity_has_a_column_of_its_own() -> None:
     assert {len(row) for row in sources.rows} == {3}
 
 
+@pytest.mark.slow
 def test_a_note_has_it_only_if_it_is_asked_for(tmp_path: Path) -> None:
     def noted(*more: str) -> str:
         done = CliRunner().invoke(

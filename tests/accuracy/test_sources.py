@@ -60,6 +60,7 @@ def each(*names: str) -> list[tuple[str, Task, str, Sources]]:
     ]
 
 
+@pytest.mark.slow
 def test_shares_add_up_to_one() -> None:
     for name, _, quantity, one in each("slider-diagrams", "crank-rocker", "gear-pair", "engine"):
         alone = sum(max(share, 0.0) for share in one.parts.values())
@@ -74,6 +75,7 @@ def test_what_no_source_brings_alone_is_told() -> None:
     assert dict(parts(whole)) == pytest.approx({"swing": 0.6 / 0.98, "reading": 0.38 / 0.98})
 
 
+@pytest.mark.slow
 def test_steps_of_a_kind_add_up_to_their_source() -> None:
     """Where sources do not act upon each other: those that do differ by what several steps do together."""
     judged = 0

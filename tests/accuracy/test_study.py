@@ -62,6 +62,7 @@ def test_with_a_hand_that_slips_there_is_a_best_number_of_positions(hand: str) -
         assert end.error - 3 * end.errors.spread > one.best.error + 3 * one.best.errors.spread
 
 
+@pytest.mark.slow
 def test_a_better_hand_takes_more_positions() -> None:
     best = {o.hand: divisions(o.best) for o in studied(NAME).optima if o.quantity == "a_diagram"}
     assert best["student"] <= best["careful"] <= best["scene"]

@@ -60,6 +60,7 @@ def test_the_minutes_of_the_scenes_own_way_are_those_of_its_log(k: int) -> None:
 
 
 @pytest.mark.parametrize("k", [0, 3])
+@pytest.mark.slow
 def test_a_way_is_drawn_as_it_says(k: int) -> None:
     for way in ways(k).every[:: len(ways(k).every) // 7]:
         drawn = way.of(scene(k))
@@ -104,6 +105,7 @@ def kept(k: int, budgets: tuple[float, ...], trials: int) -> list[bool]:
 
 
 @pytest.mark.parametrize("k", [0, 1])
+@pytest.mark.slow
 def test_a_budget_is_kept_by_fresh_drawings(k: int) -> None:
     """The scene's own error is the budget, too: what only just keeps within it is not taken."""
     own = max(errors(scene(k), FRESH).values())
@@ -122,6 +124,7 @@ def test_none_cheaper_keeps_within() -> None:
         ]
 
 
+@pytest.mark.slow
 def test_what_is_measured_is_what_fresh_drawings_give() -> None:
     """And what is said to be kept for sure is hardly exceeded."""
     measured = Measured(scene(1))

@@ -139,6 +139,7 @@ def test_what_follows_from_a_wrong_reading_names_it() -> None:
 @pytest.mark.turns(2)
 @pytest.mark.parametrize("seed", [None, 1, 2])
 @pytest.mark.parametrize("y", [828.4, 8284216.0])
+@pytest.mark.slow
 def test_a_point_from_which_nothing_more_can_be_drawn_was_written_amiss(
     y: float, seed: int | None
 ) -> None:

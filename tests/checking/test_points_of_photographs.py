@@ -256,6 +256,7 @@ def test_what_is_clicked_already_is_not_proposed(
     assert "--propose goes before --plan and --pole" in done.stderr
 
 
+@pytest.mark.slow
 def test_every_format_of_own_paper_that_is_offered_is_known(photo: tuple[object, ...]) -> None:
     for paper in PAPERS:
         done = invoke("check", "crank-rocker", *photo, "--paper", paper)

@@ -155,6 +155,7 @@ def test_the_package_is_imported_without_matplotlib_and_rich() -> None:
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 
+@pytest.mark.slow
 def test_nearest_draws_the_best_where_nothing_keeps_a_budget(tmp_path: Path) -> None:
     found = invoke("draw", "cam", "--budget", "0.0001%", "--nearest", "-o", tmp_path / "out")
     assert found.exit_code == 0, found.output
@@ -182,6 +183,7 @@ def test_nearest_without_a_budget_is_refused(tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.slow
 def test_the_answer_comes_first_in_lines_of_eighty_characters_and_a_short_table() -> None:
     found = invoke("accuracy", "slider-diagrams", "--no-time")
     assert found.exit_code == 0, found.output

@@ -21,6 +21,7 @@ def table(tmp_path: Path) -> Path:
     return file
 
 
+@pytest.mark.slow
 def test_what_is_good_is_made_and_the_rest_named(table: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
     done = invoke("batch", SCENE, table, "-o", out, "--make", "table", "--jobs", 1, "-l", "en")
@@ -35,6 +36,7 @@ def test_what_is_good_is_made_and_the_rest_named(table: Path, tmp_path: Path) ->
     assert again.stdout == f"{out}: 0 made, 2 there already, 2 failed\n"
 
 
+@pytest.mark.slow
 def test_what_was_made_else_of_a_variant_stays(tmp_path: Path) -> None:
     table, out = tmp_path / "variants.csv", tmp_path / "out"
     table.write_text("variant,OA\n1,108\n")

@@ -161,6 +161,7 @@ def test_sheets_are_those_of_the_command_to_the_byte(name, tmp_path) -> None:
     assert [f"{one.width:g}mm" in one.svg for one in sheets] == [True] * len(sheets)
 
 
+@pytest.mark.slow
 def test_a_page_a_pdf_and_a_note_are_files_as_the_commands_write_them(tmp_path: Path) -> None:
     drawn = tmm.draw("slider-diagrams")
     printed("draw", "slider-diagrams", "-f", "html,pdf", "-o", tmp_path / "due")

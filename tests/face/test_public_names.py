@@ -206,6 +206,7 @@ def test_the_names_that_types_know_are_those_that_there_are() -> None:
     assert get_args(Way) == tuple(POINTS)
 
 
+@pytest.mark.slow
 def test_a_users_script_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("matplotlib").use("Agg")
     monkeypatch.chdir(tmp_path)

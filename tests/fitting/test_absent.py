@@ -152,6 +152,7 @@ def test_a_remedy_that_is_followed_helps(tmp_path: Path) -> None:
     assert status == 0
 
 
+@pytest.mark.slow
 def test_no_sheet_is_drawn_for_what_has_no_result(tmp_path: Path) -> None:
     apart = (
         '[[sheet]]\nformat = "A3"\nplace = ["gears"]\n[[sheet]]\nformat = "A3"\nplace = ["cam"]\n'

@@ -56,6 +56,7 @@ def test_boxes_of_the_gallery_are_what_its_views_take(name: str) -> None:
 
 
 @pytest.mark.turns(1, "sizes")
+@pytest.mark.slow
 def test_boxes_of_random_mechanisms_are_what_their_views_take(tmp_path: Path) -> None:
     found = []
     for k, text in enumerate(scenes(4, seed=15)):

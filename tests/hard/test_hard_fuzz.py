@@ -48,6 +48,7 @@ def test_changed_files_beside_a_scene_are_used_or_refused(many: Callable[[int, i
 
 
 @pytest.mark.parametrize(("first", "usual"), [(0, 4), pytest.param(4, 6, marks=pytest.mark.slow)])
+@pytest.mark.slow
 def test_changed_photographs_are_judged_or_refused(
     first: int, usual: int, many: Callable[[int, int], int]
 ) -> None:

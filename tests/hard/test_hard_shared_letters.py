@@ -20,6 +20,7 @@ def drawn_or_refused(numbers: Iterable[int]) -> None:
     assert {one.status for one in found} <= {0, 1, 2}
 
 
+@pytest.mark.slow
 def test_one_is_drawn_or_refused() -> None:
     drawn_or_refused([3])
 

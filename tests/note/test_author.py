@@ -136,6 +136,7 @@ READERS = {"html": of_page, "docx": of_docx, "pdf": of_pdf, "md": of_markdown}
 
 
 @each("form", FORMATS)
+@pytest.mark.slow
 def test_words_of_the_author_are_data_in_every_format(form: str) -> None:
     told = written(form)
     for words in (*NASTY.values(), *WORDS):
@@ -335,6 +336,7 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
 
 
 @each("name", SOURCES)
+@pytest.mark.slow
 def test_scenes_of_the_package_say_what_their_documents_do(name: str) -> None:
     page = words_of(title_page(noted(name)))
     assert set(SOURCES[name]) <= set(page)

@@ -53,6 +53,7 @@ def test_what_is_referred_to_is_there_once(name: str, language: str) -> None:
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.slow
 def test_a_note_speaks_one_language(language: str) -> None:
     """English texts hold no Cyrillic letter but in what the scene itself is called."""
     words = [

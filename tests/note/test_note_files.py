@@ -24,6 +24,7 @@ FORMS = ["pdf", "html", "docx", "md"]
 
 
 @pytest.mark.parametrize("form", FORMS)
+@pytest.mark.slow
 def test_the_same_note_has_the_same_bytes(form: str) -> None:
     again = files(noted(NAME), "note", (form,))[f"note.{form}"]
     told = again.encode("utf-8") if isinstance(again, str) else again

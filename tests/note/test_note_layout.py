@@ -71,6 +71,7 @@ def test_figures_and_tables_stand_in_their_sections() -> None:
     assert seen == due
 
 
+@pytest.mark.slow
 def test_a_table_that_goes_on_says_so() -> None:
     """A page that begins in a table begins with its number; one that begins otherwise does not."""
     told = [bool(GOES_ON.match(page[0].words)) for page in pages_of(CASE)]

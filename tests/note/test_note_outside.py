@@ -110,6 +110,7 @@ def _right(what: str, language: str, folder: Path) -> None:
 
 @pytest.mark.turns(4)
 @pytest.mark.parametrize("what", OUTSIDE)
+@pytest.mark.slow
 def test_a_note_of_any_scene_is_right(
     what: str, folder: Path, many: Callable[[int, int], int]
 ) -> None:
@@ -128,6 +129,7 @@ def test_notes_of_random_scenes_are_right(folder: Path, many: Callable[[int, int
 @pytest.mark.turns(2)
 @pytest.mark.parametrize("name", OWN)
 @pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.slow
 def test_a_note_of_the_package_is_right(name: str, language: str) -> None:
     made = _told(_made(scene(name)), language)
     assert not list(faults(made, note(made)))

@@ -77,6 +77,7 @@ def _results(document: Document) -> Iterator[tuple[str, float, float, float]]:
 
 
 @pytest.mark.parametrize("name", ["slotting", "project", "cam", "gear-pair"])
+@pytest.mark.slow
 def test_results_agree_with_the_figures_printed_before_them(name: str) -> None:
     """Within their last digit: what comes of lengths read to 0.1 mm has no more digits than these give."""
     document = note_of_case(name) if name == "slotting" else noted(name)

@@ -23,6 +23,7 @@ def _lines() -> list[str]:
 RESISTS = "Момент сопротивления отложен выше оси"
 
 
+@pytest.mark.slow
 def test_figures_that_are_told_together_are_named_once() -> None:
     """«рис. 9, 10», not «рис. 9, рис. 10»; a figure whose parts are all meant has no letters."""
     told = [line for line in _lines() if "показано на рис." in line]
@@ -116,6 +117,7 @@ STIFF = (
 )
 
 
+@pytest.mark.slow
 def test_english_is_plain() -> None:
     document = noted("cam", "en"), noted("slider-diagrams", "en")
     words = " ".join(
@@ -129,6 +131,7 @@ def test_english_is_plain() -> None:
     assert [phrase for phrase in STIFF if phrase in words] == []
 
 
+@pytest.mark.slow
 def test_a_docx_does_not_end_in_a_page_of_two_lines() -> None:
     """The literature stands on one page with its heading."""
     text = parts(case_file("slotting", "docx"))["word/document.xml"].decode()

@@ -81,6 +81,7 @@ def test_every_number_stands_in_the_log(name: str, language: str) -> None:
     assert not wrong, wrong[:5]
 
 
+@pytest.mark.slow
 def test_the_forces_are_told_in_the_order_of_the_book() -> None:
     """(338), the resolutions, both couples, what acts on the machine, inertia, both orders, P′, equal works."""
     in_order(
@@ -107,6 +108,7 @@ def test_the_figure_of_all_forces_is_in_the_note_of_every_engine() -> None:
     assert "положение 2" in _words(found)
 
 
+@pytest.mark.slow
 def test_the_book_s_example_stands_in_a_table() -> None:
     """At 0°, 90°, 180°: 134.2, −20.7, −92.9 m/s²; −292.5, 45, 202.5 kgf; the orders 247.5 and 45."""
     table = next(
@@ -221,6 +223,7 @@ def test_a_cycle_of_moments_has_no_word_of_links() -> None:
 
 
 @pytest.mark.parametrize("name", ["moment-cycle", "locomobile", "engine"])
+@pytest.mark.slow
 def test_no_letter_stands_in_its_mark_up(name: str) -> None:
     """Words hold no raw index: T_м is a symbol, not text."""
     own = (Heading, Picture, Table)

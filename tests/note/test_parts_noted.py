@@ -83,6 +83,7 @@ DIAGRAMS = {
 
 @pytest.mark.turns(2)
 @pytest.mark.parametrize("kind", sorted(DIAGRAMS))
+@pytest.mark.slow
 def test_every_number_of_diagrams_stands_in_the_log(kind: str, tmp_path: Path) -> None:
     text = (SHEETS / "slider-diagrams" / "scene.toml").read_text(encoding="utf-8")
     before, _, rest = text.partition("[diagrams]")

@@ -72,6 +72,7 @@ def held(found: Turned) -> int:
 
 @pytest.mark.turns(2)
 @pytest.mark.parametrize("seed", range(10))
+@pytest.mark.slow
 def test_mechanisms_at_their_limits_have_a_page(seed: int) -> None:
     pick = random.Random(seed)
     figures = 0

@@ -54,6 +54,7 @@ def _ink(moving: Moving, k: int) -> dict[MovingStroke, list[float]]:
 
 @pytest.mark.turns(2)
 @pytest.mark.parametrize("name", gallery.NAMES)
+@pytest.mark.slow
 def test_at_the_positions_ink_is_that_of_the_sheet(name: str) -> None:
     found = _dense(name)
     own = {one.name: one for one in _moving(found.sheet)}

@@ -177,6 +177,7 @@ def as_told(document: Mapping[str, Any]) -> Told:
 
 @pytest.mark.turns(2)
 @pytest.mark.parametrize(("name", "hand", "seed"), SCENES)
+@pytest.mark.slow
 def test_a_table_of_trials_is_what_a_table_a_trial_comes_to(
     monkeypatch: pytest.MonkeyPatch, name: str, hand: str, seed: int
 ) -> None:

@@ -166,6 +166,7 @@ def test_json_names_the_units(tmp_path: Path) -> None:
 
 @pytest.mark.usefixtures("found_once")
 @pytest.mark.parametrize("wrong", [1.0, 1.5])
+@pytest.mark.slow
 def test_values_are_checked_in_the_units_in_which_they_are_printed(
     wrong: float, tmp_path: Path
 ) -> None:

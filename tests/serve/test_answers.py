@@ -73,6 +73,7 @@ def test_a_refused_value_is_told_by_its_key_and_nothing_is_written(tmp_path: Pat
     run(serving)
 
 
+@pytest.mark.slow
 def test_downloads_are_the_files_of_the_commands(tmp_path: Path) -> None:
     file = small(tmp_path)
     printed("draw", file, "-o", tmp_path / "out", "-f", "svg,html,dxf")

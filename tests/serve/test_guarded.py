@@ -134,6 +134,7 @@ def test_no_other_page_writes_in_a_persons_name(tmp_path: Path) -> None:
     assert file.read_text(encoding="utf-8") == SMALL
 
 
+@pytest.mark.slow
 def test_every_answer_says_what_it_may_do_and_is_kept_nowhere(tmp_path: Path) -> None:
     file = small(tmp_path)
 

@@ -47,6 +47,7 @@ def lever(folder: Path) -> Path:
     return Path(shutil.copy(CASES / "rpr.toml", folder / "lever" / "scene.toml"))
 
 
+@pytest.mark.slow
 def test_plans_of_vectors_may_be_clicked_with_their_letters(tmp_path: Path) -> None:
     file = lever(tmp_path)
     bare = small(tmp_path)
@@ -126,6 +127,7 @@ def test_plans_are_proposed_as_by_the_command(sheet: Sheet, tmp_path: Path) -> N
     run(serving)
 
 
+@pytest.mark.slow
 def test_what_is_not_found_is_told_with_its_remedy(tmp_path: Path) -> None:
     file = lever(tmp_path)
 

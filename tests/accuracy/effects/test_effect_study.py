@@ -41,6 +41,7 @@ OFF = [
 
 
 @pytest.mark.parametrize("switch", OFF)
+@pytest.mark.slow
 def test_what_is_not_called_for_changes_no_byte_of_the_log(
     tmp_path: Path, switch: tuple[str, str]
 ) -> None:
@@ -126,6 +127,7 @@ def against(state: State, letter: str, size: float) -> complex:
     return -size * v / abs(v) if abs(v) > 1e-9 else 0j
 
 
+@pytest.mark.slow
 def test_friction_and_weights_of_a_press_change_what_newton_and_euler_say() -> None:
     """Twelve passes of friction have settled; the ram's load goes by its travel."""
     own = gallery("crank-press")
@@ -164,6 +166,7 @@ def test_friction_and_weights_of_a_press_change_what_newton_and_euler_say() -> N
     agree(effect(found, "load 1, at B"), change(whole, judged(load=0.0)), names)
 
 
+@pytest.mark.slow
 def test_weights_inertia_and_masses_of_a_six_bar_change_what_newton_and_euler_say() -> None:
     """The row begins where E stands farthest left, which is looked for here by halving."""
     scene = gallery("lever")

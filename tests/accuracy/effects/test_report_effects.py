@@ -62,6 +62,7 @@ def loaded(*sizes: float) -> EffectStudy:
     return effects_of(own.asking(forces=replace(order, loads=loads)))
 
 
+@pytest.mark.slow
 def test_of_what_would_be_seen_together_a_part_is_left_out() -> None:
     """Three loads, each of some 0.35 of what is just seen: two of them are not seen, three are."""
     tried = effect(loaded(1.0), "load 2, at B")

@@ -91,6 +91,7 @@ constant = "{constant}"
 
 @pytest.mark.parametrize("constant", ["driving", "resisting"])
 @pytest.mark.parametrize("velocities", ["direct", "turned"])
+@pytest.mark.slow
 def test_a_machine_that_turns_clockwise_needs_the_flywheel_of_its_mirror_image(
     tmp_path: Path, constant: str, velocities: str
 ) -> None:

@@ -75,6 +75,7 @@ def test_forces_of_one_size_have_one_scale_factor() -> None:
         assert bool(scale.own) == (reaches.max() / reaches.min() > ALIKE)
 
 
+@pytest.mark.slow
 def test_caption_tells_what_the_polygon_is_drawn_to() -> None:
     for place, value in [(own().own[0][0], own().own[0][1]), (0, own().value)]:
         told = f"μ_F = {number(value, SCENE.language)} Н/мм"
@@ -88,6 +89,7 @@ def test_size_and_length_agree_at_every_position() -> None:
     np.testing.assert_allclose(lengths * mu, sizes, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_forces_are_those_of_one_scale_factor() -> None:
     single, free = (
         make(otherwise(SCENE, {"forces.positions": "all", **more}), exact=True).boards[0]
@@ -125,6 +127,7 @@ def test_other_angles_and_other_rows_are_drawn_to_that_of_most_positions() -> No
     assert all(np.isfinite(row).all() for row in balance.values())
 
 
+@pytest.mark.slow
 def test_results_of_more_positions_are_told_where_positions_have_their_own() -> None:
     scene = otherwise(read(SHEETS / "windrower" / "scene.toml"), {"forces.positions": "all"})
     drawn = make(scene).mechanism

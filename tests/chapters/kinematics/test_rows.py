@@ -134,6 +134,7 @@ class Case:
 @pytest.mark.parametrize(
     ("seed", "plan"), [(1, "direct"), (2, "turned"), (3, "turned"), (4, "direct")]
 )
+@pytest.mark.slow
 def test_rows_are_those_of_the_vector_loops(seed: int, plan: str, tmp_path: Path) -> None:
     case = Case(seed, plan)
     drawn = case.drawn(tmp_path)

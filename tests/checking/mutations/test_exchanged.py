@@ -12,6 +12,7 @@ ALONG = next(kind for kind in KINDS if kind.name == "t along the link")
 
 
 @pytest.mark.parametrize("seed", [93000, 93001])
+@pytest.mark.slow
 def test_directions_of_two_lines_that_meet_are_exchanged(seed: int) -> None:
     """The velocity along the lever is drawn across it, that across it along it."""
     drawing = student(MACHINES["six"], seed, ALONG, way="mm and rates", mu=None, mu_rows=True)

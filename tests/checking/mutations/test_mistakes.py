@@ -34,6 +34,7 @@ def test_figures_of_parts_are_those_of_each_mistake(monkeypatch: pytest.MonkeyPa
 
 
 @pytest.mark.parametrize("name", ["crank-rocker", "engine"])
+@pytest.mark.slow
 def test_what_no_part_reaches_none_of_it_moves(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
     made = exact(name)
     offered = mistakes.Offered(made, made.boards[0])

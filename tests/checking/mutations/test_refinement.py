@@ -29,6 +29,7 @@ def test_usual_numbers_are_told_once(name: str) -> None:
 @pytest.mark.parametrize(
     "name", ["arc of AB with a wrong opening", "arc of BC with a wrong opening"]
 )
+@pytest.mark.slow
 def test_an_arc_struck_with_another_opening_is_no_given_misread(name: str) -> None:
     """The link is drawn with that opening, and angular velocities are calculated with its own length."""
     drawing = with_mistake(kind_of(name), 1, 83000)

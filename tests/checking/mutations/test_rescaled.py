@@ -6,6 +6,7 @@ import pytest
 from support.own_told import kind_of, report_of, scales, told, with_mistake
 
 
+@pytest.mark.slow
 def test_a_mistake_tells_the_scale_factor_of_its_graph() -> None:
     """No length of S has the right ratio: it is counted from another zero, in another scale factor."""
     drawing = with_mistake(kind_of("S from another zero"), 0, 61000)

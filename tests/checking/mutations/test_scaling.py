@@ -34,6 +34,7 @@ def test_it_is_known_who_says_a_scale_factor() -> None:
         "S from another zero",
     ],
 )
+@pytest.mark.slow
 def test_no_false_multiple_in_an_unstated_scale_is_sure(name: str) -> None:
     """Each was named falsely, and sure, in the student's own scale factors."""
     drawing = with_mistake(kind_of(name), 0)
@@ -54,6 +55,7 @@ def test_two_names_are_sure_where_somebody_states_the_scale(stated: str, sure: f
     assert [chance for _, chance in Scaling(frozenset({stated})).weighed(said)] == [sure, sure]
 
 
+@pytest.mark.slow
 def test_a_graph_whose_rows_say_its_scale_factor_has_no_other() -> None:
     """S is half as long as due, its mm and values agree: that is a mistake."""
     drawing = with_mistake(kind_of("S not scaled"), 1, 83000)

@@ -61,6 +61,7 @@ def nothing(one: Taken) -> float:
         (("velocities", "pc", ""), nothing, "table", "left out"),
     ],
 )
+@pytest.mark.slow
 def test_it_is_told_where_it_was_written(
     where: tuple[str, str, str], change: Change, family: str, says: str
 ) -> None:
@@ -72,6 +73,7 @@ def test_it_is_told_where_it_was_written(
 
 
 @pytest.mark.parametrize("times", [0.87, 1.0, 1.25])
+@pytest.mark.slow
 def test_a_reversed_diagram_is_told_in_whatever_scale(times: float) -> None:
     """All signs of a are reversed, and it is 1.3, 1.5, 1.9 times as long as due: no scale factor does that."""
     rows = [
@@ -88,6 +90,7 @@ def test_a_reversed_diagram_is_told_in_whatever_scale(times: float) -> None:
     ("axis", "there"),
     [("x", lambda one: one._replace(x=-one.x)), ("y", lambda one: one._replace(y=-one.y))],
 )
+@pytest.mark.slow
 def test_points_of_a_plan_counted_the_other_way_are_told_as_that(
     axis: str, there: Callable[[Taken], Taken]
 ) -> None:

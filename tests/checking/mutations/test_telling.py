@@ -82,6 +82,7 @@ def test_wrong_figures_of_tables_lead_to_a_finding(tmp_path: Path) -> None:
     )
 
 
+@pytest.mark.slow
 def test_a_force_that_was_found_about_another_point_is_no_slip() -> None:
     """Perhaps it is that: the scale factor of the forces is the student's own."""
     report = report_of(with_mistake(kind_of("moments about A"), 0))
@@ -92,6 +93,7 @@ def test_a_force_that_was_found_about_another_point_is_no_slip() -> None:
     assert "A was taken instead of B" in first.says
 
 
+@pytest.mark.slow
 def test_a_result_that_no_other_reading_confirms_is_no_sure_slip() -> None:
     """It may be what it was found from: here it is."""
     report = report_of(with_mistake(kind_of("balancing force by the diameter, header"), 0))

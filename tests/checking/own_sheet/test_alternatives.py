@@ -44,6 +44,7 @@ def spots(view: View) -> dict[str, complex]:
 
 
 @pytest.mark.parametrize("turn", [1.0, 1j])
+@pytest.mark.slow
 def test_what_is_due_agrees_best_with_its_own_pencil(turn: complex) -> None:
     due = others().due("accelerations", "1").turned(turn)
     flat = pencilled(due)
@@ -54,6 +55,7 @@ def test_what_is_due_agrees_best_with_its_own_pencil(turn: complex) -> None:
 
 
 @pytest.mark.parametrize("says", ["from {now} instead", "away from the centre"])
+@pytest.mark.slow
 def test_a_mutation_is_found_by_its_pencil(says: str) -> None:
     due = others().due("accelerations", "1")
     rows = [

@@ -66,6 +66,7 @@ RIGHT = [
 
 
 @pytest.mark.parametrize("number", range(len(RIGHT)))
+@pytest.mark.slow
 def test_a_right_drawing_is_read_in_its_own_scale_and_turn(number: int) -> None:
     kind = RIGHT[number]
     one = own(kind)
@@ -124,6 +125,7 @@ def test_where_nothing_is_drawn_nothing_is_read() -> None:
 
 
 @pytest.mark.parametrize("times", [0.8, 1.0])
+@pytest.mark.slow
 def test_positions_upon_one_another_are_read_by_the_crank_s_pivot_and_pin(times: float) -> None:
     drawn = own_positions(times)
     found = read_clicked(exact("fb"), drawn.flat, drawn.clicked, HANDS["student"])

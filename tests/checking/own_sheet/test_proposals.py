@@ -39,6 +39,7 @@ def proposed(kind: Kind, machine: str = "") -> tuple[Proposal, ...]:
         Kind("rpr", turn=-90.0, mu={V: 1.25, A: 1.0}),
     ],
 )
+@pytest.mark.slow
 def test_plans_are_proposed_where_they_stand_in_the_students_scale_factor(kind: Kind) -> None:
     due = {(one.plan, one.position): one for one in own_plans(kind).clicked}
     found = proposed(kind)
@@ -52,10 +53,12 @@ def test_plans_are_proposed_where_they_stand_in_the_students_scale_factor(kind: 
 
 
 @pytest.mark.parametrize(("kind", "machine"), [("sc", "fb"), ("fb", "rpr"), ("rpr", "sc")])
+@pytest.mark.slow
 def test_nothing_is_proposed_of_a_mechanism_that_was_not_drawn(kind: str, machine: str) -> None:
     assert proposed(Kind(kind), machine) == ()
 
 
+@pytest.mark.slow
 def test_a_plan_that_was_drawn_wrongly_is_not_proposed() -> None:
     kind = Kind("sc", "t from a", mu={V: 1.0, A: 1.25})
     assert {one.plan.plan for one in proposed(kind)} == {V}

@@ -45,6 +45,7 @@ def photograph(
         ((15.0, 250.0), Light(table=150.0), 0.8),
     ],
 )
+@pytest.mark.slow
 def test_corners_are_where_the_edges_of_the_paper_meet(
     tilt: tuple[float, float], light: Light, squares: float
 ) -> None:

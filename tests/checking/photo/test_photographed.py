@@ -56,6 +56,7 @@ def test_photographs_go_to_the_limits_that_are_promised() -> None:
     assert all(one.wide == 4000 for one in several)
 
 
+@pytest.mark.slow
 def test_points_that_pencil_shows_by_themselves_are_some_of_those_drawn() -> None:
     points = taken(4, SMALL).points
     apart = {key for key, one in points.items() if one.apart}

@@ -136,6 +136,7 @@ def test_titles_that_are_missing_are_told(folder):
     language=st.sampled_from(["en", "ru"]),
 )
 @settings(max_examples=30, deadline=None)
+@pytest.mark.slow
 def test_what_is_written_is_read_back(folder, rows, language):
     taken = [
         Taken(plan, position, segment, mm, value, "m/s" if value is not None else "")

@@ -102,6 +102,7 @@ def test_killed_at_any_moment(tmp_path: Path) -> None:
     assert all(0 < count < COUNT for count in kept), kept
 
 
+@pytest.mark.slow
 def test_broken_off_by_the_terminal(tmp_path: Path) -> None:
     """Ctrl-C reaches every process of the terminal; only the first one hears it."""
     import os

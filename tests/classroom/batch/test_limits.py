@@ -74,6 +74,7 @@ def test_where_it_was_is_told_where_faults_are(told: bool) -> None:
     assert ("in never" in done.stderr) == told
 
 
+@pytest.mark.slow
 def test_what_ends_in_time_is_left_alone() -> None:
     with ending_after(0.2):
         pass

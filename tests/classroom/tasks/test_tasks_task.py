@@ -269,6 +269,7 @@ def test_a_task_is_a_true_a4_sheet_and_says_what_is_wanted(
 
 
 @pytest.mark.parametrize("name", ALL)
+@pytest.mark.slow
 def test_sentences_are_numbered_one_after_another(name: str) -> None:
     told = [word for svg in sheets(name) for word in words(svg)]
     numbers = [int(m[1]) for word in told if (m := re.match(r"(\d+)\. [А-ЯA-Z]", word))]

@@ -42,6 +42,7 @@ def texts(files: object) -> str:
     return " ".join(word for view in found for one in view.values() for word in one.words)
 
 
+@pytest.mark.slow
 def test_tasks_and_keys_stand_in_folders_of_their_own() -> None:
     found = works(BASE, VARIANTS)
     assert [work.name for work in found] == ["tasks/7", "keys/7", "tasks/8а", "keys/8а"]
@@ -62,6 +63,7 @@ def test_a_task_tells_the_values_of_its_variant() -> None:
     assert " 104 " in second
 
 
+@pytest.mark.slow
 def test_a_key_holds_the_scene_of_its_variant() -> None:
     key = works(BASE, VARIANTS[:1], keys=("table",), start=start())[1]
     files = once(key).files
@@ -92,6 +94,7 @@ def test_a_value_that_cannot_be_set_is_told_with_its_variant() -> None:
         works(BASE, (Variant("1", (Value("OZ", "1"),), 5),), "table.csv")
 
 
+@pytest.mark.slow
 def test_the_command_writes_tasks_and_keys_of_a_table(tmp_path: Path) -> None:
     table = tmp_path / "class.csv"
     table.write_text("variant,drive.speed\n1,12 1/s\n2,14 1/s\n", encoding="utf-8")

@@ -60,11 +60,13 @@ def test_motion_is_that_of_the_loops(drawn: Sampled) -> None:
         reject()
 
 
+@pytest.mark.slow
 def test_enough_mechanisms_are_compared() -> None:
     assert sum(moved(drawn) for drawn in sample(30, seed=5, dyads=(1, 2))) >= 20
 
 
 @pytest.mark.parametrize("seed", range(3))
+@pytest.mark.slow
 def test_forces_are_those_of_newton_and_euler(seed: int) -> None:
     pick, compared = random.Random(seed), 0
     for k, drawn in enumerate(sample(6, seed=300 + seed, dyads=(1, 2))):

@@ -71,6 +71,7 @@ def plans(name: str) -> tuple[Plan, ...]:
 @pytest.mark.turns(2)
 @pytest.mark.parametrize("exact", [True, False])
 @pytest.mark.parametrize("name", SCENES)
+@pytest.mark.slow
 def test_a_call_says_what_the_first_of_a_scene_says(name: str, exact: bool) -> None:
     """Counts go up and down, so that nothing of a call can be left in the next."""
     scene = SCENES[name]()
