@@ -55,11 +55,13 @@ class Posed(NamedTuple):
     """A mechanism in one position, for what acts on it to be shown.
 
     ``spot``: a letter and the number of its link -> where it stands (complex, mm) and which way it goes (of
-    length 1, 0 where it stands still); KeyError if there is no such point. ``size``: of letters, mm.
+    length 1, 0 where it stands still); KeyError if there is no such point. ``size``: of letters, mm. ``turn``:
+    the number of a link -> which way its own x axis points (of length 1).
     """
 
     spot: Callable[[str, int], tuple[complex, complex]]
     size: float
+    turn: Callable[[int], complex]
 
 
 class Acting(NamedTuple):

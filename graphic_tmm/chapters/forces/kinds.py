@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import dataclass
+
 from graphic_tmm.board.bounds import Bound
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
@@ -20,19 +23,40 @@ _RESISTING = (
     "против скорости",
     "против вращения",
 )
+_SAYS = re.compile(
+    r"(?:(?P<along>along|вдоль)|(?P<square>square to|перпендикулярно)|(?P<angle>.+?) (?:to|к)) (?P<line>\S+)"
+)
 
 
-def _direction(value: object, names: Names) -> float | str:
+@dataclass(frozen=True)
+class Along:
+    """A direction that turns with the links: of a line on the plan of positions, turned ``by`` degrees from it.
+
+    ``line``: two letters, from the first to the second, or the name of a guide of any link.
+    """
+
+    line: str
+    by: float = 0.0
+
+
+def _direction(value: object, names: Names) -> float | str | Along:
     if value in _RESISTING:
         return AGAINST
+    told = _SAYS.fullmatch(value) if isinstance(value, str) else None
     try:
-        return quantities.parse(value, "angle")
+        if told is None:
+            return quantities.parse(value, "angle")
+        by = 90.0 if told["square"] else 0.0
+        return Along(
+            told["line"], quantities.parse(told["angle"], "angle") if told["angle"] else by
+        )
     except ValueError:
         raise ValueError(
             stands(
                 value,
                 said(
-                    'write "against velocity", "against rotation", or the angle from the x axis, "-90 deg"'
+                    'write "against velocity", "against rotation", the angle from the x axis, "-90 deg", or '
+                    'what turns with a link: "along AC", "square to AC", "30 deg to AC"'
                 ),
             )
         ) from None

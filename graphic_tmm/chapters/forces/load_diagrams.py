@@ -1,9 +1,9 @@
-"""What a scene gives of loads and friction: lists, and diagrams of what varies over the travel or turn."""
+"""Diagrams of the loads that vary over the travel of a slider, over the turn, or by positions."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -11,8 +11,8 @@ import numpy as np
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
-from graphic_tmm.chapters.forces.task import ASKED, Load
 from graphic_tmm.chapters.forces.task import LOADS as PLACE
+from graphic_tmm.chapters.forces.task import Load
 from graphic_tmm.chapters.forces.words import LOAD
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.task import POSITIONS
@@ -20,7 +20,6 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import choices
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
-from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.axes import base_figures, tick_figures
@@ -30,69 +29,8 @@ from graphic_tmm.paper.formats import Heights, heights
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 from graphic_tmm.paper.views import captioned, mu_text
-from graphic_tmm.readers.task_sheet import SIZE, Given
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
-
-
-def given(scene: Scene) -> Iterator[Given]:
-    """Yield the loads, the largest of one that varies, and the coefficients and pins of friction."""
-    order = ASKED.of(scene)
-    if order is None:
-        return
-    for letter, load in zip(letters(order.loads), order.loads, strict=True):
-        sizes = sizes_of(load)
-        unit = "N·m" if load.point is None else "N"
-        if varies(load):
-            yield Given(braced(letter, "max"), max(sizes, key=abs), unit)
-        else:
-            yield Given(letter, sizes[0], unit)
-    if order.friction is not None:
-        yield from _by_pair("f", order.friction.f, "")
-        radii = {name: radius for name, radius in order.friction.radius.items() if radius}
-        yield from _by_pair("r", radii, SIZE)
-
-
-def stated(scene: Scene, language: str) -> Iterator[str]:
-    """Tell what acts on the links besides loads, and in which positions forces are wanted."""
-    order = ASKED.of(scene)
-    if order is None:
-        return
-    _ = speaking(language)
-    if order.gravity and order.inertia:
-        yield _(_BOTH)
-    elif order.gravity or order.inertia:
-        yield _(_WEIGHT if order.gravity else _INERTIA)
-    if told := wanted_positions(scene, language):
-        yield told
-
-
-def wanted_positions(scene: Scene, language: str) -> str:
-    """Tell in which positions forces are wanted; "" if in all of them."""
-    order = ASKED.of(scene)
-    if order is None or order.positions == ("all",):
-        return ""
-    return speaking(language)(_POSITIONS, n=len(order.positions), listed=", ".join(order.positions))
-
-
-_BOTH = said("Weights and inertia forces of the links are taken into account.")
-_WEIGHT = said("Weights of the links are taken into account, inertia forces are not.")
-_INERTIA = said("Inertia forces of the links are taken into account, weights are not.")
-_POSITIONS = said(
-    "Forces are wanted in position {listed}.", "Forces are wanted in positions {listed}."
-)
-
-
-def _by_pair(letter: str, values: Mapping[str, float], unit: str) -> Iterator[Given]:
-    """Yield the value of every pair; one that most of them have is told once for all that are not named."""
-    if not values:
-        return
-    (most, times), *_ = Counter(values.values()).most_common(1)
-    if times > 1:
-        yield Given(letter, most, unit)
-    for name, value in values.items():
-        if times == 1 or value != most:
-            yield Given(f"{letter}_{{{name}}}", value, unit)
 
 
 def letters(loads: tuple[Load, ...]) -> list[str]:

@@ -29,6 +29,8 @@ from graphic_tmm.board.operations.statics import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import words as why
+from graphic_tmm.chapters.forces.directions import draw_along
+from graphic_tmm.chapters.forces.kinds import Along
 from graphic_tmm.chapters.forces.task import AGAINST, ForcesTask, Load
 from graphic_tmm.chapters.forces.travel import TURN, by_travel, size_at_turn
 from graphic_tmm.chapters.indicator.plan import Cylinder
@@ -267,9 +269,7 @@ def _given(ground: Ground, load: Load, loads: Loads) -> Force | Couple:
     letter = _letter(ground, "F", load.link)
     if load.direction != AGAINST:
         size = _size(ground, load, letter, "N", loads)
-        line = draft.draw(
-            ray, f"({letter})", point, draft.direction(float(load.direction)), why=why.GIVEN_LINE
-        )
+        line = _line(ground, load.direction, point, letter)
         return Force(letter, load.link, point, line, size, image)
     reading = reading_of(draft, ground.velocities, image)
     if reading is None:
@@ -285,6 +285,15 @@ def _given(ground: Ground, load: Load, loads: Loads) -> Force | Couple:
     line = _against(ground, letter, point, image, reading)
     value = draft.draw(with_motion, letter, size, reading, ground.pin_speed, unit="N")
     return Force(letter, load.link, point, line, value, image)
+
+
+def _line(ground: Ground, direction: float | str | Along, point: Mark, letter: str) -> Mark:
+    """Draw the line of action of a load, in a direction fixed in the sheet or in one that turns with a link."""
+    draft = ground.draft
+    if isinstance(direction, Along):
+        return draw_along(draft, ground.positions, ground.mechanism, direction, point, letter)
+    degrees = draft.direction(float(direction))
+    return draft.draw(ray, f"({letter})", point, degrees, why=why.GIVEN_LINE)
 
 
 def _letter(ground: Ground, symbol: str, link: int) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from graphic_tmm.chapters.forces import task
+from graphic_tmm.chapters.forces.kinds import Along
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import letters
 from graphic_tmm.scene.declare import Flaw, Path, Said, Section
@@ -55,7 +56,33 @@ def _load(path: Path, load: Said, names: Outline, count: int | None) -> Iterator
         yield Flaw((*path, "point"), letters.unknown(says, load.point, own, what))
     if load.of is not None and load.of not in names.moving:
         yield Flaw((*path, "of"), no_moving(load.of, names))
+    if isinstance(load.direction, Along):
+        yield from _turning(path, load, names)
     yield from _size(path, load, count)
+
+
+def _turning(path: Path, load: Said, names: Outline) -> Iterator[Flaw]:
+    """Say what is wrong with a direction that turns with the links: of two letters, or of a guide."""
+    at, line = (*path, "direction"), load.direction.line
+    if load.point is None:
+        yield Flaw(at, said("a moment has no line of action; leave the direction out"))
+    pair = letters.split(line)
+    if pair is not None and set(pair) <= set(names.letters):
+        if pair[0] == pair[1]:
+            yield Flaw(at, said('"{line}" names one letter twice; name two letters', line=line))
+        return
+    owners = [number for number, body in names.bodies.items() if line in body.guides]
+    if len(owners) > 1:
+        says = said(
+            'links {links} have guides called "{line}"; name two letters, "along AC", or call one otherwise',
+            links=", ".join(map(str, owners)),
+            line=line,
+        )
+        yield Flaw(at, says)
+    elif not owners:
+        known = [name for body in names.bodies.values() for name in body.guides]
+        says = said('"{line}" is neither two letters of the mechanism nor a guide', line=line[:20])
+        yield Flaw(at, letters.unknown(says, line, known, said("guides of the mechanism")))
 
 
 def _size(path: Path, load: Said, count: int | None) -> Iterator[Flaw]:

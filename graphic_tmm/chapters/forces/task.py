@@ -58,10 +58,10 @@ def _size(said: Said) -> float | tuple[float, ...]:
     return told[-1] if told else 0.0
 
 
-def _direction(said: Said) -> float | str:
+def _direction(said: Said) -> float | str | w.Along:
     if said.direction is None:
         return AGAINST if said.point is not None else 0.0
-    found: float | str = said.direction
+    found: float | str | w.Along = said.direction
     return found
 
 
@@ -71,8 +71,8 @@ class Load:
 
     A force in N; a moment in N·m on the link where ``point`` is None. ``size``: constant; or at every position
     of the row; ``by_angle``: at turns of the crank from the zero position (degrees, in order), straight between
-    them; ``travel``. ``direction``: degrees, fixed in the sheet; or `AGAINST`. A moment with a direction in
-    degrees is counter-clockwise positive.
+    them; ``travel``. ``direction``: degrees, fixed in the sheet; `Along`, which turns with the links; or
+    `AGAINST`. A moment with a direction in degrees is counter-clockwise positive.
     """
 
     link: int = key(v.LINK_NUMBER, "the number of the link", 5)
@@ -84,12 +84,13 @@ class Load:
         moment=key(w.MOMENT, "a moment, counter-clockwise positive", "12 N*m", None),
         by_position=key(w.SIZES, "its size in each position", ["190 N", "0 N"], None),
     )
-    direction: float | str = combined_key(
+    direction: float | str | w.Along = combined_key(
         _direction,
         AGAINST,
         direction=key(
             w.DIRECTION,
-            "an angle from the x axis, or against velocity, or against rotation",
+            "an angle from the x axis; against velocity, or against rotation; or turning with a link: along AC "
+            "(from A to C) or a guide z, square to BC (+90°), 30 deg to BC",
             "against velocity",
             None,
         ),

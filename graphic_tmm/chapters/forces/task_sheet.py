@@ -6,20 +6,18 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 
-from graphic_tmm.chapters.forces.load_diagrams import (
-    given,
-    letters,
-    stated,
-    varies,
-    wanted_positions,
-)
+from graphic_tmm.chapters.forces.directions import all_letters, owner_of, two_letters
+from graphic_tmm.chapters.forces.given import given, stated, wanted_positions
+from graphic_tmm.chapters.forces.kinds import Along
+from graphic_tmm.chapters.forces.load_diagrams import letters, varies
 from graphic_tmm.chapters.forces.task import AGAINST, ASKED, Load
 from graphic_tmm.chapters.indicator import given as gas
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.mechanism.records import Link
+from graphic_tmm.mechanism.guides import turn
+from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.paper.drawing import Wanted
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.symbols.dimensions import arrow
@@ -108,20 +106,39 @@ def acting(scene: Scene, posed: Posed) -> Iterator[Acting]:
         return
     for letter, load in zip(letters(order.loads), order.loads, strict=True):
         if load.point is not None:
-            yield _force(posed, letter, load, load.point)
+            yield _force(posed, letter, load, load.point, mechanism)
         else:
             yield _moment(posed, letter, load, mechanism.by_number[load.link])
     yield from gas.acting(order.gas, scene, posed)
 
 
-def _force(posed: Posed, letter: str, load: Load, point: str) -> Acting:
+def _force(posed: Posed, letter: str, load: Load, point: str, mechanism: Mechanism) -> Acting:
     at, going = posed.spot(point, load.link)
-    fixed = None if isinstance(load.direction, str) else math.radians(load.direction)
-    way = -going if fixed is None else cmath.rect(1.0, fixed)
+    match load.direction:
+        case Along():
+            way = _along(posed, load.direction, mechanism)
+        case str():
+            way = -going
+        case degrees:
+            way = cmath.rect(1.0, math.radians(degrees))
     if not way:
         return Acting((), ())
     strokes = tuple(one._replace(part="load") for one in arrow(at, at + LONG * way, "main"))
     return Acting(strokes, (Wanted(markup(letter), at + LONG * way, posed.size, 1.5, way),))
+
+
+def _along(posed: Posed, along: Along, mechanism: Mechanism) -> complex:
+    """Return the direction of a load that turns with the links; 0 where its two points are one."""
+    pair = two_letters(along.line, all_letters(mechanism))
+    if pair is not None:
+        links = mechanism.by_number.items()
+        on = (next(k for k, link in links if letter in link.points) for letter in pair)
+        start, end = (posed.spot(letter, link)[0] for letter, link in zip(pair, on, strict=True))
+        way = (end - start) / (abs(end - start) or 1.0)
+    else:
+        number, guide = owner_of(along.line, mechanism)
+        way = posed.turn(number) * turn(guide.angle)
+    return way * turn(along.by)
 
 
 def _moment(posed: Posed, letter: str, load: Load, link: Link) -> Acting:

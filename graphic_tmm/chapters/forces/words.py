@@ -93,6 +93,9 @@ SINGLE_LINE = said(
     "The single force has the size and direction of the inertia force; only its line is shifted."
 )
 GIVEN_LINE = said("The load acts at its point in the direction that the task gives.")
+TURNING_LINE = said(
+    "The direction of the load turns with the mechanism: it is taken from the plan of positions."
+)
 AGAINST_VELOCITY = said("A useful resistance acts along the velocity of its point, against it.")
 GAS_LINE = said(
     "The gas presses on the piston along the cylinder, from the cover towards the crank."

@@ -199,19 +199,24 @@ def lay_out(draft: Draft, axis: Mark, letter: str, anchor: str, x: float, y: flo
     return draft.draw(place, letter, axis, along, left, why=why.POINT)
 
 
-def incline_by(draft: Draft, name: str, through: Mark, to: Mark, degrees: float) -> Mark:
+def incline_by(
+    draft: Draft,
+    name: str,
+    through: Mark,
+    to: Mark,
+    degrees: float,
+    because: str = why.SLIDER_PATH,
+) -> Mark:
     """Draw a line through a point at an angle to another line: parallel, square or by the protractor."""
     rest = degrees % 360.0
     name = f"({name})"
     if rest in (0.0, 180.0):
-        return draft.draw(
-            parallel, name, through, to, sense=1 if rest == 0.0 else -1, why=why.SLIDER_PATH
-        )
+        sense = 1 if rest == 0.0 else -1
+        return draft.draw(parallel, name, through, to, sense=sense, why=because)
     if rest in (90.0, 270.0):
-        return draft.draw(
-            square, name, through, to, sense=1 if rest == 90.0 else -1, why=why.SLIDER_PATH
-        )
-    return draft.draw(incline, name, through, to, draft.direction(degrees), why=why.SLIDER_PATH)
+        sense = 1 if rest == 90.0 else -1
+        return draft.draw(square, name, through, to, sense=sense, why=because)
+    return draft.draw(incline, name, through, to, draft.direction(degrees), why=because)
 
 
 def nearest(body: Body, pair: Pair, levelled: float) -> str:
@@ -276,7 +281,7 @@ def tell_group(
     for leg in closing.legs:
         if not isinstance(leg, GuideLeg):
             continue
-        pair = _pair(closing, leg)
+        pair = pair_of(closing, leg)
         slider, owner = pair.links
         at = _stone(bodies, closing, leg, slider)
         filled = pair.slide.cylinder if pair.slide is not None else ""
@@ -289,7 +294,8 @@ def tell_group(
         draft.figure("guide", str(owner), at, leg.line, *turning)
 
 
-def _pair(closing: Closing, leg: GuideLeg) -> Pair:
+def pair_of(closing: Closing, leg: GuideLeg) -> Pair:
+    """Return the sliding pair of a leg."""
     group = closing.group
     return group.inner if leg.inner else next(k.pair for k in group.legs if k.link == leg.link)
 
@@ -300,7 +306,7 @@ def _stone(bodies: dict[int, Body], closing: Closing, leg: GuideLeg, slider: int
         return closing.point if leg.inner else closing.root
     if leg.inner:
         return closing.root
-    pair, held, body = _pair(closing, leg), bodies[leg.link], bodies[leg.on]
+    pair, held, body = pair_of(closing, leg), bodies[leg.link], bodies[leg.on]
     letter = next(k for k, mark in held.marks.items() if mark == closing.root)
     return body.marks[nearest(body, pair, level(pair, leg.link, held.own[letter]))]
 

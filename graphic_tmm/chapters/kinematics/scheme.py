@@ -12,6 +12,7 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import LENGTHS, standard_length
 from graphic_tmm.board.values import Reals, undefined
+from graphic_tmm.chapters.kinematics.bodies import GuideLeg, legs_of, pair_of
 from graphic_tmm.chapters.kinematics.given import frame_sizes
 from graphic_tmm.chapters.kinematics.ink_numbers import guide_names, link_numbers
 from graphic_tmm.chapters.kinematics.ink_positions import SWEEP, PositionsInk
@@ -22,6 +23,7 @@ from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.guides import direction, turn
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted
@@ -215,10 +217,14 @@ def _drawing(pose: Pose, mu: float) -> Drawing:
     made, ink = pose.plans, _ink(pose, mu)
     strokes: list[Ink] = [*ink.guides(), *ink.heavy(0)]
     wanted = ink.letters((ink.frame.name, *ink.names), 0, SIZES.point)
-    for turn in _turns(ink, made):
-        strokes += turn.strokes
-        wanted.append(turn.wanted)
-    posed = Posed(lambda letter, link: _spot(made, ink.reading, letter, link), SIZES.point)
+    for arrow in _turns(ink, made):
+        strokes += arrow.strokes
+        wanted.append(arrow.wanted)
+    posed = Posed(
+        lambda letter, link: _spot(made, ink.reading, letter, link),
+        SIZES.point,
+        lambda link: _turn(made, ink.reading, link),
+    )
     found = (
         one for chapter in chapters() for one in TaskSheet.of(chapter).acting(pose.scene, posed)
     )
@@ -264,3 +270,20 @@ def _spot(
     at = np.ravel(reading[made.positions.bodies[link].marks[letter]])
     by = complex(at[-1] - at[0])
     return complex(at[0]), by / abs(by) if abs(by) > 1e-9 else 0j
+
+
+def _turn(made: KinematicPlans, reading: Reading, link: int) -> complex:
+    """Return which way the own x axis of a link points: by its axis, or by its guide."""
+    if link == made.mechanism.frame.number:
+        return 1 + 0j
+    body = made.positions.bodies[link]
+    for closing, leg in legs_of(made.positions.closings, POSITIONS):
+        if not isinstance(leg, GuideLeg) or body.drawn:
+            continue
+        if link in (leg.link, leg.on if leg.inner else None):
+            along = complex(reading[leg.line].along[0, 0])
+            # the line of a rocker runs from its pivot to the stone: its guide may run the other way
+            if leg.inner and closing.legs[1].line == leg.line:
+                along *= float(reading[made.positions.sides[closing.group.name]][0, 0])
+            return along * turn(-direction(pair_of(closing, leg), link))
+    return complex(reading[body.axis].along[0, 0]) * turn(-body.angle)

@@ -10,7 +10,8 @@ import shapely
 from support.boards import drawn_of
 from support.gallery import drawn, scene
 
-from graphic_tmm.chapters.forces.load_diagrams import given, load_views
+from graphic_tmm.chapters.forces.given import given
+from graphic_tmm.chapters.forces.load_diagrams import load_views
 from graphic_tmm.chapters.forces.task import ASKED, Load
 from graphic_tmm.chapters.forces.task import LOADS as PLACE
 from graphic_tmm.chapters.kinematics.views import position_views

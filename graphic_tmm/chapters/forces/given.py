@@ -1,0 +1,92 @@
+"""What a task gives of loads and friction, and what it states of them in words."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+
+from graphic_tmm.chapters.forces.kinds import Along
+from graphic_tmm.chapters.forces.load_diagrams import braced, letters, sizes_of, varies
+from graphic_tmm.chapters.forces.task import ASKED
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.language.symbols import plain, symbol
+from graphic_tmm.readers.task_sheet import SIZE, Given, given_figure
+from graphic_tmm.scene.records import Scene
+
+
+def given(scene: Scene) -> Iterator[Given]:
+    """Yield the loads, the largest of one that varies, and the coefficients and pins of friction."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    for letter, load in zip(letters(order.loads), order.loads, strict=True):
+        sizes = sizes_of(load)
+        unit = "N·m" if load.point is None else "N"
+        if varies(load):
+            yield Given(braced(letter, "max"), max(sizes, key=abs), unit)
+        else:
+            yield Given(letter, sizes[0], unit)
+    if order.friction is not None:
+        yield from _by_pair("f", order.friction.f, "")
+        radii = {name: radius for name, radius in order.friction.radius.items() if radius}
+        yield from _by_pair("r", radii, SIZE)
+
+
+def stated(scene: Scene, language: str) -> Iterator[str]:
+    """Tell what acts on the links besides loads, and in which positions forces are wanted."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    _ = speaking(language)
+    for letter, load in zip(letters(order.loads), order.loads, strict=True):
+        if isinstance(load.direction, Along):
+            yield _turning(load.direction, plain(symbol(letter, language)), language)
+    if order.gravity and order.inertia:
+        yield _(_BOTH)
+    elif order.gravity or order.inertia:
+        yield _(_WEIGHT if order.gravity else _INERTIA)
+    if told := wanted_positions(scene, language):
+        yield told
+
+
+def wanted_positions(scene: Scene, language: str) -> str:
+    """Tell in which positions forces are wanted; "" if in all of them."""
+    order = ASKED.of(scene)
+    if order is None or order.positions == ("all",):
+        return ""
+    return speaking(language)(_POSITIONS, n=len(order.positions), listed=", ".join(order.positions))
+
+
+def _turning(along: Along, letter: str, language: str) -> str:
+    """Tell the direction of a load that turns with the links."""
+    _, by = speaking(language), along.by % 360.0
+    says = {0.0: _ALONG, 90.0: _SQUARE}.get(by, _ANGLE)
+    return _(says, letter=letter, line=along.line, angle=given_figure(along.by, language))
+
+
+_ALONG = said("The direction of {letter} turns with the mechanism: it acts along {line}.")
+_SQUARE = said(
+    "The direction of {letter} turns with the mechanism: {line} turned by 90° counter-clockwise."
+)
+_ANGLE = said(
+    "The direction of {letter} turns with the mechanism: {line} turned by {angle}° counter-clockwise."
+)
+_BOTH = said("Weights and inertia forces of the links are taken into account.")
+_WEIGHT = said("Weights of the links are taken into account, inertia forces are not.")
+_INERTIA = said("Inertia forces of the links are taken into account, weights are not.")
+_POSITIONS = said(
+    "Forces are wanted in position {listed}.", "Forces are wanted in positions {listed}."
+)
+
+
+def _by_pair(letter: str, values: Mapping[str, float], unit: str) -> Iterator[Given]:
+    """Yield the value of every pair; one that most of them have is told once for all that are not named."""
+    if not values:
+        return
+    (most, times), *_ = Counter(values.values()).most_common(1)
+    if times > 1:
+        yield Given(letter, most, unit)
+    for name, value in values.items():
+        if times == 1 or value != most:
+            yield Given(f"{letter}_{{{name}}}", value, unit)
