@@ -20,6 +20,7 @@ from graphic_tmm.chapters.forces.statics import Driver
 from graphic_tmm.chapters.forces.task import ForcesTask, Friction, Load
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.positions import Positions, draw_frame, draw_positions
+from graphic_tmm.chapters.kinematics.survey import survey
 from graphic_tmm.chapters.kinematics.velocities import crank_arm, draw_velocities
 from graphic_tmm.mechanism.structure import Structure, dissect
 from support import dynamics
@@ -105,6 +106,7 @@ def solve(
         accelerations,
         sense if turned else 0,
         draft.board.uses(image)[1],
+        survey(mechanism, structure),
         np.zeros(1),
         1,
     )

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from graphic_tmm.board.grammar import Operation
-from graphic_tmm.board.values import Angle, Reals
+from graphic_tmm.board.values import Angle, Complexes, Number, Point, Reals
 from graphic_tmm.language.said import said
 
 PARTS, PASSES = 16, 14
@@ -73,5 +73,36 @@ def refinement(tried: Callable[[Reals], Reals], sentence: str) -> Operation:
         sentence,
         fails=said("no change of sign between the two angles"),
         # of a trial: its angle laid off, its last segment read; the trial itself comes on top
+        symbol="nP1 + nP2 + nM1 + nR1 + nM3",
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Redraw:
+    """The smaller construction at one angle; where a point of it stands (m), to scale."""
+
+    placed: Callable[[Reals], Complexes]
+
+    def __call__(self, angle: Angle, mu_l: Number) -> Point:
+        rows, mu = np.broadcast_arrays(angle, mu_l)
+        spots = self.placed(rows.reshape(-1, 1)).reshape(rows.shape)
+        return Point(spots / mu)
+
+
+def drawn_once_more(placed: Callable[[Reals], Complexes], sentence: str) -> Operation:
+    """Return the operation that draws a smaller construction once more and marks a point of it.
+
+    ``placed`` runs it at a row of angles (degrees) and returns where the point stands (m); ``sentence`` names
+    the angle as {angle}, the point as {it}.
+    """
+    return Operation(
+        "redraw",
+        _Redraw(placed),
+        (Angle, Number),
+        ("angle", "mu_l"),
+        Point,
+        (),
+        sentence,
+        fails=said("the mechanism cannot be drawn at that angle"),
         symbol="nP1 + nP2 + nM1 + nR1 + nM3",
     )

@@ -95,8 +95,10 @@ def _pairs(value: object, names: Names, *, angle: bool) -> tuple[tuple[float, fl
         at = quantities.parse(item[0], "angle") if angle else v.within(item[0])
         found.append((at, _size(item[1], names)))
     v.follow([at for at, _ in found])
-    if angle and not (found[0][0] >= 0 and found[-1][0] <= 360):
-        raise ValueError(said("the angles go from 0 to 360°, from the zero position on"))
+    if angle and not (found[0][0] >= 0 and found[-1][0] <= 720):
+        raise ValueError(
+            said("the angles go from 0 to 360°, from the zero position on, of two turns to 720°")
+        )
     return tuple(found)
 
 
@@ -128,6 +130,7 @@ BY_ANGLE = Kind(lambda value, names: _pairs(value, names, angle=True), v.PAIRS)
 BY_TRAVEL = Kind(lambda value, names: _pairs(value, names, angle=False), v.PAIRS)
 COEFFICIENT = v.number(Bound(0, 2))
 LIMIT = Kind(_limit, v.bounded(_SHARE, "ratio"), _SHARE, "ratio")
+START = v.AT
 LINKS = Kind(_links, {"type": "array", "items": {"type": "integer"}})
 BALANCE = v.choice("force", "moment", сила="force", момент="moment")
 COUPLES = v.choice("moment", "pair", момент="moment", пара="pair")

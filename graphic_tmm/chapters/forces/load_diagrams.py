@@ -12,7 +12,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.task import LOADS as PLACE
-from graphic_tmm.chapters.forces.task import Load
+from graphic_tmm.chapters.forces.task import TURN, Load, turns_of
 from graphic_tmm.chapters.forces.words import LOAD
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.task import POSITIONS
@@ -128,7 +128,7 @@ def _reach(drawn: Drawn, load: Load, size: Mark) -> tuple[float, str]:
         stroke = travelled(drawn, size)[1]
         return drawn.value(stroke) * mu_l(drawn), "m/mm"
     if load.by_angle:
-        return 360.0, "°/mm"
+        return TURN * turns_of(load.by_angle), "°/mm"
     return float(len(sizes_of(load)) - 1 or 1), ""
 
 

@@ -102,7 +102,7 @@ def loads_along_guides(drawn: Drawn, view: Drawing) -> Iterator[AlongGuide]:
         letter, guide = called(one, language), _Guide(drawn, one)
         scale = choices(drawn).scale(one.view, one.scales[1])
         if len(shown) > 1:
-            scale = scale._replace(symbol=f"μ_{{{letter.replace('_', '').strip('{}')}}}")
+            scale = scale._replace(symbol=f"μ_{{{''.join(k for k in letter if k not in '_{}')}}}")
         diagram, mu = diagram_of(drawn, one, letter), (mu_l(drawn), scale.value)
         sizes = [size / mu[1] for part in diagram.parts for _, size in part.points]
         guide.set_off(view, -min(0.0, *sizes))

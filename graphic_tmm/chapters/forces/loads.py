@@ -31,11 +31,12 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.directions import draw_along
 from graphic_tmm.chapters.forces.kinds import Along
-from graphic_tmm.chapters.forces.task import AGAINST, ForcesTask, Load
-from graphic_tmm.chapters.forces.travel import TURN, by_travel, size_at_turn
+from graphic_tmm.chapters.forces.task import AGAINST, TURN, ForcesTask, Load
+from graphic_tmm.chapters.forces.travel import by_travel, size_at_turn
 from graphic_tmm.chapters.indicator.plan import Cylinder
 from graphic_tmm.chapters.kinematics.motion import Motion, is_signed, reading_of
 from graphic_tmm.chapters.kinematics.positions import Positions
+from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.masses import inertia_of, mass_centre
@@ -120,7 +121,8 @@ class Ground(NamedTuple):
     """What loads are drawn on: the board, the mechanism, its plans, how the velocity plan is turned.
 
     ``quarters``: right angles by which a vector of the velocity plan is turned into its true direction.
-    ``numbers``: where each position stands in a turn of so many ``intervals``; the row has so many ``turns``.
+    ``survey``: the mechanism at any angles. ``numbers``: where each position stands in the row, which has so
+    many ``turns`` of so many ``intervals``.
     """
 
     draft: Draft
@@ -130,6 +132,7 @@ class Ground(NamedTuple):
     accelerations: Motion | None
     quarters: int
     pin_speed: Mark
+    survey: Survey
     numbers: np.ndarray
     intervals: int
     turns: int = 1
@@ -348,9 +351,7 @@ def _size(ground: Ground, load: Load, letter: str, unit: str, loads: Loads) -> M
 def _sized(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
     draft, intervals = ground.draft, ground.intervals
     if load.travel is not None:
-        return by_travel(
-            draft, ground.positions, ground.mechanism, load.travel, ground.numbers, (letter, unit)
-        )
+        return by_travel(draft, ground, load.travel, ground.numbers.size, (letter, unit))
     value: object = load.size
     if load.by_angle:
         value = size_at_turn(load.by_angle, ground.numbers * (TURN / intervals))[None, :]

@@ -124,7 +124,8 @@ def _ground(bench: Bench, machine: Machine, accelerations: Motion | None) -> Gro
         accelerations,
         sense if bench.scene.turned else 0,
         draft.uses(image)[1],
-        machine.numbers % in_turn,
+        machine.survey,
+        machine.numbers,
         in_turn,
         machine.turns,
     )

@@ -17,7 +17,8 @@ def _needs(scene: Scene) -> dict[str, object]:
         needs[ACCELERATIONS] = True
     if order is not None and order.gas is not None:
         needs[INDICATOR] = Wish(1, FORCES, order.gas)
-        needs[TURNS] = order.gas.turns
+    if order is not None and order.turns > 1:
+        needs[TURNS] = order.turns
     return needs
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from graphic_tmm.chapters.forces import task
 from graphic_tmm.chapters.forces.kinds import Along
+from graphic_tmm.chapters.indicator.task import ONE_TURN
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import letters
 from graphic_tmm.scene.declare import Flaw, Path, Said, Section
@@ -39,6 +40,13 @@ def _loads(loads: list[tuple[Path, Said]], parts: Parts) -> Iterator[Flaw]:
     count = parts.drive.positions if parts.drive is not None else None
     for path, load in loads:
         yield from _load(path, load, parts.names, count)
+        for other in ONE_TURN:
+            if other in parts.doc and task.turns_of(load.by_angle or ()) > 1:
+                says = said(
+                    "it goes over two turns, and the graphs of [{other}] over one; give it a scene of its own",
+                    other=other,
+                )
+                yield Flaw((*path, "by_angle"), says)
 
 
 def _load(path: Path, load: Said, names: Outline, count: int | None) -> Iterator[Flaw]:
@@ -111,6 +119,9 @@ def _size(path: Path, load: Said, count: int | None) -> Iterator[Flaw]:
     if load.of is None and strokes:
         says = said('by the travel of which point? write of = "D"')
         yield Flaw((*path, "of"), says)
+    if load.of is None and load.start is not None and not strokes:
+        says = said('the travel of which point begins there? write of = "D"')
+        yield Flaw((*path, "start"), says)
     if load.of is not None and not strokes:
         says = said('it says no size; write out = [[0, "0 N"], [1, "190 N"]], or back')
         yield Flaw((*path, "of"), says)

@@ -21,6 +21,8 @@ LOADS = "load diagram"
 
 
 AGAINST = w.AGAINST
+TURN = 360.0
+"""A turn of the crank, degrees."""
 _BY_SHARES = [[0, "0 N"], [1, "190 N"]]
 
 
@@ -44,18 +46,26 @@ class Effects:
 class Travel:
     """A size by the travel of a point that slides on the frame: shares of the stroke 0 … 1, and sizes.
 
-    ``out`` is the stroke from the zero position, ``back`` the other; an empty one has no load. Two at one share
-    are a jump: there the size holds that the motion comes to.
+    ``out`` is the stroke from where the travel begins, ``back`` the other; an empty one has no load. Two at one
+    share are a jump: there the size holds that the motion comes to. It begins at the zero position if the point
+    turns back there, else where the point is farthest from the crank; ``start`` ("left") where that is told.
     """
 
     of: str
     out: tuple[tuple[float, float], ...] = ()
     back: tuple[tuple[float, float], ...] = ()
+    start: str = ""
 
 
 def _size(said: Said) -> float | tuple[float, ...]:
     told = [one for one in (said.force, said.moment, said.by_position) if one is not None]
     return told[-1] if told else 0.0
+
+
+def _travel(said: Said) -> Travel | None:
+    if said.of is None:
+        return None
+    return Travel(said.of, said.out or (), said.back or (), said.start or "")
 
 
 def _direction(said: Said) -> float | str | w.Along:
@@ -107,7 +117,7 @@ class Load:
         ),
     )
     travel: Travel | None = combined_key(
-        lambda said: None if said.of is None else Travel(said.of, said.out or (), said.back or ()),
+        _travel,
         None,
         of=key(v.TEXT, "the letter of the point by whose travel it is told", "D", None),
         out=key(
@@ -124,7 +134,19 @@ class Load:
             _BY_SHARES,
             None,
         ),
+        start=key(
+            w.START,
+            "at which end of its travel the stroke out begins: left, right, top or bottom; left out: at the "
+            "zero position if the point turns back there, else away from the crank",
+            "left",
+            None,
+        ),
     )
+
+
+def turns_of(points: tuple[tuple[float, float], ...]) -> int:
+    """Return over how many turns of the crank sizes by its turn are given; 1 where there are none."""
+    return 2 if points and points[-1][0] > TURN else 1
 
 
 @dataclass(frozen=True)
@@ -188,6 +210,12 @@ class ForcesTask:
         written="mu_F", fixes="size",
     )  # fmt: skip
     g: float = GRAVITY
+
+    @property
+    def turns(self) -> int:
+        """How many turns of the crank a cycle takes, by the loads and by the gas."""
+        gas = self.gas.turns if self.gas is not None else 1
+        return max([gas, *(turns_of(load.by_angle) for load in self.loads)])
 
 
 ASKED: SectionKey[ForcesTask] = SectionKey("forces")

@@ -10,7 +10,8 @@ from graphic_tmm.chapters.forces.directions import all_letters, owner_of, two_le
 from graphic_tmm.chapters.forces.given import given, stated, wanted_positions
 from graphic_tmm.chapters.forces.kinds import Along
 from graphic_tmm.chapters.forces.load_diagrams import letters, varies
-from graphic_tmm.chapters.forces.task import AGAINST, ASKED, Load
+from graphic_tmm.chapters.forces.task import AGAINST, ASKED, Load, Travel
+from graphic_tmm.chapters.forces.travel import begins_at_zero
 from graphic_tmm.chapters.indicator import given as gas
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -46,6 +47,16 @@ _POLYGONS = said(
     "Reactions in all pairs are found by polygons of forces, group by group; the balancing force is found."
 )
 _SHARE = said("{letter} by the travel of point {point}, from the zero position")
+_SHARE_OUTER = said(
+    "{letter} by the travel of point {point}, from its dead centre away from the crank"
+)
+_SHARE_AT = said("{letter} by the travel of point {point}, from its dead centre {at}")
+AT = {
+    "left": said("at left", context="dead centre"),
+    "right": said("at right", context="dead centre"),
+    "top": said("at top", context="dead centre"),
+    "bottom": said("at bottom", context="dead centre"),
+}
 _BACK = said("{letter} by the travel of point {point}, on the way back")
 _ANGLE = said("{letter} by the turn of the crank from the zero position")
 _PLACES = said("{letter} by positions")
@@ -68,9 +79,10 @@ def _by_points(scene: Scene, called: str, load: Load, language: str) -> Iterator
     name, row = f"load-{load.link}", f"{markup(called)}, {told}"
     if load.travel is not None:
         point = load.travel.of
-        for way, says in ((load.travel.out, _SHARE), (load.travel.back, _BACK)):
+        for way, says in ((load.travel.out, _begun(scene, load.travel)), (load.travel.back, _BACK)):
             if way:
-                title = _(says, letter=markup(called), point=markup(point))
+                at = _(AT[load.travel.start]) if load.travel.start else ""
+                title = _(says, letter=markup(called), point=markup(point), at=at)
                 yield _across(name, title, "s/S", row, way, language)
     elif load.by_angle:
         title = _(_ANGLE, letter=markup(called))
@@ -82,6 +94,13 @@ def _by_points(scene: Scene, called: str, load: Load, language: str) -> Iterator
         for k in range(0, len(points), ACROSS):
             some = points[k : k + ACROSS]
             yield _across(f"{name}-{k}", "" if k else title, words["position"], row, some, language)
+
+
+def _begun(scene: Scene, travel: Travel) -> str:
+    """Return how to tell from where a travel is counted."""
+    if travel.start:
+        return _SHARE_AT
+    return _SHARE if begins_at_zero(scene, travel.of) else _SHARE_OUTER
 
 
 def _across(

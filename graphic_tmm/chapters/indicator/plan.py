@@ -36,6 +36,7 @@ from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, crank_length
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.positions import Positions
+from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
@@ -190,7 +191,7 @@ STANDS = 1e-6
 class Machine:
     """What a flywheel is drawn for: the mechanism and its plans, where positions stand in the row.
 
-    ``count`` of them make the row, over so many ``turns`` of the crank.
+    ``count`` of them make the row, over so many ``turns`` of the crank; ``survey``: it at any angles.
     """
 
     mechanism: Mechanism
@@ -201,6 +202,7 @@ class Machine:
     arm: Mark
     numbers: np.ndarray
     count: int
+    survey: Survey
     turns: int = 1
 
 
@@ -227,8 +229,9 @@ def machine_of(bench: Bench) -> Machine:
     pivot, pin = plans.structure.pivot, plans.structure.pin
     arm = crank_length(bench, plans)
     drawn = (plans.positions, plans.velocities)
+    numbers, count = plans.numbers, plans.count
     return Machine(
-        plans.mechanism, *drawn, pivot, pin, arm, plans.numbers, plans.count, plans.turns
+        plans.mechanism, *drawn, pivot, pin, arm, numbers, count, plans.tried, plans.turns
     )
 
 

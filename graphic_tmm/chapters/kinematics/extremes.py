@@ -40,7 +40,7 @@ _WAY = {"left": ("x", -1), "right": ("x", 1), "bottom": ("y", -1), "top": ("y", 
 OPPOSITE = {"left": "right", "right": "left", "top": "bottom", "bottom": "top"}
 
 
-class _Tried(NamedTuple):
+class Tried(NamedTuple):
     """An extreme found by trying: the bracket and the angle, degrees."""
 
     low: float
@@ -58,7 +58,7 @@ def draw_extreme(draft: Draft, survey: Survey, frame: Body, extreme: Extreme, ta
     StructureError
         If the point is not a moving point of the mechanism, or has no extreme position that way.
     """
-    tried = _try(survey, extreme)
+    tried = try_extreme(survey, extreme)
     draft.open(VIEW)
     if draft.board.construction().view(VIEW) is None:
         draft.lay_out(frame.marks[survey.structure.pivot], draft.mu_l)
@@ -71,10 +71,11 @@ def draw_extreme(draft: Draft, survey: Survey, frame: Body, extreme: Extreme, ta
             if abs((angle - tried.angle + 180.0) % 360.0 - 180.0) < SAME:
                 draft.say(f"{extreme.point}: {extreme.at}")
                 return draw(draft, survey, frame, choice, tag)
-    return _refined(draft, survey, extreme, tried, tag)
+    return draw_refined(draft, survey, extreme, tried, tag)
 
 
-def _try(survey: Survey, extreme: Extreme) -> _Tried:
+def try_extreme(survey: Survey, extreme: Extreme) -> Tried:
+    """Find by trying where a point comes to an extreme position; StructureError if it does not."""
     name, way = _WAY[extreme.at]
     axis = survey.axes.get((extreme.point, name))
     if axis is None:
@@ -140,7 +141,7 @@ def _try(survey: Survey, extreme: Extreme) -> _Tried:
             "drive.zero",
             head="zero",
         )
-    return _Tried(float(low), float(high), angle)
+    return Tried(float(low), float(high), angle)
 
 
 def _bracket(survey: Survey, axis: Mark, best: float) -> tuple[float, float]:
@@ -167,7 +168,8 @@ class _Velocity:
         return np.asarray(self.survey.at(row, [self.axis])[self.axis])
 
 
-def _refined(draft: Draft, survey: Survey, extreme: Extreme, tried: _Tried, tag: str) -> Mark:
+def draw_refined(draft: Draft, survey: Survey, extreme: Extreme, tried: Tried, tag: str) -> Mark:
+    """Record how the crank's angle at an extreme position is looked for; return its mark (degrees)."""
     name, _ = _WAY[extreme.at]
     axis = survey.axes[extreme.point, name]
     step = refinement(
@@ -225,7 +227,7 @@ def _reach(draft: Draft, survey: Survey, group: Group, choice: int) -> tuple[Mar
     structure = survey.structure
     leg = next(leg for leg in group.legs if leg.body == structure.driver)
     rod, crank = survey.mechanism.by_number[leg.link], survey.mechanism.by_number[structure.driver]
-    pin, inner = structure.pin, group.inner.name
+    pin, inner = leg.pair.name, group.inner.name
     arm = abs(crank.points[pin] - crank.points[structure.pivot])
     reach = abs(rod.points[inner] - rod.points[pin])
     oa = draft.length(f"{structure.pivot}{pin}", arm)
@@ -252,6 +254,20 @@ def _in_line(
 
 def _slider(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> Mark:
     group = survey.structure.groups[0]
+    name = f"{group.inner.name}_{{{tag}}}"
+    found, longer = slider_end(draft, survey, frame, group, choice, (name, tag))
+    return _in_line(draft, survey, found, frame, choice, longer, tag)
+
+
+def slider_end(
+    draft: Draft, survey: Survey, frame: Body, group: Group, choice: int, named: tuple[str, str]
+) -> tuple[Mark, bool]:
+    """Draw where a slider on the crank's rod turns back; return the point, and if the rod is longer.
+
+    ``choice``: 1 with crank and rod stretched, −1 with them folded; ``named``: the letter of the point, the tag
+    of what belongs to it.
+    """
+    name, tag = named
     opening, _, inner, longer = _reach(draft, survey, group, choice)
     arc = draft.draw(
         strike,
@@ -264,8 +280,7 @@ def _slider(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) ->
     own = survey.mechanism.by_number[leg.link].points[inner]
     guide = draw_guide(draft, frame, leg.pair, level(leg.pair, leg.link, own), leg.pair.name)
     side = _side(draft, survey, group, tag)
-    found = draft.draw(cut, f"{inner}_{{{tag}}}", guide, arc, side, why=why.EXTREME_PIN)
-    return _in_line(draft, survey, found, frame, choice, longer, tag)
+    return draft.draw(cut, name, guide, arc, side, why=why.EXTREME_PIN), longer
 
 
 def _rocker(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> Mark:

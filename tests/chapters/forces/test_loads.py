@@ -100,13 +100,6 @@ def test_by_travel_of_the_knife() -> None:
     np.testing.assert_allclose(found[8:12], back, rtol=1e-9, atol=1e-12)
 
 
-def test_travel_begins_where_the_stroke_does() -> None:
-    travel = Travel("B", out=((0.0, 10.0), (1.0, 10.0)))
-    row = replace(ENGINE.row, zero=30.0)
-    with pytest.raises(StructureError, match="does not begin where the travel"):
-        loaded(Load(3, "B", travel=travel), scene=replace(ENGINE, row=row))
-
-
 def test_the_gas_pushes_the_piston() -> None:
     assert ENGINE.tasks.get("flywheel") is not None
     made = loaded(gas=ENGINE.tasks["flywheel"].indicator)
