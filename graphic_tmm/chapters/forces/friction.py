@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -142,20 +142,26 @@ class Rub:
         f = self._coefficient(joint.pair.name)
         made.slopes[joint.links] = Slope(f, reaction.normal, segment, self.pin_speed)
 
-    def along_guides(self, found: tuple[Joint, ...], reactions: Reactions) -> list[Force]:
-        """Measure the friction forces along the guides: of each pair on both of its links."""
+    def along_guides(
+        self, found: tuple[Joint, ...], reactions: Reactions, taken: Container[str]
+    ) -> list[Force]:
+        """Measure the friction forces along the guides: of each pair on both of its links.
+
+        ``taken``: the letters of loads, which none of them may bear.
+        """
         made = []
         for joint in found:
             if joint.pair.kind == "P" and self.friction.f.get(joint.pair.name, 0.0) > 0.0:
-                made += self._along(joint, reactions[(*joint.links, joint.pair.name)])
+                made += self._along(joint, reactions[(*joint.links, joint.pair.name)], taken)
         return made
 
-    def _along(self, joint: Joint, reaction: Reaction) -> list[Force]:
+    def _along(self, joint: Joint, reaction: Reaction, taken: Container[str]) -> list[Force]:
         draft, (link, body), closing = self.draft, joint.links, joint.closing
         assert closing is not None
         leg, view = guide_leg(joint), reaction.length.view
         draft.open(view)
-        letters = (f"F_{{{body}{link}}}", f"F_{{{link}{body}}}")
+        letters = [f"F_{{{body}{link}}}", f"F_{{{link}{body}}}"]
+        letters = [f"F_{{f{one[3:]}" if one in taken else one for one in letters]
         ends = (reaction.tail, reaction.head)
         segment = draft.draw(
             measure_along, f"y_{{F{body}{link}}}", *ends, leg.line, why=why.FRICTION_READ

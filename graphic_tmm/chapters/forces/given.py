@@ -42,6 +42,12 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
     for letter, load in zip(letters(order.loads), order.loads, strict=True):
         if isinstance(load.direction, Along):
             yield _turning(load.direction, plain(symbol(letter, language)), language)
+        if load.opposite is not None:
+            told, other = plain(symbol(letter, language)), load.opposite
+            says = _ON_LINE if load.opposite_at is None else _AT_POINT
+            says = _TURNS if load.point is None else says
+            at = load.opposite_at or ""
+            yield _(says, letter=told, link=load.link, other=other, point=at)
     if order.gravity and order.inertia:
         yield _(_BOTH)
     elif order.gravity or order.inertia:
@@ -65,6 +71,16 @@ def _turning(along: Along, letter: str, language: str) -> str:
     return _(says, letter=letter, line=along.line, angle=given_figure(along.by, language))
 
 
+_ON_LINE = said(
+    "{letter} is what link {other} does to link {link}; the opposite force acts on link {other}, on the same "
+    "line."
+)
+_AT_POINT = said(
+    "{letter} is what link {other} does to link {link}; the opposite force acts at {point} of link {other}."
+)
+_TURNS = said(
+    "{letter} is what link {other} does to link {link}; the opposite moment acts on link {other}."
+)
 _ALONG = said("The direction of {letter} turns with the mechanism: it acts along {line}.")
 _SQUARE = said(
     "The direction of {letter} turns with the mechanism: {line} turned by 90° counter-clockwise."

@@ -10,6 +10,7 @@ import numpy as np
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard
+from graphic_tmm.chapters.forces.given_loads import between, index_of, numbered
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.task import LOADS as PLACE
 from graphic_tmm.chapters.forces.task import TURN, Load, turns_of
@@ -35,12 +36,19 @@ from graphic_tmm.scene.records import Scene
 
 def letters(loads: tuple[Load, ...]) -> list[str]:
     """Return the letters of loads as they stand in the log: F_5; of a second one on its link F_{5(2)}."""
+    return [letter for letter, _ in with_opposites(loads)]
+
+
+def with_opposites(loads: tuple[Load, ...]) -> list[tuple[str, str]]:
+    """Return the letters of loads, each with that of its opposite, "" where it has none."""
     count, found = Counter[str](), []
     for load in loads:
-        letter = f"{'M' if load.point is None else 'F'}_{load.link}"
-        count[letter] += 1
-        many = count[letter]
-        found.append(letter if many == 1 else f"{letter[:2]}{{{load.link}({many})}}")
+        symbol, pair = "M" if load.point is None else "F", [index_of(load)]
+        if load.opposite is not None:
+            pair.append(between(load.link, load.opposite))
+        count.update(symbol + index for index in pair)
+        told = [numbered(symbol, index, count[symbol + index]) for index in pair]
+        found.append((told[0], "".join(told[1:])))
     return found
 
 

@@ -18,7 +18,8 @@ from graphic_tmm.chapters.forces import friction, lever, loads
 from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Solution
 from graphic_tmm.chapters.forces.friction import Joint, Rub, Rubbing, joints
 from graphic_tmm.chapters.forces.lever import Lever, draw_lever
-from graphic_tmm.chapters.forces.loads import Acting, Couple, Force, Ground, Loads, draw_loads
+from graphic_tmm.chapters.forces.link_loads import draw_loads
+from graphic_tmm.chapters.forces.loads import Acting, Couple, Force, Ground, Loads
 from graphic_tmm.chapters.forces.statics import (
     Driven,
     Driver,
@@ -205,7 +206,8 @@ def draw_forces(
     open_ = share = None
     if friction is not None:
         balance, open_, share = _settle(ground, passes, order.balance)
-    slid = rub.along_guides(found, _by_joint(found, last)) if rub is not None else []
+    taken = {force.letter for force in loads.forces}
+    slid = rub.along_guides(found, _by_joint(found, last), taken) if rub is not None else []
     carried = ([*loads.on_lever, *slid], [*loads.couples_on_lever, *rubbing.couples])
     lever = _lever(ground, driver, order, carried, arm)
     draft.open("lever")

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from graphic_tmm.chapters.forces import task
-from graphic_tmm.chapters.forces.kinds import Along
+from graphic_tmm.chapters.forces.kinds import AGAINST, Along
 from graphic_tmm.chapters.indicator.task import ONE_TURN
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import letters
@@ -66,7 +66,57 @@ def _load(path: Path, load: Said, names: Outline, count: int | None) -> Iterator
         yield Flaw((*path, "of"), no_moving(load.of, names))
     if isinstance(load.direction, Along):
         yield from _turning(path, load, names)
+    yield from _pair(path, load, names)
     yield from _size(path, load, count)
+
+
+def _pair(path: Path, load: Said, names: Outline) -> Iterator[Flaw]:
+    """Say what is wrong with the opposite of a load: it acts on another link, along the same line."""
+    other, at = getattr(load, "from"), load.from_point
+    if other is None:
+        if at is not None:
+            yield Flaw((*path, "from"), said("of which link is that point? write from = 3"))
+        return
+    if other not in names.bodies:
+        yield from no_link((*path, "from"), other, names)
+        return
+    if other == load.link:
+        says = said("link {number} bears the load itself; name another link", number=other)
+        yield Flaw((*path, "from"), says)
+    if load.direction == AGAINST or (load.direction is None and load.point is not None):
+        says = said('two links push each other along a line; write direction = "along AC"')
+        if load.point is None:
+            says = said(
+                "two links turn each other by a moment with its sign; leave the direction out"
+            )
+        yield Flaw((*path, "direction"), says)
+    if at is not None:
+        yield from _other_point(path, load, names.bodies[other].letters)
+
+
+def _other_point(path: Path, load: Said, own: tuple[str, ...]) -> Iterator[Flaw]:
+    """Say what is wrong with the point where the opposite of a load acts."""
+    other, at, along = getattr(load, "from"), load.from_point, load.direction
+    if load.point is None:
+        says = said("a moment acts on the whole link; leave the point out")
+        yield Flaw((*path, "from_point"), says)
+        return
+    if at not in own:
+        of = of_link(other)
+        says = said('"{letter}" is no letter of {of}', letter=at[:20], of=of)
+        what = said("letters of {of}", of=of)
+        yield Flaw((*path, "from_point"), letters.unknown(says, at, own, what))
+        return
+    pair = letters.split(along.line) if isinstance(along, Along) else None
+    joins = pair is not None and {*pair} == {load.point, at} and along.by % 180.0 == 0.0
+    if along not in (None, AGAINST) and not joins:
+        says = said(
+            'a force and its opposite act along one line; write direction = "along {point}{at}", or leave '
+            "from_point out",
+            point=load.point,
+            at=at,
+        )
+        yield Flaw((*path, "direction"), says)
 
 
 def _turning(path: Path, load: Said, names: Outline) -> Iterator[Flaw]:

@@ -82,7 +82,8 @@ class Load:
     A force in N; a moment in N·m on the link where ``point`` is None. ``size``: constant; or at every position
     of the row; ``by_angle``: at turns of the crank from the zero position (degrees, in order), straight between
     them; ``travel``. ``direction``: degrees, fixed in the sheet; `Along`, which turns with the links; or
-    `AGAINST`. A moment with a direction in degrees is counter-clockwise positive.
+    `AGAINST`. A moment with a direction in degrees is counter-clockwise positive. ``opposite``: the link on
+    which the opposite acts, ``opposite_at``: at its point of that letter, else on the same line.
     """
 
     link: int = key(v.LINK_NUMBER, "the number of the link", 5)
@@ -141,6 +142,20 @@ class Load:
             "left",
             None,
         ),
+    )
+    opposite: int | None = key(
+        v.LINK_NUMBER,
+        "the number of the link that it comes from, where the opposite acts: a pair of forces or of moments",
+        4,
+        None,
+        written="from",
+    )
+    opposite_at: str | None = key(
+        v.TEXT,
+        "the letter of the point of that link where the opposite force acts; left out, on the same line",
+        "C",
+        None,
+        written="from_point",
     )
 
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from graphic_tmm.chapters.forces.directions import all_letters, owner_of, two_letters
 from graphic_tmm.chapters.forces.given import given, stated, wanted_positions
 from graphic_tmm.chapters.forces.kinds import Along
-from graphic_tmm.chapters.forces.load_diagrams import letters, varies
+from graphic_tmm.chapters.forces.load_diagrams import letters, varies, with_opposites
 from graphic_tmm.chapters.forces.task import AGAINST, ASKED, Load, Travel
 from graphic_tmm.chapters.forces.travel import begins_at_zero
 from graphic_tmm.chapters.indicator import given as gas
@@ -123,23 +124,36 @@ def acting(scene: Scene, posed: Posed) -> Iterator[Acting]:
     order, mechanism = ASKED.of(scene), scene.mechanism
     if order is None or mechanism is None:
         return
-    for letter, load in zip(letters(order.loads), order.loads, strict=True):
+    for (letter, other), load in zip(with_opposites(order.loads), order.loads, strict=True):
+        number = load.opposite if load.opposite != mechanism.frame.number else None
         if load.point is not None:
-            yield _force(posed, letter, load, load.point, mechanism)
+            way = _way(posed, load, load.point, mechanism)
+            yield _force(posed, letter, load.link, load.point, way)
+            if number is not None:
+                at = load.opposite_at
+                on = (load.link, load.point) if at is None else (number, at)
+                yield _force(posed, other, *on, -way)
         else:
             yield _moment(posed, letter, load, mechanism.by_number[load.link])
+            if number is not None:
+                back = replace(load, link=number, size=-max(_sizes(load), key=abs))
+                yield _moment(posed, other, back, mechanism.by_number[number])
     yield from gas.acting(order.gas, scene, posed)
 
 
-def _force(posed: Posed, letter: str, load: Load, point: str, mechanism: Mechanism) -> Acting:
-    at, going = posed.spot(point, load.link)
+def _way(posed: Posed, load: Load, point: str, mechanism: Mechanism) -> complex:
+    """Return the direction of a force; 0 of a resistance at a point that stands."""
     match load.direction:
         case Along():
-            way = _along(posed, load.direction, mechanism)
+            return _along(posed, load.direction, mechanism)
         case str():
-            way = -going
+            return -posed.spot(point, load.link)[1]
         case degrees:
-            way = cmath.rect(1.0, math.radians(degrees))
+            return cmath.rect(1.0, math.radians(degrees))
+
+
+def _force(posed: Posed, letter: str, link: int, point: str, way: complex) -> Acting:
+    at, _ = posed.spot(point, link)
     if not way:
         return Acting((), ())
     strokes = tuple(one._replace(part="load") for one in arrow(at, at + LONG * way, "main"))
@@ -166,12 +180,15 @@ def _moment(posed: Posed, letter: str, load: Load, link: Link) -> Acting:
         return Acting((), ())
     (first, gone), *others = spots
     turning = sum(((at - first).conjugate() * (going - gone)).imag for at, going in others)
-    sizes = load.size if isinstance(load.size, tuple) else (load.size,)
-    sense = -math.copysign(1.0, turning) if load.direction == AGAINST else _sense(sizes)
+    sense = -math.copysign(1.0, turning) if load.direction == AGAINST else _sense(_sizes(load))
     middle = (first + others[0][0]) / 2 if others else first
     strokes = round_arrow(middle, ROUND, -SWEEP / 2 if sense > 0 else SWEEP / 2, sense * SWEEP)
     inked = tuple(one._replace(part="load") for one in strokes)
     return Acting(inked, (Wanted(markup(letter), middle + ROUND, posed.size, 1.5, 1 + 0j),))
+
+
+def _sizes(load: Load) -> Sequence[float]:
+    return load.size if isinstance(load.size, tuple) else (load.size,)
 
 
 def _sense(sizes: Sequence[float]) -> float:

@@ -93,6 +93,7 @@ SINGLE_LINE = said(
     "The single force has the size and direction of the inertia force; only its line is shifted."
 )
 GIVEN_LINE = said("The load acts at its point in the direction that the task gives.")
+OPPOSITE_LINE = said("Action and reaction act along one line, on two links.")
 TURNING_LINE = said(
     "The direction of the load turns with the mechanism: it is taken from the plan of positions."
 )

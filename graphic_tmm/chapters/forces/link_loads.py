@@ -1,0 +1,134 @@
+"""The loads of the links: weights, inertia forces and couples, gas, given forces and moments.
+
+Each force gets a line of action on the plan of positions, through its point of application; its size is signed
+along it. Nothing is drawn of an effect that is not called for.
+"""
+
+from __future__ import annotations
+
+from operator import attrgetter
+
+from graphic_tmm.board import roles
+from graphic_tmm.board.operations.instruments import lay_off, parallel, ray, square
+from graphic_tmm.board.operations.statics import (
+    action,
+    inertia_couple,
+    inertia_force,
+    inertia_force_along,
+    offset,
+    weight,
+)
+from graphic_tmm.chapters.forces import words as why
+from graphic_tmm.chapters.forces.given_loads import given_load
+from graphic_tmm.chapters.forces.loads import VIEW, Couple, Force, Ground, Loads, point_of
+from graphic_tmm.chapters.forces.task import ForcesTask
+from graphic_tmm.chapters.indicator.plan import Cylinder
+from graphic_tmm.chapters.kinematics.motion import Motion, is_signed, reading_of
+from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.masses import inertia_of, mass_centre
+from graphic_tmm.mechanism.records import Link
+
+
+def draw_loads(ground: Ground, order: ForcesTask, gas: Cylinder | None) -> Loads:
+    """Calculate the loads and draw their lines of action.
+
+    ``gas``: the cylinder whose gas pushes the piston.
+
+    Raises
+    ------
+    StructureError
+        If a load names a link or point that is not there, or a mass has no centre.
+    """
+    ground.draft.open(VIEW)
+    loads = Loads()
+    for link in sorted(ground.mechanism.links, key=attrgetter("number")):
+        if order.gravity and link.mass:
+            loads.add(_weight(ground, link, order.g))
+        if order.inertia:
+            _inertia(ground, link, loads, single=link.number in order.single)
+    for k, load in enumerate(order.loads, 1):
+        try:
+            for one in given_load(ground, load, loads):
+                loads.add(one)
+        except StructureError as error:
+            raise error.inside(f"load {k}") from None
+    if gas is not None:
+        loads.add(_gas(ground, gas))
+    return loads
+
+
+def _weight(ground: Ground, link: Link, gravity: float) -> Force:
+    draft, n = ground.draft, link.number
+    point, image = point_of(ground, n, mass_centre(ground.mechanism, link))
+    assert link.mass is not None
+    mass, g = draft.constant(f"m_{n}", link.mass, "kg"), draft.constant("g", gravity, "m/s²")
+    value = draft.draw(weight, f"G_{n}", mass, g, unit="N")
+    line = draft.draw(ray, f"(G_{n})", point, draft.direction(-90.0), why=why.WEIGHT)
+    return Force(f"G_{n}", n, point, line, value, image)
+
+
+def _inertia(ground: Ground, link: Link, loads: Loads, *, single: bool) -> None:
+    plan = ground.accelerations
+    assert plan is not None, "inertia needs the plan of accelerations"
+    draft, n = ground.draft, link.number
+    force = _inertia_force(ground, plan, link) if link.mass else None
+    couple = None
+    if link.inertia and n in plan.rates:
+        inertia = inertia_of(draft, link)
+        letter = f"M_{{i{n}}}"
+        value = draft.draw(
+            inertia_couple, letter, inertia, plan.rates[n], unit="N·m", role=roles.INERTIA
+        )
+        couple = Couple(letter, n, value)
+    if not (single and force is not None and couple is not None):
+        for load in (force, couple):
+            if load is not None:
+                loads.add(load)
+        return
+    loads.on_lever.append(force)
+    loads.couples_on_lever.append(couple)
+    by = draft.draw(offset, f"h_{{i{n}}}", couple.value, force.value)
+    across = draft.draw(
+        square, f"(h_{{i{n}}})", force.point, force.line, sense=1, why=why.SINGLE_ACROSS
+    )
+    point = draft.draw(lay_off, f"T{n}", across, by, free=True, why=why.SINGLE_AT)
+    line = draft.draw(
+        parallel, f"({force.letter}′)", point, force.line, sense=1, why=why.SINGLE_LINE
+    )
+    loads.forces.append(force._replace(point=point, line=line, image=None))
+
+
+def _inertia_force(ground: Ground, plan: Motion, link: Link) -> Force | None:
+    draft, n = ground.draft, link.number
+    centre = mass_centre(ground.mechanism, link)
+    point, image = point_of(ground, n, centre)
+    end = plan.images.by_letter[n][centre]
+    segment = reading_of(draft, plan, end)
+    if segment is None:
+        return None
+    assert link.mass is not None
+    mass = draft.constant(f"m_{n}", link.mass, "kg")
+    formula = inertia_force_along if is_signed(draft, segment) else inertia_force
+    letter = f"P_{{i{n}}}"
+    value = draft.draw(formula, letter, mass, segment, unit="N", role=roles.INERTIA)
+    line = draft.draw(
+        action,
+        f"({letter})",
+        point,
+        end,
+        plan.images.pole,
+        role=roles.INERTIA,
+        why=why.INERTIA_LINE,
+    )
+    return Force(letter, n, point, line, value, image)
+
+
+def _gas(ground: Ground, cylinder: Cylinder) -> Force:
+    """Draw the force of the gas on the piston: along its guide, from the cover towards the crank."""
+    letter, link = cylinder.indicator.order.point, cylinder.leg.link
+    point, image = point_of(ground, link, letter)
+    sense = -1 if cylinder.outward > 0 else 1
+    line = ground.draft.draw(
+        parallel, "(P)", point, cylinder.leg.line, sense=sense, why=why.GAS_LINE
+    )
+    return Force("P", link, point, line, cylinder.indicator.force, image)
