@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -50,6 +51,7 @@ def _points(made: Drawn, place: int) -> dict[str, complex]:
 def states(name: str) -> tuple[State, ...]:
     made = work_of(name)
     mechanism = made.scene.mechanism
+    mechanism = replace(mechanism, links=mechanism.drawn, passive=())
     return tuple(
         solve_from_points(mechanism, angle, _points(made, place))
         for place, angle in enumerate(made.project.angles)

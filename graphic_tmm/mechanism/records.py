@@ -95,11 +95,15 @@ def shared(bodies: Iterable[Mapping[str, complex]]) -> frozenset[str]:
 
 @dataclass(frozen=True)
 class Mechanism:
-    """The frame, the moving links in the order of the scene, and the drive."""
+    """The frame, the moving links in the order of the scene, and the drive.
+
+    ``passive``: links that move with the others but count for nothing, by which nothing else is held.
+    """
 
     frame: Link
     links: tuple[Link, ...]
     drive: Drive
+    passive: tuple[Link, ...] = ()
     by_number: Mapping[int, Link] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -107,10 +111,15 @@ class Mechanism:
             self, "by_number", {link.number: link for link in (self.frame, *self.links)}
         )
 
+    @property
+    def drawn(self) -> tuple[Link, ...]:
+        """All links that move, the passive ones last."""
+        return (*self.links, *self.passive)
+
     @cached_property
     def pins(self) -> frozenset[str]:
         """The letters that stand on more than one link: these are its turning pairs, whatever the letter."""
-        return shared(link.points for link in self.by_number.values())
+        return shared(link.points for link in (self.frame, *self.drawn))
 
 
 @dataclass(frozen=True)

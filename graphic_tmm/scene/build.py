@@ -99,12 +99,14 @@ def _mechanism(frame: m.Frame, links: list[m.Link], drive: m.Drive) -> Mechanism
     fixed = Link(frame.number, dict(frame.points), _guides(frame.guides))
     sign = _sign(drive)
     pins = shared(body.points for body in bodies.values())
+    made = [
+        replace(_link(link, bodies, frame.number), centre=_centre(link, pins)) for link in links
+    ]
     return Mechanism(
         frame=fixed,
-        links=tuple(
-            replace(_link(link, bodies, frame.number), centre=_centre(link, pins)) for link in links
-        ),
+        links=tuple(one for one, link in zip(made, links, strict=True) if not link.passive),
         drive=Drive(drive.link, sign * drive.speed, sign * drive.acceleration),
+        passive=tuple(one for one, link in zip(made, links, strict=True) if link.passive),
     )
 
 

@@ -18,6 +18,7 @@ from graphic_tmm.scene.chapter import chapters, places
 from graphic_tmm.scene.declare import Flaw, Path, Said, Section, build
 from graphic_tmm.scene.document import as_table
 from graphic_tmm.scene.mechanism import Drive, Extreme, Link, Slide
+from graphic_tmm.scene.passive import passive_faults
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.registry import called, of_section, sections
 from graphic_tmm.scene.sections import Parts, pairing
@@ -41,6 +42,7 @@ def contradictions(parts: Parts) -> Iterator[Flaw]:
         for at, slide in slides_of(path, link):
             yield from _flips(at, slide)
             yield from _sense(at, slide, parts)
+    yield from passive_faults(parts)
     plans, scales = parts.said["plans"], parts.said["scales"]
     if parts.drive is not None:
         yield from _row(parts.drive, [*parts.names.moving])

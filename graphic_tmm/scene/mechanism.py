@@ -116,6 +116,12 @@ class Link:
     flips_at: tuple[float, ...] | None = key(
         v.ANGLES, "crank angles at which the side changes", ["90 deg"], None
     )
+    passive: bool = key(
+        v.SWITCH,
+        "it doubles what other links hold already: left out of W, drawn where its letters on them stand",
+        True,
+        False,
+    )
     mass: float | None = key(v.MASS, "its mass", "25 kg", None)
     J: float | None = key(
         v.INERTIA, "its moment of inertia about the mass centre", "0.02 kg*m^2", None

@@ -16,11 +16,15 @@ from graphic_tmm.scene.values import link_side
 
 
 class Body(NamedTuple):
-    """A link as far as names go: its place in the file, its letters, the names of its guides."""
+    """A link as far as names go: its place in the file, its letters, the names of its guides.
+
+    ``passive``: it carries no forces.
+    """
 
     path: Path
     letters: tuple[str, ...]
     guides: tuple[str, ...]
+    passive: bool = False
 
 
 class Outline(NamedTuple):
@@ -51,7 +55,10 @@ def outline(doc: Document) -> Outline:
         complete = complete and _is_number(link.get("number"))
         if _is_whole(link.get("number")):
             body = Body(
-                path, tuple(as_table(link.get("points"))), tuple(as_table(link.get("guides")))
+                path,
+                tuple(as_table(link.get("points"))),
+                tuple(as_table(link.get("guides"))),
+                link.get("passive") is True,
             )
             bodies.setdefault(link["number"], body)
     letters = dict.fromkeys(name for body in bodies.values() for name in body.letters)

@@ -105,8 +105,10 @@ def _cos_sin(angles: Numbers) -> tuple[Numbers, Numbers]:
 
 def _solved(matrix: Numbers, right: Numbers) -> Numbers:
     try:
-        if matrix.dtype != object:
+        if matrix.dtype != object and len(matrix) == len(matrix.T):
             return np.asarray(np.linalg.solve(matrix, right))
+        if matrix.dtype != object:  # of a passive link: more equations, which agree
+            return np.asarray(np.linalg.lstsq(matrix, right, rcond=None)[0])
         found = mpmath.lu_solve(mpmath.matrix(matrix.tolist()), mpmath.matrix(right.tolist()))
         return np.array(list(found), dtype=object)
     except (np.linalg.LinAlgError, ZeroDivisionError) as error:
@@ -135,7 +137,7 @@ def _size(links: tuple[Link, ...]) -> float:
 
 
 def system_of(mechanism: Mechanism, *, digits: bool = False) -> System:
-    """Write down the equations; raises OracleError unless they are as many as the unknowns.
+    """Write down the equations (more of a passive link); OracleError if fewer than the unknowns.
 
     In float64, or with mpmath numbers in the precision that is set.
     """
@@ -151,7 +153,7 @@ def system_of(mechanism: Mechanism, *, digits: bool = False) -> System:
             arms.append((p.real, p.imag, o.real, o.imag))
     slides = [(i, slide) for i, link in enumerate(links) for slide in link.slides]
     rows, unknowns = 2 * (len(pins) + len(slides)) + 1, 3 * len(mechanism.links)
-    if rows != unknowns:
+    if rows < unknowns:
         raise OracleError(f"{rows} equations for {unknowns} unknowns")
 
     def numbers(values: Sequence[float]) -> Numbers:

@@ -56,6 +56,12 @@ def _load(path: Path, load: Said, names: Outline, count: int | None) -> Iterator
     if load.link == names.frame:
         says = said("link {number} is the frame; name a moving link", number=load.link)
         yield Flaw((*path, "link"), says)
+    if names.bodies[load.link].passive:
+        says = said(
+            "link {number} is passive and carries no forces: let the load act on a link that holds it",
+            number=load.link,
+        )
+        yield Flaw((*path, "link"), says)
     own = names.bodies[load.link].letters
     if load.point is not None and load.point not in own:
         of = of_link(load.link)

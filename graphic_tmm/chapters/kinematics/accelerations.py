@@ -35,9 +35,12 @@ from graphic_tmm.chapters.kinematics.motion import (
     Motion,
     component,
     hang_group,
+    hang_passive,
     image_letter,
     known_image,
     measure_absolute,
+    passive_legs,
+    pivot_image,
 )
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.chapters.kinematics.velocities import crank_arm
@@ -64,6 +67,10 @@ def draw_accelerations(
     _crank(draft, mechanism, structure, positions, velocities, plan)
     for closing in dyads(positions.closings, VIEW):
         _group(draft, positions, velocities, plan, closing)
+    hang_passive(positions, plan)
+    for leg, _, point in passive_legs(positions, plan):
+        line = _tangential_line(draft, velocities, plan, point.letter, leg)
+        _read_tangential(draft, plan, leg, point, line)
     measure_absolute(draft, plan, positions)
     return plan
 
@@ -136,7 +143,7 @@ def _line(
 ) -> Mark:
     match leg:
         case PinLeg():
-            return _tangential_line(draft, velocities, plan, closing, leg)
+            return _tangential_line(draft, velocities, plan, closing.image_letter, leg)
         case GuideLeg():
             return _relative_line(draft, velocities, plan, closing, leg)
         case _:
@@ -144,19 +151,22 @@ def _line(
 
 
 def _tangential_line(
-    draft: Draft, velocities: Motion, plan: Motion, closing: Closing, leg: PinLeg
+    draft: Draft, velocities: Motion, plan: Motion, point: str, leg: PinLeg
 ) -> Mark:
-    """Lay off the normal segment from the pivot's image; draw the line of the tangential one."""
-    letter, start = f"n{leg.link}", known_image(plan, closing, leg)
+    """Lay off the normal segment from the pivot's image; draw the line of the tangential one.
+
+    ``point``: the letter of the image that it leads to.
+    """
+    letter, start = f"n{leg.link}", pivot_image(plan, leg)
     segment, reading = between(start, letter), velocities.readings[leg.link]
     length = draft.draw(normal, segment, reading, leg.length)
-    component(draft, length, "n", closing.image_letter, leg.letter)
+    component(draft, length, "n", point, leg.letter)
     because = why.TO_THE_OTHER_POINT
     inward = draft.draw(
         parallel, f"({segment})", start, leg.line, sense=-1, role=roles.NORMAL, why=because
     )
     end = draft.draw(lay_off, letter, inward, length, free=True, why=why.VECTOR)
-    segment = between(end, closing.image_letter)
+    segment = between(end, point)
     return draft.draw(square, f"({segment})", end, leg.line, sense=1, why=why.TANGENTIAL)
 
 

@@ -179,6 +179,11 @@ def draw_points(draft: Draft, body: Body, anchor: str) -> None:
         stand(body, letter, lay_out(draft, body.axis, letter, anchor, x, y), own)
 
 
+def anchor(body: Body) -> str:
+    """Return the letter at the beginning of a body's axis, or its number where no point stands there."""
+    return next((k for k, own in body.own.items() if own == body.at), str(body.link.number))
+
+
 def stand(body: Body, letter: str, mark: Mark, own: complex) -> None:
     """Note that a point of the body stands on the board."""
     body.marks[letter] = mark
@@ -282,16 +287,23 @@ def tell_group(
         if not isinstance(leg, GuideLeg):
             continue
         pair = pair_of(closing, leg)
-        slider, owner = pair.links
-        at = _stone(bodies, closing, leg, slider)
-        filled = pair.slide.cylinder if pair.slide is not None else ""
-        moving = "piston" if filled else "stone"
-        kind = "slider" if owner == mechanism.frame.number else moving
-        draft.figure(kind, str(slider), at, leg.line)
-        if filled:
-            draft.figure(filled, str(owner), at, leg.line)
+        at = _stone(bodies, closing, leg, pair.links[0])
         turning = () if side is None or not leg.inner else (side,)
-        draft.figure("guide", str(owner), at, leg.line, *turning)
+        tell_slide(draft, mechanism, pair, at, leg.line, *turning)
+
+
+def tell_slide(
+    draft: Draft, mechanism: Mechanism, pair: Pair, at: Mark, line: Mark, *turning: Mark
+) -> None:
+    """Tell what slides, at a point on a line, and its guide, with the side that turns it round."""
+    slider, owner = pair.links
+    filled = pair.slide.cylinder if pair.slide is not None else ""
+    moving = "piston" if filled else "stone"
+    kind = "slider" if owner == mechanism.frame.number else moving
+    draft.figure(kind, str(slider), at, line)
+    if filled:
+        draft.figure(filled, str(owner), at, line)
+    draft.figure("guide", str(owner), at, line, *turning)
 
 
 def pair_of(closing: Closing, leg: GuideLeg) -> Pair:

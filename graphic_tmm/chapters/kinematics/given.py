@@ -151,4 +151,4 @@ def _masses(mechanism: Mechanism) -> Iterator[Given]:
 
 def _ordered(mechanism: Mechanism) -> list[Link]:
     """Return the moving links by their numbers: in what order a scene writes them tells nothing."""
-    return sorted(mechanism.links, key=lambda link: link.number)
+    return sorted(mechanism.drawn, key=lambda link: link.number)

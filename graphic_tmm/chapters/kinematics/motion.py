@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -180,11 +181,16 @@ class Motion:
     closed: dict[str, Mark] = field(default_factory=dict)
 
 
+def pivot_image(plan: Motion, leg: PinLeg) -> Mark:
+    """Return the image of the pivot of a turning leg."""
+    return plan.images.of(leg.body, leg.pivot, leg.letter, image_letter(leg.letter))
+
+
 def known_image(plan: Motion, closing: Closing, leg: ClosingLeg) -> Mark:
     """Return the image that a leg starts from: of its pivot, or of the point of the body under Q."""
     match leg:
         case PinLeg():
-            return plan.images.of(leg.body, leg.pivot, leg.letter, image_letter(leg.letter))
+            return pivot_image(plan, leg)
         case GuideLeg():
             shown = image_letter(closing.letter, leg.body)
             return plan.images.of(leg.body, closing.point, closing.letter, shown)
@@ -221,6 +227,37 @@ def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark
             known[closing.letter] = hanging.image if hanging.anchor == closing.point else point
         plan.images.hang(body, hanging, known)
         plan.images.complete(body)
+
+
+def hang_passive(positions: Positions, plan: Motion) -> None:
+    """Enter the passive links into the plan's images, by those of the letters that they share.
+
+    One that slides turns as what it slides on.
+    """
+    for passive in positions.passive:
+        body = positions.bodies[passive.link]
+        known = {letter: plan.images.by_letter[on][letter] for letter, on in passive.pins}
+        (first, image), *others = known.items()
+        at = body.marks[first]
+        if passive.slide is None:
+            second, end = others[0]
+            hanging = Hanging(at, image, Base(at, body.marks[second], image, end))
+        else:
+            on = passive.slide.on
+            hanging = Hanging(at, image, plan.images.hanging[on].base)
+            if on in plan.rates:
+                plan.rates[passive.link] = plan.rates[on]
+        plan.images.hang(body, hanging, known)
+        plan.images.complete(body)
+
+
+def passive_legs(positions: Positions, plan: Motion) -> Iterator[tuple[PinLeg, Mark, Mark]]:
+    """Yield the legs of the passive links that two letters hold, with the images of both."""
+    for passive in positions.passive:
+        if passive.leg is not None:
+            (first, _), (second, _), *_ = passive.pins
+            images = plan.images.by_letter[passive.link]
+            yield passive.leg, images[first], images[second]
 
 
 def measure_absolute(draft: Draft, plan: Motion, positions: Positions) -> None:

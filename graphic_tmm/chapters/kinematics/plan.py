@@ -13,6 +13,7 @@ from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.assembly import Assembly, check_assembly
+from graphic_tmm.chapters.kinematics.fit import check_fit
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.positions import (
     Positions,
@@ -122,6 +123,7 @@ def record(bench: Bench) -> KinematicPlans:
             head="positions",
         )
     assembly = check_assembly(tried)
+    check_fit(tried)
     frame = draw_frame(draft, mechanism, structure)
     numbered = draw_row(draft, tried, frame, row)
     angles = numbered.angles

@@ -17,12 +17,14 @@ from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import (
     Body,
     Closing,
+    anchor,
     draw_points,
     stand,
     tell_group,
     tell_link,
 )
 from graphic_tmm.chapters.kinematics.dyads import Site, close
+from graphic_tmm.chapters.kinematics.passive import Passive, draw_passive
 from graphic_tmm.mechanism import records
 from graphic_tmm.mechanism.groups import Group, Pair, untreated
 from graphic_tmm.mechanism.structure import Structure
@@ -32,12 +34,16 @@ VIEW = "positions"
 
 @dataclass(frozen=True)
 class Positions:
-    """The plan of positions as drawn: bodies by number, groups' closings, the side marks of the groups."""
+    """The plan of positions as drawn: bodies by number, groups' closings, the side marks of the groups.
+
+    ``passive``: the passive links, last in ``bodies``.
+    """
 
     bodies: dict[int, Body]
     closings: tuple[Closing, ...]
     sides: dict[str, Mark]
     phi: Mark
+    passive: tuple[Passive, ...] = ()
 
     def point(self, letter: str) -> Mark:
         """Return the mark of a letter, on whichever link it stands."""
@@ -67,7 +73,7 @@ def draw_frame(draft: Draft, mechanism: records.Mechanism, structure: Structure)
 def _axis_name(mechanism: records.Mechanism, pivot: str) -> str:
     """Return what the x axis of the plan is called: not as a guide that does not lie on it."""
     start = mechanism.frame.points[pivot]
-    slides = (slide for link in mechanism.by_number.values() for slide in link.slides)
+    slides = (slide for link in mechanism.drawn for slide in link.slides)
     others = (slide.guide for slide in slides if slide.guide.name == "x")
     apart = any(one.angle % 360.0 or one.through.imag != start.imag for one in others)
     return f"({pivot}x)" if apart else "(x)"
@@ -80,7 +86,8 @@ def draw_positions(
     draft.open(VIEW)
     bodies = {frame.link.number: frame}
     bodies[structure.driver] = _crank(draft, mechanism, structure, frame, phi)
-    letters = frozenset(letter for link in mechanism.by_number.values() for letter in link.points)
+    links = (frame.link, *mechanism.drawn)
+    letters = frozenset(letter for link in links for letter in link.points)
     sides: dict[str, Mark] = {}
     closings = []
     for group in structure.groups:
@@ -92,13 +99,10 @@ def draw_positions(
         closings.append(closing)
         for leg in group.legs:
             body = bodies[leg.link]
-            draw_points(draft, body, _anchor(body))
+            draw_points(draft, body, anchor(body))
         tell_group(draft, mechanism, bodies, closing, site.side)
-    return Positions(bodies, tuple(closings), sides, phi)
-
-
-def _anchor(body: Body) -> str:
-    return next((k for k, own in body.own.items() if own == body.at), str(body.link.number))
+    passive = draw_passive(draft, mechanism, bodies)
+    return Positions(bodies, tuple(closings), sides, phi, passive)
 
 
 def _crank(

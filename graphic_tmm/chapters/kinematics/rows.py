@@ -88,7 +88,7 @@ class Ground(NamedTuple):
 
     def image(self, motion: Motion, letter: str) -> Mark:
         """Return the image of a point on a plan, as of the first link that has it."""
-        link = next(one for one in self.mechanism.links if letter in one.points)
+        link = next(one for one in self.mechanism.drawn if letter in one.points)
         return motion.images.by_letter[link.number][letter]
 
 

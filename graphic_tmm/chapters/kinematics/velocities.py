@@ -27,9 +27,11 @@ from graphic_tmm.chapters.kinematics.motion import (
     Images,
     Motion,
     hang_group,
+    hang_passive,
     image_letter,
     known_image,
     measure_absolute,
+    passive_legs,
 )
 from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.mechanism.records import Mechanism
@@ -81,6 +83,11 @@ def draw_velocities(
     _crank(draft, mechanism, structure, positions, plan, turn)
     for closing in dyads(positions.closings, VIEW):
         _group(draft, positions, plan, turn, closing)
+    hang_passive(positions, plan)
+    for leg, start, point in passive_legs(positions, plan):
+        fixed = start == pole
+        line = turn.across(f"({between(start, point.letter)})", start, leg.line, fixed)
+        _read(draft, plan, leg, start, point, line)
     measure_absolute(draft, plan, positions)
     return plan
 

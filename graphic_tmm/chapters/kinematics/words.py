@@ -64,6 +64,9 @@ ARC_AND_GUIDE = said(
 )
 TWO_GUIDES = said("The pin belongs to both sliders, so it is where their paths cross.")
 LINK_AXIS = said("The axis of a link goes through its two pins.")
+PASSIVE_AXIS = said(
+    "This link is passive: it doubles what others hold already, so it lies where both of its points stand."
+)
 SLIDER_PATH = said(
     "A link that slides does not turn on its guide: each of its points moves on a parallel to it."
 )

@@ -12,9 +12,11 @@ from graphic_tmm.chapters.structure.table import (
     WORDS,
     link_rows,
     pair_rows,
+    passive_lines,
 )
 from graphic_tmm.chapters.structure.views import part_views
 from graphic_tmm.language.said import said
+from graphic_tmm.language.symbols import plain
 from graphic_tmm.mechanism.groups import class_two
 from graphic_tmm.mechanism.structure import Structure
 from graphic_tmm.note.bricks import in_columns, referred, side_by_side
@@ -62,6 +64,8 @@ class StructurePage(Page[Structure]):
         yield self._table("pairs", PAIRS, PAIR_HEADS, pairs, "ccllcc")
         if found is not None:
             yield from self._mobility(structure, found)
+        for line in passive_lines(mechanism, structure, language):
+            yield paragraph(f"{plain(line)}.")
         yield paragraph(f"{words['formula']}: {structure.formula}.")
         yield paragraph(f"{words['class II' if structure.groups else 'class I']}.")
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from graphic_tmm.chapters.structure import STRUCTURE
 from graphic_tmm.chapters.structure.record import STRUCTURE_PLAN
-from graphic_tmm.language.catalogue import Tongues
+from graphic_tmm.language.catalogue import Tongues, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.groups import Pair, class_two
+from graphic_tmm.mechanism.passive import holds
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.structure import Structure
 from graphic_tmm.paper.blocks import breakable
@@ -41,7 +42,8 @@ def link_role(mechanism: Mechanism, structure: Structure, link: Link) -> str:
     frame = mechanism.frame.number
     if link.number == frame:
         return "frame"
-    pairs = [pair for pair in structure.pairs if link.number in pair.links]
+    there = (*structure.pairs, *(pair for hold in holds(mechanism) for pair in hold.pairs))
+    pairs = [pair for pair in there if link.number in pair.links]
     for pair in (one for one in pairs if one.slide is not None and one.slide.cylinder):
         return "piston" if pair.links[0] == link.number else "cylinder"
     if link.number == structure.driver:
@@ -81,6 +83,7 @@ WORDS = Tongues(
         "link": said("Link"),
         "mobility": said("Mobility"),
         "movable": said("movable"),
+        "passive": said("passive", context="link"),
         "fixed": said("fixed"),
         "letter": said("Letter"),
         "joined": said("Links", context="by a pair"),
@@ -111,10 +114,17 @@ def link_rows(mechanism: Mechanism, structure: Structure, language: str) -> list
         [
             str(link.number),
             link_name(mechanism, structure, link, language),
-            words["fixed" if link is frame else "movable"],
+            words[_moves(mechanism, link)],
         ]
-        for link in sorted((*mechanism.links, frame), key=lambda link: (link is frame, link.number))
+        for link in sorted((*mechanism.drawn, frame), key=lambda link: (link is frame, link.number))
     ]
+
+
+def _moves(mechanism: Mechanism, link: Link) -> str:
+    """Return whether a link moves, and counts (a key of WORDS)."""
+    if link is mechanism.frame:
+        return "fixed"
+    return "passive" if link in mechanism.passive else "movable"
 
 
 def link_table(mechanism: Mechanism, structure: Structure, language: str, high: Heights) -> Drawing:
@@ -137,7 +147,7 @@ def pair_rows(mechanism: Mechanism, structure: Structure, language: str) -> list
     for pair in structure.pairs:
         name = pair_name(pair, mechanism)
         joined = ",".join(str(k) for k in sorted(pair.links))
-        index = f"{words[pair.kind + ' index']}_{{{escape(name)}}}({joined})"
+        index = _index(pair, mechanism, words)
         kind = words[f"kind {pair.kind}"]
         rows.append([escape(name), joined, kind, words["lower"], words["one freedom"], index])
     return rows
@@ -171,7 +181,30 @@ def _table(
     )
 
 
-def structure_lines(structure: Structure, language: str) -> tuple[str, ...]:
+PASSIVE = said(
+    "Link {link} is passive: with its pairs {pairs} W would be 3·{n} − 2·{p} = {w}, so they are left out"
+)
+"""What stands below the table of pairs, and in a note, on a passive link."""
+
+
+def passive_lines(mechanism: Mechanism, structure: Structure, language: str) -> list[str]:
+    """Return a line on each passive link, as mark-up."""
+    words, _, found = WORDS[language], speaking(language), list[str]()
+    for hold in holds(mechanism):
+        n, p = structure.moving + 1, len(structure.pairs) + len(hold.pairs)
+        pairs = ", ".join(_index(pair, mechanism, words) for pair in hold.pairs)
+        w = f"{3 * n - 2 * p}".replace("-", "−")
+        found.append(_(PASSIVE, link=hold.link.number, pairs=pairs, n=n, p=p, w=w))
+    return found
+
+
+def _index(pair: Pair, mechanism: Mechanism, words: Mapping[str, str]) -> str:
+    """Return the index of a pair as mark-up: R_{A}(1,2)."""
+    joined = ",".join(str(k) for k in sorted(pair.links))
+    return f"{words[pair.kind + ' index']}_{{{escape(pair_name(pair, mechanism))}}}({joined})"
+
+
+def structure_lines(mechanism: Mechanism, structure: Structure, language: str) -> tuple[str, ...]:
     """Return mobility, formula of structure, and the kind of each group, as lines of lettering."""
     words = WORDS[language]
     groups = [
@@ -181,7 +214,8 @@ def structure_lines(structure: Structure, language: str) -> tuple[str, ...]:
     n, p = structure.moving, len(structure.pairs)
     mobility = f"n = {n}, p_5 = {p}, p_4 = 0, W = 3·{n} − 2·{p} = {structure.mobility}"
     highest = words["class II" if structure.groups else "class I"]
-    return (mobility, f"{words['formula']}: {structure.formula}", *groups, highest)
+    passive = passive_lines(mechanism, structure, language)
+    return (mobility, *passive, f"{words['formula']}: {structure.formula}", *groups, highest)
 
 
 PROTOCOL = Protocols(views=lambda project: {STRUCTURE: (STRUCTURE,)})

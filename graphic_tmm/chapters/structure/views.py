@@ -75,7 +75,7 @@ def structure_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     pairs = pair_table(mechanism, structure, language, high)
     return [
         link_table(mechanism, structure, language, high),
-        captioned(pairs, *structure_lines(structure, language), heights=high),
+        captioned(pairs, *structure_lines(mechanism, structure, language), heights=high),
     ]
 
 

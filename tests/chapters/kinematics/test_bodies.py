@@ -132,7 +132,7 @@ GROUPS: dict[str, Callable[[Board], object]] = {
     "positions": positions_of,
     "survey": lambda b: survey(b.mechanism, b.structure),
     "parts": lambda b: parts(b.structure),
-    "lines": lambda b: structure_lines(b.structure, "en"),
+    "lines": lambda b: structure_lines(b.mechanism, b.structure, "en"),
     "formula": lambda b: b.structure.formula,
 }
 
