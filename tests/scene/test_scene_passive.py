@@ -96,3 +96,12 @@ def test_no_load_stands_on_it(tmp_path: Path) -> None:
     (fault,) = told(tmp_path, more=more)
     assert "load 1, link" in fault
     assert "link 4 is passive and carries no forces" in fault
+    more = "[[load]]\nlink = 2\nfrom = 4\nmoment = 10\n[forces]\n"
+    (fault,) = told(tmp_path, more=more)
+    assert "load 1, from" in fault
+
+
+def test_a_pin_of_its_own_alone_has_no_friction(tmp_path: Path) -> None:
+    more = "[friction]\nf = 0.1\nradius = 0.01\npairs = { C = 0.2 }\n[effects]\nfriction = true\n[forces]\n"
+    (fault,) = told(tmp_path, more=more)
+    assert fault.startswith("friction.pairs.C")

@@ -56,12 +56,14 @@ def _load(path: Path, load: Said, names: Outline, count: int | None) -> Iterator
     if load.link == names.frame:
         says = said("link {number} is the frame; name a moving link", number=load.link)
         yield Flaw((*path, "link"), says)
-    if names.bodies[load.link].passive:
-        says = said(
-            "link {number} is passive and carries no forces: let the load act on a link that holds it",
-            number=load.link,
-        )
-        yield Flaw((*path, "link"), says)
+    for key in ("link", "from"):
+        number = getattr(load, key)
+        if number in names.bodies and names.bodies[number].passive:
+            says = said(
+                "link {number} is passive and carries no forces: let the load act on a link that holds it",
+                number=number,
+            )
+            yield Flaw((*path, key), says)
     own = names.bodies[load.link].letters
     if load.point is not None and load.point not in own:
         of = of_link(load.link)
@@ -185,7 +187,7 @@ def _size(path: Path, load: Said, count: int | None) -> Iterator[Flaw]:
 
 def _friction(made: Said, parts: Parts) -> Iterator[Flaw]:
     names = parts.names
-    bodies = names.bodies.values()
+    bodies = [body for body in names.bodies.values() if not body.passive]
     pins = [x for x in names.letters if sum(x in body.letters for body in bodies) > 1]
     guides = [slide.along for link in parts.links if link is not None for slide in link.pairs]
     for key, told, known in (
