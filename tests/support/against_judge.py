@@ -1,0 +1,96 @@
+"""What the package finds of a random mechanism, against the judge of all links at once."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import graphic_tmm
+from support.free_bodies import State
+from support.free_forces import statics
+from support.random_mechanisms import Random
+
+PLANS: tuple[Any, ...] = ("positions", "velocities", "accelerations", "forces")
+LIMITS = {"places": 1e-12, "velocities": 1e-9, "accelerations": 1e-9, "omega": 1e-9, "epsilon": 1e-9,
+          "forces": 1e-8, "balance": 1e-8, "power": 1e-12}  # fmt: skip
+"""How far results may be off, of the largest of their kind."""
+
+
+def ways(drawn: Random, count: int) -> list[float]:
+    """Ways of the first drive spread over those that were walked, both ends among them."""
+    row = [way for way, _ in drawn.walked]
+    return [row[round(k * (len(row) - 1) / (count - 1))] for k in range(count)]
+
+
+def parameter(drawn: Random, way: float) -> float:
+    """Where `motion` is asked: degrees of a turn, else m."""
+    coordinate = drawn.coordinates(way)[0]
+    return math.degrees(coordinate) if drawn.judge.drives[0].kind == "turn" else coordinate
+
+
+def errors(drawn: Random, scene: Mapping[str, Any], row: Sequence[float]) -> dict[str, float]:
+    """How far all that `motion` returns is off, of the largest of its kind; NaN counts as without end."""
+    found = graphic_tmm.motion(
+        graphic_tmm.read(scene), [parameter(drawn, way) for way in row], exact=True, plans=PLANS
+    )
+    worst: dict[str, float] = defaultdict(float)
+
+    def note(kind: str, off: float, largest: float) -> None:
+        share = off / largest if largest else off
+        worst[kind] = max(worst[kind], share if share == share else math.inf)
+
+    for k, way in enumerate(row):
+        state = drawn.solved(way)
+        for part, kind in enumerate(("places", "velocities", "accelerations")):
+            values = getattr(found, kind)
+            due = {key: state.point(*key)[part] for key in values}
+            note(kind, max(abs(values[x][k] - due[x]) for x in due), max(map(abs, due.values())))
+        rate = max(abs(drive.rate) / _way(drawn, drive.kind) for drive in drawn.judge.drives)
+        for kind, turns, least in (
+            ("omega", state.omega, rate),
+            ("epsilon", state.epsilon, rate**2),
+        ):
+            values = getattr(found, kind)
+            off = max((abs(values[n][k] - turns[n]) for n in values), default=0.0)
+            note(kind, off, max(least, *map(abs, turns.values())))
+        if clear(drawn, state):
+            _forces(drawn, state, found, k, note)
+    return dict(worst)
+
+
+def _way(drawn: Random, kind: str) -> float:
+    return 1.0 if kind == "turn" else drawn.scale
+
+
+def clear(drawn: Random, state: State) -> bool:
+    """Whether every load against a motion knows its sense."""
+    fast = max(abs(state.point(x, n)[1]) for n, x in _points(drawn))
+    turn = max(map(abs, state.omega.values()))
+    for load in drawn.scene.get("load", ()):
+        way = load.get("direction", "against velocity" if "point" in load else "")
+        if (
+            way == "against velocity"
+            and abs(state.point(load["point"], load["link"])[1]) < 1e-3 * fast
+        ):
+            return False
+        if way == "against rotation" and abs(state.omega[load["link"]]) < 1e-6 * turn:
+            return False
+    return True
+
+
+def _points(drawn: Random) -> list[tuple[int, str]]:
+    return [(body.number, x) for body in drawn.judge.words.bodies for x in body.points]
+
+
+def _forces(drawn: Random, state: State, found: Any, k: int, note: Any) -> None:
+    """Reactions and what each drive needs."""
+    due = statics(drawn.judge, state)
+    note("power", abs(due.power), 1.0)
+    names = {f"R{i}{j}": force for (i, j), force in due.reactions.items()}
+    for name, values in found.forces.items():
+        note("forces", abs(values[k] - names[name.replace(",", "")]), due.largest)
+    for name, values in found.balance.items():
+        arm = drawn.judge.size if name.startswith("M") else 1.0
+        note("balance", abs(values[k] - due.drives[0]), due.largest * arm)
