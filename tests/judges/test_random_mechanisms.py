@@ -5,15 +5,22 @@ from __future__ import annotations
 import copy
 import math
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from support.against_judge import LIMITS, PLANS, errors, parameter, ways
+from support.benches import Packed, numbers, worked
+from support.boards import in_usual_size
 from support.random_mechanisms import KINDS, Random, drawn
 
 import graphic_tmm
 from graphic_tmm.board.execute import translator
+from graphic_tmm.page.practice.pack import Packing
+from graphic_tmm.page.practice.tasks import sheet_row
+
+SHEET = [{"format": "A1", "place": ["positions", "velocities", "accelerations"]}]
 
 
 def turning(seed: int, groups: int, kinds: Sequence[str] = KINDS) -> tuple[Random, dict[str, Any]]:
@@ -91,3 +98,22 @@ def test_compiled_is_as_drawn_step_by_step(seed: int) -> None:
         largest = max(np.abs(row).max() for row in rows.values())
         for key, row in rows.items():
             np.testing.assert_allclose(others[key], row, rtol=0, atol=1e-12 * largest)
+
+
+@pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.slow)])
+def test_the_page_calculates_as_python_does(seed: int, tmp_path: Path) -> None:
+    _, scene = turning(seed, 1 + seed)
+    sheet = in_usual_size(graphic_tmm.read(scene | {"sheet": SHEET}), exact=True)
+    row = sheet_row(sheet)
+    assert row is not None
+    packing = Packing(sheet, row, ())
+    packed = Packed("random", sheet, packing, packing.data(()), packing.program())
+    (answer,) = worked([packed], {}, tmp_path, work=True)
+    compared = 0
+    for task, exact in ((one["task"], one["exact"]) for one in answer["worked"]):
+        for step in packing.steps:
+            if row.there(step.it, task["at"]):
+                due = numbers(row.reading[step.it], task["at"])
+                assert exact[str(step.it.slot)] == pytest.approx(due, rel=1e-9, abs=1e-9)
+                compared += 1
+    assert compared > 500

@@ -56,7 +56,7 @@ def errors(drawn: Random, scene: Mapping[str, Any], row: Sequence[float]) -> dic
             off = max((abs(values[n][k] - turns[n]) for n in values), default=0.0)
             note(kind, off, max(least, *map(abs, turns.values())))
         if clear(drawn, state):
-            _forces(drawn, state, found, k, note)
+            _forces(drawn, state, way, found, k, note)
     return dict(worst)
 
 
@@ -84,9 +84,10 @@ def _points(drawn: Random) -> list[tuple[int, str]]:
     return [(body.number, x) for body in drawn.judge.words.bodies for x in body.points]
 
 
-def _forces(drawn: Random, state: State, found: Any, k: int, note: Any) -> None:
+def _forces(drawn: Random, state: State, way: float, found: Any, k: int, note: Any) -> None:
     """Reactions and what each drive needs."""
-    due = statics(drawn.judge, state)
+    turned = math.degrees(way) * math.copysign(1.0, drawn.judge.drives[0].rate)
+    due = statics(drawn.judge, state, turned)
     note("power", abs(due.power), 1.0)
     names = {f"R{i}{j}": force for (i, j), force in due.reactions.items()}
     for name, values in found.forces.items():

@@ -12,6 +12,9 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
+import numpy as np
+
+from graphic_tmm.board.values import arrays
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.page.practice.pack import Packing
 from graphic_tmm.page.practice.tasks import sheet_row
@@ -118,3 +121,12 @@ def by_node(
     assert done.returncode == 0, done.stderr
     found: list[Any] = json.loads((folder / "answered.json").read_text("utf-8"))
     return found
+
+
+def numbers(value: Any, at: int) -> list[float]:
+    """Return the numbers that a value is made of in one position."""
+    flat: list[float] = []
+    for part in arrays(value):
+        z = part[0][at if part.shape[1] > 1 else 0]
+        flat += [z.real, z.imag] if np.iscomplexobj(part) else [float(z)]
+    return flat

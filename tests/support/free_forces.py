@@ -46,8 +46,8 @@ class Statics(NamedTuple):
     power: float
 
 
-def statics(judge: Judge, state: State) -> Statics:
-    """The equilibrium of all links."""
+def statics(judge: Judge, state: State, turned: float = 0.0) -> Statics:
+    """The equilibrium of all links; ``turned``: how far the crank has, degrees, from the zero position."""
     numbers = [body.number for body in judge.words.bodies]
     pairs: list[tuple[Both, list[Wrench]]] = []
     for _, first, other in judge.pins:
@@ -61,7 +61,7 @@ def statics(judge: Judge, state: State) -> Statics:
         pairs.append(((slide.on, slide.slider), _both(slide.on, slide.slider, across, at)))
         pairs.append(((slide.on, slide.slider), _both(slide.on, slide.slider, 0.0, at, 1.0)))
     driving = [_driving(judge, state, drive) for drive in judge.drives]
-    acting = _acting(judge, state)
+    acting = _acting(judge, state, turned)
     units = [*(wrenches for _, wrenches in pairs), *driving]
     matrix = np.array([_column(state, one) for one in units]).T
     found = solved(matrix, -_column(state, acting)[:, None])[:, 0]
@@ -101,20 +101,24 @@ def _driving(judge: Judge, state: State, drive: Drive) -> list[Wrench]:
     return _both(drive.line.body, drive.tip.body, along, tip)
 
 
-def _acting(judge: Judge, state: State) -> list[Wrench]:
+def _acting(judge: Judge, state: State, turned: float) -> list[Wrench]:
     """Loads, weights, inertia forces and couples."""
     words, found = judge.words, []
     for load in words.loads:
         k = judge.index[load["link"]]
-        if "moment" in load:
-            moment = si(load["moment"]) / judge.size
-            if load.get("direction") == "against rotation":
-                moment *= -np.sign(state.w[k])
-            found.append(Wrench(k, 0.0, state.z[k], moment))
+        size = _size(load, turned)
+        if "point" in load:
+            place = state.place(judge.spot(load["point"], load["link"]))
+            found.append(Wrench(k, size * _direction(judge, state, load), place))
         else:
-            spot = judge.spot(load["point"], load["link"])
-            way = _direction(judge, state, load)
-            found.append(Wrench(k, si(load["force"]) * way, state.place(spot)))
+            against = load.get("direction") == "against rotation"
+            moment = size / judge.size * (-np.sign(state.w[k]) if against else 1.0)
+            found.append(Wrench(k, 0.0, state.z[k], moment))
+        if "from" in load:
+            _, force, place, couple = found[-1]
+            if "from_point" in load:
+                place = state.place(judge.spot(load["from_point"], load["from"]))
+            found.append(Wrench(judge.index[load["from"]], -force, place, -couple))
     for k, body in enumerate(words.bodies):
         if k and body.mass is not None and body.centre is not None:
             arm = state.arm(judge.spot(body.centre, body.number))
@@ -126,6 +130,14 @@ def _acting(judge: Judge, state: State) -> list[Wrench]:
         if k and body.inertia is not None and words.inertia:
             found.append(Wrench(k, 0.0, state.z[k], -body.inertia * state.e[k] / judge.size))
     return found
+
+
+def _size(load: Mapping[str, Any], turned: float) -> float:
+    """The size of a load where the crank has turned so far from the zero position (degrees); N, N·m."""
+    if "by_angle" in load:
+        angles, sizes = zip(*((at, si(size)) for at, size in load["by_angle"]), strict=True)
+        return float(np.interp(turned % 360.0, angles, sizes))
+    return si(load["moment"] if "moment" in load else load["force"])
 
 
 def _direction(judge: Judge, state: State, load: Mapping[str, Any]) -> Any:

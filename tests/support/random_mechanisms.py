@@ -159,21 +159,50 @@ def _direction(plane: Plane, body: Body) -> dict[str, str]:
     return {"direction": f"{by} {line}"}
 
 
-def _loads(plane: Plane) -> list[dict[str, Any]]:
-    """Forces of all directions, and moments, on some links."""
+def _loads(plane: Plane, drives: Sequence[str]) -> list[dict[str, Any]]:
+    """Forces of all directions, and moments, on some links, some from another link."""
     pick, turning = plane.pick, _turning(plane)
     found: list[dict[str, Any]] = []
     for body in plane.bodies[1:]:
+        own = f"S{body.number}"
         if pick.random() < 0.5:
             moving = [x for x in body.letters if x not in plane.frame.letters]
-            letter = pick.choice([*moving, f"S{body.number}"])
-            load = {"link": body.number, "point": letter, "force": f"{pick.uniform(5, 500)!r} N"}
-            found.append(load | _direction(plane, body))
+            load = {"link": body.number, "point": pick.choice([*moving, own])}
+            load |= _amount(plane, drives, "force", "N", 500.0) | _direction(plane, body)
+            found.append(load | _opposite(plane, body, load))
         if pick.random() < 0.25:
-            moment = plane.scale * pick.uniform(5.0, 100.0)
-            load = {"link": body.number, "moment": f"{moment!r} N*m"}
+            load = {"link": body.number}
+            load |= _amount(plane, drives, "moment", "N*m", plane.scale * 100.0)
             against = pick.random() < 0.5 and body.number in turning
-            found.append(load | ({"direction": "against rotation"} if against else {}))
+            load |= {"direction": "against rotation"} if against else {}
+            found.append(load | _opposite(plane, body, load))
+    return found
+
+
+def _amount(
+    plane: Plane, drives: Sequence[str], name: str, unit: str, most: float
+) -> dict[str, Any]:
+    """A size, or sizes by the turn of the crank."""
+    pick = plane.pick
+    if tuple(drives) == ("crank",) and name == "force" and pick.random() < 0.2:
+        angles = [0.0, *sorted(pick.uniform(1.0, 359.0) for _ in range(3)), 360.0]
+        return {"by_angle": [[at, f"{pick.uniform(5.0, most)!r} {unit}"] for at in angles]}
+    return {name: f"{pick.uniform(0.05, 1.0) * most!r} {unit}"}
+
+
+def _opposite(plane: Plane, body: Body, load: dict[str, Any]) -> dict[str, Any]:
+    """The link that a load comes from, and where the opposite acts on it; or nothing."""
+    pick = plane.pick
+    against = "against" in load.get("direction", "against" if "point" in load else "")
+    if against or len(plane.bodies) < 3 or pick.random() < 0.7:
+        return {}
+    other = pick.choice([b for b in plane.bodies[1:] if b is not body])
+    found: dict[str, Any] = {"from": other.number}
+    if "point" in load and pick.random() < 0.5:
+        found |= {
+            "from_point": f"S{other.number}",
+            "direction": f"along {load['point']}S{other.number}",
+        }
     return found
 
 
@@ -219,7 +248,7 @@ def drawn(
         "link": links,
         "drive": told if len(told) > 1 else told[0],
         "effects": {"gravity": pick.random() < 0.6, "inertia": pick.random() < 0.7},
-        "load": _loads(plane),
+        "load": _loads(plane, drives),
         "forces": {"positions": "all", "balance": pick.choice(("force", "moment"))},
     }
     if not scene["load"]:

@@ -6,11 +6,9 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
-from support.benches import Packed, packed, practised, worked
+from support.benches import Packed, numbers, packed, practised, worked
 
-from graphic_tmm.board.values import arrays
 from graphic_tmm.checking.records import VERDICTS, WRONG
 
 NEAR = 1e-9
@@ -38,7 +36,7 @@ def test_every_step_comes_to_what_python_has(answers: list[tuple[Packed, dict[st
         for one in answer["worked"]:
             task, exact = one["task"], one["exact"]
             for step in scene.packing.steps:
-                due = _numbers(row.reading[step.it], task["at"])
+                due = numbers(row.reading[step.it], task["at"])
                 found = exact[str(step.it.slot)]
                 if not row.there(step.it, task["at"]):
                     continue
@@ -126,11 +124,3 @@ def test_what_comes_to_the_same_is_the_same_step(tmp_path: Path) -> None:
         more=SAME_BY_ANOTHER_WAY,
     )
     assert turned == another == {"slot": slot}
-
-
-def _numbers(value: Any, at: int) -> list[float]:
-    flat: list[float] = []
-    for part in arrays(value):
-        z = part[0][at if part.shape[1] > 1 else 0]
-        flat += [z.real, z.imag] if np.iscomplexobj(part) else [float(z)]
-    return flat
