@@ -15,6 +15,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.errors import Fault, SceneError, StructureError
 from graphic_tmm.language.said import Said, joined, said
+from graphic_tmm.mechanism.records import Sweep
 from graphic_tmm.scene.chapter import (
     MECHANISM,
     Answer,
@@ -58,8 +59,9 @@ class Plan(Answer):
 class Project:
     """The log of a board and what is given on it but for the scale factors that are chosen.
 
-    ``recorded``: what chapters recorded, by chapter. ``names`` and ``angles`` (degrees, None where there are
-    none) run along the positions; ``count`` of them make the closed row. ``rows``: the positions (indices) at
+    ``recorded``: what chapters recorded, by chapter. ``names`` and ``coordinates`` (of the drive, degrees or m;
+    None where there are none) run along the positions; ``count`` of them make the row; ``sweep``: what the
+    coordinate goes through. ``rows``: the positions (indices) at
     which a view is drawn, if not all; ``told``: those at which findings of a view are reported. ``best``:
     computes the position (index) that shows the board best; None where that is unknown.
     """
@@ -70,11 +72,12 @@ class Project:
     given: dict[Mark, object]
     recorded: Mapping[str, Any]
     names: tuple[str, ...]
-    angles: tuple[float | None, ...]
+    coordinates: tuple[float | None, ...]
     count: int
     rows: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
     told: Mapping[str, frozenset[int]] = field(default_factory=dict)
     best: Callable[[], int] | None = None
+    sweep: Sweep | None = None
 
     @property
     def chapters(self) -> tuple[Chapter, ...]:
@@ -138,15 +141,23 @@ class Bench:
         self.needed: dict[str, Any] = {}
         self.sizes, self.usual = sizes or {}, usual
         self.names: tuple[str, ...] = ()
-        self.angles: tuple[float | None, ...] = ()
+        self.coordinates: tuple[float | None, ...] = ()
+        self.sweep: Sweep | None = None
         self.count = 0
         self.rows: dict[str, tuple[int, ...]] = {}
         self.told: dict[str, frozenset[int]] = {}
         self.best: Callable[[], int] | None = None
 
-    def stand(self, names: Iterable[str], angles: Iterable[float | None], count: int) -> None:
-        """Tell the positions: their names and angles (degrees), how many make the closed row."""
-        self.names, self.angles, self.count = tuple(names), tuple(angles), count
+    def stand(
+        self,
+        names: Iterable[str],
+        coordinates: Iterable[float | None],
+        count: int,
+        sweep: Sweep | None = None,
+    ) -> None:
+        """Tell the positions: their names and coordinates, how many make the row; of what drive these are."""
+        self.names, self.coordinates, self.count = tuple(names), tuple(coordinates), count
+        self.sweep = sweep
 
     def tell(self, view: str, where: Iterable[int]) -> None:
         """Set the positions at which findings of a view are reported, unless they are set already."""
@@ -178,9 +189,9 @@ class Bench:
         whole = max((v.shape[1] for v in arrays if v.ndim == 2), default=1)
         count = self.count or whole
         names = self.names or tuple(str(k + 1) for k in range(whole))
-        angles = self.angles or (None,) * len(names)
-        found = (log, given, made, names, angles, count, rows, told, self.best)
-        return Project(self.board, self.scene, *found)
+        coordinates = self.coordinates or (None,) * len(names)
+        found = (log, given, made, names, coordinates, count, rows, told, self.best)
+        return Project(self.board, self.scene, *found, sweep=self.sweep)
 
 
 def with_plans(wanted: Set[str]) -> set[str]:

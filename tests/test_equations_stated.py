@@ -94,8 +94,8 @@ def of_sheets(name: str, language: str) -> Iterator[Equations]:
     work = spoken(name, language).mechanism
     assert work is not None
     made_, plans = FORCES_PLAN.on(work), KINEMATICS_PLAN.on(work)
-    crank = plans.structure.driver
-    pivot = plans.positions.bodies[crank].marks[plans.structure.pivot]
+    crank = plans.structure.first.link
+    pivot = plans.positions.bodies[crank].marks[plans.structure.origin]
     decimals = EXACTLY if work.hand.ruler is None else decimals_of(work.hand.ruler)
     for place in (k for k in made_.places if k not in work.undrawn):
         writer = Writer(

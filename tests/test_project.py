@@ -177,7 +177,7 @@ def test_an_extreme_within_the_range_is_found() -> None:
     mechanism = four_bar(0.3, 0.22, 0.25, 0.35)
     project = recorded(mechanism, Row(12, zero=Extreme("A", "right")), plans=["positions"])
     assert KINEMATICS_PLAN.on(project).assembly.ranges
-    assert project.angles[0] == pytest.approx(0.0, abs=1e-9)
+    assert project.coordinates[0] == pytest.approx(0.0, abs=1e-9)
 
 
 def test_the_end_of_the_range_is_no_extreme_position() -> None:
@@ -191,7 +191,7 @@ def test_the_end_of_the_range_is_no_extreme_position() -> None:
                 assert "does not come to an extreme position" in str(error)  # noqa: PT017
                 continue
             low, high = KINEMATICS_PLAN.on(project).assembly.ranges[0]
-            angle = project.angles[0]
+            angle = project.coordinates[0]
             assert any(low + 1e-3 < angle + turn < high - 1e-3 for turn in (0, 360)), (letter, way)
 
 
@@ -235,4 +235,4 @@ def test_the_other_extreme_of_a_mechanism_that_comes_back_after_two_turns_is_ref
     with pytest.raises(StructureError, match="may lie in the second turn"):
         recorded(over, Row(12, zero=Extreme("A", "left"), extra=("other extreme",)))
     project = recorded(over, Row(12, zero=Extreme("A", "left")), plans=["positions"])
-    assert project.angles[0] == pytest.approx(180.0)
+    assert project.coordinates[0] == pytest.approx(180.0)

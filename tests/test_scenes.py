@@ -37,7 +37,7 @@ def work_of(name: str) -> Drawn:
 def _points(made: Drawn, place: int) -> dict[str, complex]:
     """Places (m, sheet's axes) of all letters at a position, as the plan of positions has them."""
     project = made.project
-    origin = made.scene.mechanism.frame.points[KINEMATICS_PLAN.on(project).structure.pivot]
+    origin = made.scene.mechanism.frame.points[KINEMATICS_PLAN.on(project).structure.origin]
     mu = made.scales["positions"].value
     found = {}
     for body in KINEMATICS_PLAN.on(project).positions.bodies.values():
@@ -54,7 +54,7 @@ def states(name: str) -> tuple[State, ...]:
     mechanism = replace(mechanism, links=mechanism.drawn, passive=())
     return tuple(
         solve_from_points(mechanism, angle, _points(made, place))
-        for place, angle in enumerate(made.project.angles)
+        for place, angle in enumerate(made.project.coordinates)
     )
 
 

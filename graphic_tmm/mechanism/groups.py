@@ -40,12 +40,14 @@ class Leg(NamedTuple):
 class Group(NamedTuple):
     """An Assur group of class II: kind 1–5, its two legs, its inner pair.
 
-    The first leg of kinds 2 and 5 is the turning one; of kind 3 it is that of the slider (the stone).
+    The first leg of kinds 2 and 5 is the turning one; of kind 3 it is that of the slider (the stone). ``rods``:
+    those that are driven out of cylinders among its links.
     """
 
     kind: Kind
     legs: tuple[Leg, Leg]
     inner: Pair
+    rods: tuple[int, ...] = ()
 
     @property
     def links(self) -> tuple[int, int]:

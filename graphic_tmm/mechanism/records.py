@@ -6,6 +6,7 @@ several links is a turning pair there. The frame is a link too, its own axes are
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -75,12 +76,53 @@ class Link:
 
 
 @dataclass(frozen=True)
+class Sweep:
+    """What the coordinate of a drive goes through: its letter, unit and bounds; ``closed``: a whole turn is."""
+
+    letter: str
+    unit: str
+    low: float
+    high: float
+    closed: bool
+
+    @property
+    def turns(self) -> bool:
+        """Whether the coordinate is an angle."""
+        return self.unit == "°"
+
+    def within(self, value: float) -> float:
+        """Return a coordinate within the bounds: of a turn the same angle from 0 to 360."""
+        return value % self.high if self.closed else min(max(value, self.low), self.high)
+
+    def apart(self, one: float, other: float) -> float:
+        """Return how far two coordinates are apart, over a whole turn the shorter way."""
+        half = self.high / 2.0
+        return abs((one - other + half) % self.high - half) if self.closed else abs(one - other)
+
+
+TURN = Sweep("φ", "°", 0.0, 360.0, True)
+"""A whole turn."""
+
+
+@dataclass(frozen=True)
 class Drive:
-    """The driving link: angular velocity (rad/s, counter-clockwise positive) and acceleration (rad/s²)."""
+    """A pair whose coordinate is given: the link that it drives, its rate and second rate.
+
+    A link that turns: rad/s (counter-clockwise positive) and rad/s². One that ``slides``: m/s along its guide,
+    or out of its cylinder, and m/s². ``start``: of a drive besides the first, its coordinate (degrees or m) in
+    the zero position.
+    """
 
     link: int
     speed: float
     acceleration: float = 0.0
+    slides: bool = False
+    start: float = 0.0
+
+    @property
+    def sense(self) -> int:
+        """Which way it goes: 1 counter-clockwise, along its guide or out of its cylinder; −1 the other."""
+        return -1 if math.copysign(1.0, self.speed) < 0 else 1
 
 
 def shared(bodies: Iterable[Mapping[str, complex]]) -> frozenset[str]:
@@ -95,7 +137,7 @@ def shared(bodies: Iterable[Mapping[str, complex]]) -> frozenset[str]:
 
 @dataclass(frozen=True)
 class Mechanism:
-    """The frame, the moving links in the order of the scene, and the drive.
+    """The frame, the moving links in the order of the scene, the drive and those that follow it.
 
     ``passive``: links that move with the others but count for nothing, by which nothing else is held.
     """
@@ -104,6 +146,7 @@ class Mechanism:
     links: tuple[Link, ...]
     drive: Drive
     passive: tuple[Link, ...] = ()
+    further: tuple[Drive, ...] = ()
     by_number: Mapping[int, Link] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -115,6 +158,11 @@ class Mechanism:
     def drawn(self) -> tuple[Link, ...]:
         """All links that move, the passive ones last."""
         return (*self.links, *self.passive)
+
+    @property
+    def drives(self) -> tuple[Drive, ...]:
+        """The drives; the positions are those of the first."""
+        return (self.drive, *self.further)
 
     @cached_property
     def pins(self) -> frozenset[str]:
@@ -136,7 +184,9 @@ class Row:
 
     ``zero`` is the crank's angle (degrees) or an extreme position of a point; the zero position bears the
     number ``first``. ``extra`` holds crank angles in degrees, or the word "other extreme".
-    ``accelerations`` names the positions that get an acceleration plan ("2", "6*", ...).
+    ``accelerations`` names the positions that get an acceleration plan ("2", "6*", ...). A row with ``ends``
+    (degrees, or m of what slides) is open: its first position is at the one, its last at the other; ``places``:
+    all coordinates of a row whose steps are not equal.
     """
 
     count: int = 12
@@ -145,3 +195,5 @@ class Row:
     extra: tuple[float | str, ...] = ()
     accelerations: tuple[str, ...] = ()
     turns: int = 1
+    ends: tuple[float, float] | None = None
+    places: tuple[float, ...] = ()

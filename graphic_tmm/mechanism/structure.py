@@ -1,32 +1,37 @@
-"""Structure: mobility, dissection into the driving link and Assur groups, formula of structure.
+"""Structure: mobility, dissection into what is driven and Assur groups, formula of structure.
 
-W = 3n − 2p5 − p4 (Chebyshev). A letter on k links makes k − 1 turning pairs. Groups are found in the order
-of attachment: two links joined by one pair, each joined by one pair to what is there already; of groups
-that could come next, the one with the smallest numbers comes first, so the order of links changes nothing.
+W = 3n − 2p5 − p4 (Chebyshev). A letter on k links makes k − 1 turning pairs.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from heapq import heappop, heappush
 from itertools import combinations
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined, said
-from graphic_tmm.mechanism.groups import Group, Kind, Leg, Pair, class_two
-from graphic_tmm.mechanism.records import Link, Mechanism, Slide
+from graphic_tmm.mechanism.attachment import Attachment
+from graphic_tmm.mechanism.driven import Driven, driven_pairs
+from graphic_tmm.mechanism.groups import Group, Pair, class_two
+from graphic_tmm.mechanism.records import Link, Mechanism
 
 
 class Structure(NamedTuple):
-    """The anatomy of a mechanism with one drive."""
+    """The anatomy of a mechanism: its pairs, what is driven, groups in the order of attachment.
+
+    ``origin``: the letter of the frame from which a sheet is drawn: the pivot of the crank.
+    """
 
     moving: int
     pairs: tuple[Pair, ...]
-    pivot: str
-    pin: str
+    driven: tuple[Driven, ...]
     groups: tuple[Group, ...]
-    driver: int
+    origin: str
+
+    @property
+    def first(self) -> Driven:
+        """What is driven first: its coordinate makes the row of positions."""
+        return self.driven[0]
 
     @property
     def mobility(self) -> int:
@@ -36,8 +41,9 @@ class Structure(NamedTuple):
     @property
     def formula(self) -> str:
         """The formula of structure, groups in order of attachment."""
+        initial = ", ".join(f"I({one.name})" for one in self.driven)
         groups = (f"II({group.name})" for group in class_two(self.groups, "formula"))
-        return " → ".join([f"I({self.driver})", *groups])
+        return " → ".join([initial, *groups])
 
 
 def dissect(mechanism: Mechanism) -> Structure:
@@ -46,31 +52,18 @@ def dissect(mechanism: Mechanism) -> Structure:
     Raises
     ------
     StructureError
-        If a link is tied to nothing, W is not the number of drives, the driving link does not turn about
-        a fixed pivot, or what remains is a group of a class above II; the message names the links.
+        If a link is tied to nothing, W is not the number of drives, a drive drives no pair, or what remains
+        is a group of a class above II; the message names the links.
     """
-    pivot = _pivot(mechanism)
-    known = [mechanism.frame.number, mechanism.drive.link]
+    driven = driven_pairs(mechanism)
     pairs = _pairs(mechanism)
     _refuse_loose_and_double(mechanism, pairs)
     mobility = 3 * len(mechanism.links) - 2 * len(pairs)
-    if mobility != 1:
-        n, p, w = len(mechanism.links), len(pairs), f"{mobility}".replace("-", "−")
-        remedy = said("a pair is missing") if mobility > 1 else said("a pair is too many")
-        raise StructureError(
-            said(
-                "W = 3·{links} − 2·{p} = {w}, but one drive is given (link {link}): {remedy} among "
-                "{listed}",
-                links=n,
-                p=p,
-                w=w,
-                link=mechanism.drive.link,
-                remedy=remedy,
-                listed=", ".join(_describe(pair) for pair in pairs),
-            )
-        )
+    if mobility != len(driven):
+        raise _unequal(mechanism, pairs, mobility)
     groups: list[Group] = []
-    attachment = _Attachment(mechanism, known)
+    known = [mechanism.frame.number, *(one.link for one in driven if not one.telescopes)]
+    attachment = Attachment(mechanism, known, [one for one in driven if one.telescopes])
     while attachment.left:
         group = attachment.next()
         if group is None:
@@ -86,61 +79,49 @@ def dissect(mechanism: Mechanism) -> Structure:
                 *(f"link {number}" for number in left),
             )
         groups.append(group)
-        known += [leg.link for leg in group.legs]
-        attachment.attach(group)
-    pin = _pin(mechanism, pivot)
+        known += attachment.attach(group)
     order = {number: place for place, number in enumerate(known)}
+    first = driven[0]
     return Structure(
         len(mechanism.links),
         _in_order(pairs, order, mechanism),
-        pivot,
-        pin,
+        driven,
         tuple(groups),
-        known[1],
+        first.pair.name if first.pair.kind == "R" else next(iter(mechanism.frame.points)),
     )
 
 
-def _pivot(mechanism: Mechanism) -> str:
-    crank = mechanism.by_number.get(mechanism.drive.link)
-    if crank is None or crank is mechanism.frame:
-        raise StructureError(
+def _unequal(mechanism: Mechanism, pairs: tuple[Pair, ...], mobility: int) -> StructureError:
+    """Return the refusal of a mechanism whose W is not the number of its drives."""
+    drives = mechanism.drives
+    few = mobility > len(drives)
+    remedy = said("a pair is missing") if few else said("a pair is too many")
+    number: dict[str, Any] = {
+        "links": len(mechanism.links),
+        "p": len(pairs),
+        "w": f"{mobility}".replace("-", "−"),
+        "listed": ", ".join(_describe(pair) for pair in pairs),
+    }
+    if len(drives) == 1:
+        return StructureError(
             said(
-                "the drive names link {link}, which is not a moving link", link=mechanism.drive.link
-            ),
-            "drive.link",
+                "W = 3·{links} − 2·{p} = {w}, but one drive is given (link {link}): {remedy} among "
+                "{listed}",
+                **number,
+                link=mechanism.drive.link,
+                remedy=remedy,
+            )
         )
-    shared = [letter for letter in crank.points if letter in mechanism.frame.points]
-    if len(shared) != 1 or crank.slides:
-        raise StructureError(
-            said(
-                "the driving link {number} must turn about one letter that it shares with the "
-                "frame (it shares {listed})",
-                number=crank.number,
-                listed=", ".join(shared) or said("none"),
-            ),
-            f"link {crank.number}",
-            "drive.link",
+    return StructureError(
+        said(
+            "W = 3·{links} − 2·{p} = {w}, but {count} drives are given (links {drives}): {remedy} among "
+            "{listed}, or a drive",
+            **number,
+            count=len(drives),
+            drives=", ".join(str(one.link) for one in drives),
+            remedy=remedy,
         )
-    return shared[0]
-
-
-def _pin(mechanism: Mechanism, pivot: str) -> str:
-    crank = mechanism.by_number[mechanism.drive.link]
-    others = [letter for letter in crank.points if letter != pivot]
-    pinned = [
-        letter
-        for letter in others
-        if any(letter in link.points for link in mechanism.links if link is not crank)
-    ]
-    if not (pinned or others):
-        raise StructureError(
-            said(
-                "the driving link {number} has no second letter: give it the crank pin, e.g. A",
-                number=crank.number,
-            ),
-            f"link {crank.number}, points",
-        )
-    return (pinned or others)[0]
+    )
 
 
 def _pairs(mechanism: Mechanism) -> tuple[Pair, ...]:
@@ -235,118 +216,6 @@ def _shared(first: Link, second: Link) -> list[str]:
         if slide.on == other.number
     ]
     return [letter for letter in first.points if letter in second.points] + slides
-
-
-class _Attachment:
-    """What is there of a mechanism while it grows group by group, and how the links left hold on to it.
-
-    Each link is looked at when something that it is joined to comes: the work grows with the number of pairs.
-    """
-
-    def __init__(self, mechanism: Mechanism, known: Sequence[int]) -> None:
-        self.bodies = mechanism.by_number
-        self.left = {link.number for link in mechanism.links} - {mechanism.drive.link}
-        self.there: set[str] = set()
-        self.outer: dict[int, list[Pair]] = {number: [] for number in self.left}
-        self.waiting: list[tuple[int, int]] = []
-        self.standing: dict[str, list[int]] = {}
-        self.sliders: dict[int, list[tuple[int, Slide]]] = {}
-        for number, link in self.bodies.items():
-            for letter in link.points:
-                self.standing.setdefault(letter, []).append(number)
-            for slide in link.slides:
-                self.sliders.setdefault(slide.on, []).append((number, slide))
-        for number in known:
-            self._enter(number)
-        self._look(tuple(self.left))
-
-    def attach(self, group: Group) -> None:
-        """Put a group to what is there."""
-        for leg in group.legs:
-            self.left.discard(leg.link)
-        met = [number for leg in group.legs for number in self._enter(leg.link)]
-        self._look(met)
-
-    def next(self) -> Group | None:
-        """Return the group with the smallest numbers of those that can come; None if none can."""
-        while self.waiting:
-            first, second = heappop(self.waiting)
-            if not (self._ready(first) and self._ready(second)):
-                continue
-            inner = self._inner(first, second)
-            if len(inner) == 1:
-                legs = self.outer[first][0], self.outer[second][0]
-                return _group(*legs, inner[0], first, second)
-        return None
-
-    def _ready(self, number: int) -> bool:
-        """Whether a link that is left holds on to what is there by one pair."""
-        return number in self.left and len(self.outer[number]) == 1
-
-    def _enter(self, number: int) -> list[int]:
-        """Count a link to what is there; return the links left that are joined to it."""
-        link, met = self.bodies[number], []
-        for letter in link.points:
-            if letter not in self.there:
-                self.there.add(letter)
-                others = [k for k in self.standing[letter] if k in self.left]
-                for other in others:
-                    self.outer[other].append(Pair("R", letter, (other, number)))
-                met += others
-        for slide in link.slides:
-            if slide.on in self.left:
-                self.outer[slide.on].append(Pair("P", slide.guide.name, (number, slide.on), slide))
-                met.append(slide.on)
-        for other, slide in self.sliders.get(number, ()):
-            if other in self.left:
-                self.outer[other].append(Pair("P", slide.guide.name, (other, number), slide))
-                met.append(other)
-        return met
-
-    def _look(self, met: Sequence[int]) -> None:
-        """Let links wait, two by two, that are joined to each other and each by one pair to what is there."""
-        for number in filter(self._ready, dict.fromkeys(met)):
-            link = self.bodies[number]
-            near = [k for letter in link.points for k in self.standing[letter]]
-            near += [slide.on for slide in link.slides]
-            near += [k for k, _ in self.sliders.get(number, ())]
-            for other in filter(self._ready, set(near) - {number}):
-                heappush(self.waiting, (min(number, other), max(number, other)))
-
-    def _inner(self, first: int, second: int) -> list[Pair]:
-        """Return the pairs by which two links are joined that are not there yet."""
-        one, other = self.bodies[first], self.bodies[second]
-        return [
-            *(
-                Pair("R", letter, (first, second))
-                for letter in one.points
-                if letter in other.points and letter not in self.there
-            ),
-            *(Pair("P", s.guide.name, (first, second), s) for s in one.slides if s.on == second),
-            *(Pair("P", s.guide.name, (second, first), s) for s in other.slides if s.on == first),
-        ]
-
-
-def _group(one: Pair, two: Pair, inner: Pair, first: int, second: int) -> Group:
-    legs = (Leg(first, one.other(first), one), Leg(second, two.other(second), two))
-    kinds = (one.kind, two.kind)
-    if inner.kind == "R":
-        kind: Kind = 1 if kinds == ("R", "R") else 4 if kinds == ("P", "P") else 2
-        return Group(kind, legs if kinds != ("P", "R") else (legs[1], legs[0]), inner)
-    if kinds == ("P", "P"):
-        raise StructureError(
-            said(
-                "links {first} and {second} are joined by three sliding pairs: they make no Assur "
-                "group (a turning pair is needed)",
-                first=first,
-                second=second,
-            ),
-            f"link {first}, slides",
-            f"link {second}, slides",
-        )
-    if kinds == ("R", "R"):
-        return Group(3, legs if inner.links[0] == first else (legs[1], legs[0]), inner)
-    return Group(5, legs if kinds == ("R", "P") else (legs[1], legs[0]), inner)
 
 
 def _describe(pair: Pair) -> str:

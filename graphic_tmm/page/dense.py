@@ -56,7 +56,7 @@ def dense(drawn: Drawn) -> Dense | None:
     """Return a mechanism at every degree; None of a board whose positions are no angles of a crank."""
     log = drawn.construction
     sheet = drawn if _exact(drawn) else drawn.drawn_by(EXACT)
-    by = next((mark for mark in log.given if mark.role == roles.CRANK_ANGLE), None)
+    by = next((mark for mark in log.given if mark.role == roles.ROW), None)
     if by is None:
         return None
     turned, span, whole, at = _turned(drawn, by)
@@ -72,12 +72,12 @@ def dense(drawn: Drawn) -> Dense | None:
         known |= Turning.of(chapter).between(sheet, turn)
     following = again(log, known)
     reading = execute(following, known)
-    angles = np.array(drawn.project.angles[0] or 0.0) + turned
+    angles = np.array(drawn.project.coordinates[0] or 0.0) + turned
     names = tuple(f"{angle % WHOLE:g}°" for angle in angles)
     everywhere = tuple(range(turned.size))
     rows = {plan: everywhere if some else () for plan, some in drawn.project.rows.items()}
     project = replace(
-        drawn.project, names=names, angles=tuple(float(a) for a in angles % WHOLE), rows=rows
+        drawn.project, names=names, coordinates=tuple(float(a) for a in angles % WHOLE), rows=rows
     )
     bad, why = _undrawn(project, following, reading, known)
     own = {plan: reading for plan, some in rows.items() if some}
@@ -100,12 +100,12 @@ def _turned(drawn: Drawn, by: Mark) -> tuple[Reals, float, int, tuple[int, ...]]
     count = drawn.project.count
     row = np.asarray(drawn.given[by], dtype=float)[0]
     assert drawn.scene.mechanism is not None
-    sense = 1.0 if drawn.scene.mechanism.drive.speed > 0.0 else -1.0
+    sense = drawn.scene.mechanism.drive.sense
     degrees = round(abs(float(row[1])) * count) if count > 1 else round(WHOLE)
     turned = list(sense * np.arange(degrees, dtype=float))
-    zero = float(drawn.project.angles[0] or 0.0)
+    zero = float(drawn.project.coordinates[0] or 0.0)
     at = []
-    for k, angle in enumerate(drawn.project.angles):
+    for k, angle in enumerate(drawn.project.coordinates):
         own = abs(row[k]) if k < count else (sense * (float(angle or 0.0) - zero)) % WHOLE
         near = round(own)
         if abs(own - near) < ON_GRID and near < degrees:

@@ -165,8 +165,10 @@ def _plain_key(view: str) -> str:
 def positions_of(made: DrawnScene) -> Positions:
     """Return the positions of a scene: those of the first board that turns; none of wheels alone."""
     for drawn in made.boards:
-        if drawn.board == MECHANISM or any(angle is not None for angle in drawn.project.angles):
-            return tuple(zip(drawn.names, drawn.project.angles, strict=True))
+        if drawn.board == MECHANISM or any(
+            angle is not None for angle in drawn.project.coordinates
+        ):
+            return tuple(zip(drawn.names, drawn.project.coordinates, strict=True))
     return ()
 
 

@@ -44,7 +44,7 @@ def scene(parts: Parts, source: str) -> Scene:
     links = [link for link in parts.links if link is not None]
     asked = {section.name for section, _ in parts.chapter_sections}
     usual = registry.usual(asked, mechanism=drive is not None)
-    mechanism = _mechanism(frame, links, drive) if frame and drive else None
+    mechanism = _mechanism(parts, frame, links, drive) if frame and drive else None
     sheets = parts.record("sheet") or [SheetOrder(place=())]
     formats = [sheet.format for sheet in sheets]
     rest = registry.without(usual, [place for sheet in sheets for place in sheet.place])
@@ -93,11 +93,10 @@ class _Built:
         return build(section.record, said, **section.joined(self))
 
 
-def _mechanism(frame: m.Frame, links: list[m.Link], drive: m.Drive) -> Mechanism:
+def _mechanism(parts: Parts, frame: m.Frame, links: list[m.Link], drive: m.Drive) -> Mechanism:
     bodies: dict[int, m.Frame | m.Link] = {link.number: link for link in links}
     bodies[frame.number] = frame
     fixed = Link(frame.number, dict(frame.points), _guides(frame.guides))
-    sign = _sign(drive)
     pins = shared(body.points for body in bodies.values())
     made = [
         replace(_link(link, bodies, frame.number), centre=_centre(link, pins)) for link in links
@@ -105,9 +104,30 @@ def _mechanism(frame: m.Frame, links: list[m.Link], drive: m.Drive) -> Mechanism
     return Mechanism(
         frame=fixed,
         links=tuple(one for one, link in zip(made, links, strict=True) if not link.passive),
-        drive=Drive(drive.link, sign * drive.speed, sign * drive.acceleration),
+        drive=_drive(drive, bodies, frame),
+        further=tuple(_drive(one, bodies, frame) for one in parts.further_drives),
         passive=tuple(one for one, link in zip(made, links, strict=True) if link.passive),
     )
+
+
+def _drive(
+    drive: m.Drive | m.FurtherDrive, bodies: Mapping[int, m.Frame | m.Link], frame: m.Frame
+) -> Drive:
+    """Return a drive as its mechanism has it."""
+    link, start, sign = bodies.get(drive.link), 0.0, float(_sign(drive))
+    slides = m.slides(drive, link if isinstance(link, m.Link) else None, frame)
+    if isinstance(drive, m.FurtherDrive):
+        start = drive.at
+    elif (ends := _ends(drive)) and ends[-1] < ends[0]:
+        sign = -1.0
+    return Drive(drive.link, sign * drive.speed, sign * drive.acceleration, slides, float(start))
+
+
+def _ends(drive: m.Drive) -> tuple[float, ...]:
+    """Return where an open row begins and ends, or all its places; nothing of a whole turn."""
+    if drive.begin is not None and drive.end is not None:
+        return drive.begin, drive.end
+    return drive.positions if isinstance(drive.positions, tuple) else ()
 
 
 def _centre(table: m.Link, pins: Collection[str]) -> str | None:
@@ -116,7 +136,7 @@ def _centre(table: m.Link, pins: Collection[str]) -> str | None:
     return found[0] if len(found) == 1 else None
 
 
-def _sign(drive: m.Drive) -> int:
+def _sign(drive: m.Drive | m.FurtherDrive) -> int:
     return -1 if drive.turns == CLOCKWISE else 1
 
 
@@ -157,17 +177,19 @@ def _slide(table: m.Slide, bodies: dict[int, m.Frame | m.Link], frame: int) -> S
 
 
 def _row(drive: m.Drive) -> Row:
-    zero = drive.zero
+    zero, ends = drive.zero, _ends(drive)
     accelerations = drive.accelerations
     if accelerations == ("all",):
-        numbers = range(drive.first, drive.first + drive.positions)
+        numbers = range(drive.first, drive.first + drive.count)
         accelerations = tuple(str(number) for number in numbers)
     return Row(
-        count=drive.positions,
+        count=drive.count,
         first=drive.first,
         zero=Extreme(zero.point, zero.at) if isinstance(zero, m.Extreme) else zero,
         extra=drive.extra,
         accelerations=accelerations,
+        ends=(ends[0], ends[1]) if ends and drive.begin is not None else None,
+        places=drive.positions if isinstance(drive.positions, tuple) else (),
     )
 
 

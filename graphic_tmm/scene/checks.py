@@ -17,13 +17,13 @@ from graphic_tmm.scene import mechanism, registry
 from graphic_tmm.scene.chapter import chapters, places
 from graphic_tmm.scene.declare import Flaw, Path, Said, Section, build
 from graphic_tmm.scene.document import as_table
-from graphic_tmm.scene.mechanism import Drive, Extreme, Link, Slide
+from graphic_tmm.scene.mechanism import Drive, Extreme, FurtherDrive, Link, Slide
 from graphic_tmm.scene.passive import passive_faults
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.registry import called, of_section, sections
 from graphic_tmm.scene.sections import Parts, pairing
 from graphic_tmm.scene.units import SI
-from graphic_tmm.scene.values import OTHER_EXTREME
+from graphic_tmm.scene.values import OTHER_EXTREME, Bare, Metres
 
 
 def contradictions(parts: Parts) -> Iterator[Flaw]:
@@ -46,6 +46,10 @@ def contradictions(parts: Parts) -> Iterator[Flaw]:
     plans, scales = parts.said["plans"], parts.said["scales"]
     if parts.drive is not None:
         yield from _row(parts.drive, [*parts.names.moving])
+        several = isinstance(parts.doc.get("drive"), list)
+        drives: list[Drive | FurtherDrive] = [parts.drive, *parts.further_drives]
+        for k, drive in enumerate(drives):
+            yield from _motion(("drive", k) if several else ("drive",), drive, parts)
         if plans is not None and plans.main is not None:
             yield from _position(parts.drive, ("plans", "main"), plans.main)
     if scales is not None:
@@ -190,6 +194,7 @@ def _row(drive: Drive, moving: Sequence[str]) -> Iterator[Flaw]:
             point=moving[-1] if moving else "D",
         )
         yield Flaw(("drive", "extra"), says)
+    yield from _ends(drive)
     if drive.accelerations == ("all",):
         return
     for i, name in enumerate(drive.accelerations):
@@ -199,9 +204,63 @@ def _row(drive: Drive, moving: Sequence[str]) -> Iterator[Flaw]:
             yield Flaw(path, said("position {name} is named twice; leave one out", name=name))
 
 
+def _motion(path: Path, drive: Drive | FurtherDrive, parts: Parts) -> Iterator[Flaw]:
+    """A speed in m/s of a link that does not slide, angles of one that does, and the other way round."""
+    link = next((one for one in parts.links if one is not None and one.number == drive.link), None)
+    if link is None or parts.frame is None:
+        return
+    sliding = mechanism.slides(drive, link, parts.frame)
+    if sliding and not link.pairs:
+        says = said(
+            "this is the speed of what slides, and link {number} slides on nothing: write its angular speed, "
+            '"380 rpm", or give it slides',
+            number=link.number,
+        )
+        yield Flaw((*path, "speed"), says)
+    elif not sliding and link.pairs and not parts.frame.points.keys() & link.points.keys():
+        says = said(
+            "this is an angular speed, and link {number} slides and turns about nothing fixed: write its "
+            'speed, "0.2 m/s"',
+            number=link.number,
+        )
+        yield Flaw((*path, "speed"), says)
+    if isinstance(drive, FurtherDrive):
+        rest: dict[str, tuple[object, ...]] = {"at": (drive.at,)}
+    else:
+        places = drive.positions if isinstance(drive.positions, tuple) else ()
+        rest = {"from": (drive.begin,), "to": (drive.end,), "positions": places}
+    wrong = said('an angle is wanted, "20 deg": link {number} turns', number=link.number)
+    if sliding:
+        wrong = said('a length is wanted, "200 mm": link {number} slides', number=link.number)
+    for name, values in (*rest.items(), ("acceleration", (drive.acceleration,))):
+        written = [one for one in values if isinstance(one, float) and not isinstance(one, Bare)]
+        if any(isinstance(one, Metres) != sliding for one in written if one):
+            yield Flaw((*path, name), wrong)
+
+
+def _ends(drive: Drive) -> Iterator[Flaw]:
+    """A row with one end, with a list of places besides, or that goes against the sense of the drive."""
+    listed = not isinstance(drive.positions, int)
+    ends = {"from": drive.begin, "to": drive.end}
+    there = [name for name, value in ends.items() if value is not None]
+    if listed and there:
+        says = said("positions lists all places: leave {name} out", name=there[0])
+        yield Flaw(("drive", there[0]), says)
+    elif len(there) == 1:
+        says = said("a row from one end to the other has both: write from and to")
+        yield Flaw(("drive", there[0]), says)
+    elif there and drive.begin == drive.end:
+        yield Flaw(("drive", "to"), said("the row ends where it begins; write another place"))
+    if (there or listed) and drive.zero != 0.0:
+        key = there[0] if there else "positions"
+        yield Flaw(
+            ("drive", "zero"), said("{key} says where the row begins: leave zero out", key=key)
+        )
+
+
 def _position(drive: Drive, path: Path, name: str) -> Iterator[Flaw]:
     """A position named that the row does not have."""
-    last = drive.first + drive.positions - 1
+    last = drive.first + drive.count - 1
     if not drive.first <= int(name.rstrip("*")) <= last:
         says = said(
             "there is no position {name}; the row goes from {first} to {last}",

@@ -182,7 +182,8 @@ class Section:
     that raises TaskError of what the plan cannot take, its record -> nothing. ``joined``: fields of the record
     that come from other sections. ``idle``: what of it comes to nothing, a line each; ``defaults``: those of it
     that matter. ``weighs``: it needs the mass centres of links. ``metric``: its sizes are told in mm,
-    whatever the units. ``shows``: its record -> other sections that are shown where it is.
+    whatever the units. ``shows``: its record -> other sections that are shown where it is. ``further``: the
+    record of those behind the first, where it may be a list of tables.
     """
 
     name: str
@@ -201,3 +202,4 @@ class Section:
     weighs: bool = False
     metric: bool = False
     shows: Callable[[Any], tuple[str, ...]] = lambda record: ()
+    further: type | None = None

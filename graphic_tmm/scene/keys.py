@@ -37,6 +37,7 @@ SHAPES = {
 FIRST = said("Before the first section")
 AS_SHOWN = said("as in the example")
 NONE = "-"
+BEHIND = said("`[[{name}]]`: those behind the first")
 
 
 def reference(language: str = SOURCE, only: Collection[str] = ()) -> str:
@@ -47,6 +48,9 @@ def reference(language: str = SOURCE, only: Collection[str] = ()) -> str:
     for name, section in declared().items():
         if name in only or not only:
             made += _page(_headed(section), about(section.record), section.record, speech)
+            if section.further is not None:
+                behind = speech(BEHIND, name=section.name)
+                made += _page(behind, about(section.further), section.further, speech)
     if not only:
         made += _unit_table(speech)
     return "\n".join(made)

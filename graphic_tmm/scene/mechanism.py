@@ -173,16 +173,34 @@ class Drive:
     """The driving link, its motion, and the row of positions."""
 
     link: int = key(v.LINK_NUMBER, "the number of the driving link", 1)
-    speed: float = key(v.SPEED, "its angular speed, positive", "380 rpm")
+    speed: float = key(
+        v.SPEED,
+        "its angular speed, positive; of what slides, on the frame or out of its cylinder, its speed, "
+        '"0.05 m/s"; 0 where it stands',
+        "380 rpm",
+    )
     acceleration: float = key(
-        v.quantity("angular acceleration"),
-        "its angular acceleration in the sense of turning: positive when it speeds up, negative when it slows",
+        v.GAIN,
+        "its angular acceleration in the sense of turning: positive when it speeds up, negative when it slows; "
+        "of what slides its acceleration",
         "20 rad/s^2",
         0.0,
     )
     turns: str = key(v.TURNS, "which way it turns", "clockwise", v.COUNTERCLOCKWISE)
-    positions: int = key(
-        v.number(Bound(1, 100_000, whole=True)), "how many positions there are in a turn", 12, 12
+    begin: float | None = key(
+        v.COORDINATE,
+        "where the row begins if it is no whole turn: an angle; of what slides how far it has come along its "
+        "guide, or how far apart the pins of rod and cylinder are",
+        "20 deg",
+        None,
+        written="from",
+    )
+    end: float | None = key(v.COORDINATE, "where that row ends", "75 deg", None, written="to")
+    positions: int | tuple[float, ...] = key(
+        ByShape(list, v.COORDINATES, v.number(Bound(1, 100_000, whole=True))),
+        "how many positions there are, in a turn or from the one end to the other; or a list of all places",
+        12,
+        12,
     )
     first: int = key(v.number(Bound(0, 1, whole=True)), "the number of the zero position", 1, 0)
     extra: tuple[float | str, ...] = key(
@@ -196,6 +214,29 @@ class Drive:
         "the zero position: a crank angle, or an extreme of a point",
         default=0.0,
     )
+
+    @property
+    def count(self) -> int:
+        """How many positions the row has."""
+        return self.positions if isinstance(self.positions, int) else len(self.positions)
+
+
+@dataclass(frozen=True)
+class FurtherDrive:
+    """Another drive of a mechanism with several: its link and motion; it follows the row of the first."""
+
+    link: int = key(v.LINK_NUMBER, "the number of the driving link", 4)
+    speed: float = key(v.SPEED, "its speed, positive, as of the first", "10 rad/s")
+    acceleration: float = key(v.GAIN, "its acceleration in the sense of its motion", None, 0.0)
+    turns: str = key(v.TURNS, "which way it turns", "clockwise", v.COUNTERCLOCKWISE)
+    at: float = key(v.COORDINATE, "where it stands in the zero position", "240 deg", 0.0)
+
+
+def slides(drive: Drive | FurtherDrive, link: Link | None, frame: Frame) -> bool:
+    """Whether a drive slides: its speed says so; of a bare number, its link turns about nothing fixed."""
+    if not isinstance(drive.speed, v.Bare) or link is None:
+        return isinstance(drive.speed, v.Metres)
+    return bool(link.pairs) and not frame.points.keys() & link.points.keys()
 
 
 SAME_PLACE = 1e-9

@@ -58,6 +58,11 @@ def _section(section: Section, tables: dict[str, Schema]) -> Schema:
     name = f"{words.replace('_', '')}Table"
     tables[name] = table_schema(section.record, name, tables)
     made: Schema = {"$ref": f"#/$defs/{name}"}
+    if section.further is not None:
+        behind = f"{section.further.__name__}Table"
+        tables[behind] = table_schema(section.further, behind, tables)
+        either = {"anyOf": [made, {"$ref": f"#/$defs/{behind}"}]}
+        made = {"anyOf": [made, {"type": "array", "items": either}]}
     if section.several:
         made = {"type": "array", "items": made, "title": words.replace("_", " ")}
     return {**made, "description": section.says} if section.says else made

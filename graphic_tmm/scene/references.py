@@ -86,7 +86,12 @@ def name_faults(doc: Document, missing: Callable[[str], str]) -> Iterator[Flaw]:
         yield from _slides(path, link, names)
         yield from _sides(path, link, names)
         yield from _centre(path, link)
-    yield from _drive(as_table(doc.get("drive")), names)
+    drives = doc.get("drive")
+    if isinstance(drives, list):
+        for k, one in enumerate(drives):
+            yield from _drive(as_table(one), names, ("drive", k))
+    else:
+        yield from _drive(as_table(drives), names, ("drive",))
     yield from _trajectories(as_table(doc.get("plans")).get("trajectories"), names)
 
 
@@ -240,18 +245,18 @@ def _centre(path: Path, link: Document) -> Iterator[Flaw]:
         )
 
 
-def _drive(drive: Document, names: Outline) -> Iterator[Flaw]:
+def _drive(drive: Document, names: Outline, at: Path) -> Iterator[Flaw]:
     number = drive.get("link")
     if _is_whole(number) and number not in names.bodies:
-        yield from no_link(("drive", "link"), number, names)
+        yield from no_link((*at, "link"), number, names)
     elif number == names.frame and _is_whole(number):
         says = said(
             "link {number} is the frame, which does not turn; name the crank", number=number
         )
-        yield Flaw(("drive", "link"), says)
+        yield Flaw((*at, "link"), says)
     point = as_table(drive.get("zero")).get("point")
     if isinstance(point, str):
-        yield from _moving(("drive", "zero", "point"), point, names)
+        yield from _moving((*at, "zero", "point"), point, names)
 
 
 def _trajectories(items: object, names: Outline) -> Iterator[Flaw]:

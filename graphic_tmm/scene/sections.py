@@ -29,7 +29,9 @@ FIRST = (
     Section("task", mechanism.Task, "lengths found from a task"),
     Section("frame", mechanism.Frame, "the fixed link", always=True),
     Section("link", mechanism.Link, "the moving links, in order", several=True),
-    Section("drive", mechanism.Drive, "the driving link and its motion"),
+    Section(
+        "drive", mechanism.Drive, "the driving link and its motion", further=mechanism.FurtherDrive
+    ),
     Section("plans", drawing.Plans, always=True),
 )
 """The sections of every scene that stand before those of chapters."""
@@ -62,12 +64,14 @@ class Parts:
     """What could be understood of a document.
 
     ``said``: what a section says, by name: None for one that could not be understood, or is not there; of those
-    that may be there several times a list. ``head``: the keys before the first section.
+    that may be there several times a list. ``head``: the keys before the first section. ``further``: what
+    tables behind the first say, of sections that may be a list.
     """
 
     doc: Document
     head: drawing.Head | None
     said: Mapping[str, Any]
+    further: Mapping[str, list[Any]]
 
     def record(self, name: str) -> Any:
         """Return the record of a section that no other has a part in; a list where there may be several."""
@@ -95,6 +99,12 @@ class Parts:
         return found
 
     @cached_property
+    def further_drives(self) -> list[mechanism.FurtherDrive]:
+        """The drives besides the first."""
+        there = self.further.get("drive", [])
+        return [build(mechanism.FurtherDrive, one) for one in there if one is not None]
+
+    @cached_property
     def names(self) -> Outline:
         """The names of the file, whatever else is wrong."""
         return outline(self.doc)
@@ -119,12 +129,12 @@ class Parts:
 
     def intervals(self, section: str) -> Iterator[Flaw]:
         """Tell of a row that is too short for a diagram of a section."""
-        if self.drive is not None and not INTERVALS.holds(self.drive.positions):
+        if self.drive is not None and not INTERVALS.holds(self.drive.count):
             says = said(
                 "a diagram needs {least} positions at least, there are {there}; write positions = 12 in "
                 "[drive]",
                 least=INTERVALS.least,
-                there=self.drive.positions,
+                there=self.drive.count,
             )
             yield Flaw((section,), says)
 
@@ -155,14 +165,22 @@ def understand(doc: Document) -> tuple[Parts, list[Flaw]]:
     written = {key: doc[key] for key in keys_of(drawing.Head) if key in doc}
     head = understood(drawing.Head, written, (), names, found)
     said: dict[str, Any] = {"task": task}
+    further: dict[str, list[Any]] = {}
     for name, section in declared().items():
         if section.several:
             said[name] = _several(section, doc.get(name, []), names, found)
+        elif section.further is not None and isinstance(doc.get(name), list) and doc[name]:
+            first, *rest = doc[name]
+            said[name] = understood(section.record, first, (name, 0), names, found)
+            further[name] = [
+                understood(section.further, one, (name, k), names, found)
+                for k, one in enumerate(rest, start=1)
+            ]
         elif name not in said:
             there = section.always or name in doc
             raw, at = doc.get(name, {}), (name,)
             said[name] = understood(section.record, raw, at, names, found) if there else None
-    return Parts(doc, build(drawing.Head, head) if head is not None else None, said), found
+    return Parts(doc, build(drawing.Head, head) if head is not None else None, said, further), found
 
 
 def _several(

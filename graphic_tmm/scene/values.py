@@ -176,24 +176,24 @@ def _angles(value: object, names: Names) -> tuple[float, ...]:
     return tuple(quantities.parse(item, "angle") for item in value)
 
 
+class Metres(float):
+    """A number of metres, m/s or m/s²: of what slides."""
+
+
+class Bare(float):
+    """A number without a unit: of what slides, or of what turns."""
+
+
+def _sliding(value: object, sliding: Dimension, turning: Dimension) -> float:
+    """Read a quantity of what slides, where its unit says so, as `Metres`; else one of what turns."""
+    if isinstance(value, str) and quantities.is_a(value, sliding):
+        return Metres(quantities.parse(value, sliding))
+    number = quantities.parse(value, turning)
+    return number if isinstance(value, str) else Bare(number)
+
+
 def _speed(value: object, names: Names) -> float:
-    if isinstance(value, str) and quantities.is_a(value, "speed"):
-        raise ValueError(
-            said(
-                '"{text}" is the speed of a slider, and no slider can drive: name the link that turns about '
-                'a fixed pivot as link, and its angular speed, for example "380 rpm"',
-                text=misfits.short(value),
-            )
-        )
-    number = quantities.parse(value, "angular speed")
-    if number == 0:
-        raise ValueError(
-            said(
-                "{text}: a drive that stands still moves nothing; for what stands, or starts from rest, write "
-                'a speed so small that nothing comes of it, "0.001 rad/s"',
-                text=_show(value),
-            )
-        )
+    number = _sliding(value, "speed", "angular speed")
     if number < 0:
         raise ValueError(
             said('{text} is negative; write it positive and turns = "clockwise"', text=_show(value))
@@ -304,6 +304,12 @@ def _extra(value: object, names: Names) -> tuple[float | str, ...]:
     )
 
 
+def _coordinates(value: object, names: Names) -> tuple[float, ...]:
+    if not isinstance(value, list) or not value:
+        raise ValueError(stands(value, said('a list of places is wanted, ["0 deg", "35 deg"]')))
+    return tuple(_sliding(item, "length", "angle") for item in value)
+
+
 def _accelerations(value: object, names: Names) -> tuple[str, ...]:
     if value in ("all", "все", ["all"], ["все"]):
         return ("all",)
@@ -362,6 +368,15 @@ LENGTH = Kind(lengths.evaluate, _LENGTH, unit="length")
 ANGLE = quantity("angle")
 ANGLES = Kind(_angles, ROW, unit="angle")
 SPEED = Kind(_speed, _quantity_schema("angular speed"), unit="angular speed")
+GAIN = Kind(
+    lambda value, names: _sliding(value, "acceleration", "angular acceleration"),
+    _quantity_schema("angular acceleration"),
+    unit="angular acceleration",
+)
+COORDINATE = Kind(
+    lambda value, names: _sliding(value, "length", "angle"), _quantity_schema("angle"), unit="angle"
+)
+COORDINATES = Kind(_coordinates, ROW)
 ACCELERATION = quantity("acceleration", POSITIVE)
 MASS = quantity("mass", Bound(0))
 INERTIA = quantity("moment of inertia", Bound(0))

@@ -96,7 +96,7 @@ class Case(NamedTuple):
 
     def at(self, angles: Any, program: Program) -> Reading:
         """Run the log at other angles."""
-        phi = {self.drawn.positions.phi: np.asarray(angles)[None, :]}
+        phi = {self.drawn.positions.row[0]: np.asarray(angles)[None, :]}
         return program.run({**self.given, **phi}, fast=bool(program.fast))
 
     def numpy(self, block: int) -> Any:
@@ -123,7 +123,7 @@ def case(form: bare.Bare, count: int = COUNT) -> Case:
         marks += [plan.images.by_letter[link][letter] for plan in plans]
     marks += [plan.rates[link] for link in links for plan in plans]
     degrees = np.linspace(0.0, 360.0, count, endpoint=False)
-    given = drawn.given | {drawn.positions.phi: degrees[None, :]}
+    given = drawn.given | {drawn.positions.row[0]: degrees[None, :]}
     return Case(form, drawn, marks, prepare(drawn.log, marks), given, np.radians(degrees))
 
 

@@ -108,8 +108,8 @@ def _scales(drawn: Drawn) -> Iterator[tuple[str, str]]:
     if first is not None and groups and first < min(groups.values()) * (1 - 1e-9):
         yield "link 1", "is larger than all groups"
     made = KINEMATICS_PLAN.on(drawn)
-    marks, structure = made.positions.bodies[made.structure.driver].marks, made.structure
-    crank = drawn.reading[marks[structure.pin]] - drawn.reading[marks[structure.pivot]]
+    marks, structure = made.positions.bodies[made.structure.first.link].marks, made.structure
+    crank = drawn.reading[marks[structure.first.pin]] - drawn.reading[marks[structure.origin]]
     if (mm := float(np.nanmax(np.abs(crank)))) < SHORT:
         yield "crank", f"is {mm:.1f} mm"
 

@@ -80,8 +80,8 @@ def test_a_crank_can_be_measured_as_far_as_its_plan_goes_on_the_sheet(tmp_path: 
         work = make(scene, exact=True).boards[0]
         arm = work.project.recorded["kinematics"]
         pivot, pin = (
-            work.reading[arm.positions.bodies[arm.structure.driver].marks[name]]
-            for name in (arm.structure.pivot, arm.structure.pin)
+            work.reading[arm.positions.bodies[arm.structure.first.link].marks[name]]
+            for name in (arm.structure.origin, arm.structure.first.pin)
         )
         crank = float(np.nanmax(np.abs(pin - pivot)))
         # the next larger scale is up to twice as large, and would take more than a plan may

@@ -43,7 +43,7 @@ def test_one_position_in_a_long_row_is_told_of() -> None:
     count = 2 * BLOCK + 1
     phi = np.append(np.linspace(0.0, 80.0, count - 1), 90.0 + np.degrees(1e-6))[None, :]
     (side,) = sheet.positions.sides.values()
-    given = sheet.given | {sheet.positions.phi: phi, side: np.where(phi < 90.0, 1.0, -1.0)}
+    given = sheet.given | {sheet.positions.row[0]: phi, side: np.where(phi < 90.0, 1.0, -1.0)}
     found = examine(sheet.log, given, [step.it for step in sheet.log.steps])
     assert [one.kind for one in found].count("doubtful") == 1
     assert {one.kind for one in found} == {"doubtful", "lost"}
@@ -53,5 +53,5 @@ def test_one_position_in_a_long_row_is_told_of() -> None:
 def test_a_long_chain_of_sound_groups_is_not_doubted() -> None:
     """Conditions multiply over its eight groups and three plans; errors do not."""
     sheet = board(chain(8))
-    given = sheet.given | {sheet.positions.phi: np.arange(0.0, 360.0, 5.0)[None, :]}
+    given = sheet.given | {sheet.positions.row[0]: np.arange(0.0, 360.0, 5.0)[None, :]}
     assert examine(sheet.log, given, [step.it for step in sheet.log.steps]) == ()

@@ -222,7 +222,7 @@ def test_self_locking_at_one_position_leaves_the_others() -> None:
     order = order_of(one, friction=Friction({"x": 0.5}, {}, 6))
     solved = solve(one, ANGLE, poses(mechanism, ANGLE)[0], order, judged=False)
     given = {mark: solved.reading[mark] for mark in solved.log.given}
-    given[solved.positions.phi] = np.array([[10.0, 30.0, 50.0, 89.0, 91.0]])
+    given[solved.positions.row[0]] = np.array([[10.0, 30.0, 50.0, 89.0, 91.0]])
     found = execute(solved.log, given, [solved.forces.balance])[solved.forces.balance]
     beta = np.arcsin(CRANK * np.sin(np.radians([10.0, 30.0, 50.0, 89.0, 91.0])) / ROD)
     assert np.isfinite(found[0]).tolist() == (0.5 * np.tan(beta) < 0.9).tolist()

@@ -68,7 +68,7 @@ def test_a_million_positions() -> None:
     velocities, bodies = sheet.velocities, sheet.positions.bodies
     b, rate = bodies[3].marks["B"], velocities.rates[3]
     wanted = [b, rate, sheet.accelerations.rates[3]]
-    reading = execute(sheet.log, sheet.given | {sheet.positions.phi: angles}, wanted)
+    reading = execute(sheet.log, sheet.given | {sheet.positions.row[0]: angles}, wanted)
     for mark in wanted:
         assert reading[mark].shape == (1, 10**6)
         assert np.isfinite(reading[mark]).all()

@@ -138,7 +138,7 @@ def scene_of(drawn: Sampled, loaded: dynamics.Loaded, balance: str) -> dict[str,
 
     mechanism = loaded.mechanism
     frame: dict[str, Any] = {x: pair(p) for x, p in mechanism.frame.points.items()}
-    drive, sense = mechanism.drive, 1 if mechanism.drive.speed > 0 else -1
+    drive, sense = mechanism.drive, mechanism.drive.sense
     forces = [
         {
             "link": k,

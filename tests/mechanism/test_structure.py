@@ -53,7 +53,7 @@ def test_the_windrower_has_the_published_structure() -> None:
     assert found.mobility == 1
     assert [(group.name, group.kind) for group in found.groups] == [("2-3", 3), ("4-5", 2)]
     assert found.formula == "I(1) → II(2-3) → II(4-5)"
-    assert (found.pivot, found.pin, found.driver) == ("O", "A", 1)
+    assert (found.origin, found.first.pin, found.first.link) == ("O", "A", 1)
     assert {(kind, name, frozenset(links)) for kind, name, links in parts(found)} == {
         ("R", "O", frozenset({1, 6})),
         ("R", "A", frozenset({1, 2})),
@@ -119,7 +119,7 @@ def test_every_order_of_a_six_link_mechanism_gives_the_same_formula() -> None:
 def test_groups_are_attached_only_to_what_is_there() -> None:
     for drawn in sample(100, seed=3, dyads=(2, 3)):
         found = dissect(drawn.mechanism)
-        there = {drawn.mechanism.frame.number, found.driver}
+        there = {drawn.mechanism.frame.number, found.first.link}
         for group in found.groups:
             assert {leg.body for leg in group.legs} <= there
             there |= set(group.links)

@@ -50,7 +50,7 @@ def ratio_and_stroke(project: Project) -> tuple[float, float]:
     reading = execute(log, project.given | {KINEMATICS_PLAN.on(project).mu_l: 1.0}, [mark])
     places = np.ravel(reading[mark]).real
     stroke = abs(places[-1] - places[0])
-    travelled = (project.angles[-1] - project.angles[0]) % 360.0
+    travelled = (project.coordinates[-1] - project.coordinates[0]) % 360.0
     slow = max(travelled, 360.0 - travelled)
     return slow / (360.0 - slow), float(stroke)
 

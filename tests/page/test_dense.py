@@ -65,7 +65,7 @@ def _follows(one: Sampled, found: Dense) -> int:
     """Compare places and velocities with vector loops from degree to degree; how many were compared."""
     made, reading, poses = KINEMATICS_PLAN.on(found.drawn), found.drawn.reading, one.poses
     mu_l, mu_v = (found.drawn.scales[plan].value for plan in PLANS[:2])
-    origin = one.mechanism.frame.points[made.structure.pivot]
+    origin = one.mechanism.frame.points[made.structure.origin]
     speed, compared = abs(one.mechanism.drive.speed), 0
     assert made.velocities is not None
     for k in range(found.whole):

@@ -95,8 +95,8 @@ def measurable(made: DrawnScene, format: str) -> None:
         spots = np.concatenate([work.reading[mark][0] for mark in marks])
         # the circle of the crank pin may reach farther than the pin in few positions
         structure = KINEMATICS_PLAN.on(work).structure
-        crank = KINEMATICS_PLAN.on(work).positions.bodies[structure.driver].marks
-        pin, pivot = crank[structure.pin], crank[structure.pivot]
+        crank = KINEMATICS_PLAN.on(work).positions.bodies[structure.first.link].marks
+        pin, pivot = crank[structure.first.pin], crank[structure.origin]
         arm = abs(work.reading[pin][0][0] - work.reading[pivot][0][0])
         reach = max(np.ptp(spots.real), np.ptp(spots.imag)) + 2 * arm
         assert reach >= LEAST[format]

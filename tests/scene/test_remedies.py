@@ -202,9 +202,6 @@ points = { F = [0, 0], E = [3.633896, 0] }
 link = 1
 speed = 1
 """
-STILL = slider_crank(
-    'speed = 0\n[[load]]\nlink = 3\npoint = "B"\nforce = "90 N"\ndirection = 0\n[forces]\n'
-)
 ROD = slider_crank(
     "speed = 10\n[effects]\ngravity = true\n[forces]\npositions = [1]\n",
     of_rod='mass = "2 kg"\nrod = "0.35 m"\n',
@@ -219,16 +216,15 @@ SLIDER_DRIVES = slider_crank("speed = 1\n").replace(
     ("text", "words", "old", "new"),
     [
         (NARROW, r"extra = \[[^\]]*\]", "speed = 1\n", "speed = 1\n{0}\n"),
-        (STILL, r'"0.001 rad/s"', "speed = 0", "speed = {0}"),
         (
             ROD,
             r"(S2), of an even rod halfway from A to B",
             "B = [0.35, 0]",
             "B = [0.35, 0], {0} = [0.175, 0]",
         ),
-        (SLIDER_DRIVES, '"380 rpm"', 'link = 3\nspeed = "0.2 m/s"', "link = 1\nspeed = {0}"),
+        (SLIDER_DRIVES, r'side = "left of \w+"', "number = 2\n", "number = 2\n{0}\n"),
     ],
-    ids=["range", "standstill", "rod", "slider"],
+    ids=["range", "rod", "slider"],
 )
 def test_a_remedy_of_a_mechanism_draws_it(
     text: str, words: str, old: str, new: str, many: Callable[[int, int], int]

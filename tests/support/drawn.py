@@ -39,13 +39,13 @@ class Board(NamedTuple):
 
     def read(self, angles: Any, hand: Hand = EXACT, **options: Any) -> dict[str, dict[Any, Any]]:
         """Points, velocities, accelerations by (letter, link), ω and ε by link; arrays over positions."""
-        given = self.given | {self.positions.phi: np.atleast_2d(np.asarray(angles, float))}
+        given = self.given | {self.positions.row[0]: np.atleast_2d(np.asarray(angles, float))}
         given |= standing(self, angles)
         reading = execute(self.log, given, hand=hand, **options)
         mu_l, mu_v, mu_a = self.mu
         turn = 1j * np.sign(self.mechanism.drive.speed) if self.turned else 1.0
         out: dict[str, dict[Any, Any]] = {"r": {}, "v": {}, "a": {}, "omega": {}, "epsilon": {}}
-        origin = self.mechanism.frame.points[self.structure.pivot]
+        origin = self.mechanism.frame.points[self.structure.origin]
         for number, body in self.positions.bodies.items():
             for letter in body.link.points:
                 out["r"][letter, number] = origin + reading[body.marks[letter]][0] * mu_l
@@ -66,7 +66,7 @@ def board(
     draft = Draft()
     frame = draw_frame(draft, mechanism, structure)
     phi = draft.board.take(Angle, "φ", "°")
-    positions = draw_positions(draft, mechanism, structure, frame, phi)
+    positions = draw_positions(draft, mechanism, structure, frame, [phi])
     velocities = draw_velocities(draft, mechanism, structure, positions, turned=turned)
     accelerations = draw_accelerations(draft, mechanism, structure, positions, velocities)
     assert draft.mu_l is not None

@@ -102,7 +102,7 @@ def exactly(mechanism: Mechanism, degrees: float) -> Exact | None:
 
 def _given(sheet: Board, degrees: float) -> dict[Any, Any]:
     angles = np.array([[degrees]])
-    return sheet.given | {sheet.positions.phi: angles} | standing(sheet, angles)
+    return sheet.given | {sheet.positions.row[0]: angles} | standing(sheet, angles)
 
 
 def _conditions(sheet: Board, reading: Any) -> tuple[float, float, float]:
@@ -145,7 +145,7 @@ def _bounds(
     u = 8 * EPS * len(sheet.log.steps)
     mechanism = sheet.mechanism
     own = max(abs(z) for link in mechanism.links for z in link.points.values())
-    o = mechanism.frame.points[sheet.structure.pivot]
+    o = mechanism.frame.points[sheet.structure.origin]
     size = max(float(abs(r - mp.mpc(o))) for r, _, _ in due.points.values()) + own
     driven = [n for n in due.omega if n != mechanism.drive.link]
     rate = max(float(abs(due.omega[n])) for n in driven)

@@ -19,9 +19,10 @@ from graphic_tmm.chapters.forces.plan import Forces, draw_forces
 from graphic_tmm.chapters.forces.statics import Driver
 from graphic_tmm.chapters.forces.task import ForcesTask, Friction, Load
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
-from graphic_tmm.chapters.kinematics.positions import Positions, draw_frame, draw_positions
+from graphic_tmm.chapters.kinematics.bodies import Positions
+from graphic_tmm.chapters.kinematics.positions import draw_frame, draw_positions
 from graphic_tmm.chapters.kinematics.survey import survey
-from graphic_tmm.chapters.kinematics.velocities import crank_arm, draw_velocities
+from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.mechanism.structure import Structure, dissect
 from support import dynamics
 from support.dynamics import Loaded, Statics, put_loads
@@ -88,16 +89,17 @@ def solve(
     structure, draft = dissect(mechanism), Draft()
     frame = draw_frame(draft, mechanism, structure)
     angle = draft.board.take(Angle, "φ", "°")
-    positions = draw_positions(draft, mechanism, structure, frame, angle)
+    positions = draw_positions(draft, mechanism, structure, frame, [angle])
     velocities = draw_velocities(draft, mechanism, structure, positions, turned=turned)
     accelerations = None
     if order.inertia:
         accelerations = draw_accelerations(draft, mechanism, structure, positions, velocities)
-    body = positions.bodies[structure.driver]
-    pin = body.marks[structure.pin]
-    driver = Driver(body, body.marks[structure.pivot], pin, draft.board.uses(pin)[1])
-    image = velocities.images.by_letter[structure.driver][structure.pin]
-    sense = 1 if mechanism.drive.speed > 0 else -1
+    body = positions.bodies[structure.first.link]
+    pin = body.marks[structure.first.pin]
+    pin_arm = draft.board.uses(pin)[1]
+    driver = Driver(body, body.marks[structure.origin], pin, pin_arm)
+    image = velocities.images.by_letter[structure.first.link][structure.first.pin]
+    sense = mechanism.drive.sense
     ground = Ground(
         draft,
         mechanism,
@@ -110,7 +112,7 @@ def solve(
         np.zeros(1),
         1,
     )
-    forces = draw_forces(ground, driver, order, crank_arm(draft, positions, structure))
+    forces = draw_forces(ground, driver, order, draft.uses(pin_arm)[0])
     log = draft.board.construction()
     given = dict(draft.given)
     for view in log.views:

@@ -49,12 +49,12 @@ class Seen:
     def pose(self, place: int) -> dict[int, Pose]:
         """Solve the vector loops from what the plan shows, which must be where they close."""
         start = {}
-        origin = self.mechanism.frame.points[KINEMATICS_PLAN.on(self.work).structure.pivot]
+        origin = self.mechanism.frame.points[KINEMATICS_PLAN.on(self.work).structure.origin]
         for body in KINEMATICS_PLAN.on(self.work).positions.bodies.values():
             for letter in body.link.points:
                 row = self.work.reading[body.marks[letter]][0]
                 start[letter] = origin + row[place if row.size > 1 else 0] * self.mu
-        angle = self.work.project.angles[place]
+        angle = self.work.project.coordinates[place]
         state = solve_from_points(self.mechanism, angle, start, tolerance=1e-6)
         return {**state.pose, self.mechanism.frame.number: (0.0, 0.0, 0.0)}
 
@@ -62,13 +62,13 @@ class Seen:
     def shift(self) -> complex:
         """Where the crank's pivot stands on the sheet: in the middle of the crank circle."""
         structure = KINEMATICS_PLAN.on(self.work).structure
-        crank = self.mechanism.by_number[structure.driver].points
-        radius = abs(crank[structure.pin] - crank[structure.pivot]) / self.mu
+        crank = self.mechanism.by_number[structure.first.link].points
+        radius = abs(crank[structure.first.pin] - crank[structure.origin]) / self.mu
         centres = [
             centre for centre, size in self.arcs("thin") if abs(size - radius) < 1e-6 * radius
         ]
         (found,) = {complex(round(z.real, 5), round(z.imag, 5)) for z in centres}
-        return found - self.mechanism.frame.points[structure.pivot] / self.mu
+        return found - self.mechanism.frame.points[structure.origin] / self.mu
 
     def strokes(self, *pens: str) -> list[Stroke]:
         """Strokes of pens; what only joins a mass centre to its link is no line of it."""

@@ -160,10 +160,10 @@ def carried(stage: Stage, pair: Pair, at: Mapping[str, str]) -> list[list[Wrench
 
 def balancing(stage: Stage, structure: Structure, balance: str) -> list[Wrench]:
     """The balancing moment (N·size), or force at the pin, +90° from pivot → pin; of size 1."""
-    crank, nothing = structure.driver, stage.number(0)
+    crank, nothing = structure.first.link, stage.number(0)
     if balance == "moment":
         return [Wrench(crank, nothing, nothing, stage.number(1))]
-    pivot, pin = (stage.place(letter, crank) for letter in (structure.pivot, structure.pin))
+    pivot, pin = (stage.place(letter, crank) for letter in (structure.origin, structure.first.pin))
     return [Wrench(crank, 1j * (pin - pivot) / abs(pin - pivot), pin, nothing)]
 
 

@@ -48,6 +48,26 @@ def french_curve(through: Point, *, row: int) -> Curve:
 
 
 @operation(
+    symbol=CURVE,
+    across=True,
+    why=said(
+        "The point goes smoothly through the places found in all positions: this is its path, there and back."
+    ),
+)
+def open_curve(through: Point, *, row: int) -> Curve:
+    """Through the points {through} draw the smooth curve {it} with the French curve, first to last.
+
+    ``row``: how many positions make the row; those after them stand outside the curve.
+    """
+    knots = np.asarray(through[:, :row])
+    tangents = np.full_like(knots, np.nan)
+    for trial in range(knots.shape[0]):
+        for run in neighbours(np.isfinite(knots[trial]), closed=False):
+            tangents[trial, run] = natural(knots[trial, run])
+    return Curve(knots, tangents, False)
+
+
+@operation(
     symbol="nH1",
     across=True,
     why=said(

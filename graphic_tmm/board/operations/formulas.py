@@ -53,6 +53,42 @@ def advance(zero: Angle, by: Angle) -> Angle:
     """{zero} + {by}"""
 
 
+@formula(
+    why=said(
+        "It slides evenly, so equal lengths are equal times; they are counted from the zero position in the "
+        "sense of the drive."
+    )
+)
+def run_out(zero: Number, by: Number) -> Number:
+    """{zero} + {by}"""
+
+
+_FOLLOWS = said(
+    "All drives go evenly: while the first goes on by {row} − {zero} from the zero position, this one goes "
+    "on by {ratio} times that from {start}."
+)
+
+
+@formula(why=_FOLLOWS)
+def angle_by_angle(start: Angle, ratio: Number, row: Angle, zero: Angle) -> Angle:
+    """{start} + {ratio}·({row} − {zero})"""
+
+
+@formula(why=_FOLLOWS)
+def angle_by_length(start: Angle, ratio: Number, row: Number, zero: Number) -> Angle:
+    """{start} + {ratio}·({row} − {zero})"""
+
+
+@formula(why=_FOLLOWS)
+def length_by_angle(start: Number, ratio: Number, row: Angle, zero: Angle) -> Number:
+    """{start} + {ratio}·({row} − {zero})"""
+
+
+@formula(why=_FOLLOWS)
+def length_by_length(start: Number, ratio: Number, row: Number, zero: Number) -> Number:
+    """{start} + {ratio}·({row} − {zero})"""
+
+
 @formula(why=said("On a circle the rate of turning times the radius is the rate along the circle."))
 def product(omega: Number, length: Number) -> Number:
     """{omega}·{length}"""

@@ -40,7 +40,7 @@ def arc_columns(drawn: Drawn) -> tuple[Column, ...]:
     found += [_column(name, mark.unit, reading.figure(mark), count) for name, mark in exact.items()]
     if follower.pressure is not None:
         found.append(_column("pressure", "°", reading.figure(follower.pressure), count))
-    at = tuple(zip(drawn.names, drawn.project.angles, strict=True))
+    at = tuple(zip(drawn.names, drawn.project.coordinates, strict=True))
     return tuple(replace(column, at=at) for column in found)
 
 

@@ -35,7 +35,7 @@ def cam_columns(drawn: Drawn) -> tuple[Column, ...]:
     found += _moving(drawn, rocks, count)
     if isinstance(made.centre, Centre):
         found.append(_column("pressure", "°", reading.figure(made.centre.pressure), count))
-    at = tuple(zip(drawn.names, drawn.project.angles, strict=True))
+    at = tuple(zip(drawn.names, drawn.project.coordinates, strict=True))
     return tuple(replace(column, at=at) for column in found)
 
 

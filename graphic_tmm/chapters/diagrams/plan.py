@@ -28,11 +28,10 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.diagrams import words as why
 from graphic_tmm.chapters.diagrams.task import ASKED, BASE, DIAGRAMS, VIEWS, KinematicTask, settled
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg, outer_guides
+from graphic_tmm.chapters.kinematics.bodies import GuideLeg, Positions, outer_guides
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
-from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench

@@ -111,7 +111,7 @@ def _middle(bench: Bench, made: Kinematic, symbol: str) -> Middle:
 
 def _places(bench: Bench, plans: KinematicPlans, interval: Mark) -> Iterator[Place]:
     """Yield where extra positions stand, measured on the circle of the crank pin."""
-    draft, pin, known = bench.draft, plans.crank[1], dict[int, Mark]()
+    draft, pin, known = bench.draft, plans.led[1], dict[int, Mark]()
 
     def at(place: int) -> Mark:
         """Return the crank pin in a position; marked once."""

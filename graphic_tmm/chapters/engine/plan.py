@@ -188,7 +188,7 @@ def _triangles(
     end_p = draft.draw(
         lay_off, "1", inward, draft.draw(to_board, "y_P′", values["P′"]), why=why.P_LINE
     )
-    sense = 1 if machine.mechanism.drive.speed > 0 else -1
+    sense = machine.mechanism.drive.sense
     across = draft.draw(square, "(N)", end_p, inward, sense=sense, why=why.N_LINE)
     rod = draft.draw(parallel, "(Q)", at_b, legs.rod.line, sense=-1, why=why.Q_LINE)
     end_q = draft.draw(meet, "2", across, rod, why=why.P_RESOLVED)

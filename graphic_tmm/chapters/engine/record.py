@@ -95,7 +95,7 @@ def record_beside(bench: Bench) -> Aside:
 def _measure(draft: Draft, made: Engine, machine: Machine) -> _Plan:
     """Measure the plan of positions; lengths are positive in the first half of a turn."""
     t, pivot = made.triangles, machine.positions.point(machine.pivot)
-    sense = 1 if machine.mechanism.drive.speed > 0 else -1
+    sense = machine.mechanism.drive.sense
     across, rod = draft.uses(t.end_q)
     off = draft.draw(square, "(e)", pivot, rod, sense=-sense)
     return _Plan(

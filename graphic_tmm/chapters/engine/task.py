@@ -85,7 +85,7 @@ def check(engine: Said, parts: Parts) -> Iterator[Flaw]:
     if "indicator" not in parts.doc:
         says = said("no pressures are given; write a section [indicator]")
         yield Flaw(("engine",), says)
-    if parts.drive is not None and not INTERVALS.holds(parts.drive.positions):
+    if parts.drive is not None and not INTERVALS.holds(parts.drive.count):
         says = said(
             "diagrams need {least} positions at least; write positions = 12 in [drive]",
             least=INTERVALS.least,

@@ -97,7 +97,7 @@ def _way(draft: Draft, made: Engine, machine: Machine) -> _Way:
     inward_was, rod_was = (
         draft.uses(mark)[0] for mark in (made.triangles.end_p, made.triangles.end_qa)
     )
-    sense = 1 if machine.mechanism.drive.speed > 0 else -1
+    sense = machine.mechanism.drive.sense
     inward = draft.draw(parallel, "(P′)", at_b, inward_was, why=why.P_LINE)
     across = draft.draw(square, "(N)", at_b, inward, sense=sense, why=why.N_LINE)
     rod = draft.draw(parallel, "(Q)", at_b, rod_was, why=why.Q_LINE)

@@ -20,7 +20,7 @@ def moving(drawn: Drawn) -> Iterator[Moving]:
     """Yield the triangles of the forces at crosshead and pin."""
     made, language, scale = ENGINE_PLAN.on(drawn), drawn.scene.language, drawn.scales[VIEW]
     plans, on = KINEMATICS_PLAN.on(drawn), subject(drawn, "", ENGINE)
-    pivot = plans.positions.point(plans.structure.pivot)
+    pivot = plans.positions.point(plans.structure.origin)
 
     def at(place: int) -> Drawing:
         return draw_triangles(on, made, pivot, place, scale.value)

@@ -104,7 +104,7 @@ def _triangles(drawn: Drawn, made: Engine, lettered: bool) -> list[Drawing]:
     project, language = drawn.project, drawn.scene.language
     _, words, scale = speaking(language), captions(language), drawn.scales[VIEW]
     plans = KINEMATICS_PLAN.on(drawn)
-    pivot, high = plans.positions.point(plans.structure.pivot), heights(drawn.scene, ENGINE)
+    pivot, high = plans.positions.point(plans.structure.origin), heights(drawn.scene, ENGINE)
     views = []
     for place in _positions_on_sheet(drawn):
         title = f"{_('Force triangles')}, {words['position']} {project.names[place]}"

@@ -165,7 +165,7 @@ class SteadyPage(GasPage[T]):
         plans = KINEMATICS_PLAN.on(self.drawn)
         velocities, point = plans.velocities, self.flywheel.indicator.order.point
         assert velocities is not None
-        ratio = f"v_{{{point}}}/v_{{{plans.structure.pin}}}"
+        ratio = f"v_{{{point}}}/v_{{{plans.structure.first.pin}}}"
         yield self.says(BY_GAS, mu=Symbol(velocities.mu.name), ratio=Symbol(ratio))
         yield from self.gas()
         yield from self._readings()

@@ -7,8 +7,7 @@ from graphic_tmm.board.operations.instruments import join, ray
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.kinds import Along
-from graphic_tmm.chapters.kinematics.bodies import incline_by
-from graphic_tmm.chapters.kinematics.positions import Positions
+from graphic_tmm.chapters.kinematics.bodies import Positions, incline_by
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Guide, Mechanism

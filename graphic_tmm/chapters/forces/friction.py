@@ -216,7 +216,7 @@ def shared_pins(drawn: Drawn) -> Iterator[SharedPin]:
     plans = KINEMATICS_PLAN.on(drawn)
     structure, frame = plans.structure, plans.mechanism.frame.number
     on: dict[tuple[str, int], list[int]] = {}
-    for joint in joints(plans.positions.closings, (structure.driver, frame, structure.pivot)):
+    for joint in joints(plans.positions.closings, (structure.first.link, frame, structure.origin)):
         if joint.pair.kind == "R":
             link, bearer = joint.links
             on.setdefault((joint.pair.name, bearer), []).append(link)

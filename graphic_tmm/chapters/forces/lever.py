@@ -30,9 +30,8 @@ from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import bare
 from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.forces.statics import Driver
-from graphic_tmm.chapters.kinematics.bodies import PinLeg, legs_of
+from graphic_tmm.chapters.kinematics.bodies import PinLeg, Positions, legs_of
 from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.positions import Positions
 
 VIEW = "lever"
 

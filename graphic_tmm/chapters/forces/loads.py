@@ -10,8 +10,8 @@ import numpy as np
 from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.mechanism.records import Mechanism
 

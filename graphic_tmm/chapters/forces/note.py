@@ -77,8 +77,8 @@ class ForcePage(Page[Forces]):
         yield from (paragraph(plain(pin)) for pin in pin_sentences(self.drawn, self.language))
         yield from self.view(LOADS)
         plans = KINEMATICS_PLAN.on(self.drawn)
-        crank = plans.structure.driver
-        pivot = plans.positions.bodies[crank].marks[plans.structure.pivot]
+        crank = plans.structure.first.link
+        pivot = plans.positions.bodies[crank].marks[plans.structure.origin]
         for solved in made.groups:
             rows = group_rows(self.writer, made, solved)
             yield from self._detached(solved.closing.group.name, solved.polygon, rows)

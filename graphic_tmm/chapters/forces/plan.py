@@ -116,7 +116,7 @@ def _views(log: Construction) -> Iterator[str]:
 def _ground(bench: Bench, machine: Machine, accelerations: Motion | None) -> Ground:
     drive, velocities, draft = machine.mechanism.drive, machine.velocities, bench.draft
     image = velocities.images.by_letter[drive.link][machine.pin]
-    sense, in_turn = 1 if drive.speed > 0 else -1, machine.count // machine.turns
+    sense, in_turn = drive.sense, machine.count // machine.turns
     return Ground(
         draft,
         machine.mechanism,
@@ -298,7 +298,7 @@ def _lever(
     loads: tuple[list[Force], list[Couple]],
     arm: Mark,
 ) -> Lever:
-    sense = 1 if ground.mechanism.drive.speed > 0 else -1
+    sense = ground.mechanism.drive.sense
     return draw_lever(
         ground.draft,
         ground.positions,

@@ -37,7 +37,7 @@ def _forces(asked: Said, parts: Parts) -> Iterator[Flaw]:
 
 
 def _loads(loads: list[tuple[Path, Said]], parts: Parts) -> Iterator[Flaw]:
-    count = parts.drive.positions if parts.drive is not None else None
+    count = parts.drive.count if parts.drive is not None else None
     for path, load in loads:
         yield from _load(path, load, parts.names, count)
         for other in ONE_TURN:
@@ -261,7 +261,7 @@ def _hidden(asked: Said, parts: Parts) -> list[str]:
     drive = parts.drive
     if drive is None or drive.accelerations == ("all",):
         return []
-    every = [str(drive.first + k) for k in range(drive.positions)]
+    every = [str(drive.first + k) for k in range(drive.count)]
     wanted = every if asked.positions == ("all",) else asked.positions
     return [name for name in wanted if name not in drive.accelerations]
 

@@ -24,6 +24,7 @@ from graphic_tmm.board.values import Number, Reals
 from graphic_tmm.chapters.diagrams.plan import sliding_leg
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.task import TURN, Travel, turns_of
+from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.dead_centres import (
     WAYS,
     Slider,
@@ -34,7 +35,6 @@ from graphic_tmm.chapters.kinematics.dead_centres import (
     stands,
 )
 from graphic_tmm.chapters.kinematics.extremes import try_extreme
-from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.chapters.kinematics.survey import Survey, survey
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -117,7 +117,7 @@ def _traveller(draft: Draft, ground: Drawing, travel: Travel, count: int) -> Tra
 
 def _begins(draft: Draft, ground: Drawing, slider: Slider, travel: Travel, point: Mark) -> bool:
     """Tell whether the row begins where the travel does: the slider stands there, and not at the other end."""
-    phi = ground.positions.phi
+    phi = ground.positions.row[0]
     given = {**draft.given, draft.mu_l: 1.0}
     reading = execute(draft.board.construction(), given, [point, phi])
     spots = reading[point][0]
@@ -132,7 +132,7 @@ def _begins(draft: Draft, ground: Drawing, slider: Slider, travel: Travel, point
 def _parts(draft: Draft, ground: Drawing, travel: Travel, of: Traveller) -> Reals:
     """Return of every position its part: from and to which share, from and to which size, (4, position)."""
     given = {**draft.given, draft.mu_l: 1.0}
-    phi = ground.positions.phi
+    phi = ground.positions.row[0]
     marks = [of.start, of.last, of.way, of.stroke, phi]
     reading = execute(draft.board.construction(), given, marks)
     start, last = (complex(reading[mark][0, 0]) for mark in (of.start, of.last))

@@ -107,7 +107,7 @@ def _by_travel(drawn: Drawn, turn: Turn, load: Load, size: Mark) -> dict[Mark, o
             point=travel.of,
         )
         raise scene.located(StructureError(says, "drive.zero", head="load"))
-    given, phi = by_mark[size].uses[:4], plans.positions.phi
+    given, phi = by_mark[size].uses[:4], plans.positions.row[0]
     reading = turn.read([way, stroke, phi])
     shares = reading[way][0] / reading[stroke][0, 0]
     out, back = parts_of_strokes(travel, shares)

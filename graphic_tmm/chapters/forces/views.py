@@ -62,7 +62,7 @@ def force_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         return []
     views = indicator_views(drawn, lettered, FORCES)
     plans = KINEMATICS_PLAN.on(drawn)
-    crank = plans.structure.driver
+    crank = plans.structure.first.link
     for place in _places(drawn):
         writer = _writer(drawn, place)
         for solved in made.groups:
@@ -76,7 +76,7 @@ def force_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
                 place,
                 lettered,
             )
-        pivot = plans.positions.bodies[crank].marks[plans.structure.pivot]
+        pivot = plans.positions.bodies[crank].marks[plans.structure.origin]
         rows, reactions = driver_rows(writer, made, pivot, crank), (made.driven.reaction,)
         views += _three(
             drawn, driver_shown(drawn, made), made.driven.polygon, reactions, rows, place, lettered
@@ -215,10 +215,10 @@ def _rubbed(drawn: Drawn, made: Forces, links: tuple[int, ...]) -> list[Rubbed]:
 def driver_shown(drawn: Drawn, made: Forces) -> GroupFigure:
     """Return what the figure of the driving link shows."""
     plans, driven = KINEMATICS_PLAN.on(drawn), made.driven
-    crank, reaction = plans.structure.driver, made.driven.reaction
+    crank, reaction = plans.structure.first.link, made.driven.reaction
     body = plans.positions.bodies[crank]
     forces = [*made.acting.forces.get(crank, []), *([driven.force] if driven.force else [])]
-    pivot = body.marks[plans.structure.pivot]
+    pivot = body.marks[plans.structure.origin]
     found = Reactive(reaction.letter, pivot, reaction.tail, reaction.head)
     couples = list(made.acting.couples.get(crank, []))
     if driven.force is None:

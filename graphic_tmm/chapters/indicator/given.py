@@ -95,7 +95,7 @@ def acting(order: IndicatorTask | None, scene: Scene, posed: Posed) -> Iterator[
     if link is None:
         return
     at, going = posed.spot(order.point, link.number)
-    pivot, _ = posed.spot(dissect(mechanism).pivot, mechanism.frame.number)
+    pivot, _ = posed.spot(dissect(mechanism).origin, mechanism.frame.number)
     if not going:
         return
     inward = going if ((pivot - at) * going.conjugate()).real > 0.0 else -going

@@ -31,11 +31,10 @@ from graphic_tmm.chapters.diagrams.plan import sliding_leg
 from graphic_tmm.chapters.indicator import words as why
 from graphic_tmm.chapters.indicator.stretches import Row, by_stretches
 from graphic_tmm.chapters.indicator.task import INDICATOR, VIEW, Gas, IndicatorTask, Wish
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg
+from graphic_tmm.chapters.kinematics.bodies import GuideLeg, Positions
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, crank_length
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
-from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -226,7 +225,7 @@ def machine_of(bench: Bench) -> Machine:
     """Return the machine on a board, once its plans are drawn."""
     plans = KINEMATICS_PLAN.on(bench)
     assert plans.velocities is not None
-    pivot, pin = plans.structure.pivot, plans.structure.pin
+    pivot, pin = plans.structure.origin, plans.structure.first.pin
     arm = crank_length(bench, plans)
     drawn = (plans.positions, plans.velocities)
     numbers, count = plans.numbers, plans.count

@@ -253,7 +253,7 @@ def check(asked: Said, parts: Parts) -> Iterator[Flaw]:
     """Every contradiction of the section: pressures told twice or not at all, a rod without its side."""
     yield from parts.moves(("indicator", "point"), asked.point)
     turns = asked.strokes // 2
-    count = parts.drive.positions * turns if parts.drive is not None else None
+    count = parts.drive.count * turns if parts.drive is not None else None
     yield from _cycle(asked, parts)
     for side in ("cover", "shaft"):
         told = [k for k in (side, f"{side}_points", f"{side}_strokes") if getattr(asked, k)]

@@ -11,39 +11,34 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import (
     coriolis,
     normal,
-    product,
-    product_of_squares,
     rate,
     to_board,
 )
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet, parallel, square
 from graphic_tmm.board.record import Mark, between
-from graphic_tmm.board.values import Number, Point
+from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import (
     Closing,
     ClosingLeg,
     GuideLeg,
     PinLeg,
+    Positions,
     dyads,
     unheld,
 )
+from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.motion import (
-    Base,
-    Hanging,
     Images,
     Motion,
     component,
     hang_group,
     hang_passive,
-    image_letter,
     known_image,
     measure_absolute,
     passive_legs,
     pivot_image,
 )
-from graphic_tmm.chapters.kinematics.positions import Positions
-from graphic_tmm.chapters.kinematics.velocities import crank_arm
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure
 
@@ -64,7 +59,8 @@ def draw_accelerations(
     draft.lay_out(pole)
     frame = positions.bodies[mechanism.frame.number]
     plan = Motion(Images(draft, pole, frame), mu)
-    _crank(draft, mechanism, structure, positions, velocities, plan)
+    for pair in driven(mechanism, structure):
+        pair.acceleration(draft, positions, velocities, plan)
     for closing in dyads(positions.closings, VIEW):
         _group(draft, positions, velocities, plan, closing)
     hang_passive(positions, plan)
@@ -73,49 +69,6 @@ def draw_accelerations(
         _read_tangential(draft, plan, leg, point, line)
     measure_absolute(draft, plan, positions)
     return plan
-
-
-def _crank(
-    draft: Draft,
-    mechanism: Mechanism,
-    structure: Structure,
-    positions: Positions,
-    velocities: Motion,
-    plan: Motion,
-) -> None:
-    pole = plan.images.pole
-    number, pivot, pin = structure.driver, structure.pivot, structure.pin
-    body, letter = positions.bodies[number], image_letter(structure.pin)
-    epsilon = mechanism.drive.acceleration
-    arm = crank_arm(draft, positions, structure)
-    normal_of = f"a_{{{pin}}}^{{n}}" if epsilon else f"a_{pin}"
-    draft.say(f"{normal_of} = ω_{number}²·l_{{{pivot}{pin}}},  {pin} → {pivot}")
-    omega = velocities.speed
-    assert omega is not None
-    because = why.NORMAL_OF_PIN if epsilon else why.GAIN_OF_PIN
-    value = draft.draw(product_of_squares, normal_of, omega, arm, unit="m/s²", why=because)
-    first = f"n{number}" if epsilon else letter
-    segment = between(pole, first)
-    length = draft.draw(to_board, segment, value)
-    inward = draft.draw(parallel, f"({segment})", pole, body.axis, sense=-1, why=why.TO_THE_PIVOT)
-    end = draft.draw(lay_off, first, inward, length, why=why.VECTOR)
-    if epsilon:
-        component(draft, length, "n", letter)
-        draft.say(f"a_{{{pin}}}^{{t}} = ε_{number}·l_{{{pivot}{pin}}},  ⊥ {pivot}{pin}")
-        plan.rates[number] = draft.take(Number, f"ε_{number}", epsilon, "1/s²")
-        name_t, gain = f"a_{{{pin}}}^{{t}}", plan.rates[number]
-        value = draft.draw(product, name_t, gain, arm, unit="m/s²", why=why.TANGENTIAL_OF_PIN)
-        segment = between(end, letter)
-        length = draft.draw(to_board, segment, value)
-        component(draft, length, "t", letter)
-        line = draft.draw(square, f"({segment})", end, body.axis, sense=1, why=why.ACROSS_THE_CRANK)
-        image = draft.draw(lay_off, letter, line, length, why=why.VECTOR)
-    else:
-        image = end
-        plan.measured.add(image)
-    base = Base(body.marks[pivot], body.marks[pin], pole, image)
-    plan.images.hang(body, Hanging(base.A, pole, base), {pivot: pole, pin: image})
-    plan.images.complete(body)
 
 
 def _group(
@@ -158,6 +111,10 @@ def _tangential_line(
     ``point``: the letter of the image that it leads to.
     """
     letter, start = f"n{leg.link}", pivot_image(plan, leg)
+    if leg.rod:
+        start = plan.ends[leg.link] = _rod_out(
+            draft, velocities, plan, leg, start, point + leg.letter
+        )
     segment, reading = between(start, letter), velocities.readings[leg.link]
     length = draft.draw(normal, segment, reading, leg.length)
     component(draft, length, "n", point, leg.letter)
@@ -168,6 +125,29 @@ def _tangential_line(
     end = draft.draw(lay_off, letter, inward, length, free=True, why=why.VECTOR)
     segment = between(end, point)
     return draft.draw(square, f"({segment})", end, leg.line, sense=1, why=why.TANGENTIAL)
+
+
+def _rod_out(
+    draft: Draft, velocities: Motion, plan: Motion, leg: PinLeg, start: Mark, ends: str
+) -> Mark:
+    """Lay off the Coriolis acceleration of a rod and its own along the cylinder; return where both end.
+
+    ``ends``: the letters of both pins.
+    """
+    letter, out = f"k{leg.link}", velocities.outs[leg.link]
+    segment = between(start, letter)
+    length = draft.draw(coriolis, segment, velocities.rates[leg.link], out)
+    component(draft, length, "k", ends)
+    across = draft.draw(square, f"({segment})", start, leg.line, sense=1, why=why.ROD_CORIOLIS)
+    end = draft.draw(lay_off, letter, across, length, free=True, why=why.VECTOR)
+    gain = plan.speeds.get(leg.rod)
+    if gain is None:
+        return end
+    segment = between(end, f"r{leg.link}")
+    length = draft.draw(to_board, segment, gain)
+    draft.figure(roles.COMPONENT, gain.letter, length)
+    along = draft.draw(parallel, f"({segment})", end, leg.line, sense=1, why=why.ROD_GAIN)
+    return draft.draw(lay_off, f"r{leg.link}", along, length, free=True, why=why.VECTOR)
 
 
 def _relative_line(
@@ -196,6 +176,8 @@ def _read_tangential(draft: Draft, plan: Motion, leg: PinLeg, point: Mark, line:
     plan.rates[leg.link] = draft.draw(
         rate, f"ε_{leg.link}", segment, leg.length, unit="1/s²", why=why.EPSILON
     )
+    if leg.rod:
+        plan.rates[leg.rod] = plan.rates[leg.link]
 
 
 def _read(draft: Draft, point: Mark, line: Mark, because: str) -> Mark:

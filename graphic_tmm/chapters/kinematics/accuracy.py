@@ -82,7 +82,7 @@ def _tried(project: Project) -> dict[Mark, Trial]:
         return {}
     small = KINEMATICS_PLAN.on(project).tried
     along = "x" if zero.at in ("left", "right") else "y"
-    trial = Trial(small.construction, small.positions.phi, small.axes[zero.point, along])
+    trial = Trial(small.construction, small.positions.row[0], small.axes[zero.point, along])
     return dict.fromkeys(steps, trial)
 
 

@@ -1,4 +1,4 @@
-"""Does the mechanism assemble, and over which part of the turn; does a side hold through it.
+"""Does the mechanism assemble, and over which part of its drive's sweep; does a side hold through it.
 
 Every step with two roots measures its own gap. Over a turn the gap tells: always negative, the lengths never
 assemble; negative in part, the crank rocks; zero without becoming negative, a change point, where both
@@ -22,12 +22,15 @@ from graphic_tmm.chapters.kinematics.survey import STEPS, Survey
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.groups import Group
+from graphic_tmm.mechanism.records import TURN, Sweep
 
 CHANGE = 1e-9
 """A gap whose least value is below this share of the lengths is zero: a change point. Far above rounding, far
 below what lengths are told to."""
 NEAR = 1e-2
 """Degrees: crank angles nearer to each other than this are one change point."""
+DECIMALS = {True: 7, False: 12}
+"""Decimals of a coordinate that a search tells: degrees of what turns, m of what slides."""
 
 
 class Closure(NamedTuple):
@@ -39,16 +42,27 @@ class Closure(NamedTuple):
 
 
 class Assembly(NamedTuple):
-    """What is found of a mechanism that can be drawn: the ranges of the crank (degrees); empty: all of it."""
+    """Where a mechanism can be drawn: the ranges of its drive (degrees or m); empty: all of its sweep."""
 
     ranges: tuple[tuple[float, float], ...]
     groups: tuple[str, ...]
+    sweep: Sweep = TURN
 
     @property
     def said(self) -> str:
         """The ranges as a sentence; "" if it is all of the turn."""
         if not self.ranges:
             return ""
+        if not self.sweep.turns:
+            lengths = (
+                said("{a:.1f} to {b:.1f} mm", a=1000.0 * a, b=1000.0 * b) for a, b in self.ranges
+            )
+            return said(
+                "group {groups} assembles for {letter} from {ranges} only",
+                groups=", ".join(self.groups),
+                letter=self.sweep.letter,
+                ranges=joined(said(" and "), lengths),
+            )
         ranges = (said("{a:.2f}° to {b:.2f}°", a=a % 360, b=b % 360) for a, b in self.ranges)
         return said(
             "group {groups} assembles for crank angles {ranges} only",
@@ -82,7 +96,7 @@ def check_assembly(survey: Survey) -> Assembly:
     for closure in closures(survey):
         closing.setdefault(closure.group.name, []).append(closure)
     # one slice of the log for all groups: a slice each would run the first groups as often as there are others
-    angles, turned = survey.turn(
+    angles, turned = survey.whole(
         mark for each in closing.values() for closure in each for mark in closure.step.uses
     )
     for group in survey.structure.groups:
@@ -102,7 +116,7 @@ def check_assembly(survey: Survey) -> Assembly:
         if group.kind < 4:
             _refuse_sides(survey, group, _apart(touched))
     ranges = _ranges(survey, critical) if names else []
-    return Assembly(tuple(ranges), tuple(names))
+    return Assembly(tuple(ranges), tuple(names), survey.sweep)
 
 
 def _measured(survey: Survey, closure: Closure, angles: Reals) -> Reals:
@@ -123,12 +137,7 @@ def _size(survey: Survey, closure: Closure) -> float:
         for link in [survey.mechanism.by_number[leg.link]]
         for a in link.points.values()
         for b in link.points.values()
-    ) + abs(_arm(survey))
-
-
-def _arm(survey: Survey) -> complex:
-    crank = survey.mechanism.by_number[survey.structure.driver]
-    return crank.points[survey.structure.pin] - crank.points[survey.structure.pivot]
+    ) + abs(survey.pairs[0].sizes.length)
 
 
 def _refuse_never(survey: Survey, closure: Closure, rooms: tuple[Reals, Reals]) -> list[float]:
@@ -138,11 +147,25 @@ def _refuse_never(survey: Survey, closure: Closure, rooms: tuple[Reals, Reals]) 
     if not np.isfinite(room).any() or (room >= -CHANGE * size).any():
         return []
     best = float(angles[0, int(np.nanargmax(room[0]))])
-    at, least = _least(survey, closure, best, 360.0 / STEPS, sign=-1)
+    at, least = _least(survey, closure, best, survey.step, sign=-1)
     if -least >= -CHANGE * size:
         return [at]
     letters = dict(zip(closure.step.op.arguments, closure.step.uses, strict=True))
     words = said(closure.gap.says, **{name: mark.letter for name, mark in letters.items()})
+    if not survey.sweep.turns:
+        raise StructureError(
+            said(
+                "group {group} never assembles: {words} (short by {short:.4g} mm at the best, {letter} = "
+                "{at:.4g} mm): change {lengths}",
+                group=closure.group.name,
+                words=words,
+                short=least * 1000,
+                letter=survey.sweep.letter,
+                at=1000.0 * at,
+                lengths=_lengths(closure),
+            ),
+            *(f"link {number}" for number in closure.group.links),
+        )
     raise StructureError(
         said(
             "group {group} never assembles: {words} (short by {short:.4g} mm at the best crank angle, "
@@ -182,6 +205,16 @@ def _refuse_sides(survey: Survey, group: Group, touched: list[float]) -> None:
     """Refuse a side that does not say what it does at the change points, or says it of other angles."""
     side = side_record(survey.mechanism, group)
     assert side is not None
+    if not survey.sweep.turns:
+        if side.flips_at:
+            raise StructureError(
+                said(
+                    "group {group}: flips_at names crank angles, but what drives slides",
+                    group=group.name,
+                ),
+                *(f"link {number}, flips_at" for number in group.links),
+            )
+        return
     places = ", ".join(f'"{angle:.6g} deg"' for angle in touched)
     keys = [
         f"link {number}, {key}" for number in group.links for key in ("flips_at", "side", "slides")
@@ -253,8 +286,10 @@ def _lows(
     angles, room = rooms
     row, size = np.where(np.isfinite(room[0]), room[0], np.inf), _size(survey, closure)
     before, after = np.roll(row, 1), np.roll(row, -1)
+    if not survey.sweep.closed:
+        before[0] = after[-1] = np.inf
     lowest = np.flatnonzero((row <= before) & (row <= after) & (np.abs(row) < 0.01 * size))
-    return [_least(survey, closure, float(angles[0, at]), 360.0 / STEPS) for at in lowest]
+    return [_least(survey, closure, float(angles[0, at]), survey.step) for at in lowest]
 
 
 def _least(
@@ -264,13 +299,15 @@ def _least(
 
     ``sign`` = −1: the greatest gap, with its sign changed.
     """
+    sweep = survey.sweep
     for _ in range(24):
         row = centre + reach * np.linspace(-1.0, 1.0, 33)[None, :]
+        row = row if sweep.closed else np.clip(row, sweep.low, sweep.high)
         value = sign * _measured(survey, closure, row)[0]
         value = np.where(np.isfinite(value), value, np.inf)
         best = int(np.argmin(value))
         centre, reach = float(row[0, best]), reach / 8
-    return round(centre, 7) % 360.0, float(value[best])
+    return sweep.within(round(centre, DECIMALS[sweep.turns])), float(value[best])
 
 
 def _ranges(survey: Survey, critical: list[float]) -> list[tuple[float, float]]:
@@ -290,7 +327,8 @@ def _ranges(survey: Survey, critical: list[float]) -> list[tuple[float, float]]:
             total = total + np.abs(part)
         return np.where(np.isfinite(total), 1.0, -1.0)
 
-    even = np.arange(STEPS + 1, dtype=np.float64) * (360.0 / STEPS)
+    sweep = survey.sweep
+    even = sweep.low + np.arange(STEPS + 1, dtype=np.float64) * survey.step
     angles = np.union1d(even, np.asarray(critical, dtype=np.float64))[None, :]
     good = drawable(angles)[0] > 0
     edges = np.flatnonzero(good[1:] != good[:-1])
@@ -299,6 +337,8 @@ def _ranges(survey: Survey, critical: list[float]) -> list[tuple[float, float]]:
         float(narrow(drawable, np.array([[a]]), np.array([[b]]))[0, 0])
         for a, b in zip(low, high, strict=True)
     ]
-    if at and good[0]:
-        at = [*at[1:], at[0] + 360.0]
+    if not sweep.closed:
+        at = [*[sweep.low] * bool(good[0]), *at, *[sweep.high] * bool(good[-1])]
+    elif at and good[0]:
+        at = [*at[1:], at[0] + sweep.high]
     return list(zip(at[0::2], at[1::2], strict=True))

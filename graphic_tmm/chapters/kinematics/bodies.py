@@ -21,7 +21,7 @@ from graphic_tmm.errors import ConstructionError, StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.groups import Group, Pair, class_two
 from graphic_tmm.mechanism.guides import direction, level, turn
-from graphic_tmm.mechanism.records import Link, Mechanism
+from graphic_tmm.mechanism.records import Link, Mechanism, Slide
 
 
 @dataclass
@@ -96,7 +96,10 @@ class Closing(NamedTuple):
 
 
 class PinLeg(NamedTuple):
-    """T: link ``link`` turns on ``body`` about ``pivot``; the line and the length from there to Q."""
+    """T: link ``link`` turns on ``body`` about ``pivot``; the line and the length from there to Q.
+
+    ``rod``: the rod that is driven out of that link, a cylinder, and makes it longer; 0 where it is rigid.
+    """
 
     link: int
     body: int
@@ -104,6 +107,7 @@ class PinLeg(NamedTuple):
     pivot: Mark
     line: Mark
     length: Mark
+    rod: int = 0
 
 
 class GuideLeg(NamedTuple):
@@ -121,6 +125,38 @@ class GuideLeg(NamedTuple):
 
 ClosingLeg = PinLeg | GuideLeg
 """How a link of a group is held by what is there already."""
+
+
+class Passive(NamedTuple):
+    """A passive link as drawn: its number, the letters that hold it with the links that bear them, its axis.
+
+    ``leg``: from the first of two letters to the second; ``slide``: the guide that holds it in their place.
+    """
+
+    link: int
+    pins: tuple[tuple[str, int], ...]
+    axis: Mark
+    leg: PinLeg | None
+    slide: Slide | None
+
+
+@dataclass(frozen=True)
+class Positions:
+    """The plan of positions as drawn: bodies by number, groups' closings, the side marks of the groups.
+
+    ``row``: where each drive stands, the one that makes the row first. ``passive``: the passive links, last in
+    ``bodies``.
+    """
+
+    bodies: dict[int, Body]
+    closings: tuple[Closing, ...]
+    sides: dict[str, Mark]
+    row: tuple[Mark, ...]
+    passive: tuple[Passive, ...] = ()
+
+    def point(self, letter: str) -> Mark:
+        """Return the mark of a letter, on whichever link it stands."""
+        return next(body.marks[letter] for body in self.bodies.values() if letter in body.marks)
 
 
 def dyads(closings: Iterable[Closing], room: str) -> Iterator[Closing]:
@@ -283,13 +319,27 @@ def tell_group(
     """
     for _, leg in legs_of([closing], "positions"):
         tell_link(draft, mechanism, bodies[leg.link])
+        if isinstance(leg, PinLeg) and leg.rod:
+            tell_link(draft, mechanism, bodies[leg.rod])
     for leg in closing.legs:
-        if not isinstance(leg, GuideLeg):
+        if isinstance(leg, PinLeg):
+            if leg.rod:
+                _tell_rod(draft, bodies, closing, leg)
             continue
         pair = pair_of(closing, leg)
         at = _stone(bodies, closing, leg, pair.links[0])
         turning = () if side is None or not leg.inner else (side,)
         tell_slide(draft, mechanism, pair, at, leg.line, *turning)
+
+
+def _tell_rod(draft: Draft, bodies: dict[int, Body], closing: Closing, leg: PinLeg) -> None:
+    """Tell a rod that is driven out of its cylinder: by its pin and the line of both."""
+    rod = bodies[leg.rod]
+    (slide,) = rod.link.slides
+    pin = next(mark for mark in (leg.pivot, closing.point) if mark in rod.marks.values())
+    draft.figure("piston", str(leg.rod), pin, leg.line)
+    draft.figure(slide.cylinder or CONTENTS[0], str(leg.link), pin, leg.line)
+    draft.figure("guide", str(leg.link), pin, leg.line)
 
 
 def tell_slide(

@@ -17,13 +17,12 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations.locus import drawn_once_more
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg
+from graphic_tmm.chapters.kinematics.bodies import GuideLeg, Positions
 from graphic_tmm.chapters.kinematics.extremes import (
     draw_refined,
     slider_end,
     try_extreme,
 )
-from graphic_tmm.chapters.kinematics.positions import Positions
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.chapters.kinematics.task import EXTREMES as VIEW
 from graphic_tmm.language.said import said
@@ -72,13 +71,13 @@ def draw_dead_centres(
     draft.open(VIEW)
     frame = positions.bodies[survey.mechanism.frame.number]
     if draft.board.construction().view(VIEW) is None:
-        draft.lay_out(frame.marks[survey.structure.pivot], draft.mu_l)
+        draft.lay_out(frame.marks[survey.structure.origin], draft.mu_l)
     group = next(c.group for c in positions.closings if slider.leg in c.legs)
     rod = group.legs[0]
     simple = (
         group.kind == 2
         and slider.letter == group.inner.name
-        and (rod.body, rod.pair.kind) == (survey.structure.driver, "R")
+        and (rod.body, rod.pair.kind) == (survey.structure.first.link, "R")
     )
     drawn = list[Mark]()
     for choice, sign in ((1, "′"), (-1, "″")):
@@ -180,5 +179,5 @@ def _speed(survey: Survey, slider: Slider, angles: Reals) -> tuple[Reals, comple
     along = _direction(survey, slider)
     name, way = ("x", 1 + 0j) if abs(along.real) >= abs(along.imag) else ("y", 1j)
     axis = survey.axes[slider.letter, name]
-    fastest = np.max(np.abs(np.nan_to_num(survey.turn([axis])[1][axis])), initial=0.0)
+    fastest = np.max(np.abs(np.nan_to_num(survey.whole([axis])[1][axis])), initial=0.0)
     return np.asarray(survey.at(angles[None, :], [axis])[axis])[0] / fastest, way

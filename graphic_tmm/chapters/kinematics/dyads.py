@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 from graphic_tmm.board.draft import ROUNDING, Draft
+from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.operations.instruments import (
     cross,
     cut,
@@ -35,6 +37,7 @@ from graphic_tmm.chapters.kinematics.bodies import (
     incline_by,
     stand,
 )
+from graphic_tmm.mechanism.driven import sliding_pair
 from graphic_tmm.mechanism.groups import Group, Leg, Pair, untreated
 from graphic_tmm.mechanism.guides import direction, level, turn
 from graphic_tmm.mechanism.records import Link
@@ -43,7 +46,9 @@ from graphic_tmm.mechanism.records import Link
 class Site(NamedTuple):
     """Where a group is attached: the board, the bodies that stand there, the group, its links, its side.
 
-    ``letters``: those of the scene, which no point that the plan needs besides may bear.
+    ``letters``: those of the scene, which no point that the plan needs besides may bear. ``lengths``: how long
+    a leg is at the moment whose rod, of this number, is driven out of its cylinder, m; ``rods``: those
+    links.
     """
 
     draft: Draft
@@ -52,6 +57,8 @@ class Site(NamedTuple):
     links: tuple[Link, Link]
     side: Mark | None
     letters: frozenset[str]
+    lengths: Mapping[int, Mark] = {}
+    rods: tuple[Link, ...] = ()
 
     def pivot(self, leg: Leg) -> Mark:
         """Return the mark of a leg's outer pivot."""
@@ -60,13 +67,25 @@ class Site(NamedTuple):
     def swung(self, link: Link, leg: Leg, pin: str) -> tuple[Mark, Mark]:
         """Strike the arc of the inner pin about the outer pivot; return it and its opening."""
         outer = leg.pair.name
-        opening = self.draft.length(f"{outer}{pin}", abs(link.points[pin] - link.points[outer]))
+        rod = self.rod(link)
+        opening = (
+            self.draft.draw(to_board, f"{outer}{pin}", self.lengths[rod.number], self.draft.mu_l)
+            if rod is not None
+            else self.draft.length(f"{outer}{pin}", abs(link.points[pin] - link.points[outer]))
+        )
         name = f"({outer}; {outer}{pin})"
         return self.draft.draw(strike, name, self.pivot(leg), opening, why=why.PIN_ARC), opening
+
+    def rod(self, link: Link) -> Link | None:
+        """Return the rod that is driven out of a link of the group, if it is a cylinder."""
+        return next((one for one in self.rods if one.slides[0].on == link.number), None)
 
     def pinned(self, link: Link, leg: Leg, pin: str, mark: Mark, opening: Mark) -> PinLeg:
         """Enter a link that turns about an outer pivot and whose inner pin stands at ``mark``."""
         outer, pivot = leg.pair.name, self.pivot(leg)
+        rod = self.rod(link)
+        if rod is not None:
+            return self._telescoped(link, rod, leg, pin, mark, opening)
         line = self.draft.draw(join, f"({outer}{pin})", pivot, mark, why=why.LINK_AXIS)
         arm = link.points[pin] - link.points[outer]
         body = Body(link, link.points[outer], math.degrees(cmath.phase(arm)), lambda: line)
@@ -74,6 +93,29 @@ class Site(NamedTuple):
         stand(body, pin, mark, link.points[pin])
         self.bodies[link.number] = body
         return PinLeg(link.number, leg.body, outer, pivot, line, opening)
+
+    def _telescoped(
+        self, cylinder: Link, rod: Link, leg: Leg, pin: str, mark: Mark, opening: Mark
+    ) -> PinLeg:
+        """Enter a cylinder and the rod that is driven out of it: each lies along the line of both pins."""
+        outer, pivot = leg.pair.name, self.pivot(leg)
+        line = self.draft.draw(join, f"({outer}{pin})", pivot, mark, why=why.ROD_AXIS)
+        pair = sliding_pair(rod)
+        for link, letter, at in ((cylinder, outer, pivot), (rod, pin, mark)):
+            if letter not in link.points:
+                letter, at = (pin, mark) if letter == outer else (outer, pivot)
+            way = direction(pair, link.number) + (0.0 if outer in cylinder.points else 180.0)
+            axis = self.axis(line, letter, at, drawn=at == pivot)
+            body = Body(link, link.points[letter], way, axis)
+            stand(body, letter, at, link.points[letter])
+            self.bodies[link.number] = body
+        return PinLeg(cylinder.number, leg.body, outer, pivot, line, opening, rod.number)
+
+    def axis(self, line: Mark, letter: str, at: Mark, *, drawn: bool) -> Callable[[], Mark]:
+        """Return what draws the axis of a rod or its cylinder from one of its pins, if it is not ``drawn``."""
+        if drawn:
+            return lambda: line
+        return lambda: self.draft.draw(parallel, f"({letter})", at, line, sense=1, why=why.ROD_AXIS)
 
     def path(self, leg: Leg, own: complex, name: str) -> Mark:
         """Draw the path of a point (own axes of the leg's link) along the outer guide."""

@@ -24,7 +24,7 @@ from graphic_tmm.chapters.kinematics.assembly import check_assembly
 from graphic_tmm.chapters.kinematics.bodies import Body, draw_guide
 from graphic_tmm.chapters.kinematics.dyads import rocker_offset
 from graphic_tmm.chapters.kinematics.positions import side_record
-from graphic_tmm.chapters.kinematics.survey import STEPS, Survey
+from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.chapters.kinematics.task import EXTREMES as VIEW
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -61,9 +61,9 @@ def draw_extreme(draft: Draft, survey: Survey, frame: Body, extreme: Extreme, ta
     tried = try_extreme(survey, extreme)
     draft.open(VIEW)
     if draft.board.construction().view(VIEW) is None:
-        draft.lay_out(frame.marks[survey.structure.pivot], draft.mu_l)
+        draft.lay_out(frame.marks[survey.structure.origin], draft.mu_l)
     group = survey.structure.groups[0]
-    draw = _CONSTRUCTIONS.get(group.kind)
+    draw = _CONSTRUCTIONS.get(group.kind) if len(survey.pairs) == 1 else None
     if draw is not None and _on_crank_and_frame(survey, group):
         for choice in (1, -1):
             probe = Draft()
@@ -92,7 +92,7 @@ def try_extreme(survey: Survey, extreme: Extreme) -> Tried:
     closed = [
         root for closing in survey.positions.closings for root in (closing.root, closing.point)
     ]
-    angles, reading = survey.turn([mark, *closed])
+    angles, reading = survey.whole([mark, *closed])
     place = reading[mark][0].real if name == "x" else reading[mark][0].imag
     for root in closed:
         place = np.where(undefined(reading[root])[0], np.nan, place)
@@ -149,7 +149,7 @@ def _bracket(survey: Survey, axis: Mark, best: float) -> tuple[float, float]:
 
     At the end of the crank's range the point stops for want of room, not because it stands still.
     """
-    row = best + np.array([[-1.0, 0.0, 1.0]]) * (360.0 / STEPS)
+    row = best + np.array([[-1.0, 0.0, 1.0]]) * survey.step
     value = _Velocity(survey, axis)(row)[0]
     for low, high in ((0, 2), (0, 1), (1, 2)):
         if value[low] * value[high] <= 0.0:  # not so of NaN
@@ -193,13 +193,13 @@ def _on_crank_and_frame(survey: Survey, group: Group) -> bool:
     if group.kind == 3:
         stone, rocker = (survey.mechanism.by_number[leg.link] for leg in group.legs)
         straight = rocker_offset(group, stone, rocker) == 0.0
-        return straight and first.pair.name == survey.structure.pin and second.body == frame
-    crank_leg = first if first.body == survey.structure.driver else second
+        return straight and first.pair.name == survey.structure.first.pin and second.body == frame
+    crank_leg = first if first.body == survey.structure.first.link else second
     other = second if crank_leg is first else first
     return (
         group.kind in (1, 2)
         and crank_leg.pair.kind == "R"
-        and crank_leg.pair.name == survey.structure.pin
+        and crank_leg.pair.name == survey.structure.first.pin
         and other.body == frame
     )
 
@@ -225,17 +225,20 @@ def _side(draft: Draft, survey: Survey, group: Group, tag: str, flip: int = 1) -
 def _reach(draft: Draft, survey: Survey, group: Group, choice: int) -> tuple[Mark, str, str, bool]:
     """Return the opening OA + AB, or |OA − AB|; the letters of pin and inner pin; if the rod is longer."""
     structure = survey.structure
-    leg = next(leg for leg in group.legs if leg.body == structure.driver)
-    rod, crank = survey.mechanism.by_number[leg.link], survey.mechanism.by_number[structure.driver]
+    leg = next(leg for leg in group.legs if leg.body == structure.first.link)
+    rod, crank = (
+        survey.mechanism.by_number[leg.link],
+        survey.mechanism.by_number[structure.first.link],
+    )
     pin, inner = leg.pair.name, group.inner.name
-    arm = abs(crank.points[pin] - crank.points[structure.pivot])
+    arm = abs(crank.points[pin] - crank.points[structure.origin])
     reach = abs(rod.points[inner] - rod.points[pin])
-    oa = draft.length(f"{structure.pivot}{pin}", arm)
+    oa = draft.length(f"{structure.origin}{pin}", arm)
     ab = draft.length(f"{pin}{inner}", reach)
     op, sign = (total, "+") if choice > 0 else (difference, "−")
     opening = draft.draw(
         op,
-        f"{structure.pivot}{pin}{sign}{pin}{inner}",
+        f"{structure.origin}{pin}{sign}{pin}{inner}",
         oa,
         ab,
         why=why.STRETCHED if choice > 0 else why.FOLDED,
@@ -247,7 +250,7 @@ def _in_line(
     draft: Draft, survey: Survey, found: Mark, frame: Body, choice: int, longer: bool, tag: str
 ) -> Mark:
     """Find the crank's angle from the inner pin's extreme place: towards it, or away from it."""
-    pivot = frame.marks[survey.structure.pivot]
+    pivot = frame.marks[survey.structure.origin]
     ends = (pivot, found) if choice > 0 or not longer else (found, pivot)
     return draft.draw(bearing, f"φ_{{{tag}}}", *ends, unit="°", why=why.IN_LINE)
 
@@ -272,7 +275,7 @@ def slider_end(
     arc = draft.draw(
         strike,
         f"({opening.letter})",
-        frame.marks[survey.structure.pivot],
+        frame.marks[survey.structure.origin],
         opening,
         why=why.STRETCHED if choice > 0 else why.FOLDED,
     )
@@ -286,7 +289,7 @@ def slider_end(
 def _rocker(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> Mark:
     group = survey.structure.groups[0]
     opening, _, inner, longer = _reach(draft, survey, group, choice)
-    pivot = frame.marks[survey.structure.pivot]
+    pivot = frame.marks[survey.structure.origin]
     because = why.STRETCHED if choice > 0 else why.FOLDED
     arc = draft.draw(strike, f"({opening.letter})", pivot, opening, why=because)
     first, second = group.legs
@@ -305,8 +308,8 @@ def _rocker(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) ->
 
 def _stone(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> Mark:
     group, structure = survey.structure.groups[0], survey.structure
-    crank = survey.mechanism.by_number[structure.driver]
-    pivot, pin = structure.pivot, structure.pin
+    crank = survey.mechanism.by_number[structure.first.link]
+    pivot, pin = structure.origin, structure.first.pin
     length = draft.length(f"{pivot}{pin}", abs(crank.points[pin] - crank.points[pivot]))
     name, because = f"({pivot}; {length.letter})", why.CRANK_CIRCLE
     arc = draft.draw(strike, name, frame.marks[pivot], length, why=because)

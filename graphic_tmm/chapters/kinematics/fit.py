@@ -8,7 +8,7 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.kinematics.passive import Passive
+from graphic_tmm.chapters.kinematics.bodies import Passive
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -40,7 +40,7 @@ def check_fit(tried: Survey) -> None:
         return
     bodies = tried.positions.bodies
     wanted = [mark for one in held for mark in (*bodies[one.link].marks.values(), one.axis)]
-    angles, reading = tried.turn(wanted)
+    angles, reading = tried.whole(wanted)
     for one in held:
         for size in _sizes(tried, one, reading):
             _refuse(one, size, angles[0])

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from graphic_tmm.board.draft import ROUNDING
+from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.guides import turn
@@ -13,7 +14,7 @@ from graphic_tmm.mechanism.masses import inertia_letter
 from graphic_tmm.mechanism.records import Extreme, Guide, Link, Mechanism
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.readers.narration import remark
-from graphic_tmm.readers.task_sheet import SIZE, Given, given_speed
+from graphic_tmm.readers.task_sheet import SIZE, Given
 from graphic_tmm.scene.records import Scene
 
 
@@ -28,7 +29,8 @@ def given(scene: Scene) -> Iterator[Given]:
     rows = [*_lengths(mechanism), *frame_sizes(mechanism)]
     yield from dict.fromkeys(Given(name, size, SIZE) for name, size in rows)
     yield from _directions(mechanism)
-    yield from _drive(mechanism)
+    for pair in driven(mechanism, dissect(mechanism)):
+        yield from pair.given()
     yield from _masses(mechanism)
     yield Given("positions in a turn", scene.row.count)
 
@@ -68,7 +70,7 @@ def _guides(link: Link, origin: complex) -> Iterator[tuple[str, float]]:
 
 def frame_sizes(mechanism: Mechanism) -> Iterator[tuple[str, float]]:
     """Where the fixed pivots and guides stand, m, seen from the pivot of the crank."""
-    frame, pivot = mechanism.frame, dissect(mechanism).pivot
+    frame, pivot = mechanism.frame, dissect(mechanism).origin
     for letter, at in frame.points.items():
         away = at - frame.points[pivot]
         if min(abs(away.real), abs(away.imag)) > ROUNDING:
@@ -127,14 +129,6 @@ _ACCELERATIONS = said(
     "The plan of accelerations is wanted in position {listed}.",
     "Plans of accelerations are wanted in positions {listed}.",
 )
-
-
-def _drive(mechanism: Mechanism) -> Iterator[Given]:
-    """The speed of the crank, in turns a minute where it was given so, and its acceleration."""
-    drive = mechanism.drive
-    yield given_speed(str(drive.link), drive.speed)
-    if drive.acceleration:
-        yield Given(f"ε_{drive.link}", drive.acceleration, "1/s²")
 
 
 def _masses(mechanism: Mechanism) -> Iterator[Given]:

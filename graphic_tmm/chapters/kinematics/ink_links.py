@@ -90,6 +90,10 @@ class LinksInk:
         """Return where a point is in one position."""
         return _place(self.reading[mark], index)
 
+    def way(self, line: Mark, index: int) -> complex:
+        """Return the direction of a line in one position."""
+        return _place(self.reading[line].along, index)
+
     def along(self, figure: Figure, index: int) -> complex:
         """Return the direction of a guide or of what slides on it, in one position."""
         _, path, *side = figure.marks

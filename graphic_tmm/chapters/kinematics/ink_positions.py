@@ -8,15 +8,17 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.curve import french_curve
+from graphic_tmm.board.operations.curve import french_curve, open_curve
 from graphic_tmm.board.record import Construction, Figure, Mark, Step
 from graphic_tmm.board.values import Curve
+from graphic_tmm.chapters.kinematics.bodies import Positions
+from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
 from graphic_tmm.chapters.kinematics.ink_numbers import (
     PIN,
@@ -29,16 +31,22 @@ from graphic_tmm.chapters.kinematics.ink_numbers import (
 from graphic_tmm.chapters.kinematics.reaches import VIEW as PLAN
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.chapters.kinematics.task import EXTREMES
+from graphic_tmm.mechanism.records import Drive
 from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, Wanted, circle
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.mark_rules import curve
 from graphic_tmm.paper.seen import Seen, Subject
+from graphic_tmm.paper.symbols.dimensions import arrow
 from graphic_tmm.paper.symbols.kinematic import GROUND_LENGTH, fixed_pivot, round_arrow
 
+PATHS = (french_curve.name, open_curve.name)
+"""What draws the paths of points."""
 SWEEP = 70.0
 """The arrow of ω1 goes over so many degrees."""
+BESIDE, LONG = 9.0, 12.0
+"""How far the arrow of what slides stands beside it, and how long it is, mm."""
 AHEAD = 20.0
 """So many degrees ahead of the crank it begins at least, and that of ε1 behind it."""
 PAIR = 2.2
@@ -50,60 +58,62 @@ FULL, THIN = ("medium", "medium"), ("thin", "thin")
 class PositionsFigure(NamedTuple):
     """What the plan of positions shows: the positions' names; by index the one drawn heavy, ``main``.
 
-    ``skipped``: those that cannot be drawn, ``extremes``: those in full line. ``crank``: the marks of its pivot
-    and pin, ``sense``: of its rotation, ``gaining``: of its angular acceleration, 0 if it has none; ``driver``:
-    the number of its link.
+    ``skipped``: those that cannot be drawn, ``extremes``: those in full line. ``led``: the mark that the drive
+    leads, and before it the one that it is led about.
     """
 
     names: Sequence[str]
     main: int
     skipped: Sequence[int]
-    crank: tuple[Mark, Mark]
-    sense: int
-    driver: int = 1
+    led: tuple[Mark, Mark]
     extremes: Sequence[int] = ()
-    gaining: int = 0
 
 
 def draw_positions_ink(
-    on: Subject, reaches: Mapping[Figure, Reach], shown: PositionsFigure
+    on: Subject,
+    reaches: Mapping[Figure, Reach],
+    shown: PositionsFigure,
+    pairs: Sequence[DrivenPair],
+    positions: Positions,
 ) -> Drawing:
     """Return the plan of positions; ``reaches``: how far each guide is used, mm."""
-    names, main, crank, sense = shown.names, shown.main, shown.crank, shown.sense
+    names, main, led = shown.names, shown.main, shown.led
     point, small = on.heights.point, on.heights.number
     places = [i for i in range(len(names)) if i not in shown.skipped]
     ink = PositionsInk(on.construction, on.reading, reaches, places)
-    traces = figure(ink.seen, Manner({french_curve.name: curve("thin")}, path_stays))
-    strokes: list[Ink] = [*ink.guides(), *ink.crank_circle(crank), *traces.staying]
+    traces = figure(ink.seen, Manner(dict.fromkeys(PATHS, curve("thin")), path_stays))
+    strokes: list[Ink] = [
+        *ink.guides(),
+        *ink.crank_circles(_arms(pairs, positions)),
+        *traces.staying,
+    ]
     full = [index for index in shown.extremes if index in places and index != main]
     for index in places:
         if index != main:
             strokes += ink.thin(index, FULL if index in full else THIN)
     strokes += ink.heavy(main)
-    turns = [(f"ω_{shown.driver}", ink.bow(crank, sense, main), sense)]
-    if shown.gaining:
-        gain = ink.gain(crank, sense, main, shown.gaining)
-        turns.append((f"ε_{shown.driver}", gain, shown.gaining))
-    for _, bow, way in turns:
-        strokes += body(
-            round_arrow(bow.centre, bow.radius, bow.start, way * SWEEP), "turning", crank, main
-        )
+    arrows = list(ink.arrows(pairs, positions, main, point))
+    for one in arrows:
+        strokes += one.strokes
     letters = ink.letters((ink.frame.name, *ink.names), main, point)
-    apart = letters_apart(ink, crank, names, places, (small, point))
-    pins = ink.numbers(crank, names, apart)
-    of = tuple(mark.slot for mark in crank)
-    speeds = [Wanted(n, b.middle, point, 1.0, b.out, of, main) for n, b, _ in turns]
+    apart = letters_apart(ink, led, names, places, (small, point))
+    pins = ink.numbers(led, names, apart)
+    speeds = [one.wanted for one in arrows]
     wanted = [
         *letters,
         *speeds,
         *pins,
         *guide_names(ink, main, small),
-        *path_numbers(ink, crank, names, places, [main, *full], apart),
+        *path_numbers(ink, led, names, places, [main, *full], apart),
     ]
     circled = link_numbers(ink, main, strokes, [*letters, *speeds, *pins], small)
     strokes += [stroke for one in circled for stroke in one.strokes]
-    labels, positions = [one.label for one in circled], ((k, names[k]) for k in ink.places)
-    return traces.drawing(on, strokes, wanted, labels, positions)._replace(name=PLAN)
+    labels, numbered = [one.label for one in circled], ((k, names[k]) for k in ink.places)
+    return traces.drawing(on, strokes, wanted, labels, numbered)._replace(name=PLAN)
+
+
+def _arms(pairs: Sequence[DrivenPair], positions: Positions) -> list[tuple[Mark, ...]]:
+    return [ends for ends in (pair.arm_ends(positions) for pair in pairs) if ends]
 
 
 def draw_position_ink(
@@ -151,6 +161,13 @@ class Bow(NamedTuple):
     out: complex
 
 
+class Arrow(NamedTuple):
+    """An arrow of a drive and its letter."""
+
+    strokes: tuple[Ink, ...]
+    wanted: Wanted
+
+
 class PositionsInk(LinksInk):
     """The plan of positions while it is inked: the links in their ``places``, and what stands about them."""
 
@@ -188,25 +205,68 @@ class PositionsInk(LinksInk):
                 made += self.point(mark, None)
         return made
 
-    def crank_circle(self, crank: tuple[Mark, Mark]) -> list[Ink]:
-        """The circle on which the crank pin moves."""
-        pivot, pin = (self.at(mark, self.places[0]) for mark in crank)
-        return [*body([circle("thin", pivot, abs(pin - pivot))], "circle", crank)]
+    def crank_circles(self, arms: Iterable[Sequence[Mark]]) -> list[Ink]:
+        """The circles on which crank pins move."""
+        drawn = list[Ink]()
+        for crank in arms:
+            pivot, pin = (self.at(mark, self.places[0]) for mark in crank)
+            drawn += body([circle("thin", pivot, abs(pin - pivot))], "circle", crank)
+        return drawn
 
-    def bow(self, crank: tuple[Mark, Mark], sense: int, main: int) -> Bow:
-        """Where the arrow stands that tells which way the crank turns."""
-        return self._bow(crank, sense, main, AHEAD)
+    def arrows(
+        self, pairs: Iterable[DrivenPair], positions: Positions, main: int, size: float
+    ) -> Iterator[Arrow]:
+        """Yield the arrows that tell which way each drive goes, and whether it gains speed."""
+        for pair in pairs:
+            arm = pair.arm_ends(positions)
+            yield from (
+                self._turns(pair.drive, arm, main, size)
+                if arm
+                else self._slides(pair, positions, main, size)
+            )
 
-    def gain(self, crank: tuple[Mark, Mark], sense: int, main: int, gaining: int) -> Bow:
-        """Where that of its angular acceleration stands: behind the other, one way or the other."""
+    def _turns(self, drive: Drive, arm: Sequence[Mark], main: int, size: float) -> Iterator[Arrow]:
+        sense, gains = drive.sense, int(np.sign(drive.acceleration))
+        first = self._bow(arm, sense, main, AHEAD)
+        bows = [(f"ω_{drive.link}", first, sense)]
+        if gains:
+            bows.append((f"ε_{drive.link}", self._gain(arm, first, sense, main, gains), gains))
+        for letter, bow, way in bows:
+            strokes = round_arrow(bow.centre, bow.radius, bow.start, way * SWEEP)
+            of = tuple(mark.slot for mark in arm)
+            wanted = Wanted(letter, bow.middle, size, 1.0, bow.out, of, main)
+            yield Arrow(tuple(body(strokes, "turning", arm, main)), wanted)
+
+    def _slides(
+        self, pair: DrivenPair, positions: Positions, main: int, size: float
+    ) -> Iterator[Arrow]:
+        """Arrows beside what slides: of its speed, and behind that of its acceleration."""
+        start, end = pair.led(positions)
+        path = pair.path(positions, self._uses)
+        way = self.way(path, main)
+        at, beside = self.at(end, main), 1j * way if (1j * way).imag >= 0.0 else -1j * way
+        rows = [(pair.speed_letter, pair.drive.sense, BESIDE)]
+        if pair.drive.acceleration:
+            gains = int(np.sign(pair.drive.acceleration))
+            rows.append((pair.gain_letter, gains, BESIDE + 2.0 * size))
+        for letter, sense, off in rows:
+            tail = at + off * beside - 0.5 * sense * LONG * way
+            strokes = arrow(tail, tail + sense * LONG * way, "thin")
+            wanted = Wanted(letter, at + off * beside, size, 1.0, beside, (end.slot,), main)
+            yield Arrow(tuple(body(strokes, "turning", (start, end), main)), wanted)
+
+    def _uses(self, mark: Mark) -> tuple[Mark, ...]:
+        step = self.construction.step(mark)
+        return step.uses if step is not None else ()
+
+    def _gain(self, crank: Sequence[Mark], first: Bow, sense: int, main: int, gaining: int) -> Bow:
+        """Where the arrow of angular acceleration stands: behind the other, one way or the other."""
         pivot, pin = (self.at(mark, main) for mark in crank)
-        ahead = sense * (
-            self.bow(crank, sense, main).start - math.degrees(cmath.phase(pin - pivot))
-        )
+        ahead = sense * (first.start - math.degrees(cmath.phase(pin - pivot)))
         found = self._bow(crank, sense, main, ahead + SWEEP + AHEAD)
         return found if gaining == sense else found._replace(start=found.start + sense * SWEEP)
 
-    def _bow(self, crank: tuple[Mark, Mark], sense: int, main: int, first: float) -> Bow:
+    def _bow(self, crank: Sequence[Mark], sense: int, main: int, first: float) -> Bow:
         pivot, pin = (self.at(mark, main) for mark in crank)
         reach = min(10.0, 0.6 * abs(pin - pivot))
         bearing = float(np.degrees(np.angle(pin - pivot)))

@@ -24,10 +24,10 @@ from graphic_tmm.chapters.kinematics.bodies import (
     ClosingLeg,
     GuideLeg,
     PinLeg,
+    Positions,
     outer_guides,
     unheld,
 )
-from graphic_tmm.chapters.kinematics.positions import Positions
 
 
 class Base(NamedTuple):
@@ -168,8 +168,11 @@ class Motion:
 
     ``readings[link]``: the segment read along the line of that link's leg, with its sign. ``measured``:
     images whose distance from the pole has been read. ``rates[link]``: the mark of the link's ω (or ε);
-    a link that is absent does not turn. ``speed``: the crank's ω without its sign, in a plan of velocities.
+    a link that is absent does not turn. ``speeds``: what is given of each drive without its sign, ω or v, by
+    link, in a plan of velocities.
     ``closed``: the image of each group's closing point, as a point of the second leg's link, by group name.
+    ``ends``: of a leg of changing length, by its link, where the part begins that turns only; ``outs``: the
+    segment (Length) of its rod's velocity seen from the cylinder.
     """
 
     images: Images
@@ -177,8 +180,15 @@ class Motion:
     readings: dict[int, Mark] = field(default_factory=dict)
     measured: set[Mark] = field(default_factory=set)
     rates: dict[int, Mark] = field(default_factory=dict)
-    speed: Mark | None = None
+    speeds: dict[int, Mark] = field(default_factory=dict)
     closed: dict[str, Mark] = field(default_factory=dict)
+    ends: dict[int, Mark] = field(default_factory=dict)
+    outs: dict[int, Mark] = field(default_factory=dict)
+
+    @property
+    def speed(self) -> Mark | None:
+        """What is given of the first drive, without its sign: ω of a crank; None in a plan of accelerations."""
+        return next(iter(self.speeds.values()), None)
 
 
 def pivot_image(plan: Motion, leg: PinLeg) -> Mark:
@@ -212,8 +222,21 @@ def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark
         match leg:
             case PinLeg():
                 start = known_image(plan, closing, leg)
-                hanging = Hanging(leg.pivot, start, Base(leg.pivot, closing.point, start, point))
+                turned = plan.ends.get(leg.link, start)
+                base = Base(leg.pivot, closing.point, turned, point)
+                outer, inner = Hanging(leg.pivot, start, base), Hanging(closing.point, point, base)
+                hanging = outer
                 known[leg.letter] = start
+                if leg.rod:
+                    rod, first_of = positions.bodies[leg.rod], positions.bodies[leg.link]
+                    pinned = leg.letter in first_of.link.points
+                    hanging, other = (outer, inner) if pinned else (inner, outer)
+                    known = {k: m for k, m in known.items() if k in first_of.link.points}
+                    ends = {leg.letter: start, closing.letter: point}
+                    plan.images.hang(
+                        rod, other, {k: m for k, m in ends.items() if k in rod.link.points}
+                    )
+                    plan.images.complete(rod)
             case GuideLeg():
                 model = second.link if leg.inner else leg.body
                 at = known_image(plan, closing, leg) if leg.inner else point

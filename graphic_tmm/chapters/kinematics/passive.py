@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 import math
-from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import join, parallel
@@ -12,6 +11,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import (
     Body,
+    Passive,
     PinLeg,
     anchor,
     draw_guide,
@@ -22,20 +22,7 @@ from graphic_tmm.chapters.kinematics.bodies import (
 )
 from graphic_tmm.mechanism.guides import direction, level
 from graphic_tmm.mechanism.passive import Hold, holds
-from graphic_tmm.mechanism.records import Mechanism, Slide
-
-
-class Passive(NamedTuple):
-    """A passive link as drawn: its number, the letters that hold it with the links that bear them, its axis.
-
-    ``leg``: from the first of two letters to the second; ``slide``: the guide that holds it in their place.
-    """
-
-    link: int
-    pins: tuple[tuple[str, int], ...]
-    axis: Mark
-    leg: PinLeg | None
-    slide: Slide | None
+from graphic_tmm.mechanism.records import Mechanism
 
 
 def draw_passive(

@@ -1,4 +1,4 @@
-"""The plans of a mechanism: where the crank stands, positions, velocities, accelerations."""
+"""The plans of a mechanism: where the drive stands, positions, velocities, accelerations."""
 
 from __future__ import annotations
 
@@ -9,31 +9,36 @@ from functools import cached_property, partial
 import numpy as np
 
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.operations.curve import french_curve
+from graphic_tmm.board.operations.curve import french_curve, open_curve
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.assembly import Assembly, check_assembly
+from graphic_tmm.chapters.kinematics.bodies import Positions
+from graphic_tmm.chapters.kinematics.drives import driven, follow
+from graphic_tmm.chapters.kinematics.drives.crank import Crank
+from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.fit import check_fit
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.positions import (
-    Positions,
     draw_frame,
     draw_positions,
 )
 from graphic_tmm.chapters.kinematics.reaches import Reach, guides, reaches
-from graphic_tmm.chapters.kinematics.row import draw_row, extreme_places
+from graphic_tmm.chapters.kinematics.row import draw_row, extreme_places, zero_of
 from graphic_tmm.chapters.kinematics.rows import Further, Ground, draw_rows
 from graphic_tmm.chapters.kinematics.sides import LAST, standing
 from graphic_tmm.chapters.kinematics.survey import Survey, best, survey
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, ASKED, KINEMATICS, TURNS, VELOCITIES
-from graphic_tmm.chapters.kinematics.velocities import crank_arm, draw_velocities
+from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.records import Drive, Mechanism, Row
+from graphic_tmm.mechanism.records import Drive, Mechanism, Row, Sweep
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
 
+INSIDE = 0.05
+"""A stroke whose ends the scene does not name stops this share of it before the places where it locks."""
 ALL = ("all",)
 """What is written for the positions of a row where none is left out."""
 
@@ -45,7 +50,8 @@ class KinematicPlans:
     ``tried``: the mechanism at any angles; ``mu_l``: the scale factor of lengths; ``accelerated``: the
     positions (indices) that get an acceleration plan, ``extremes``: those that are extreme positions;
     ``numbers``: where each position stands in the row, in intervals of it; ``count`` of the positions make the
-    closed row, over so many ``turns``; ``rows``: what tables are asked to tell besides.
+    row, over so many ``turns``; ``rows``: what tables are asked to tell besides; ``closed``: whether the
+    row comes back to where it began, ``ends``: where one that does not begins and ends.
     """
 
     mechanism: Mechanism
@@ -63,6 +69,8 @@ class KinematicPlans:
     count: int
     turns: int = 1
     rows: tuple[Further, ...] = ()
+    closed: bool = True
+    ends: tuple[float, float] | None = None
 
     @property
     def in_turn(self) -> int:
@@ -74,21 +82,31 @@ class KinematicPlans:
         """The positions (indices) of later turns: the mechanism stands there as it did in the first one."""
         return tuple(range(self.in_turn, self.count))
 
+    @cached_property
+    def pairs(self) -> tuple[DrivenPair, ...]:
+        """What is driven, the drive of the row first."""
+        return driven(self.mechanism, self.structure)
+
     @property
-    def crank(self) -> tuple[Mark, Mark]:
-        """The pivot of the crank and its pin."""
-        body = self.positions.bodies[self.structure.driver]
-        return body.marks[self.structure.pivot], body.marks[self.structure.pin]
+    def led(self) -> tuple[Mark, Mark]:
+        """The mark that the drive leads, and the one that it is led about: the crank's pivot and its pin."""
+        return self.pairs[0].led(self.positions)
+
+    @property
+    def arms(self) -> tuple[tuple[Mark, ...], ...]:
+        """Pivot and pin of every crank."""
+        found = (pair.arm_ends(self.positions) for pair in self.pairs)
+        return tuple(ends for ends in found if ends)
 
     @property
     def sense(self) -> int:
-        """Which way the crank turns: 1 counter-clockwise, −1 clockwise."""
-        return 1 if self.mechanism.drive.speed > 0 else -1
+        """Which way the drive goes: 1 counter-clockwise or outwards, −1 the other."""
+        return self.mechanism.drive.sense
 
     @cached_property
     def reaches(self) -> Mapping[Figure, Reach]:
         """How far every guide is used over the whole turn of the crank, m."""
-        return dict(zip(self.guides, reaches(self.tried), strict=True))
+        return dict(zip(self.guides, reaches(self.tried, self.ends), strict=True))
 
     def motion(self, plan: str) -> Motion | None:
         """Return the plan of velocities or of accelerations, if there is one."""
@@ -111,7 +129,7 @@ def record(bench: Bench) -> KinematicPlans:
     mechanism, row = scene.mechanism, _over(scene.row, turns)
     assert mechanism is not None
     structure = dissect(mechanism)
-    tried = survey(mechanism, structure)
+    tried = survey(mechanism, structure, zero_of(row))
     if turns > 1 and tried.returning_late:
         raise StructureError(
             said(
@@ -125,10 +143,14 @@ def record(bench: Bench) -> KinematicPlans:
     assembly = check_assembly(tried)
     check_fit(tried)
     frame = draw_frame(draft, mechanism, structure)
+    row = _filled(row, assembly)
     numbered = draw_row(draft, tried, frame, row)
-    angles = numbered.angles
-    bench.stand(numbered.names, (_angle(a) for a in np.ravel(angles)), row.count)
-    positions = draw_positions(draft, mechanism, structure, frame, numbered.phi)
+    values = numbered.values
+    bench.stand(
+        numbered.names, (_within(tried.sweep, a) for a in np.ravel(values)), row.count, tried.sweep
+    )
+    at = follow(draft, tried.pairs, tried.zero, numbered.at)
+    positions = draw_positions(draft, mechanism, structure, frame, at)
     if scene.trajectories and tried.returning_late:
         raise StructureError(
             said(
@@ -139,7 +161,8 @@ def record(bench: Bench) -> KinematicPlans:
             "plans.trajectories",
             head="trajectories",
         )
-    _draw_trajectories(draft, positions, scene.trajectories, row.count // turns)
+    closes = closed(row, tried.pairs)
+    _draw_trajectories(draft, positions, scene.trajectories, row.count // turns, closed=closes)
     velocities = accelerations = None
     called = bench.wanted | bench.needed.keys()
     if VELOCITIES in called or ACCELERATIONS in called:
@@ -150,7 +173,7 @@ def record(bench: Bench) -> KinematicPlans:
         accelerations = draw_accelerations(draft, mechanism, structure, positions, velocities)
         bench.rows[ACCELERATIONS] = accelerated
         bench.tell(ACCELERATIONS, accelerated)
-    rows, quarters = ASKED.of(scene), (1 if mechanism.drive.speed > 0 else -1) * scene.turned
+    rows, quarters = ASKED.of(scene), mechanism.drive.sense * scene.turned
     ground = Ground(draft, mechanism, structure, positions, velocities, accelerations, quarters)
     further = draw_rows(ground, rows) if rows is not None else ()
     made = KinematicPlans(
@@ -165,15 +188,17 @@ def record(bench: Bench) -> KinematicPlans:
         accelerated,
         extreme_places(row),
         guides(draft.board.construction()),
-        _numbers(angles, row, mechanism.drive),
+        _numbers(values, row, mechanism.drive, tried.sweep),
         row.count,
         turns,
         further,
+        closes,
+        None if row.ends is None and not row.places else (float(values.min()), float(values.max())),
     )
-    draft.given |= standing(made, angles, carried=True)
+    draft.given |= standing(made, values, carried=True)
     later = frozenset(made.repeated)
     of_first_turn = [k for k in range(len(bench.names)) if k not in later]
-    bench.best = partial(best, tried, np.ravel(angles), accelerated, of_first_turn)
+    bench.best = partial(best, tried, np.ravel(values), accelerated, of_first_turn)
     return made
 
 
@@ -184,7 +209,28 @@ def _over(row: Row, turns: int) -> Row:
 
 def crank_length(bench: Bench, made: KinematicPlans) -> Mark:
     """Return the crank's real length (m) on a board; taken once."""
-    return crank_arm(bench.draft, made.positions, made.structure)
+    crank = made.pairs[0]
+    assert isinstance(crank, Crank)
+    return crank.real_arm(bench.draft, made.positions)
+
+
+def closed(row: Row, pairs: Sequence[DrivenPair]) -> bool:
+    """Whether a row comes back to where it began: after a whole turn of the first drive and of all others."""
+    first, *further = pairs
+    if not first.sweep.closed or row.ends is not None or row.places:
+        return False
+    ratios = (one.drive.speed / first.drive.speed for one in further)
+    return all(one.sweep.closed for one in further) and all(ratio.is_integer() for ratio in ratios)
+
+
+def _filled(row: Row, assembly: Assembly) -> Row:
+    """Return a row with its ends: where a drive slides and the scene names none, those of its stroke."""
+    if assembly.sweep.closed or row.ends is not None or row.places:
+        return row
+    sweep = assembly.sweep
+    low, high = max(assembly.ranges or ((sweep.low, sweep.high),), key=lambda one: one[1] - one[0])
+    off = INSIDE * (high - low)
+    return replace(row, ends=(low + off, high - off))
 
 
 def chosen(wanted: tuple[str, ...], names: tuple[str, ...], section: str) -> tuple[int, ...]:
@@ -211,21 +257,25 @@ def chosen(wanted: tuple[str, ...], names: tuple[str, ...], section: str) -> tup
     return tuple(sorted(names.index(name) for name in set(wanted)))
 
 
-def _numbers(angles: np.ndarray, row: Row, drive: Drive) -> np.ndarray:
+def _numbers(values: np.ndarray, row: Row, drive: Drive, sweep: Sweep) -> np.ndarray:
     """Return where each position stands in the row, in intervals of it; extras stand between."""
-    travelled = (angles[0] - angles[0, 0]) * (1.0 if drive.speed > 0 else -1.0)
-    numbers = (np.round(travelled, LAST) % 360.0) * row.count / (360.0 * row.turns)
+    travelled = (values[0] - values[0, 0]) * drive.sense
+    if row.ends is not None or row.places:
+        own = np.abs(values[0, : row.count] - values[0, 0])
+        numbers = np.interp(travelled, own, np.arange(row.count))
+    else:
+        numbers = (np.round(travelled, LAST) % sweep.high) * row.count / (sweep.high * row.turns)
     numbers[: row.count] = np.arange(row.count)
     return np.asarray(numbers)
 
 
-def _angle(degrees: float) -> float:
-    """Return an angle in [0, 360), free of the last bits."""
-    return round(float(degrees), LAST) % 360.0 + 0.0
+def _within(sweep: Sweep, value: float) -> float:
+    """Return a coordinate within its sweep, free of the last bits."""
+    return sweep.within(round(float(value), LAST)) + 0.0
 
 
 def _draw_trajectories(
-    draft: Draft, positions: Positions, letters: Sequence[str], count: int
+    draft: Draft, positions: Positions, letters: Sequence[str], count: int, *, closed: bool
 ) -> None:
     for letter in letters:
         if not any(letter in body.marks for body in positions.bodies.values()):
@@ -234,4 +284,5 @@ def _draw_trajectories(
                 "plans.trajectories",
                 head="trajectories",
             )
-        draft.draw(french_curve, f"({letter}–{letter})", positions.point(letter), row=count)
+        curve = french_curve if closed else open_curve
+        draft.draw(curve, f"({letter}–{letter})", positions.point(letter), row=count)

@@ -1,30 +1,29 @@
-"""The plan of positions: the crank, then the groups in the order of attachment, all five kinds.
+"""The plan of positions: what is driven, then the groups in the order of attachment, all five kinds.
 
 What the other plans need of a group, its closing point and two legs, is left in its `Closing`.
 """
 
 from __future__ import annotations
 
-import cmath
-import math
-from dataclasses import dataclass
+from collections.abc import Sequence
 
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.operations.instruments import lay_off, ray
+from graphic_tmm.board.operations.instruments import ray
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point, Side
 from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import (
     Body,
-    Closing,
+    Positions,
     anchor,
     draw_points,
     stand,
     tell_group,
     tell_link,
 )
+from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.dyads import Site, close
-from graphic_tmm.chapters.kinematics.passive import Passive, draw_passive
+from graphic_tmm.chapters.kinematics.passive import draw_passive
 from graphic_tmm.mechanism import records
 from graphic_tmm.mechanism.groups import Group, Pair, untreated
 from graphic_tmm.mechanism.structure import Structure
@@ -32,29 +31,11 @@ from graphic_tmm.mechanism.structure import Structure
 VIEW = "positions"
 
 
-@dataclass(frozen=True)
-class Positions:
-    """The plan of positions as drawn: bodies by number, groups' closings, the side marks of the groups.
-
-    ``passive``: the passive links, last in ``bodies``.
-    """
-
-    bodies: dict[int, Body]
-    closings: tuple[Closing, ...]
-    sides: dict[str, Mark]
-    phi: Mark
-    passive: tuple[Passive, ...] = ()
-
-    def point(self, letter: str) -> Mark:
-        """Return the mark of a letter, on whichever link it stands."""
-        return next(body.marks[letter] for body in self.bodies.values() if letter in body.marks)
-
-
 def draw_frame(draft: Draft, mechanism: records.Mechanism, structure: Structure) -> Body:
-    """Open the plan, take μ_l, and draw the fixed pivots from the crank's pivot on."""
+    """Open the plan, take μ_l, and draw the fixed pivots from the crank's pivot on, or the frame's first."""
     draft.open(VIEW)
     draft.mu_l = draft.scale("μ_l", "m/mm")
-    frame, pivot = mechanism.frame, structure.pivot
+    frame, pivot = mechanism.frame, structure.origin
     origin = draft.take(Point, pivot, 0j)
     draft.lay_out(origin)
 
@@ -80,12 +61,22 @@ def _axis_name(mechanism: records.Mechanism, pivot: str) -> str:
 
 
 def draw_positions(
-    draft: Draft, mechanism: records.Mechanism, structure: Structure, frame: Body, phi: Mark
+    draft: Draft,
+    mechanism: records.Mechanism,
+    structure: Structure,
+    frame: Body,
+    row: Sequence[Mark],
 ) -> Positions:
-    """Draw the crank at the angle ``phi`` and the groups one after another."""
+    """Draw what is driven and the groups one after another; ``row``: where each drive stands."""
     draft.open(VIEW)
     bodies = {frame.link.number: frame}
-    bodies[structure.driver] = _crank(draft, mechanism, structure, frame, phi)
+    lengths = dict[int, Mark]()
+    for pair, at in zip(driven(mechanism, structure), row, strict=True):
+        pair.stand(draft, bodies, at)
+        if pair.driven.telescopes:
+            lengths[pair.link] = at
+        else:
+            tell_link(draft, mechanism, bodies[pair.link])
     links = (frame.link, *mechanism.drawn)
     letters = frozenset(letter for link in links for letter in link.points)
     sides: dict[str, Mark] = {}
@@ -94,31 +85,18 @@ def draw_positions(
         draft.say(f"II({group.name})")
         sides |= _take_side(draft, mechanism, group)
         first, second = (mechanism.by_number[leg.link] for leg in group.legs)
-        site = Site(draft, bodies, group, (first, second), sides.get(group.name), letters)
+        rods = tuple(mechanism.by_number[rod] for rod in group.rods)
+        site = Site(
+            draft, bodies, group, (first, second), sides.get(group.name), letters, lengths, rods
+        )
         closing = close(site)
         closings.append(closing)
-        for leg in group.legs:
-            body = bodies[leg.link]
+        for number in (*(leg.link for leg in group.legs), *group.rods):
+            body = bodies[number]
             draw_points(draft, body, anchor(body))
         tell_group(draft, mechanism, bodies, closing, site.side)
     passive = draw_passive(draft, mechanism, bodies)
-    return Positions(bodies, tuple(closings), sides, phi, passive)
-
-
-def _crank(
-    draft: Draft, mechanism: records.Mechanism, structure: Structure, frame: Body, phi: Mark
-) -> Body:
-    link, pivot, pin = mechanism.by_number[structure.driver], structure.pivot, structure.pin
-    arm = link.points[pin] - link.points[pivot]
-    line = draft.draw(ray, f"({pivot}{pin})", frame.marks[pivot], phi, why=why.CRANK)
-    body = Body(link, link.points[pivot], math.degrees(cmath.phase(arm)), lambda: line)
-    stand(body, pivot, frame.marks[pivot], link.points[pivot])
-    length = draft.length(f"{pivot}{pin}", abs(arm))
-    end = draft.draw(lay_off, pin, line, length, why=why.CRANK_PIN)
-    stand(body, pin, end, link.points[pin])
-    draw_points(draft, body, pivot)
-    tell_link(draft, mechanism, body)
-    return body
+    return Positions(bodies, tuple(closings), sides, tuple(row), passive)
 
 
 def side_record(mechanism: records.Mechanism, group: Group) -> records.Side | None:

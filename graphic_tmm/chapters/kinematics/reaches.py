@@ -45,14 +45,14 @@ def guides(construction: Construction) -> tuple[Figure, ...]:
     return tuple(f for f in construction.figures if f.view == VIEW and f.kind == "guide")
 
 
-def reaches(survey: Survey) -> tuple[Reach, ...]:
-    """Return the reach of every guide over a turn (m), in the order of `guides`."""
+def reaches(survey: Survey, ends: tuple[float, float] | None) -> tuple[Reach, ...]:
+    """Return how far every guide of `guides` is used (m), over a turn or between the ends of a row."""
     log = survey.construction
     found = guides(log)
     wanted = [mark for guide in found for mark in (*guide.marks, *rigid(log.figures, guide.name))]
     if not found:
         return ()
-    _, reading = survey.turn(wanted)
+    reading = survey.whole(wanted)[1] if ends is None else survey.over(ends, wanted)
     return tuple(reach_of(log, reading, guide) for guide in found)
 
 

@@ -1,4 +1,4 @@
-"""The row of positions: equal steps of the crank from the zero position, and extras outside the row."""
+"""The row of positions: steps of the drive from the zero position, and extras outside the row."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
-from graphic_tmm.board.operations.formulas import advance
+from graphic_tmm.board.operations.formulas import advance, run_out
 from graphic_tmm.board.operations.instruments import stand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
@@ -20,37 +20,39 @@ from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.chapters.kinematics.task import EXTREMES as VIEW
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.records import Extreme, Row
+from graphic_tmm.mechanism.records import Extreme, Row, Sweep
 
-OTHER = "other extreme"
+OTHER, DEGREES = "other extreme", "°"
 ROUNDING = 1e-15
 """An angle that is off a rounder one by no more than this share of it is that one, rounded."""
 
 
 class Numbered(NamedTuple):
-    """The crank's angle mark, the names of the positions, their angles in degrees as drawn exactly."""
+    """The mark of the drive's coordinate, the names of the positions, its values as drawn exactly (° or m)."""
 
-    phi: Mark
+    at: Mark
     names: tuple[str, ...]
-    angles: np.ndarray
+    values: np.ndarray
 
 
 def draw_row(draft: Draft, survey: Survey, frame: Body, row: Row) -> Numbered:
-    """Record where the crank stands in every position: the row first, the extras behind it."""
-    sense = 1.0 if survey.mechanism.drive.speed > 0 else -1.0
+    """Record where the drive stands in every position: the row first, the extras behind it."""
+    sweep, sense = survey.sweep, float(survey.mechanism.drive.sense)
+    if sweep.unit != DEGREES:
+        return _lengths(draft, sweep, row)
     _refuse_repeated(row)
     draft.open(VIEW)
     zero = (
         draw_extreme(draft, survey, frame, row.zero, "0")
         if isinstance(row.zero, Extreme)
-        else draft.angle("φ_{0}", row.zero)
+        else draft.angle("φ_{0}", _steps(row, sense)[0])
     )
     extras = [_extra(draft, survey, frame, row, extra) for extra in row.extra]
     size = row.count + len(extras)
     turned = np.zeros((1, size))
-    turned[0, : row.count] = sense * 360.0 * row.turns * np.arange(row.count) / row.count
+    turned[0, : row.count] = _steps(row, sense)[1]
     draft.open(VIEW)
-    by = draft.take(Angle, "Δφ", turned, "°", roles.CRANK_ANGLE)
+    by = draft.take(Angle, "Δφ", turned, "°", roles.ROW)
     phi = draft.draw(advance, "φ_{n}", zero, by, unit="°")
     for place, mark in enumerate(extras):
         there = np.zeros((1, size))
@@ -65,6 +67,43 @@ def draw_row(draft: Draft, survey: Survey, frame: Body, row: Row) -> Numbered:
     for extra, mark in zip(row.extra, extras, strict=True):
         names.append(_name(row, extra, (float(values[mark][0, 0]) - start) * sense))
     return Numbered(phi, tuple(names), np.broadcast_to(values[phi], (1, size)))
+
+
+def zero_of(row: Row) -> float:
+    """Return the coordinate at which a row begins, as far as it is known before it is drawn; else 0."""
+    return _steps(row, 1.0)[0]
+
+
+def _steps(row: Row, sense: float) -> tuple[float, np.ndarray]:
+    """Return where a row begins, and how far each of its positions is from there (degrees or m)."""
+    if row.places:
+        return row.places[0], np.array(row.places) - row.places[0]
+    if row.ends is not None:
+        low, high = row.ends
+        return low, (high - low) * np.arange(row.count) / max(row.count - 1, 1)
+    zero = row.zero if isinstance(row.zero, float) else 0.0
+    return zero, sense * 360.0 * row.turns * np.arange(row.count) / row.count
+
+
+def _lengths(draft: Draft, sweep: Sweep, row: Row) -> Numbered:
+    """Record how far what slides has come in every position, m."""
+    if row.extra or isinstance(row.zero, Extreme):
+        raise StructureError(
+            said(
+                "a drive that slides has a row from one length to another: write from and to, or all "
+                'places, positions = ["600 mm", "700 mm"], and no {key}',
+                key="extra" if row.extra else "zero",
+            ),
+            "drive.extra" if row.extra else "drive.zero",
+            head="drive",
+        )
+    draft.open(VIEW)
+    first, steps = _steps(row, 1.0)
+    zero = draft.take(Number, f"{sweep.letter}_{{0}}", first, sweep.unit)
+    by = draft.take(Number, f"Δ{sweep.letter}", steps[None, :], sweep.unit, roles.ROW)
+    at = draft.draw(run_out, f"{sweep.letter}_{{n}}", zero, by, unit=sweep.unit)
+    names = tuple(str(row.first + k) for k in range(row.count))
+    return Numbered(at, names, (first + steps)[None, :])
 
 
 def extreme_places(row: Row) -> tuple[int, ...]:

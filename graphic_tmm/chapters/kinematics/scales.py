@@ -12,11 +12,9 @@ import numpy as np
 
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.formulas import product, product_of_squares
 from graphic_tmm.board.record import Construction, Figure, Mark
 from graphic_tmm.board.scales import LENGTHS, Scale, scale_by_turning, standard, standard_length
 from graphic_tmm.board.values import Curve, Point
-from graphic_tmm.chapters.kinematics.motion import image_letter
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.reaches import Reach, reach_of
 from graphic_tmm.chapters.kinematics.task import (
@@ -69,6 +67,7 @@ _VECTORS = {
         few=FEW,
     ),
 }
+_VECTOR_OF = {VELOCITIES: ("v", "m/s"), ACCELERATIONS: ("a", "m/s²")}
 KEYS = {POSITIONS: ("mu_l", "OA"), VELOCITIES: ("mu_v", "pa"), ACCELERATIONS: ("mu_a", "pi_a")}
 """The keys of [scales] that fix the size of a plan."""
 UNITS = {"mu_l": "m/mm", "mu_v": "(m/s)/mm", "mu_a": "(m/s²)/mm"}
@@ -98,10 +97,10 @@ def extents(project: Project, doubts: Doubts) -> Extents:
     """
     made = KINEMATICS_PLAN.on(project)
     marks = [m for m in project.marks(POSITIONS) if m.kind in (Point, Curve)]
-    pivot, _ = made.crank
-    reading = unscaled(project, doubts, [*marks, pivot])
-    arm = crank_sizes(made)[0]
-    spots = [reading[pivot] + arm * np.array([1, 1j, -1, -1j])]
+    ring = made.pairs[0].arm_ends(made.positions)[:1]
+    reading = unscaled(project, doubts, [*marks, *ring])
+    arm = made.pairs[0].sizes.length
+    spots = [reading[pivot] + arm * np.array([1, 1j, -1, -1j]) for pivot in ring]
     spots += [reading[m].knots if m.kind is Curve else reading[m] for m in marks]
     told = project.told.get(ACCELERATIONS, frozenset())
     places = made.accelerated or tuple(sorted(told)) or _sheet_positions(project)
@@ -140,14 +139,6 @@ def _sheet_positions(project: Project) -> tuple[int, ...]:
     return tuple(sorted(frozenset().union(*project.told.values())))
 
 
-def crank_sizes(made: KinematicPlans) -> tuple[float, float, float]:
-    """Return the length of the crank, the speed and the acceleration of its pin (SI)."""
-    drive, structure = made.mechanism.drive, made.structure
-    crank = made.mechanism.by_number[structure.driver]
-    arm = abs(crank.points[structure.pin] - crank.points[structure.pivot])
-    return arm, abs(drive.speed) * arm, abs(drive.speed**2 + 1j * drive.acceleration) * arm
-
-
 def plan_scales(fitting: Fitting) -> dict[str, Scale]:
     """Return μ of every plan drawn: what the scene fixes, else a standard one that gives it its size.
 
@@ -156,7 +147,7 @@ def plan_scales(fitting: Fitting) -> dict[str, Scale]:
     made, wanted, sizes = KINEMATICS_PLAN.on(fitting), fitting.scene.scales, fitting.sizes
     many = 1.0 if len(made.accelerated) <= FEW else MANY / ACCELERATION
     reach: Extents = fitting.reach[KINEMATICS]
-    arm, pin_speed, pin_acceleration = crank_sizes(made)
+    arm, pin_speed, pin_acceleration = made.pairs[0].sizes
     mu_l = wanted.mu_l or (
         arm / wanted.OA if wanted.OA else _by_rule(fitting, reach.positions, arm)
     )
@@ -229,7 +220,7 @@ def reaches_at(
     made: KinematicPlans, log: Construction, reading: Reading, mu: float
 ) -> dict[Figure, Reach]:
     """Return the same of a reading to a scale, m/mm."""
-    circle = 2.0 * crank_sizes(made)[0] / mu
+    circle = 2.0 * made.pairs[0].sizes.length / mu
     found = {}
     for guide, whole in made.reaches.items():
         part = reach_of(log, reading, guide, whole.anchor)
@@ -253,7 +244,7 @@ def _size(plan: str, natural: float, *, first: bool = True) -> Size:
 
     def remedy(drawn: Drawn, key: str) -> str:
         mu = drawn.scales[plan].value
-        crank = crank_sizes(KINEMATICS_PLAN.on(drawn))[PLANS.index(plan)] / mu
+        crank = KINEMATICS_PLAN.on(drawn).pairs[0].sizes[PLANS.index(plan)] / mu
         return (
             f"{mu:g} {unit_name(UNITS[key], drawn.scene.language)}"
             if key in UNITS
@@ -303,40 +294,39 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
     """Record how the scale factors of the three plans were chosen."""
     made, wanted = KINEMATICS_PLAN.on(drawn), drawn.scene.scales
     reach: Extents = drawn.reach[KINEMATICS]
-    pivot, pin, driver = made.structure.pivot, made.structure.pin, made.structure.driver
-    small = image_letter(pin)
+    pair = made.pairs[0]
+    segments = pair.segments
     ledger.of(POSITIONS)
-    arm = ledger.quantity(f"l_{{{pivot}{pin}}}", crank_sizes(made)[0], "m")
+    arm = pair.length_known(ledger)
     mu = drawn.project.scale(POSITIONS)
     if wanted.mu_l:
         mu_l = ledger.given(mu, wanted.mu_l)
-    elif wanted.OA:
-        mu_l = ledger.by_length(mu, arm, f"{pivot}{pin}", wanted.OA)
+    elif wanted.OA and arm is not None:
+        mu_l = ledger.by_length(mu, arm, segments.length, wanted.OA)
     else:
         most = ledger.quantity("l_{max}", reach.positions, "m")
         mu_l = ledger.fitting(mu, most, value_of(drawn, mu), lengths=True, why=_POSITIONS)
-    if not wanted.OA or wanted.mu_l:
-        ledger.follows(f"{pivot}{pin}", arm, mu_l)
+    if arm is not None and (not wanted.OA or wanted.mu_l):
+        ledger.follows(segments.length, arm, mu_l)
     if made.velocities is None:
         return
     ledger.of(VELOCITIES)
-    omega = ledger.speed(str(driver), made.mechanism.drive.speed)
-    if made.velocities.speed is not None:
-        ledger.enter(made.velocities.speed, omega)
-    speed = ledger.calculated(product, f"v_{pin}", omega, arm, unit="m/s")
+    omega = pair.rate_known(ledger)
+    ledger.enter(made.velocities.speeds[pair.link], omega)
+    speed = pair.speed_known(ledger)
     mu = drawn.project.scale(VELOCITIES)
     if wanted.mu_v_is_mu_l_omega:
         mu_v = ledger.draft.draw(scale_by_turning, mu.letter, mu_l, omega, unit=mu.unit)
-        ledger.follows(f"p{small}", speed, ledger.enter(mu, mu_v))
+        ledger.follows(segments.speed, speed, ledger.enter(mu, mu_v))
     else:
         fixed = wanted.mu_v, wanted.pa
-        _plan(drawn, ledger, VELOCITIES, fixed, (f"p{small}", speed), reach.velocities)
+        _plan(drawn, ledger, VELOCITIES, fixed, (segments.speed, speed), reach.velocities)
     if made.accelerations is None:
         return
     ledger.of(ACCELERATIONS)
-    gain = ledger.calculated(product_of_squares, f"a_{pin}", omega, arm, unit="m/s²")
+    gain = pair.gain_known(ledger)
     fixed = wanted.mu_a, wanted.pi_a
-    _plan(drawn, ledger, ACCELERATIONS, fixed, (f"π{small}", gain), reach.accelerations)
+    _plan(drawn, ledger, ACCELERATIONS, fixed, (segments.acceleration, gain), reach.accelerations)
 
 
 def _plan(
@@ -344,7 +334,7 @@ def _plan(
     ledger: Ledger,
     plan: str,
     fixed: tuple[float | None, float | None],
-    of_pin: tuple[str, Mark],
+    of_pin: tuple[str, Mark | None],
     longest: float,
 ) -> None:
     """Record the choice for a plan of vectors: as the scene fixes it, or by the longest vector of the plan.
@@ -354,13 +344,15 @@ def _plan(
     mu, (told, length), (letter, quantity) = drawn.project.scale(plan), fixed, of_pin
     if told:
         found = ledger.given(mu, told)
-    elif length:
+    elif length and quantity is not None:
         ledger.by_length(mu, quantity, letter, length)
         return
     else:
-        most = ledger.quantity(f"{quantity.letter[0]}_{{max}}", longest, quantity.unit)
+        kind, unit = _VECTOR_OF[plan]
+        most = ledger.quantity(f"{kind}_{{max}}", longest, unit)
         found = ledger.fitting(mu, most, value_of(drawn, mu), why=_VECTORS[plan])
-    ledger.follows(letter, quantity, found)
+    if quantity is not None:
+        ledger.follows(letter, quantity, found)
 
 
 CHOICE = Choice(choose=choose)

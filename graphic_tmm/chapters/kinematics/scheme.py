@@ -15,7 +15,7 @@ from graphic_tmm.board.values import Reals, undefined
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, legs_of, pair_of
 from graphic_tmm.chapters.kinematics.given import frame_sizes
 from graphic_tmm.chapters.kinematics.ink_numbers import guide_names, link_numbers
-from graphic_tmm.chapters.kinematics.ink_positions import SWEEP, PositionsInk
+from graphic_tmm.chapters.kinematics.ink_positions import PositionsInk
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.scales import reaches_at
 from graphic_tmm.chapters.kinematics.survey import transmission
@@ -26,12 +26,10 @@ from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.guides import direction, turn
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import dissect
-from graphic_tmm.paper.drawing import Drawing, Ink, Wanted
-from graphic_tmm.paper.figure import body
+from graphic_tmm.paper.drawing import Drawing, Ink
 from graphic_tmm.paper.formats import HEIGHTS
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.packing import bounds
-from graphic_tmm.paper.symbols.kinematic import round_arrow
 from graphic_tmm.project import Project, record
 from graphic_tmm.readers.task_sheet import Posed, Scheme, TaskSheet
 from graphic_tmm.scene.chapter import chapters
@@ -97,7 +95,7 @@ def scheme(scene: Scene, room: complex) -> Scheme | None:
 
 def _notes(mechanism: Mechanism, language: str) -> Iterator[str]:
     """Tell from where coordinates of fixed points and distances of fixed guides are counted."""
-    _, pivot = speaking(language), dissect(mechanism).pivot
+    _, pivot = speaking(language), dissect(mechanism).origin
     symbols = {name[:2] for name, _ in frame_sizes(mechanism)}
     if "x_" in symbols:
         yield _(_FROM, pivot=pivot)
@@ -122,7 +120,7 @@ def _posed(scene: Scene) -> Pose:
     )
     whole = record(bare, wanted={POSITIONS})
     made = KINEMATICS_PLAN.on(whole)
-    there = np.array([angle for angle in whole.angles if angle is not None])
+    there = np.array([angle for angle in whole.coordinates if angle is not None])
     between = _assembled(scene, made, there)
     passed = np.nan_to_num(transmission(made.tried, between), nan=-1.0)
     passed = passed * _apart(made, between)
@@ -217,9 +215,9 @@ def _drawing(pose: Pose, mu: float) -> Drawing:
     made, ink = pose.plans, _ink(pose, mu)
     strokes: list[Ink] = [*ink.guides(), *ink.heavy(0)]
     wanted = ink.letters((ink.frame.name, *ink.names), 0, SIZES.point)
-    for arrow in _turns(ink, made):
+    for arrow in ink.arrows(made.pairs, made.positions, 0, SIZES.point):
         strokes += arrow.strokes
-        wanted.append(arrow.wanted)
+        wanted.append(arrow.wanted._replace(of=arrow.wanted.of[:1]))
     posed = Posed(
         lambda letter, link: _spot(made, ink.reading, letter, link),
         SIZES.point,
@@ -242,25 +240,6 @@ def _drawing(pose: Pose, mu: float) -> Drawing:
         wanted=tuple(wanted),
     )
     return finished(view)
-
-
-class _Turn(NamedTuple):
-    strokes: tuple[Ink, ...]
-    wanted: Wanted
-
-
-def _turns(ink: PositionsInk, made: KinematicPlans) -> Iterator[_Turn]:
-    """Yield the arrow that tells which way the crank turns, and that of its angular acceleration."""
-    crank, sense, of = made.crank, made.sense, (made.crank[0].slot,)
-    gains = int(np.sign(made.mechanism.drive.acceleration))
-    number = made.structure.driver
-    told = [(f"ω_{number}", ink.bow(crank, sense, 0), sense)]
-    if gains:
-        told.append((f"ε_{number}", ink.gain(crank, sense, 0, gains), gains))
-    for letter, bow, way in told:
-        arrow = round_arrow(bow.centre, bow.radius, bow.start, way * SWEEP)
-        wanted = Wanted(letter, bow.middle, SIZES.point, 1.0, bow.out, of, 0)
-        yield _Turn(tuple(body(arrow, "turning", crank, 0)), wanted)
 
 
 def _spot(

@@ -8,7 +8,8 @@ import numpy as np
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.kinematics.positions import Positions, side_record
+from graphic_tmm.chapters.kinematics.bodies import Positions
+from graphic_tmm.chapters.kinematics.positions import side_record
 from graphic_tmm.mechanism.records import Drive, Mechanism, Side
 
 LAST = 12
@@ -64,7 +65,7 @@ def sides_at(side: Side, angles: Reals, drive: Drive) -> object:
     """
     if len(side.flips_at or ()) % 2 == 0:
         return side_values(side, angles)
-    sense = 1.0 if drive.speed > 0 else -1.0
+    sense = float(drive.sense)
     start = angles[0, 0]
     travelled = np.round((angles - start) * sense, LAST) % 360.0
     flips = np.round((np.asarray(side.flips_at, dtype=np.float64) - start) * sense, LAST) % 360.0

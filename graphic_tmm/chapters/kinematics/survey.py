@@ -1,4 +1,4 @@
-"""The mechanism tried at any crank angles before the sheet is begun; how well it passes its motion on."""
+"""The mechanism tried all through its drive before the sheet is begun; how well it passes its motion on."""
 
 from __future__ import annotations
 
@@ -11,18 +11,20 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.operations.instruments import measure_along, ray
 from graphic_tmm.board.record import Construction, Mark
-from graphic_tmm.board.values import Angle, Complexes, Reals
+from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.chapters.kinematics.bodies import (
     Closing,
     ClosingLeg,
     GuideLeg,
     PinLeg,
+    Positions,
     dyads,
     unheld,
 )
+from graphic_tmm.chapters.kinematics.drives import driven, follow
+from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.positions import (
-    Positions,
     draw_frame,
     draw_positions,
     side_record,
@@ -32,11 +34,11 @@ from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.groups import class_two
-from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.mechanism.records import Mechanism, Sweep
 from graphic_tmm.mechanism.structure import Structure
 
 STEPS = 1440
-"""Crank angles tried over a turn: every quarter of a degree."""
+"""So many places are tried: every quarter of a degree of a turn."""
 
 
 @dataclass(frozen=True)
@@ -50,6 +52,7 @@ class Survey:
     positions: Positions
     velocities: Motion
     axes: dict[tuple[str, str], Mark]
+    zero: float = 0.0
 
     @property
     def returning_late(self) -> tuple[str, ...]:
@@ -57,19 +60,40 @@ class Survey:
         sides = [(g.name, side_record(self.mechanism, g)) for g in self.structure.groups]
         return tuple(name for name, side in sides if side and len(side.flips_at or ()) % 2)
 
-    def at(self, angles: Reals, wanted: Iterable[Mark]) -> Reading:
-        """Run at crank angles, degrees (trial, position)."""
-        given = self.given | {self.positions.phi: angles}
-        return execute(self.construction, given | standing(self, angles), wanted)
+    @property
+    def pairs(self) -> tuple[DrivenPair, ...]:
+        """Its drives, the one of the row first."""
+        return driven(self.mechanism, self.structure)
 
-    def turn(self, wanted: Iterable[Mark]) -> tuple[Reals, Reading]:
-        """Run over a whole turn; return the angles (1, n) and the reading."""
-        angles = np.arange(STEPS, dtype=np.float64)[None, :] * (360.0 / STEPS)
-        return angles, self.at(angles, wanted)
+    @property
+    def sweep(self) -> Sweep:
+        """What the coordinate of the first drive can go through."""
+        return self.pairs[0].sweep
+
+    @property
+    def step(self) -> float:
+        """How far apart the coordinates are that are tried over it."""
+        return (self.sweep.high - self.sweep.low) / STEPS
+
+    def at(self, row: Reals, wanted: Iterable[Mark]) -> Reading:
+        """Run at coordinates of the first drive (trial, position)."""
+        given = self.given | {self.positions.row[0]: row}
+        return execute(self.construction, given | standing(self, row), wanted)
+
+    def over(self, ends: tuple[float, float], wanted: Iterable[Mark]) -> Reading:
+        """Run from one coordinate to another."""
+        return self.at(np.linspace(*ends, STEPS + 1)[None, :], wanted)
+
+    def whole(self, wanted: Iterable[Mark]) -> tuple[Reals, Reading]:
+        """Run over all of its sweep, a whole turn; return the coordinates (1, n) and the reading."""
+        sweep = self.sweep
+        steps = np.arange(STEPS if sweep.closed else STEPS + 1, dtype=np.float64)[None, :]
+        row = sweep.low + steps * self.step
+        return row, self.at(row, wanted)
 
 
-def survey(mechanism: Mechanism, structure: Structure) -> Survey:
-    """Draw the mechanism on a small board of its own.
+def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Survey:
+    """Draw the mechanism on a small board of its own; ``zero``: where its row begins.
 
     Raises
     ------
@@ -81,8 +105,8 @@ def survey(mechanism: Mechanism, structure: Structure) -> Survey:
     _refuse_strange_sides(mechanism, structure)
     draft = Draft()
     frame = draw_frame(draft, mechanism, structure)
-    phi = draft.ask(Angle, "φ", "°")
-    positions = draw_positions(draft, mechanism, structure, frame, phi)
+    row = follow(draft, driven(mechanism, structure), zero)
+    positions = draw_positions(draft, mechanism, structure, frame, row)
     velocities = draw_velocities(draft, mechanism, structure, positions, turned=False)
     pole = velocities.images.pole
     x = draft.draw(ray, "(px)", pole, draft.direction(0.0))
@@ -98,7 +122,7 @@ def survey(mechanism: Mechanism, structure: Structure) -> Survey:
                 axes[letter, name] = draft.draw(measure_along, along, pole, image, axis)
     given = draft.given | {draft.mu_l: 1.0, velocities.mu: 1.0}
     return Survey(
-        mechanism, structure, draft.board.construction(), given, positions, velocities, axes
+        mechanism, structure, draft.board.construction(), given, positions, velocities, axes, zero
     )
 
 
@@ -195,7 +219,7 @@ def least_angle(tried: Survey) -> float:
     guide, of a stone that between its guide and what is square to the arm of the link that it slides on.
     """
     closings = tuple(dyads(tried.positions.closings, TRANSMISSION))
-    _, reading = tried.turn([leg.line for closing in closings for leg in closing.legs])
+    _, reading = tried.whole([leg.line for closing in closings for leg in closing.legs])
     with np.errstate(all="ignore"):
         sines = [float(np.nanmin(_sine(reading, one), initial=np.inf)) for one in closings]
     least = min(sines, default=1.0)
@@ -206,22 +230,22 @@ def transmission(tried: Survey, angles: Reals) -> Reals:
     """Return how well motion is passed on at crank angles (degrees): 1 at its best, 0 at a dead centre.
 
     The smallest over all groups of the sine of the angle at which both lines of its velocities meet, of the
-    speed of its closing point as a share of the largest, and of the sine of the angle between the crank and
+    speed of its closing point as a share of the largest, and of the sine of the angle between a crank and
     what hangs on its pin, which else lies on the crank.
     """
-    body = tried.positions.bodies[tried.structure.driver]
-    crank = (body.marks[tried.structure.pivot], body.marks[tried.structure.pin])
+    first = tried.pairs[0]
+    crank = first.arm_ends(tried.positions)
     closed = tried.velocities.closed
     groups = [(c, closed[c.group.name]) for c in dyads(tried.positions.closings, TRANSMISSION)]
     lines = [leg.line for closing, _ in groups for leg in closing.legs]
     row = angles.astype(np.float64)[None, :]
     reading = tried.at(row, [*crank, *lines, *(image for _, image in groups)])
-    arm = reading[crank[1]] - reading[crank[0]]
     found = [np.ones(row.shape)]
     for closing, image in groups:
         found += [_sine(reading, closing), _speed(reading, image)]
         pinned = (leg for leg in closing.legs if isinstance(leg, PinLeg) or leg.inner)
-        hung = [leg.line for leg in pinned if leg.body == body.link.number]
+        hung = [leg.line for leg in pinned if crank and leg.body == first.link]
+        arm = reading[crank[1]] - reading[crank[0]] if crank else np.ones_like(row)
         found += [np.abs((np.conj(arm) * reading[line].along).imag) / np.abs(arm) for line in hung]
     shares = np.stack([np.broadcast_to(one, row.shape) for one in found])
     return np.asarray(np.min(shares, axis=0)[0])

@@ -8,12 +8,11 @@ from dataclasses import replace
 import numpy as np
 
 from graphic_tmm.board import roles
-from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.operations.instruments import stand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics.ink_numbers import Letters
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
-from graphic_tmm.chapters.kinematics.ink_positions import FULL, PositionsInk, path_stays
+from graphic_tmm.chapters.kinematics.ink_positions import FULL, PATHS, PositionsInk, path_stays
 from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.kinematics.sides import standing
@@ -59,7 +58,7 @@ def quantities(project: Project) -> Iterator[TurnQuantity]:
     made = KINEMATICS_PLAN.on(project)
     bodies = made.positions.bodies
     names = [(letter, n) for n, body in bodies.items() for letter in body.link.points]
-    origin = made.mechanism.frame.points[made.structure.pivot]
+    origin = made.mechanism.frame.points[made.structure.origin]
     for letter, n in names:
         mark = bodies[n].marks[letter]
         yield TurnQuantity("positions", "places", (letter, n), mark, made.mu_l, origin=origin)
@@ -75,16 +74,16 @@ def quantities(project: Project) -> Iterator[TurnQuantity]:
 
 
 def between(drawn: Drawn, turn: Turn) -> Between:
-    """Return how far the crank has turned, that no angle is an extra one, on which side each group stands."""
+    """Return how far the drive has gone, that no angle is an extra one, on which side each group stands."""
     made, log = KINEMATICS_PLAN.on(drawn), drawn.construction
     if turn.angles is not None:
-        return {made.positions.phi: turn.angles} | standing(made, turn.angles)
+        return {made.positions.row[0]: turn.angles} | standing(made, turn.angles)
     found: dict[Mark, object] = {
-        mark: turn.turned[None, :] for mark in log.given if mark.role == roles.CRANK_ANGLE
+        mark: turn.turned[None, :] for mark in log.given if mark.role == roles.ROW
     }
     none = np.zeros((1, turn.turned.size))
     found |= {step.uses[2]: none for step in log.steps if step.op is stand}
-    angles = float(drawn.numbers.drawn[made.positions.phi][0, 0]) + turn.turned[None, :]
+    angles = float(drawn.numbers.drawn[made.positions.row[0]][0, 0]) + turn.turned[None, :]
     return found | standing(made, angles, carried=True)
 
 
@@ -100,7 +99,7 @@ def moving(drawn: Drawn) -> Iterator[Moving]:
         lambda name: POSITIONS,
         lambda: _about(drawn, made),
         lambda: plan_columns(drawn, POSITIONS),
-        crank=made.crank,
+        crank=made.led,
     )
     for plan in (VELOCITIES, ACCELERATIONS):
         if made.motion(plan) is not None and plan in drawn.scales and drawn.of(plan) is not None:
@@ -124,12 +123,12 @@ def _about(drawn: Drawn, made: KinematicPlans) -> Drawing:
     left_out = {*drawn.undrawn, *made.repeated}
     places = [k for k in drawn.all if k not in left_out]
     ink = PositionsInk(drawn.construction, drawn.reading, reaches(drawn), places)
-    traces = figure(ink.seen, Manner({french_curve.name: curve("thin")}, path_stays))
-    strokes: list[Ink] = [*ink.crank_circle(made.crank), *traces.staying]
+    traces = figure(ink.seen, Manner(dict.fromkeys(PATHS, curve("thin")), path_stays))
+    strokes: list[Ink] = [*ink.crank_circles(made.arms), *traces.staying]
     for k in made.extremes:
         strokes += ink.thin(k, FULL) if k in places else []
     high = heights(drawn.scene, POSITIONS)
-    wanted = tuple(ink.numbers(made.crank, drawn.names, Letters(high.number, high.point)))
+    wanted = tuple(ink.numbers(made.led, drawn.names, Letters(high.number, high.point)))
     return Drawing(POSITIONS, "", tuple(strokes), wanted=wanted)
 
 

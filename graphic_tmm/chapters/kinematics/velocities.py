@@ -8,65 +8,35 @@ from __future__ import annotations
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.operations.formulas import product, rate, to_board
-from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet, parallel, square
+from graphic_tmm.board.operations.formulas import rate, to_board
+from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet
 from graphic_tmm.board.record import Mark, between
-from graphic_tmm.board.values import Number, Point
+from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import (
     Closing,
     ClosingLeg,
     GuideLeg,
     PinLeg,
+    Positions,
     dyads,
     unheld,
 )
+from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.motion import (
-    Base,
-    Hanging,
     Images,
     Motion,
     hang_group,
     hang_passive,
-    image_letter,
     known_image,
     measure_absolute,
     passive_legs,
 )
-from graphic_tmm.chapters.kinematics.positions import Positions
+from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure
 
 VIEW = "velocities"
-
-
-class _Turn:
-    """How lines of this plan are drawn from lines of the plan of positions."""
-
-    def __init__(self, draft: Draft, turned: bool, sense: int) -> None:
-        self.draft, self.turned, self.sense = draft, turned, sense
-
-    def across(self, name: str, through: Mark, to: Mark, fixed: bool) -> Mark:
-        """Draw the line of a velocity square to a link (in the turned plan: along it).
-
-        ``fixed``: the link turns about a pivot that stands still.
-        """
-        if self.turned:
-            because = why.ABOUT_FIXED_TURNED if fixed else why.ABOUT_MOVING_TURNED
-            return self.draft.draw(parallel, name, through, to, sense=self.sense, why=because)
-        because = why.ABOUT_FIXED if fixed else why.ABOUT_MOVING
-        return self.draft.draw(square, name, through, to, sense=1, why=because)
-
-    def along(self, name: str, through: Mark, to: Mark, fixed: bool) -> Mark:
-        """Draw the line of a velocity along a guide (in the turned plan: square to it).
-
-        ``fixed``: the guide stands still.
-        """
-        if self.turned:
-            because = why.ON_FIXED_GUIDE_TURNED if fixed else why.ON_MOVING_GUIDE_TURNED
-            return self.draft.draw(square, name, through, to, sense=-self.sense, why=because)
-        because = why.ON_FIXED_GUIDE if fixed else why.ON_MOVING_GUIDE
-        return self.draft.draw(parallel, name, through, to, sense=1, why=because)
 
 
 def draw_velocities(
@@ -79,8 +49,9 @@ def draw_velocities(
     draft.lay_out(pole)
     frame = positions.bodies[mechanism.frame.number]
     plan = Motion(Images(draft, pole, frame), mu)
-    turn = _Turn(draft, turned, 1 if mechanism.drive.speed > 0 else -1)
-    _crank(draft, mechanism, structure, positions, plan, turn)
+    turn = VelocityLines(draft, turned, mechanism.drive.sense)
+    for pair in driven(mechanism, structure):
+        pair.velocity(positions, plan, turn)
     for closing in dyads(positions.closings, VIEW):
         _group(draft, positions, plan, turn, closing)
     hang_passive(positions, plan)
@@ -92,46 +63,9 @@ def draw_velocities(
     return plan
 
 
-def _crank(
-    draft: Draft,
-    mechanism: Mechanism,
-    structure: Structure,
-    positions: Positions,
-    plan: Motion,
-    turn: _Turn,
+def _group(
+    draft: Draft, positions: Positions, plan: Motion, turn: VelocityLines, closing: Closing
 ) -> None:
-    pole = plan.images.pole
-    number, pivot, pin = structure.driver, structure.pivot, structure.pin
-    body = positions.bodies[number]
-    speed = mechanism.drive.speed
-    draft.say(f"v_{pin} = ω_{number}·l_{{{pivot}{pin}}},  v_{pin} ⊥ {pivot}{pin}")
-    omega = draft.take(Number, f"ω_{number}", abs(speed), "1/s")
-    plan.speed = omega
-    arm = crank_arm(draft, positions, structure)
-    velocity = draft.draw(product, f"v_{pin}", omega, arm, unit="m/s", why=why.SPEED_OF_PIN)
-    segment = between(pole, image_letter(pin))
-    length = draft.draw(to_board, segment, velocity)
-    if turn.turned:
-        op, sense, because = parallel, 1, why.VELOCITY_OF_PIN_TURNED
-    else:
-        op, sense, because = square, turn.sense, why.VELOCITY_OF_PIN
-    line = draft.draw(op, f"({segment})", pole, body.axis, sense=sense, why=because)
-    image = draft.draw(lay_off, image_letter(pin), line, length, why=why.VECTOR)
-    plan.measured.add(image)
-    base = Base(body.marks[pivot], body.marks[pin], pole, image)
-    plan.images.hang(body, Hanging(base.A, pole, base), {pivot: pole, pin: image})
-    plan.images.complete(body)
-    plan.rates[number] = omega if speed > 0 else draft.take(Number, f"(−ω_{number})", speed, "1/s")
-
-
-def crank_arm(draft: Draft, positions: Positions, structure: Structure) -> Mark:
-    """Return the mark of the crank's real length l_OA, m."""
-    drawn = positions.bodies[structure.driver].marks[structure.pin]
-    length = draft.uses(drawn)[1]
-    return draft.uses(length)[0]
-
-
-def _group(draft: Draft, positions: Positions, plan: Motion, turn: _Turn, closing: Closing) -> None:
     letter = closing.image_letter
     draft.say(f"II({closing.group.name})")
     starts, lines = [], []
@@ -140,6 +74,8 @@ def _group(draft: Draft, positions: Positions, plan: Motion, turn: _Turn, closin
         match leg:
             case PinLeg():
                 draw = turn.across
+                if leg.rod:
+                    start = _rod_out(draft, plan, turn, leg, start)
             case GuideLeg():
                 draw = turn.along
             case _:
@@ -151,6 +87,18 @@ def _group(draft: Draft, positions: Positions, plan: Motion, turn: _Turn, closin
     for leg, start, line in zip(closing.legs, starts, lines, strict=True):
         _read(draft, plan, leg, start, point, line)
     hang_group(positions, plan, closing, point)
+
+
+def _rod_out(draft: Draft, plan: Motion, turn: VelocityLines, leg: PinLeg, start: Mark) -> Mark:
+    """Lay off the velocity of a rod seen from its cylinder; return its end, from which the leg turns."""
+    speed, letter = plan.speeds[leg.rod], f"k{leg.link}"
+    segment = between(start, letter)
+    length = draft.draw(to_board, segment, speed)
+    draft.figure(roles.COMPONENT, speed.letter, length)
+    line = turn.out(f"({segment})", start, leg.line)
+    end = draft.draw(lay_off, letter, line, length, free=True, why=why.VECTOR)
+    plan.ends[leg.link], plan.outs[leg.link] = end, length
+    return end
 
 
 def _read(
@@ -166,3 +114,5 @@ def _read(
         plan.rates[leg.link] = draft.draw(
             rate, f"ω_{leg.link}", segment, leg.length, unit="1/s", why=why.OMEGA
         )
+        if leg.rod:
+            plan.rates[leg.rod] = plan.rates[leg.link]

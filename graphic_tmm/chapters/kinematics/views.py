@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-import numpy as np
-
 from graphic_tmm.chapters.kinematics.along import with_guides
 from graphic_tmm.chapters.kinematics.ink_links import LinksInk
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_equations, draw_plan
@@ -60,23 +58,15 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         _together(drawn, made),
         drawn.main,
         (*drawn.undrawn, *made.repeated),
-        made.crank,
-        made.sense,
-        made.structure.driver,
+        made.led,
         made.extremes,
-        _gaining(drawn),
     )
     on = subject(drawn, words["positions"], POSITIONS)
-    view = draw_positions_ink(on, reaches(drawn), shown)._replace(stand=Stand(kind="lead"))
+    view = draw_positions_ink(on, reaches(drawn), shown, made.pairs, made.positions)._replace(
+        stand=Stand(kind="lead")
+    )
     view, told = with_guides(drawn, view)
     return [with_caption(view, on, lettered, mu_text(drawn.scales[POSITIONS], on.language), *told)]
-
-
-def _gaining(drawn: Drawn) -> int:
-    """Return the sense of the crank's angular acceleration, 0 if it turns evenly."""
-    mechanism = drawn.scene.mechanism
-    gains = mechanism.drive.acceleration if mechanism is not None else 0.0
-    return int(np.sign(gains))
 
 
 def _together(drawn: Drawn, made: KinematicPlans) -> list[str]:

@@ -76,7 +76,7 @@ class StructurePage(Page[Structure]):
         n, p5, _higher = whole.uses
         yield self.says(MOVING, n=n, p=p5)
         yield from self.worked_out(found.whole)
-        yield self.says(ONE_DRIVE, link=structure.driver)
+        yield self.says(ONE_DRIVE, link=structure.first.link)
         kinds = {group.name: group.kind for group in class_two(structure.groups, PARTS)}
         titles = [
             self.sentence(GROUP, name=name, kind=kinds[name])

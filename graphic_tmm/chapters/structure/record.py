@@ -39,7 +39,7 @@ MOBILITY: Recorded[Mobility] = Recorded(aside("structure"))
 
 def parts(structure: Structure) -> dict[str, tuple[int, int]]:
     """Return how many links and pairs the driving link and each group has, by the numbers of its links."""
-    found = {str(structure.driver): (1, 1)}
+    found = {one.name: (1 + one.telescopes, 1) for one in structure.driven}
     return found | {group.name: (2, 3) for group in class_two(structure.groups, STRUCTURE)}
 
 

@@ -46,8 +46,11 @@ def link_role(mechanism: Mechanism, structure: Structure, link: Link) -> str:
     pairs = [pair for pair in there if link.number in pair.links]
     for pair in (one for one in pairs if one.slide is not None and one.slide.cylinder):
         return "piston" if pair.links[0] == link.number else "cylinder"
-    if link.number == structure.driver:
-        return "crank"
+    for one in structure.driven:
+        if one.telescopes and link.number in one.pair.links:
+            return "piston" if link.number == one.link else "cylinder"
+        if link.number == one.link and one.pair.kind == "R":
+            return "crank"
     slides_on = [
         pair.links[1] for pair in pairs if pair.kind == "P" and pair.links[0] == link.number
     ]

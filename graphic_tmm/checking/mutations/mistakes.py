@@ -77,7 +77,7 @@ def free(log: Construction, given: Given) -> tuple[tuple[Mark, ...], ...]:
     return tuple(
         tuple(marks)
         for marks in _named(log, given).values()
-        if marks[0].role != roles.CRANK_ANGLE and np.all(np.asarray(given[marks[0]]) != 0.0)
+        if marks[0].role != roles.ROW and np.all(np.asarray(given[marks[0]]) != 0.0)
     )
 
 
@@ -85,7 +85,7 @@ def _named(log: Construction, given: Given) -> dict[tuple[str, str], list[Mark]]
     """Return the marks of quantities that are given, by letter and unit; the angles of the crank, too."""
     found: dict[tuple[str, str], list[Mark]] = {}
     for mark in log.given:
-        angle = mark.role == roles.CRANK_ANGLE
+        angle = mark.role == roles.ROW
         size = mark.kind in (Number, Length) and bool(mark.unit) and not mark.unit.endswith("/mm")
         size = size or (mark.kind is Angle and bool(mark.name))
         if mark in given and (angle or (size and _single(given[mark]))):
@@ -130,7 +130,7 @@ def _all(
 
 
 def _of(marks: Sequence[Mark], value: object) -> Iterator[Mutation]:
-    if marks[0].role == roles.CRANK_ANGLE:
+    if marks[0].role == roles.ROW:
         yield _all(CRANK, OTHER_WAY, marks, -1.0)
         for plus in (180.0, 90.0, -90.0, *_interval(value)):
             yield _all(CRANK, COUNTED, marks, 1.0, plus, times=plus)

@@ -269,9 +269,7 @@ def put_amiss(readings: Readings, offered: Offered) -> tuple[list[Mutation], Evi
     The first row is the log as it is; then the positions of which that explains most.
     """
     base = offered.base
-    marks = [
-        mark for mark in base.log.given if mark.role == roles.CRANK_ANGLE and mark in base.given
-    ]
+    marks = [mark for mark in base.log.given if mark.role == roles.ROW and mark in base.given]
     trial = [NONE, *(amiss_by([mark], STANDS[0]) for mark in marks)]
     if not marks or offered.moving(readings.least, offered.run(trial), readings.signed).size < 2:
         return [], Evidence.none(1, readings.places)

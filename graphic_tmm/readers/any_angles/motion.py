@@ -62,7 +62,7 @@ class Recorded:
     def known(self, angles: Reals) -> dict[Mark, Any]:
         """Return what is given at angles of the crank (degrees; (1, angle)), and nowhere else."""
         project = self.sheet.project
-        turned = angles[0] - float(project.angles[0] or 0.0)
+        turned = angles[0] - float(project.coordinates[0] or 0.0)
         found: dict[Mark, Any] = {}
 
         def read(marks: Iterable[Mark]) -> Reading:
@@ -129,7 +129,7 @@ def _recorded(scene: Scene, plans: frozenset[Plan], *, exact: bool) -> Recorded:
         sizes={},
         reach={},
     )
-    by = next(mark for mark in log.given if mark.role == roles.CRANK_ANGLE)
+    by = next(mark for mark in log.given if mark.role == roles.ROW)
     row = np.asarray(given[by], dtype=float)[0]
     whole = float(round(float(row[1]) * project.count)) if project.count > 1 else WHOLE
     told = chain.from_iterable(Turning.of(chapter).told(project) for chapter in project.chapters)

@@ -114,7 +114,7 @@ def test_three_plans_of_two_groups() -> None:
     last = drawn.mechanism.links[-1]
     images = one.accelerations.images.by_letter[last.number]
     wanted += [images[letter] for letter in last.points]
-    given = one.given | {one.positions.phi: ANGLES}
+    given = one.given | {one.positions.row[0]: ANGLES}
     program = prepare(one.log, wanted)
     same(one.log, program.run(given, fast=False), program.compiled().run(given), 1e-11)
 

@@ -25,7 +25,7 @@ ENGINES = asking("engine")
 
 def triangles(work: Drawn) -> list[Drawing]:
     made, plans = ENGINE_PLAN.on(work), KINEMATICS_PLAN.on(work)
-    pivot = plans.positions.point(plans.structure.pivot)
+    pivot = plans.positions.point(plans.structure.origin)
     log, reading, rows = work.construction, work.reading, range(work.project.count)
     on = Subject(log, reading, "X")
     return [finished(draw_triangles(on, made, pivot, k, 40.0)) for k in rows]

@@ -162,7 +162,7 @@ def pictures(work: Drawn) -> list[Drawing]:
     """The figure in every position of the row."""
     made: Transfer = BESIDE.on(work).transfer
     log, reading = work.construction, work.reading
-    sense = 1 if work.scene.mechanism.drive.speed > 0 else -1  # type: ignore[union-attr]
+    sense = work.scene.mechanism.drive.sense  # type: ignore[union-attr]
     shown = [TransferFigure(k, 40.0, "N", sense) for k in range(work.project.count)]
     return [draw_all_forces(Subject(log, reading, "X"), made, one) for one in shown]
 

@@ -76,8 +76,11 @@ def unbalanced(loaded: Loaded, state: State, found: Statics) -> float:
             place = state.points[letter, pair.links[0]].r
             pushes.append((j, place, found.reactions[i, j]))
             couples.append((j, table[i, j]))
-    o, a = (state.points[letter, structure.driver].r for letter in (structure.pivot, structure.pin))
-    pushes.append((structure.driver, a, found.balance * 1j * (a - o) / abs(a - o)))
+    o, a = (
+        state.points[letter, structure.first.link].r
+        for letter in (structure.origin, structure.first.pin)
+    )
+    pushes.append((structure.first.link, a, found.balance * 1j * (a - o) / abs(a - o)))
     scale = sum(abs(f) for *_, f in pushes) + sum(abs(m) / size for _, m in couples) or 1.0
     sums = []
     for link in mechanism.links:

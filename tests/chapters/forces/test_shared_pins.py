@@ -95,7 +95,7 @@ def judged(path: Path, load: complex, loaded: int) -> dict[str, complex]:
     The load stands on the link that it is given on; the pin has none of its own.
     """
     scene = read(path)
-    angle = next(float(a) for a in drawn_of(scene).project.angles if a is not None)
+    angle = next(float(a) for a in drawn_of(scene).project.coordinates if a is not None)
     spots = {k: z[0] for k, z in graphic_tmm.motion(scene, [angle], exact=True).places.items()}
     o, a, b, d = spots["O", 1], spots["A", 1], spots["B", 2], spots["D", 5]
     assert scene.mechanism is not None

@@ -23,9 +23,9 @@ from graphic_tmm.chapters.forces.lever import _base
 from graphic_tmm.chapters.forces.plan import _Figures, _solve
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.assembly import closures
-from graphic_tmm.chapters.kinematics.bodies import Body, Closing
+from graphic_tmm.chapters.kinematics.bodies import Body, Closing, Positions
 from graphic_tmm.chapters.kinematics.motion import Motion, known_image, measure_absolute
-from graphic_tmm.chapters.kinematics.positions import Positions, draw_frame, draw_positions
+from graphic_tmm.chapters.kinematics.positions import draw_frame, draw_positions
 from graphic_tmm.chapters.kinematics.rows import _length
 from graphic_tmm.chapters.kinematics.survey import least_angle, survey, transmission
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
@@ -72,7 +72,7 @@ def begun() -> tuple[Mechanism, Draft, Body, Mark]:
 def board(strange: Callable[[Closing], Closing]) -> Board:
     mechanism, draft, frame, phi = begun()
     structure = dissect(mechanism)
-    positions = draw_positions(draft, mechanism, structure, frame, phi)
+    positions = draw_positions(draft, mechanism, structure, frame, [phi])
     velocities = draw_velocities(draft, mechanism, structure, positions, turned=False)
     positions = replace(positions, closings=tuple(map(strange, positions.closings)))
     group = positions.closings[0].group
@@ -82,14 +82,14 @@ def board(strange: Callable[[Closing], Closing]) -> Board:
 def velocities_of(b: Board) -> object:
     mechanism, draft, frame, phi = begun()
     structure = dissect(mechanism)
-    positions = draw_positions(draft, mechanism, structure, frame, phi)
+    positions = draw_positions(draft, mechanism, structure, frame, [phi])
     positions = replace(positions, closings=b.positions.closings)
     return draw_velocities(draft, mechanism, structure, positions, turned=False)
 
 
 def positions_of(b: Board) -> object:
     mechanism, draft, frame, phi = begun()
-    return draw_positions(draft, mechanism, b.structure, frame, phi)
+    return draw_positions(draft, mechanism, b.structure, frame, [phi])
 
 
 def of_kind_6(closing: Closing) -> Closing:
@@ -145,8 +145,8 @@ class Empty:
 
 
 def driver(b: Board) -> Any:
-    body = b.positions.bodies[b.structure.driver]
-    return SimpleNamespace(body=body, pin=body.marks[b.structure.pin])
+    body = b.positions.bodies[b.structure.first.link]
+    return SimpleNamespace(body=body, pin=body.marks[b.structure.first.pin])
 
 
 @pytest.mark.parametrize("room", [*WALKS, *GROUPS])

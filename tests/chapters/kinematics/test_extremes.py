@@ -54,8 +54,8 @@ def test_a_slider_is_extreme_where_crank_and_rod_are_in_line(
     project = project_of(
         slider_crank(r, rod, e, sign=sign, drive=(speed, 0.0)), "B", ways[0], OTHER
     )
-    assert apart(project.angles[0], bearing(far)) < 1e-9
-    assert apart(project.angles[-1], bearing(-near)) < 1e-9
+    assert apart(project.coordinates[0], bearing(far)) < 1e-9
+    assert apart(project.coordinates[-1], bearing(-near)) < 1e-9
     found = places(project, "B")
     assert abs(found[0] - far) < 1e-14
     assert abs(found[-1] - near) < 1e-14
@@ -68,7 +68,7 @@ def test_a_slider_is_extreme_where_crank_and_rod_are_in_line(
 def test_a_rod_shorter_than_the_crank_is_drawn_in_line_too() -> None:
     """The crank turns in part only; the slider's far position is on the line crank–rod all the same."""
     project = project_of(slider_crank(0.3, 0.2, 0.0), "B", "right")
-    assert apart(project.angles[0], 0.0) < 1e-9
+    assert apart(project.coordinates[0], 0.0) < 1e-9
     assert "refine" not in operations(project)
 
 
@@ -101,7 +101,7 @@ def test_a_rocker_is_extreme_where_crank_and_coupler_are_in_line(
         except StructureError as error:
             pytest.fail(f"{way}: {error}")
         if "refine" not in operations(project):
-            found[way] = (project.angles[0], places(project, "B")[0])
+            found[way] = (project.coordinates[0], places(project, "B")[0])
             names = operations(project)
             assert names.count("strike") == 2
             assert names.count("cross") == 1
@@ -127,8 +127,8 @@ def test_the_rocker_of_the_windrower_is_extreme_where_the_crank_is_square_to_it(
     turned = Mechanism(mechanism.frame, mechanism.links, Drive(1, speed * mechanism.drive.speed))
     project = recorded(turned, scene.row, plans=["positions"])
     half = math.asin((r or 0.48 * math.sin(math.radians(180 * 0.45 / 2.45) / 2)) / 0.48)
-    assert apart(project.angles[0], -math.degrees(half)) < 1e-9
-    assert apart(project.angles[-1], 180.0 + math.degrees(half)) < 1e-9
+    assert apart(project.coordinates[0], -math.degrees(half)) < 1e-9
+    assert apart(project.coordinates[-1], 180.0 + math.degrees(half)) < 1e-9
     names = operations(project)
     assert names.count("touch") == names.count("bearing") == 2
     assert "refine" not in names
@@ -148,7 +148,7 @@ def test_an_extreme_is_as_far_as_the_point_comes(name: str, letter: str, at: str
     scene = read(SHEETS / name)
     tried = survey(scene.mechanism, dissect(scene.mechanism))
     mark = tried.positions.point(letter)
-    angles, reading = tried.turn([mark])
+    angles, reading = tried.whole([mark])
     way = {"left": -1, "right": 1, "bottom": -1j, "top": 1j}[at]
     place = (np.ravel(reading[mark]) * np.conj(way)).real
     if np.ptp(place) < 1e-12:  # a slider does not move across its guide
@@ -158,9 +158,9 @@ def test_an_extreme_is_as_far_as_the_point_comes(name: str, letter: str, at: str
     assert found >= place.max() - 1e-13
     assert found <= place.max() + 1e-5 * np.ptp(place)
     # finer trial about the place found
-    near = project.angles[0] + np.linspace(-0.2, 0.2, 4001)[None, :]
+    near = project.coordinates[0] + np.linspace(-0.2, 0.2, 4001)[None, :]
     fine = (np.ravel(tried.at(near, [mark])[mark]) * np.conj(way)).real
-    assert abs(near[0, int(np.argmax(fine))] - project.angles[0]) < 2e-2
+    assert abs(near[0, int(np.argmax(fine))] - project.coordinates[0]) < 2e-2
     assert found >= fine.max() - 1e-14 * (1 + np.abs(fine).max())
     assert angles.size > 1000
 
@@ -177,7 +177,7 @@ def test_of_any_mechanism_the_extreme_is_as_far_as_the_point_comes(drawn: Sample
     tried = survey(drawn.mechanism, dissect(drawn.mechanism))
     mark = tried.positions.point(letter)
     roots = [closing.root for closing in tried.positions.closings]
-    _, reading = tried.turn([mark, *roots])
+    _, reading = tried.whole([mark, *roots])
     whole = ~np.logical_or.reduce([undefined(reading[m])[0] for m in (mark, *roots)])
     way = {"left": -1, "right": 1, "bottom": -1j, "top": 1j}[at]
     place = np.where(whole, (np.ravel(reading[mark]) * np.conj(way)).real, -np.inf)
@@ -200,7 +200,7 @@ def test_a_coupler_point_is_found_by_refining_and_says_so() -> None:
     cosine = (0.35**2 + away**2 - 0.2**2) / (2 * 0.35 * away)
     along = (c - a) / away * (cosine + 1j * np.sqrt(1.0 - cosine**2))
     height = (a + (0.175 + 0.105j) * along).imag
-    assert apart(project.angles[0], math.degrees(turn[int(np.argmax(height))])) < 0.02
+    assert apart(project.coordinates[0], math.degrees(turn[int(np.argmax(height))])) < 0.02
     assert places(project, "E")[0].imag == pytest.approx(height.max(), abs=1e-7)
 
 

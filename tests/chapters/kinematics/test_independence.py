@@ -81,7 +81,7 @@ def test_the_order_of_links_changes_nothing() -> None:
 def test_a_slice_of_the_log_changes_nothing() -> None:
     for drawn in DRAWN[:8]:
         sheet = board(drawn.mechanism)
-        given = sheet.given | {sheet.positions.phi: ANGLES}
+        given = sheet.given | {sheet.positions.row[0]: ANGLES}
         whole = execute(sheet.log, given)
         for step in sheet.log.steps[::3]:
             alone = execute(sheet.log, given, [step.it])

@@ -164,7 +164,7 @@ def test_the_point_of_the_driving_link_under_a_stone_has_its_vector_and_its_row(
     made, _ = sheets(replace(read(CASES / "sheets" / "rotary.toml"), ruler=None))
     assert made.mechanism is not None
     rows = {(c.plan, c.segment): c for c in columns_of(made.mechanism)}
-    for place, degrees in enumerate(made.mechanism.project.angles):
+    for place, degrees in enumerate(made.mechanism.project.coordinates):
         x = 120.0 * math.cos(math.radians(degrees))
         reach = x + math.sqrt(x * x - 120.0**2 + 300.0**2)  # of A along the cylinder, mm
         due = 10 * math.pi * reach / 1000

@@ -250,7 +250,7 @@ def test_the_rockers_point_under_the_pin_has_its_vector(name: str) -> None:
     work = drawn(name, exact=True)
     made = KINEMATICS_PLAN.on(work)
     pivot = work.reading[made.positions.closings[0].legs[1].pivot][0]
-    reach = np.abs(work.reading[made.crank[1]] - pivot)[0] * work.scales["positions"].value
+    reach = np.abs(work.reading[made.led[1]] - pivot)[0] * work.scales["positions"].value
     rows = {(c.plan, c.segment): c.value[0] for c in kinematic_columns(work)}
     omega, epsilon = rows["velocities", "omega3"], rows["accelerations", "epsilon3"]
     due = reach * np.sqrt(omega**4 + epsilon**2)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -33,7 +34,7 @@ ROOM = 14.0
 
 
 def crank(name: str) -> tuple[Mark, Mark]:
-    return KINEMATICS_PLAN.on(drawn(name, exact=True)).crank
+    return KINEMATICS_PLAN.on(drawn(name, exact=True)).led
 
 
 @cache
@@ -41,9 +42,13 @@ def plan(
     name: str, main: int = 1, skipped: tuple[int, ...] = (), sense: int = 1, lettered: bool = True
 ) -> Drawing:
     work = drawn(name, exact=True)
-    shown = PositionsFigure(work.project.names, main, skipped, crank(name), sense)
+    made = KINEMATICS_PLAN.on(work)
+    (pair,) = made.pairs
+    drive = replace(pair.drive, speed=sense * abs(pair.drive.speed))
+    pair = replace(pair, driven=pair.driven._replace(drive=drive))
+    shown = PositionsFigure(work.project.names, main, skipped, crank(name))
     on = Subject(work.project.construction, work.reading, "Plan")
-    view = draw_positions_ink(on, reaches(work), shown)
+    view = draw_positions_ink(on, reaches(work), shown, [pair], made.positions)
     return finished(view, lettered)
 
 

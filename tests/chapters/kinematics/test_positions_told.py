@@ -123,8 +123,8 @@ def test_the_line_from_a_number_ends_on_its_link(name: str) -> None:
 def test_the_arrow_of_the_crank_bears_its_letter(name: str) -> None:
     made = KINEMATICS_PLAN.on(drawn(name))
     (label,) = [one for one in plan(name).labels if one.text.startswith("ω")]
-    assert label.text == f"ω_{made.structure.driver}"
-    pivot = spot(drawn(name), made.crank[0], 0)
+    assert label.text == f"ω_{made.structure.first.link}"
+    pivot = spot(drawn(name), made.led[0], 0)
     assert shapely.Point(pivot.real, pivot.imag).distance(box(label)) < 20.0
 
 
@@ -177,7 +177,7 @@ def test_every_slider_bears_the_numbers_of_its_positions_where_it_stands(name: s
         ]
         numbers = [part for label in told for part in told_by(label.text)]
         assert len(numbers) == len(set(numbers))
-        pin = KINEMATICS_PLAN.on(work).crank[1]
+        pin = KINEMATICS_PLAN.on(work).led[1]
         for k, number in enumerate(work.names):
             at = spot(work, mark, k)
             lone = all(
@@ -235,7 +235,7 @@ def test_numbers_stand_behind_letters_where_two_rows_share_a_field(
     work = in_usual_size(read(file), exact=True).mechanism
     assert work is not None
     (view,) = views.position_views(work, True)
-    pin = KINEMATICS_PLAN.on(work).crank[1]
+    pin = KINEMATICS_PLAN.on(work).led[1]
     told = [one.text for one in view.labels if pin.slot in one.of and re.search(r"\d", one.text)]
     numbered = [text for text in told if text.startswith(f"{pin.name}_{{")]
     assert len(numbered) == (len(work.names) if behind else 0)
@@ -283,7 +283,7 @@ def made(tmp_path: Path, **said: object) -> Drawn:
 def test_the_main_position_is_no_dead_centre(at: str, rod: float, tmp_path: Path) -> None:
     work = made(tmp_path, at=at, rod=rod)
     k = work.main
-    phi = math.radians(work.project.angles[k] or 0.0)
+    phi = math.radians(work.project.coordinates[k] or 0.0)
 
     def travel(angle: float) -> float:
         return (0.1 * cmath.exp(1j * angle)).real + math.sqrt(rod**2 - (0.1 * math.sin(angle)) ** 2)

@@ -23,14 +23,14 @@ def test_the_row_goes_with_the_crank_in_equal_steps(first: int, speed: float) ->
         slider_crank(0.045, 0.18, -0.018, drive=(speed, 0.0)), "B", "right", first=first
     )
     assert project.names == tuple(str(first + k) for k in range(12))
-    for place, angle in enumerate(project.angles):
-        assert apart(angle, project.angles[0] + speed * 30 * place) < 1e-9
+    for place, angle in enumerate(project.coordinates):
+        assert apart(angle, project.coordinates[0] + speed * 30 * place) < 1e-9
         assert 0 <= angle < 360
 
 
 def test_the_engine_keeps_an_exact_right_angle() -> None:
     project = recorded(read(SHEETS / "engine").mechanism, Row(12, 1, 0.0), plans=["positions"])
-    assert project.angles[3] == 90.0
+    assert project.coordinates[3] == 90.0
     assert project.names[3] == "4"
 
 
@@ -43,7 +43,7 @@ def test_the_other_extreme_is_named_after_the_position_it_follows(
     project = project_of(
         slider_crank(0.1, 0.3, 0.05, drive=(speed, 0.0)), "B", "right", OTHER, first=first
     )
-    travelled = (speed * (project.angles[-1] - project.angles[0])) % 360
+    travelled = (speed * (project.coordinates[-1] - project.coordinates[0])) % 360
     assert project.names[-1] == name
     assert math.floor(travelled / 30) + first == int(name[:-1])
 
@@ -51,7 +51,7 @@ def test_the_other_extreme_is_named_after_the_position_it_follows(
 def test_an_extreme_exactly_on_a_position_is_named_after_it() -> None:
     project = project_of(slider_crank(0.3, 0.64), "B", "right", OTHER)
     assert project.names[-1] == "6*"
-    assert project.angles[-1] == pytest.approx(180.0, abs=1e-12)
+    assert project.coordinates[-1] == pytest.approx(180.0, abs=1e-12)
 
 
 def test_extra_angles_stand_as_given_outside_the_row() -> None:
@@ -59,15 +59,15 @@ def test_extra_angles_stand_as_given_outside_the_row() -> None:
         slider_crank(0.3, 0.64, drive=(-1.0, 0.0)), "B", "right", 105.0, OTHER, -30.0
     )
     assert project.names[12:] == ("105°", "6*", "-30°")
-    assert project.angles[12] == 105.0
-    assert project.angles[14] == 330.0
+    assert project.coordinates[12] == 105.0
+    assert project.coordinates[14] == 330.0
 
 
 def test_extra_angles_alone_are_drawn_at_those_angles() -> None:
     project = recorded(
         slider_crank(0.3, 0.64), Row(4, zero=10.0, extra=(77.5,)), plans=["positions"]
     )
-    assert project.angles == (10.0, 100.0, 190.0, 280.0, 77.5)
+    assert project.coordinates == (10.0, 100.0, 190.0, 280.0, 77.5)
     phi = math.radians(77.5)
     due = 0.3 * math.cos(phi) + math.sqrt(0.64**2 - (0.3 * math.sin(phi)) ** 2)
     assert abs(places(project, "B")[-1] - due) < 1e-15
@@ -128,5 +128,5 @@ def test_an_extra_is_named_with_as_many_digits_as_tell_it() -> None:
         "5.7295779513°",
         "5.72957795131°",
     )
-    assert project.angles[13] == 29.999999999
-    assert project.angles[14] == 29.9999999999
+    assert project.coordinates[13] == 29.999999999
+    assert project.coordinates[14] == 29.9999999999

@@ -159,7 +159,7 @@ def test_rows_are_those_of_the_vector_loops(seed: int, plan: str, tmp_path: Path
         due[a, f"n{small}"] = lambda t, k=letter: abs(_parts(*case.rates(k, t)[1:])[1])
     for letter in "KBA":
         due[a, f"rho{letter}"] = lambda t, k=letter: _radius(*case.rates(k, t)[1:])
-    angles = [float(one or 0.0) for one in drawn.project.angles]
+    angles = [float(one or 0.0) for one in drawn.project.coordinates]
     for key, of in due.items():
         found, wanted = told[key], np.array([of(angle) for angle in angles])
         off = (

@@ -83,7 +83,7 @@ def compared(scene: Scene) -> int:
     """Compare motion at the positions of a drawing with its table; return how many numbers were."""
     sheet = (SheetOrder("A1", ("positions", "velocities", "forces")),)
     made = drawn_of(replace(scene, sheets=sheet), exact=True)
-    found = at(scene, np.array(made.project.angles, dtype=float))
+    found = at(scene, np.array(made.project.coordinates, dtype=float))
     due = {column.segment: column.value[0] for column in force_columns(made, everywhere=True)}
     told = {name: np.abs(one) for name, one in found.forces.items()} | dict(found.balance)
     for name, one in told.items():

@@ -1,0 +1,191 @@
+"""A crank: a link that turns about a fixed pivot by an angle that is given."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import product, product_of_squares, to_board
+from graphic_tmm.board.operations.instruments import lay_off, parallel, ray, square
+from graphic_tmm.board.record import Mark, between
+from graphic_tmm.board.values import Angle, Number
+from graphic_tmm.chapters.kinematics import words as why
+from graphic_tmm.chapters.kinematics.bodies import Body, Positions, draw_points, stand
+from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair, Sizes
+from graphic_tmm.chapters.kinematics.motion import Base, Hanging, Motion, component, image_letter
+from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines
+from graphic_tmm.fitting.choice import Ledger
+from graphic_tmm.mechanism.driven import Driven
+from graphic_tmm.mechanism.records import TURN, Sweep
+from graphic_tmm.readers.task_sheet import Given, given_speed
+
+
+class Crank(DrivenPair):
+    """A crank; its coordinate is its angle from the x axis, degrees."""
+
+    @classmethod
+    def fits(cls, driven: Driven) -> bool:
+        """Whether a pair turns."""
+        return driven.pair.kind == "R"
+
+    @property
+    def pivot(self) -> str:
+        """The letter of its pivot."""
+        return self.pair.name
+
+    @property
+    def pin(self) -> str:
+        """The letter of its pin."""
+        return self.driven.pin
+
+    @property
+    def arm(self) -> complex:
+        """The way from pivot to pin in its own axes, m."""
+        points = self.mechanism.by_number[self.link].points
+        return points[self.pin] - points[self.pivot]
+
+    @property
+    def sweep(self) -> Sweep:
+        """A whole turn."""
+        return TURN
+
+    def ask(self, draft: Draft) -> Mark:
+        """Take its angle."""
+        return draft.ask(Angle, "φ", "°")
+
+    def stand(self, draft: Draft, bodies: dict[int, Body], at: Mark) -> None:
+        """Draw it at an angle."""
+        link, pivot, pin = self.mechanism.by_number[self.link], self.pivot, self.pin
+        frame = bodies[self.mechanism.frame.number]
+        line = draft.draw(ray, f"({pivot}{pin})", frame.marks[pivot], at, why=why.CRANK)
+        turned = math.degrees(cmath.phase(self.arm))
+        body = bodies[self.link] = Body(link, link.points[pivot], turned, lambda: line)
+        stand(body, pivot, frame.marks[pivot], link.points[pivot])
+        length = draft.length(f"{pivot}{pin}", abs(self.arm))
+        end = draft.draw(lay_off, pin, line, length, why=why.CRANK_PIN)
+        stand(body, pin, end, link.points[pin])
+        draw_points(draft, body, pivot)
+
+    def arm_ends(self, positions: Positions) -> tuple[Mark, ...]:
+        """Return pivot and pin."""
+        return self.led(positions)
+
+    def led(self, positions: Positions) -> tuple[Mark, Mark]:
+        """Return pivot and pin."""
+        body = positions.bodies[self.link]
+        return body.marks[self.pivot], body.marks[self.pin]
+
+    def real_arm(self, draft: Draft, positions: Positions) -> Mark:
+        """Return the mark of its real length l_OA, m."""
+        return draft.uses(self.drawn_arm(draft, positions))[0]
+
+    def drawn_arm(self, draft: Draft, positions: Positions) -> Mark:
+        """Return the mark of its length on the board."""
+        return draft.uses(positions.bodies[self.link].marks[self.pin])[1]
+
+    def velocity(self, positions: Positions, plan: Motion, lines: VelocityLines) -> None:
+        """Draw the velocity of its pin."""
+        draft, pole, number = lines.draft, plan.images.pole, self.link
+        pivot, pin, speed = self.pivot, self.pin, self.drive.speed
+        body = positions.bodies[number]
+        draft.say(f"v_{pin} = ω_{number}·l_{{{pivot}{pin}}},  v_{pin} ⊥ {pivot}{pin}")
+        omega = draft.take(Number, f"ω_{number}", abs(speed), "1/s")
+        plan.speeds[number] = omega
+        arm = self.real_arm(draft, positions)
+        velocity = draft.draw(product, f"v_{pin}", omega, arm, unit="m/s", why=why.SPEED_OF_PIN)
+        segment = between(pole, image_letter(pin))
+        length = draft.draw(to_board, segment, velocity)
+        sense = self.drive.sense
+        if lines.turned:
+            op, way, because = parallel, sense * lines.sense, why.VELOCITY_OF_PIN_TURNED
+        else:
+            op, way, because = square, sense, why.VELOCITY_OF_PIN
+        line = draft.draw(op, f"({segment})", pole, body.axis, sense=way, why=because)
+        image = draft.draw(lay_off, image_letter(pin), line, length, why=why.VECTOR)
+        plan.measured.add(image)
+        base = Base(body.marks[pivot], body.marks[pin], pole, image)
+        plan.images.hang(body, Hanging(base.A, pole, base), {pivot: pole, pin: image})
+        plan.images.complete(body)
+        backwards = f"(−ω_{number})"
+        plan.rates[number] = omega if sense > 0 else draft.take(Number, backwards, speed, "1/s")
+
+    def acceleration(
+        self, draft: Draft, positions: Positions, velocities: Motion, plan: Motion
+    ) -> None:
+        """Draw the acceleration of its pin."""
+        pole, number, pivot, pin = plan.images.pole, self.link, self.pivot, self.pin
+        body, letter, epsilon = positions.bodies[number], image_letter(pin), self.drive.acceleration
+        arm = self.real_arm(draft, positions)
+        normal_of = f"a_{{{pin}}}^{{n}}" if epsilon else f"a_{pin}"
+        draft.say(f"{normal_of} = ω_{number}²·l_{{{pivot}{pin}}},  {pin} → {pivot}")
+        omega = velocities.speeds[number]
+        because = why.NORMAL_OF_PIN if epsilon else why.GAIN_OF_PIN
+        value = draft.draw(product_of_squares, normal_of, omega, arm, unit="m/s²", why=because)
+        first = f"n{number}" if epsilon else letter
+        segment = between(pole, first)
+        length = draft.draw(to_board, segment, value)
+        inward = draft.draw(
+            parallel, f"({segment})", pole, body.axis, sense=-1, why=why.TO_THE_PIVOT
+        )
+        end = draft.draw(lay_off, first, inward, length, why=why.VECTOR)
+        if epsilon:
+            component(draft, length, "n", letter)
+            draft.say(f"a_{{{pin}}}^{{t}} = ε_{number}·l_{{{pivot}{pin}}},  ⊥ {pivot}{pin}")
+            plan.rates[number] = draft.take(Number, f"ε_{number}", epsilon, "1/s²")
+            name_t, gain = f"a_{{{pin}}}^{{t}}", plan.rates[number]
+            value = draft.draw(product, name_t, gain, arm, unit="m/s²", why=why.TANGENTIAL_OF_PIN)
+            segment = between(end, letter)
+            length = draft.draw(to_board, segment, value)
+            component(draft, length, "t", letter)
+            line = draft.draw(
+                square, f"({segment})", end, body.axis, sense=1, why=why.ACROSS_THE_CRANK
+            )
+            image = draft.draw(lay_off, letter, line, length, why=why.VECTOR)
+        else:
+            image = end
+            plan.measured.add(image)
+        base = Base(body.marks[pivot], body.marks[pin], pole, image)
+        plan.images.hang(body, Hanging(base.A, pole, base), {pivot: pole, pin: image})
+        plan.images.complete(body)
+
+    @property
+    def sizes(self) -> Sizes[float]:
+        """Its length, the speed and the acceleration of its pin."""
+        arm, drive = abs(self.arm), self.drive
+        gain = abs(drive.speed**2 + 1j * drive.acceleration) * arm
+        return Sizes(arm, abs(drive.speed) * arm, gain)
+
+    @property
+    def segments(self) -> Sizes[str]:
+        """OA, pa, πa."""
+        small = image_letter(self.pin)
+        return Sizes(f"{self.pivot}{self.pin}", f"p{small}", f"π{small}")
+
+    def length_known(self, ledger: Ledger) -> Mark:
+        """Write down its length."""
+        return ledger.quantity(f"l_{{{self.segments.length}}}", abs(self.arm), "m")
+
+    def rate_known(self, ledger: Ledger) -> Mark:
+        """Write down its angular velocity (1/s)."""
+        return ledger.speed(str(self.link), self.drive.speed)
+
+    def speed_known(self, ledger: Ledger) -> Mark:
+        """Write down v = ω·l."""
+        known = self.rate_known(ledger), self.length_known(ledger)
+        return ledger.calculated(product, f"v_{self.pin}", *known, unit="m/s")
+
+    def gain_known(self, ledger: Ledger) -> Mark:
+        """Write down a = ω²·l."""
+        known = self.rate_known(ledger), self.length_known(ledger)
+        return ledger.calculated(product_of_squares, f"a_{self.pin}", *known, unit="m/s²")
+
+    def given(self) -> Iterator[Given]:
+        """Yield its speed, in turns a minute where it was given so, and its acceleration."""
+        yield given_speed(str(self.link), self.drive.speed)
+        if self.drive.acceleration:
+            yield Given(f"ε_{self.link}", self.drive.acceleration, "1/s²")
+
+
+DRIVE = Crank
