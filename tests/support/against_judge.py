@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
+
+import numpy as np
 
 import graphic_tmm
 from support.free_bodies import State
@@ -30,10 +32,15 @@ def parameter(drawn: Random, way: float) -> float:
     return math.degrees(coordinate) if drawn.judge.drives[0].kind == "turn" else coordinate
 
 
-def errors(drawn: Random, scene: Mapping[str, Any], row: Sequence[float]) -> dict[str, float]:
+def errors(
+    drawn: Random,
+    scene: Mapping[str, Any],
+    row: Sequence[float],
+    plans: tuple[Any, ...] = PLANS,
+) -> dict[str, float]:
     """How far all that `motion` returns is off, of the largest of its kind; NaN counts as without end."""
     found = graphic_tmm.motion(
-        graphic_tmm.read(scene), [parameter(drawn, way) for way in row], exact=True, plans=PLANS
+        graphic_tmm.read(scene), [parameter(drawn, way) for way in row], exact=True, plans=plans
     )
     worst: dict[str, float] = defaultdict(float)
 
@@ -46,18 +53,23 @@ def errors(drawn: Random, scene: Mapping[str, Any], row: Sequence[float]) -> dic
         for part, kind in enumerate(("places", "velocities", "accelerations")):
             values = getattr(found, kind)
             due = {key: state.point(*key)[part] for key in values}
-            note(kind, max(abs(values[x][k] - due[x]) for x in due), max(map(abs, due.values())))
+            note(kind, _most(values[x][k] - due[x] for x in due), _most(due.values()))
         rate = max(abs(drive.rate) / _way(drawn, drive.kind) for drive in drawn.judge.drives)
         for kind, turns, least in (
             ("omega", state.omega, rate),
             ("epsilon", state.epsilon, rate**2),
         ):
             values = getattr(found, kind)
-            off = max((abs(values[n][k] - turns[n]) for n in values), default=0.0)
-            note(kind, off, max(least, *map(abs, turns.values())))
-        if clear(drawn, state):
+            off = _most(values[n][k] - turns[n] for n in values)
+            note(kind, off, max(least, _most(turns.values())))
+        if "forces" in plans and clear(drawn, state):
             _forces(drawn, state, way, found, k, note)
     return dict(worst)
+
+
+def _most(values: Iterable[complex]) -> float:
+    """The largest length; NaN where one is."""
+    return float(np.max(np.abs([0.0, *values])))
 
 
 def _way(drawn: Random, kind: str) -> float:

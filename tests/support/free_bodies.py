@@ -201,7 +201,8 @@ class Judge:
 
     def _drive(self, told: Mapping[str, Any]) -> Drive:
         words, k = self.words, self.index[told["link"]]
-        sense = -1 if told.get("turns") == "clockwise" else 1
+        back = "from" in told and si(told["to"]) < si(told["from"])
+        sense = -1 if back or told.get("turns") == "clockwise" else 1
         rate = sense * si(told["speed"])
         gain = sense * si(told.get("acceleration", 0.0))
         if not words.bodies[k].slides:
@@ -213,7 +214,8 @@ class Judge:
             )
         slide = next(s for s in self.slides if s.slider == k)
         line = Spot(slide.on, slide.along)
-        tip = next(x for x in words.bodies[k].points if words.standing[x] != [k] or slide.on == 0)
+        letters = [*words.bodies[k].points]
+        tip = next((x for x in letters if words.standing[x] != [k]), letters[0])
         if slide.on == 0:
             return Drive("slide", self._spot(k, tip), Spot(0, slide.through), line, 1, rate, gain)
         root = next(

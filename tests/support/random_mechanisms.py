@@ -145,7 +145,7 @@ def _direction(plane: Plane, body: Body) -> dict[str, str]:
     kind = pick.choice(("fixed", "fixed", "along", "square to", "deg to", "against"))
     if kind == "against":
         return {}
-    if kind == "fixed":
+    if kind == "fixed" or len(plane.places) < 2:
         return {"direction": f"{pick.uniform(-180.0, 180.0)!r} deg"}
     guides = [name for body in plane.bodies for name in body.guides]
     if not guides or pick.random() < 0.5:
@@ -206,7 +206,7 @@ def _opposite(plane: Plane, body: Body, load: dict[str, Any]) -> dict[str, Any]:
     return found
 
 
-def _drive(plane: Plane, body: Body, kind: str) -> dict[str, Any]:
+def _drive(plane: Plane, body: Body, kind: str, *, first: bool) -> dict[str, Any]:
     """What a drive says of its motion."""
     pick = plane.pick
     if kind == "crank":
@@ -220,6 +220,8 @@ def _drive(plane: Plane, body: Body, kind: str) -> dict[str, Any]:
     told = {"link": body.number, "speed": f"{plane.scale * pick.uniform(0.1, 2.0)!r} m/s"}
     if pick.random() < 0.6:
         told["acceleration"] = f"{plane.scale * pick.uniform(-2, 2)!r} m/s2"
+    if first and pick.random() < 0.3:
+        told |= {"from": "1 m", "to": "0 m"}  # which way it goes; where from and to, a row says
     return told
 
 
@@ -240,7 +242,10 @@ def drawn(
     links = [_table(plane, body) for body in plane.bodies[1:]]
     pick.shuffle(links)
     frame = {x: plane.own(plane.frame, plane.places[x]) for x in plane.frame.letters}
-    told = [_drive(plane, body, kind) for body, kind in zip(driving, drives, strict=True)]
+    told = [
+        _drive(plane, body, kind, first=body is driving[0])
+        for body, kind in zip(driving, drives, strict=True)
+    ]
     scene: dict[str, Any] = {
         "title": "Random",
         "language": "en",

@@ -35,6 +35,7 @@ class Plane:
         self.bodies = [Body(0, 0j, 0.0)]
         self.driven: list[Body] = []
         self.free: list[Body] = []
+        self.closed: list[Body] = []
 
     @property
     def frame(self) -> Body:
@@ -116,7 +117,6 @@ class Plane:
     def slider(self) -> None:
         place, along = self.apart(), self.angle()
         link = self.body(place)
-        link.z = place
         self.put(place, link)
         through = place - cmath.rect(self.pick.uniform(0.8, 2.0), along)
         through += 1j * cmath.rect(self.pick.choice((0.0, self.pick.uniform(-0.5, 0.5))), along)
@@ -138,6 +138,7 @@ class Plane:
         side = self.pick.choice("+-")
         along = cmath.phase(way) + (math.pi if side == "-" else 0.0)
         rod.z = n
+        self.closed += [cylinder, rod]
         letter = self.put(n, rod, other)
         self.guide(rod, cylinder, self.places[g], along, side)
         if turning:
@@ -158,7 +159,11 @@ class Plane:
     def group(self, kind: str) -> None:
         """A group on two of the bodies that are there; the last ones that nothing hangs on come first."""
         there = [body for body in self.bodies if body in self.free or body is self.frame]
-        there += [body for body in self.bodies[1:] if body not in there and not body.slides]
+        there += [
+            body
+            for body in self.bodies[1:]
+            if body not in [*there, *self.closed] and not body.slides
+        ]
         first = self.free[0] if self.free else self.pick.choice(there[1:])
         rest = self.free[1:] or [body for body in there if body is not first]
         second = self.pick.choice(rest)
