@@ -132,6 +132,8 @@ UNITS = {
     "pressure": "Pa",
     "density": "kg/m³",
     "power": "W",
+    "stiffness": "N/m",
+    "damping": "N·s/m",
     "ratio": "",
 }
 """The unit in which a quantity of a dimension is given; what has none here is no given size."""

@@ -53,6 +53,8 @@ _WORDS: dict[Dimension, tuple[str, str]] = {
     "scale of forces": (said("a scale of forces"), "40 N/mm"),
     "density": (said("a density"), "7800 kg/m^3"),
     "power": (said("a power"), "2.2 kW"),
+    "stiffness": (said("a stiffness"), "2 kN/m"),
+    "damping": (said("a damping"), "150 N*s/m"),
     "ratio": (said("a ratio"), "23 %"),
 }
 """Of each dimension a quantity, in words and as an example."""

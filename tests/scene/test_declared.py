@@ -26,7 +26,7 @@ HEAD = 'title = "T"\nlanguage = "en"\n[[sheet]]\nplace = ["lettering"]\n'
 
 
 @dataclass(frozen=True)
-class Spring:
+class Coil:
     """A helical spring."""
 
     coils: int = key(v.number(Bound(2, 40, whole=True)), "its coils", 8)
@@ -40,15 +40,15 @@ class Spring:
 
 def _check(said: Said, parts: Parts) -> Iterator[Flaw]:
     if said.loaded > said.free:
-        yield Flaw(("spring", "loaded"), "a load shortens it; write a shorter length")
+        yield Flaw(("coil", "loaded"), "a load shortens it; write a shorter length")
 
 
-ASKED: SectionKey[Spring] = SectionKey("spring")
+ASKED: SectionKey[Coil] = SectionKey("coil")
 CHAPTER = Chapter(
     name="springs",
     number=99,
     board="springs",
-    sections=(Section("spring", Spring, "a spring", alone=True, check=_check),),
+    sections=(Section("coil", Coil, "a coil", alone=True, check=_check),),
 )
 
 
@@ -65,29 +65,29 @@ def _read(folder: Path, text: str) -> Any:
 
 
 def test_a_section_declared_elsewhere_is_read_as_its_record(tmp_path: Path) -> None:
-    scene = _read(tmp_path, '[spring]\ncoils = 9\nfree = "60 mm"\n')
-    assert ASKED.of(scene) == Spring(9, (0.06, 0.01))
-    assert scene.told["spring.free"] == 7
+    scene = _read(tmp_path, '[coil]\ncoils = 9\nfree = "60 mm"\n')
+    assert ASKED.of(scene) == Coil(9, (0.06, 0.01))
+    assert scene.told["coil.free"] == 7
     assert ASKED.of(ASKED.put(scene, None)) is None
 
 
 def test_all_its_faults_are_told_at_once_with_their_lines(tmp_path: Path) -> None:
     with pytest.raises(SceneError) as caught:
-        _read(tmp_path, '[spring]\ncoils = 1\nfree = "60 kg"\nlaoded = 1\nset_by_a_program = 4\n')
+        _read(tmp_path, '[coil]\ncoils = 1\nfree = "60 kg"\nlaoded = 1\nset_by_a_program = 4\n')
     told = {(fault.key, fault.line): fault.message for fault in caught.value.faults}
-    assert "a whole number 2 to 40 is wanted" in told["spring.coils", 6]
-    assert "a length is wanted" in told["spring.free", 7]
-    assert 'did you mean "loaded"' in told["spring.laoded", 8]
-    assert "means nothing here" in told["spring.set_by_a_program", 9]
+    assert "a whole number 2 to 40 is wanted" in told["coil.coils", 6]
+    assert "a length is wanted" in told["coil.free", 7]
+    assert 'did you mean "loaded"' in told["coil.laoded", 8]
+    assert "means nothing here" in told["coil.set_by_a_program", 9]
     assert len(told) == 4
-    with pytest.raises(SceneError, match=r"scene.toml:7: spring.loaded: a load shortens it"):
-        _read(tmp_path, '[spring]\ncoils = 3\nloaded = "70 mm"\nfree = "60 mm"\n')
+    with pytest.raises(SceneError, match=r"scene.toml:7: coil.loaded: a load shortens it"):
+        _read(tmp_path, '[coil]\ncoils = 3\nloaded = "70 mm"\nfree = "60 mm"\n')
     with pytest.raises(SceneError, match='"coils" is missing; write for example coils = 8'):
-        _read(tmp_path, '[spring]\nfree = "60 mm"\n')
+        _read(tmp_path, '[coil]\nfree = "60 mm"\n')
 
 
 def test_the_schema_and_the_reference_tell_it() -> None:
-    told = schema()["$defs"]["SpringTable"]
+    told = schema()["$defs"]["CoilTable"]
     assert told["required"] == ["coils", "free"]
     assert told["properties"]["coils"]["maximum"] == 40
     assert told["properties"]["loaded"]["default"] == 0.01
@@ -95,14 +95,14 @@ def test_the_schema_and_the_reference_tell_it() -> None:
         "| `coils` | its coils | a whole number 2 to 40 | **to be written** | `8` |"
         in keys.reference()
     )
-    assert "spring.loaded" in size_keys()
+    assert "coil.loaded" in size_keys()
 
 
 @pytest.mark.parametrize(("language", "suffix"), [("en", ".md"), ("ru", ".ru.md")])
 def test_the_pages_of_keys_are_up_to_date(language: str, suffix: str) -> None:
     kept = Path(keys.__file__).with_suffix(suffix).read_text(encoding="utf-8")
     told = keys.reference(language)
-    printed = re.sub(r"## `\[spring\]`\n.*?(?=## )", "", told, flags=re.DOTALL)
+    printed = re.sub(r"## `\[coil\]`\n.*?(?=## )", "", told, flags=re.DOTALL)
     assert kept == printed
 
 

@@ -109,6 +109,11 @@ def _effects(scene: Scene) -> Iterator[Effect]:
             place = said("load {n}, on link {link}", n=k + 1, link=load.link)
         yield Effect(place, partial(_unloaded, load=load))
 
+    for spring in order.springs:
+        name = said("spring {ends}", ends="".join(spring.between))
+        left = tuple(one for one in order.springs if one is not spring)
+        yield Effect(name, partial(_changed, springs=left))
+
 
 def _changed(scene: Scene, **changes: Any) -> Scene:
     order = ASKED.of(scene)

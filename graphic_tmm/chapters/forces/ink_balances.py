@@ -176,9 +176,11 @@ class Writer:
         """Return a sum of moments that nothing balances, with what it comes to and its sign."""
         told, put = self._factor(mu)
         left = _bare(self.parts(of, told, figures=False))
-        figures = _bare(self.parts(of, put, figures=True) or ["0"])
-        figures[0] = f"= {figures[0]}"
         total = f"{number(self.value(of.total), self.language)} {unit('N·m', self.language)}"
+        if not left:
+            return [f"{heading} = ", total]
+        figures = _bare(self.parts(of, put, figures=True))
+        figures[0] = f"= {figures[0]}"
         return [f"{heading} = ", *left, *figures, f"= {total}"]
 
     def _put(self, mark: Mark) -> str:

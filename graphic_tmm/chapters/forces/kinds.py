@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass
 
-from graphic_tmm.board.bounds import Bound
+from graphic_tmm.board.bounds import POSITIVE, Bound
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
@@ -37,6 +38,19 @@ class Along:
 
     line: str
     by: float = 0.0
+
+
+def ends_on(
+    between: tuple[str, str], links: Sequence[int], bodies: Mapping[int, Container[str]]
+) -> tuple[int, int] | None:
+    """Return the links that the ends of a spring are on, two of ``bodies``; None if there are no two.
+
+    Those that are told, else the first that have the letters: the frame stands first.
+    """
+    first, last = ([n for n, own in bodies.items() if letter in own] for letter in between)
+    if len(links) == 2:
+        first, last = [links[0]], [links[1]]
+    return next(((i, j) for i in first for j in last if i != j), None)
 
 
 def _direction(value: object, names: Names) -> float | str | Along:
@@ -118,6 +132,38 @@ def _links(value: object, names: Names) -> tuple[int, ...]:
     return tuple(value)
 
 
+def _stiffness(value: object, names: Names) -> float:
+    """Return a rate, N/m; N/mm, which elsewhere tells a scale factor, is one for each millimetre of length."""
+    try:
+        return quantities.parse(value, "stiffness")
+    except ValueError:
+        text = str(value)
+        for unit in ("N/mm", "Н/мм"):
+            if isinstance(value, str) and text.rstrip().endswith(unit):
+                longer = text.rstrip().removesuffix(unit) + unit[:3]
+                return 1000.0 * quantities.parse(longer, "stiffness")
+        raise
+
+
+def _positive(read: Callable[[object, Names], float]) -> Callable[[object, Names], float]:
+    def checked(value: object, names: Names) -> float:
+        found = read(value, names)
+        if not found > 0.0:
+            raise ValueError(stands(value, said("{bound} is wanted", bound=POSITIVE.wanted)))
+        return found
+
+    return checked
+
+
+def _ends(value: object, names: Names) -> tuple[str, str]:
+    if not isinstance(value, list) or [type(one) for one in value] != [str, str]:
+        raise ValueError(stands(value, said('write the letters of both ends, ["A", "C"]')))
+    return value[0], value[1]
+
+
+STIFFNESS = Kind(_positive(_stiffness), v.SCALE, POSITIVE, "stiffness")
+DAMPING = v.quantity("damping", POSITIVE)
+ENDS = Kind(_ends, {"type": "array", "items": {"type": "string"}, "minItems": 2, "maxItems": 2})
 FORCE = Kind(lambda value, names: quantities.parse(value, "force"), v.SCALE, unit="force")
 MOMENT = Kind(
     lambda value, names: quantities.parse(value, "moment"),

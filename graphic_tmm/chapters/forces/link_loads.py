@@ -21,6 +21,7 @@ from graphic_tmm.board.operations.statics import (
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.given_loads import given_load
 from graphic_tmm.chapters.forces.loads import VIEW, Couple, Force, Ground, Loads, point_of
+from graphic_tmm.chapters.forces.springs import draw_spring
 from graphic_tmm.chapters.forces.task import ForcesTask
 from graphic_tmm.chapters.indicator.plan import Cylinder
 from graphic_tmm.chapters.kinematics.motion import Motion, is_signed, reading_of
@@ -52,9 +53,21 @@ def draw_loads(ground: Ground, order: ForcesTask, gas: Cylinder | None) -> Loads
                 loads.add(one)
         except StructureError as error:
             raise error.inside(f"load {k}") from None
+    _springs(ground, order, loads)
     if gas is not None:
         loads.add(_gas(ground, gas))
     return loads
+
+
+def _springs(ground: Ground, order: ForcesTask, loads: Loads) -> None:
+    for k, spring in enumerate(order.springs, 1):
+        try:
+            sprung, pulls = draw_spring(ground, spring)
+        except StructureError as error:
+            raise error.inside(f"spring {k}") from None
+        loads.springs.append(sprung)
+        for one in pulls:
+            loads.add(one)
 
 
 def _weight(ground: Ground, link: Link, gravity: float) -> Force:

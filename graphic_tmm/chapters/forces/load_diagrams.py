@@ -179,13 +179,17 @@ class At(NamedTuple):
 
 
 class Diagram(NamedTuple):
-    """A diagram: its lines, the positions on them, what its axes are called, and how long both are (SI)."""
+    """A diagram: its lines, the positions on them, what its axes are called, and how long both are (SI).
+
+    ``begin``: where the base begins.
+    """
 
     parts: tuple[Part, ...]
     positions: tuple[At, ...]
     axes: tuple[str, str]
     reach: float
     largest: float
+    begin: float = 0.0
 
 
 def draw_load(
@@ -195,23 +199,25 @@ def draw_load(
     points = [point for part in shown.parts for point in part.points]
     lowest = min(0.0, *(size for _, size in points)) / mu[1]
     top = max(0.0, *(size for _, size in points)) / mu[1]
-    base = shown.reach / mu[0]
+    begin = shown.begin
+    base = (shown.reach - begin) / mu[0]
     strokes: list[Ink] = [*added(_axes(base, lowest, top), "axis")]
     wanted = [
         Wanted(shown.axes[1], complex(0.0, top + OVER), high.point, 1.5, 1 + 0j),
         Wanted(shown.axes[0], complex(base + OVER, 0.0), high.point, 1.5, -1j),
     ]
     for part in shown.parts:
-        spots = [complex(x / mu[0], y / mu[1]) for x, y in part.points]
+        spots = [complex((x - begin) / mu[0], y / mu[1]) for x, y in part.points]
         strokes += added([line(part.pen, *spots)], "given")
     feet: list[tuple[float, str]] = []
     for x in divisions([x for x, _ in points], shown.reach):
-        strokes += added([line("thin", x / mu[0] - TICK * 1j, x / mu[0] + TICK * 1j)], "axis")
-        feet += [(x / mu[0], number(x, language, 3))] if x else []
+        foot = (x - begin) / mu[0]
+        strokes += added([line("thin", foot - TICK * 1j, foot + TICK * 1j)], "axis")
+        feet += [(foot, number(x, language, 3))] if x else []
     ticks: list[tuple[float, str]] = []
     for y in divisions([0.0, *(y for _, y in points)], shown.largest):
         at = 1j * y / mu[1]
-        far = max((x for x, size in points if size == y), default=0.0) / mu[0]
+        far = (max((x for x, size in points if size == y), default=begin) - begin) / mu[0]
         strokes += added([line("thin", at - TICK, at + far)] if y else [], "axis")
         ticks.append((at.imag, number(y, language, 4)))
     numbers = (
@@ -219,7 +225,7 @@ def draw_load(
         *base_figures(feet, strokes, high.number),
     )
     for one in shown.positions:
-        spot = complex(one.along / mu[0], one.size / mu[1])
+        spot = complex((one.along - begin) / mu[0], one.size / mu[1])
         dot = circle("main", spot, DOT, filled=True)
         strokes.append(dot._replace(of=(one.of,), position=one.place))
         wanted.append(Wanted(one.name, spot, high.number, DOT, 1 + 1j, (one.of,), one.place))

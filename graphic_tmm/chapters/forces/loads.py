@@ -10,6 +10,7 @@ import numpy as np
 from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.forces.task import Spring
 from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.survey import Survey
@@ -44,12 +45,40 @@ class Couple(NamedTuple):
     rubs: tuple[str, int] | None = None
 
 
+class Ends(NamedTuple):
+    """The ends of a spring, that of a moving link first: their letters, their links."""
+
+    letters: tuple[str, str]
+    links: tuple[int, int]
+
+    @property
+    def names(self) -> tuple[str, str]:
+        """Both letters as one word, from either end: AC, CA."""
+        first, last = self.letters
+        return first + last, last + first
+
+    @property
+    def forces(self) -> tuple[str, str]:
+        """The letters of the forces on its ends, each towards the other: F_{AC}, F_{CA}."""
+        first, last = self.names
+        return f"F_{{{first}}}", f"F_{{{last}}}"
+
+
+class Sprung(NamedTuple):
+    """A spring as drawn: its ends, its length (mm), the force of the spring alone, N; none of a damper."""
+
+    spring: Spring
+    ends: Ends
+    length: Mark | None
+    force: Mark | None
+
+
 @dataclass
 class Loads:
     """What acts on the links: as kinetostatics takes it, and as it is carried onto the lever.
 
     They differ where an inertia force and couple are replaced by one force. ``given``: the sizes of the loads
-    that the scene gives, in their order.
+    that the scene gives, in their order; ``springs``: those between links.
     """
 
     forces: list[Force] = field(default_factory=list)
@@ -57,6 +86,7 @@ class Loads:
     on_lever: list[Force] = field(default_factory=list)
     couples_on_lever: list[Couple] = field(default_factory=list)
     given: list[Mark] = field(default_factory=list)
+    springs: list[Sprung] = field(default_factory=list)
 
     @property
     def outer(self) -> tuple[Mark, ...]:

@@ -24,6 +24,7 @@ from graphic_tmm.board.values import Length, Point
 from graphic_tmm.chapters.forces.detached import Detached
 from graphic_tmm.chapters.forces.load_diagrams import ACROSS, UP, pictured
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
+from graphic_tmm.chapters.forces.spring_diagrams import laws
 from graphic_tmm.chapters.forces.task import ASKED, FORCES
 from graphic_tmm.chapters.kinematics.task import POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
@@ -265,6 +266,10 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
             ledger.of(figure.view)
             ledger.same(figure.mu, drawn.project.scale(POSITIONS), figure.mu.name, why=_POINT)
     _lever(drawn, ledger, known.lever)
+    for law in laws(drawn):
+        ledger.of(law.view)
+        largest = ledger.quantity(f"{law.letter[:-1]}max}}", law.largest, "N")
+        ledger.pictured("μ_F", "N/mm", largest, UP)
     for one in pictured(drawn):
         ledger.of(one.view)
         along, up = one.scales

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from graphic_tmm.chapters.forces import task
-from graphic_tmm.chapters.forces.kinds import AGAINST, Along
+from graphic_tmm.chapters.forces.kinds import AGAINST, Along, ends_on
 from graphic_tmm.chapters.indicator.task import ONE_TURN
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import letters
@@ -185,6 +185,51 @@ def _size(path: Path, load: Said, count: int | None) -> Iterator[Flaw]:
         yield Flaw((*path, "of"), says)
 
 
+def _springs(springs: list[tuple[Path, Said]], parts: Parts) -> Iterator[Flaw]:
+    for path, spring in springs:
+        yield from _spring(path, spring, parts.names)
+        if spring.rate is None and spring.damping is None and not spring.force:
+            says = said(
+                'nothing says how strong it is; write rate = "2 kN/m", or damping = "150 N*s/m"'
+            )
+            yield Flaw((*path, "rate"), says)
+        if (spring.rate is None) != (spring.free is None):
+            missing = "free" if spring.free is None else "rate"
+            says = said('its force goes by both; write free = "100 mm" and rate = "2 kN/m"')
+            yield Flaw((*path, missing), says)
+
+
+def _spring(path: Path, spring: Said, names: Outline) -> Iterator[Flaw]:
+    """Say what is wrong with the ends of a spring and their links."""
+    at = (*path, "between")
+    unknown = [letter for letter in spring.between if letter not in names.letters]
+    for letter in unknown:
+        says = said('"{letter}" is no letter of the mechanism', letter=letter[:20])
+        yield Flaw(
+            at, letters.unknown(says, letter, names.letters, said("letters of the mechanism"))
+        )
+    if unknown:
+        return
+    bodies = {number: body.letters for number, body in names.bodies.items()}
+    if spring.links:
+        told = [
+            n not in bodies or one not in bodies[n]
+            for n, one in zip(spring.links, spring.between, strict=False)
+        ]
+        if len(spring.links) != 2 or any(told):
+            says = said(
+                "two links are wanted that have these letters, in their order; or leave links out"
+            )
+            yield Flaw((*path, "links"), says)
+            return
+    if (
+        spring.between[0] == spring.between[1]
+        or ends_on(spring.between, spring.links, bodies) is None
+    ):
+        says = said("both ends are on one link: it moves nothing; name letters of two links")
+        yield Flaw(at, says)
+
+
 def _friction(made: Said, parts: Parts) -> Iterator[Flaw]:
     names = parts.names
     bodies = [body for body in names.bodies.values() if not body.passive]
@@ -221,6 +266,11 @@ def _idle(name: str, written: str) -> Iterator[str]:
 def _idle_loads(loads: object, parts: Parts) -> Iterator[str]:
     if "forces" not in parts.doc:
         yield from _idle("load", "[[load]]")
+
+
+def _idle_springs(springs: object, parts: Parts) -> Iterator[str]:
+    if "forces" not in parts.doc:
+        yield from _idle("spring", "[[spring]]")
 
 
 def _idle_effects(asked: Said, parts: Parts) -> Iterator[str]:
@@ -274,6 +324,10 @@ SECTIONS = (
     Section(
         "load", task.Load, "forces and moments on links", several=True, gives=True,
         check=_loads, idle=_idle_loads,
+    ),
+    Section(
+        "spring", task.Spring, "springs and dampers between links", several=True, gives=True,
+        check=_springs, idle=_idle_springs,
     ),
     Section(
         "forces", task.ForcesTask, "kinetostatics and the lever",

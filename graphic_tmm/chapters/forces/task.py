@@ -165,6 +165,34 @@ def turns_of(points: tuple[tuple[float, float], ...]) -> int:
 
 
 @dataclass(frozen=True)
+class Spring:
+    """A spring or a damper between two points: F = c(l − l_0) + F_0 + b·v, where it pulls its ends together.
+
+    ``between``: the letters of its ends; l is how far they are apart on the plan of positions, v how fast they
+    part on that of velocities. ``links``: of the ends; left out, the frame's where it has one, else the first.
+    """
+
+    between: tuple[str, str] = key(w.ENDS, "the letters of its two ends", ["A", "C"])
+    rate: float | None = key(
+        w.STIFFNESS, "how stiff it is: the force of each metre by which it is longer", "2 kN/m", None,
+        symbol="c",
+    )  # fmt: skip
+    free: float | None = key(v.POSITIVE_LENGTH, "its free length l_0", "100 mm", None, symbol="l_0")
+    force: float = key(
+        w.FORCE, "what it pulls its ends together with at the free length, F_0", "50 N", 0.0,
+        symbol="F_0",
+    )  # fmt: skip
+    damping: float | None = key(
+        w.DAMPING, "of a damper: the force of each m/s at which its ends part", "150 N*s/m", None,
+        symbol="b",
+    )  # fmt: skip
+    links: tuple[int, ...] = key(
+        w.LINKS, "the links of its ends, in their order; left out, the frame if the end is on it, else the "
+        "first link that has the letter", [1, 0], (),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
 class Rubbed:
     """Coefficients of friction, radii of pins."""
 
@@ -206,6 +234,7 @@ class ForcesTask:
         positions=key(v.POSITIONS, "the positions whose forces are drawn", [8], ("all",)),
     )
     loads: tuple[Load, ...] = ()
+    springs: tuple[Spring, ...] = ()
     gravity: bool = False
     inertia: bool = False
     gas: IndicatorTask | None = None
@@ -242,6 +271,7 @@ def joined(others: OtherSections) -> Mapping[str, object]:
     assert mechanism is not None
     return {
         "loads": others["load"] or (),
+        "springs": others["spring"] or (),
         "gravity": effects.gravity,
         "inertia": effects.inertia,
         "gas": others["indicator"] if effects.gas else None,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -26,12 +26,13 @@ from graphic_tmm.chapters.forces.load_diagrams import load_views
 from graphic_tmm.chapters.forces.load_strokes import loads_along_guides
 from graphic_tmm.chapters.forces.loads import Couple
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
+from graphic_tmm.chapters.forces.spring_diagrams import spring_views, springs_on_plan
 from graphic_tmm.chapters.forces.statics import Solved
 from graphic_tmm.chapters.forces.table import BALANCES, DIFFERENCE, force_columns
 from graphic_tmm.chapters.forces.task import FORCES, LOADS
 from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.indicator.views import indicator_views
-from graphic_tmm.chapters.kinematics.along import AlongGuides
+from graphic_tmm.chapters.kinematics.along import AlongGuide, AlongGuides
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
@@ -314,13 +315,22 @@ def _as_printed(drawn: Drawn, column: Column) -> Column:
     return replace(column, value=value)
 
 
-ALONG = AlongGuides(loads_along_guides)
+def _diagrams(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    return [*load_views(drawn, lettered), *spring_views(drawn, lettered)]
+
+
+def _on_plan(drawn: Drawn, view: Drawing) -> Iterator[AlongGuide]:
+    yield from springs_on_plan(drawn)
+    yield from loads_along_guides(drawn, view)
+
+
+ALONG = AlongGuides(_on_plan)
 SHOWN = Views(
     draw={
         "forces": force_views,
         "lever": lever_views,
         "force table": force_table,
-        LOADS: load_views,
+        LOADS: _diagrams,
     }
 )
 

@@ -31,6 +31,8 @@ def called(view: str, speech: Speech) -> str:
     kind, _, name = view.partition(" ")
     if kind == "load" and name:
         return speech(LOAD, letter=plain(name))
+    if kind == "spring" and name:
+        return speech(SPRING, letter=plain(name))
     if kind == "friction" and name.isdigit():
         return speech(_FRICTION, number=name, before=int(name) - 1)
     if kind not in _TITLES or not name:
@@ -49,6 +51,8 @@ _TITLES = {
 """The figure, the polygon and the equations of a group, and those of a link."""
 LOAD = said("Diagram of the load {letter}")
 """What the diagram of a load that varies is called."""
+SPRING = said("Diagram of the spring force {letter}")
+"""What the diagram of a spring is called."""
 _PASS = said(", pass {number}")
 _FRICTION = said("Pass {number}: friction by the reactions of pass {before}")
 
@@ -93,6 +97,19 @@ SINGLE_LINE = said(
     "The single force has the size and direction of the inertia force; only its line is shifted."
 )
 GIVEN_LINE = said("The load acts at its point in the direction that the task gives.")
+SPRING_LINE = said(
+    "A spring pulls its ends together, or pushes them apart, along the line of both."
+)
+SPRING_LENGTH = said(
+    "The length of the spring is how far its ends are apart on the plan of positions."
+)
+SPRING_AND_DAMPER = said("The spring and the damper act side by side: both forces are added.")
+RATE_LINE = said(
+    "The plan of velocities is turned by 90°, and so is the direction of the damper on it."
+)
+RATE_OF_LENGTH = said(
+    "The part of the relative velocity of both ends along their line is the rate of its length."
+)
 OPPOSITE_LINE = said("Action and reaction act along one line, on two links.")
 TURNING_LINE = said(
     "The direction of the load turns with the mechanism: it is taken from the plan of positions."

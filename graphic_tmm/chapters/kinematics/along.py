@@ -12,7 +12,7 @@ from graphic_tmm.scene.chapter import Answer
 
 
 class AlongGuide(NamedTuple):
-    """Ink along a guide, letters that want a place, and what is told of it under the plan (mark-up)."""
+    """Ink along a guide, letters that want a place, what is told of it under the plan (mark-up), or ""."""
 
     strokes: tuple[Ink, ...]
     wanted: tuple[Wanted, ...]
@@ -35,5 +35,5 @@ def with_guides(drawn: Drawn, view: Drawing) -> tuple[Drawing, list[str]]:
             view = view._replace(
                 strokes=(*view.strokes, *one.strokes), wanted=(*view.wanted, *one.wanted)
             )
-            told.append(one.told)
+            told += [one.told] if one.told else []
     return view, told
