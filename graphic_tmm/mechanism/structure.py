@@ -81,14 +81,27 @@ def dissect(mechanism: Mechanism) -> Structure:
         groups.append(group)
         known += attachment.attach(group)
     order = {number: place for place, number in enumerate(known)}
-    first = driven[0]
     return Structure(
         len(mechanism.links),
         _in_order(pairs, order, mechanism),
         driven,
         tuple(groups),
-        first.pair.name if first.pair.kind == "R" else next(iter(mechanism.frame.points)),
+        _origin(mechanism, driven[0]),
     )
+
+
+def _origin(mechanism: Mechanism, first: Driven) -> str:
+    """Return the letter of the frame from which a sheet is drawn."""
+    if first.pair.kind == "R":
+        return first.pair.name
+    if not mechanism.frame.points:
+        raise StructureError(
+            said(
+                "the frame has no point from which the sheet could be drawn: give it one in [frame], O = [0, 0]"
+            ),
+            "frame",
+        )
+    return next(iter(mechanism.frame.points))
 
 
 def _unequal(mechanism: Mechanism, pairs: tuple[Pair, ...], mobility: int) -> StructureError:

@@ -267,6 +267,14 @@ def test_the_links_may_stand_in_any_order_and_the_message_tells_the_same(name: s
     assert told[0] == told[1]
 
 
+def test_a_frame_of_guides_alone_is_asked_for_a_point() -> None:
+    links = link(1, "A", Slide(0, X)), link(2, "AB"), link(3, "B", Slide(0, Y))
+    drive = Drive(1, 0.5, slides=True)
+    with pytest.raises(StructureError, match=r"the frame has no point .* O = \[0, 0\]"):
+        dissect(Mechanism(Link(0, {}), links, drive))
+    assert dissect(Mechanism(Link(0, {"O": 0j}), links, drive)).origin == "O"
+
+
 def test_side_does_not_enter_the_structure() -> None:
     sided = Link(2, FOUR_BAR[1].points, side=Side(-1, ("A", "C")))
     assert dissect(mechanism(FOUR_BAR[0], sided, FOUR_BAR[2])).formula == "I(1) → II(2-3)"

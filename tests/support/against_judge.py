@@ -37,8 +37,12 @@ def errors(
     scene: Mapping[str, Any],
     row: Sequence[float],
     plans: tuple[Any, ...] = PLANS,
+    zero: float = 0.0,
 ) -> dict[str, float]:
-    """How far all that `motion` returns is off, of the largest of its kind; NaN counts as without end."""
+    """How far all that `motion` returns is off, of the largest of its kind; NaN counts as without end.
+
+    ``row``: the ways at which it is asked; ``zero``: that of the zero position.
+    """
     found = graphic_tmm.motion(
         graphic_tmm.read(scene), [parameter(drawn, way) for way in row], exact=True, plans=plans
     )
@@ -63,7 +67,7 @@ def errors(
             off = _most(values[n][k] - turns[n] for n in values)
             note(kind, off, max(least, _most(turns.values())))
         if "forces" in plans and clear(drawn, state):
-            _forces(drawn, state, way, found, k, note)
+            _forces(drawn, state, way - zero, found, k, note)
     return dict(worst)
 
 

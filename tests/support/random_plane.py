@@ -115,6 +115,9 @@ class Plane:
         self.driven.append(link)
 
     def slider(self) -> None:
+        if not self.frame.letters:
+            self.places["O"] = self.apart()
+            self.frame.letters.append("O")
         place, along = self.apart(), self.angle()
         link = self.body(place)
         self.put(place, link)

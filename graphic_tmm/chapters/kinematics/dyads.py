@@ -101,10 +101,12 @@ class Site(NamedTuple):
         outer, pivot = leg.pair.name, self.pivot(leg)
         line = self.draft.draw(join, f"({outer}{pin})", pivot, mark, why=why.ROD_AXIS)
         pair = sliding_pair(rod)
+        side = rod.slides[0].side
+        outwards = (outer in cylinder.points) == (side is None or side.sign > 0)
         for link, letter, at in ((cylinder, outer, pivot), (rod, pin, mark)):
             if letter not in link.points:
                 letter, at = (pin, mark) if letter == outer else (outer, pivot)
-            way = direction(pair, link.number) + (0.0 if outer in cylinder.points else 180.0)
+            way = direction(pair, link.number) + (0.0 if outwards else 180.0)
             axis = self.axis(line, letter, at, drawn=at == pivot)
             body = Body(link, link.points[letter], way, axis)
             stand(body, letter, at, link.points[letter])

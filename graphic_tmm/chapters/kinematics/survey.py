@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -67,8 +67,15 @@ class Survey:
 
     @property
     def sweep(self) -> Sweep:
-        """What the coordinate of the first drive can go through."""
-        return self.pairs[0].sweep
+        """What the coordinate of the first drive can go through.
+
+        Where others follow a crank, a turn from the zero position on does not end where it began.
+        """
+        first, *others = self.pairs
+        if not others or not first.sweep.closed:
+            return first.sweep
+        end = self.zero + first.drive.sense * first.sweep.high
+        return replace(first.sweep, low=min(self.zero, end), high=max(self.zero, end), closed=False)
 
     @property
     def step(self) -> float:

@@ -1,0 +1,183 @@
+"""Drives of all kinds against published figures and closed forms: tasks as a sheet of the book gives them."""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+import pytest
+
+import graphic_tmm
+
+BOOM = """
+title = "Boom"
+language = "en"
+[frame]
+O = [0, 0]
+G = [0.4, 0]
+[[link]]
+number = 1
+points = { O = [0, 0], N = [0.5, 0], C = [1.0, 0] }
+side = "left of OG"
+[[link]]
+number = 2
+points = { G = [0, 0] }
+guides = { z = { through = [0, 0], angle = "0 deg" } }
+[[link]]
+number = 3
+points = { N = [0, 0] }
+slides = { on = 2, along = "z", side = "+" }
+[drive]
+link = 3
+speed = "0.05 m/s"
+from = "600 mm"
+to = "850 mm"
+positions = 6
+"""
+SLIDER = """
+title = "Slider drives"
+language = "en"
+[frame]
+O = [0, 0]
+x = { through = [0, 0], angle = "0 deg" }
+[[link]]
+number = 1
+points = { B = [0, 0] }
+slides = { on = "frame", along = "x", side = "right" }
+[[link]]
+number = 2
+points = { A = [0, 0], B = [0.3, 0] }
+side = "left of OB"
+[[link]]
+number = 3
+points = { O = [0, 0], A = [0.1, 0] }
+[drive]
+link = 1
+speed = "0.5 m/s"
+from = "250 mm"
+to = "350 mm"
+"""
+CRANKS = """
+title = "Five-bar"
+language = "en"
+[frame]
+O = [0, 0]
+D = [0.3, 0]
+[[link]]
+number = 1
+points = { O = [0, 0], A = [0.1, 0] }
+[[link]]
+number = 2
+points = { A = [0, 0], B = [0.3, 0] }
+[[link]]
+number = 3
+points = { C = [0, 0], B = [0.3, 0] }
+side = "left of AC"
+[[link]]
+number = 4
+points = { D = [0, 0], C = [0.1, 0] }
+[[drive]]
+link = 1
+speed = "5 rad/s"
+zero = "60 deg"
+[[drive]]
+link = 4
+speed = "10 rad/s"
+turns = "clockwise"
+at = "120 deg"
+"""
+NARROW = """
+title = "Narrow"
+language = "en"
+[frame]
+A = [-3.74, -2.41]
+G = [7.32, -3.51]
+[[link]]
+number = 1
+points = { A = [0, 0], B = [3.47324, 0] }
+[[link]]
+number = 2
+points = { B = [0, 0], C = [4.326708, 0], D = [2.120781, 3.355993] }
+side = "left of BG"
+[[link]]
+number = 3
+points = { G = [0, 0], C = [6.962126, 0], F = [3.206147, -6.119855] }
+[[link]]
+number = 4
+points = { D = [0, 0], E = [5.476532, 0] }
+side = "left of DF"
+[[link]]
+number = 5
+points = { F = [0, 0], E = [3.633896, 0] }
+[drive]
+link = 1
+speed = 1
+from = "68 deg"
+to = "78 deg"
+positions = 6
+"""
+
+
+def test_a_cylinder_drives_a_boom() -> None:
+    found = graphic_tmm.motion(graphic_tmm.read(BOOM), [0.6], exact=True)
+    assert found.omega[1][0] == pytest.approx(0.151186, abs=1e-6)
+    assert found.omega[2][0] == pytest.approx(0.094491, abs=1e-6)
+    assert found.omega[3][0] == pytest.approx(0.094491, abs=1e-6)
+    assert found.epsilon[1][0] == pytest.approx(0.00972, abs=1e-5)
+    assert abs(found["C"].velocity[0]) == pytest.approx(0.151186, abs=1e-6)
+
+
+def test_a_boom_has_its_closed_form_in_every_position() -> None:
+    table = graphic_tmm.draw(graphic_tmm.read(BOOM), exact=True).table("velocities")
+    for k in range(6):
+        length = 0.6 + 0.05 * k
+        sine = math.sin(math.acos((0.25 + 0.16 - length * length) / 0.4))
+        assert abs(table["omega1"].value[0, k]) == pytest.approx(length * 0.05 / (0.2 * sine))
+
+
+def test_a_rod_comes_to_its_dead_place_where_the_boom_lies_along_it() -> None:
+    """ON and OG in line: at 0.9 m the rod cannot turn the boom any further; none reaches 0.91 m."""
+    scene = graphic_tmm.read(BOOM.replace("850 mm", "910 mm"))
+    found = graphic_tmm.motion(scene, [0.899999, 0.91], exact=True)
+    sine = math.sin(math.acos((0.25 + 0.16 - 0.899999**2) / 0.4))
+    assert found.omega[1][0] == pytest.approx(0.899999 * 0.05 / (0.2 * sine), rel=1e-6)
+    assert math.isnan(found["N"].place[1].real)
+    warnings = graphic_tmm.draw(scene, exact=True).warnings
+    assert any("cannot be drawn" in warning and "5" in warning for warning in warnings)
+
+
+def test_a_slider_drives_a_crank() -> None:
+    at = 0.05 + math.sqrt(0.09 - 0.0075)
+    found = graphic_tmm.motion(graphic_tmm.read(SLIDER), [at], exact=True)
+    assert found["A"].place[0] == pytest.approx(cmath.rect(0.1, math.pi / 3))
+    assert found.omega[3][0] == pytest.approx(-4.917479, abs=1e-6)
+    assert found.omega[2][0] == pytest.approx(0.856023, abs=1e-6)
+    assert found.epsilon[3][0] == pytest.approx(-7.93943, abs=1e-5)
+
+
+def test_two_cranks_drive_one_point() -> None:
+    scene = graphic_tmm.read(CRANKS)
+    found = graphic_tmm.motion(scene, [60.0, 90.0], exact=True)
+    assert found["B"].velocity[0] == pytest.approx(-0.137047 + 0.145360j, abs=1e-6)
+    assert found.omega[2][0] == pytest.approx(-1.046397, abs=1e-6)
+    assert found.omega[3][0] == pytest.approx(3.546397, abs=1e-6)
+    # while the first turns by 30 degrees the other turns by 60 the other way
+    assert found["C"].place[1] == pytest.approx(0.3 + cmath.rect(0.1, math.pi / 3))
+
+
+def test_a_crank_that_others_follow_comes_not_back_after_a_turn() -> None:
+    """At 400° the second, 1.4 times as fast, stands where it does not at 40°."""
+    text = CRANKS.replace('zero = "60 deg"', 'from = "300 deg"\nto = "420 deg"')
+    text = text.replace("10 rad/s", "7 rad/s")
+    found = graphic_tmm.motion(graphic_tmm.read(text), [400.0], exact=True)
+    assert found["C"].place[0] == pytest.approx(0.3 + cmath.rect(0.1, math.radians(120 - 140)))
+
+
+def test_a_narrow_range_is_a_row_of_its_own() -> None:
+    sheet = graphic_tmm.draw(graphic_tmm.read(NARROW), exact=True)
+    table = sheet.table("velocities")
+    assert table.positions == tuple("012345")
+    assert not any("cannot be drawn" in warning for warning in sheet.warnings)
+    found = graphic_tmm.motion(graphic_tmm.read(NARROW), [68.0, 78.0], exact=True)
+    for k in (0, 1):
+        assert abs(found["E"].place[k] - found["D"].place[k]) == pytest.approx(5.476532)
