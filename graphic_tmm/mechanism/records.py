@@ -57,10 +57,24 @@ class Slide:
 
 
 @dataclass(frozen=True)
+class Arm:
+    """An arm of a link: the number it was given by, its letters, the letter it is welded at.
+
+    ``angle``: of its own x axis from that of the link, degrees.
+    """
+
+    number: int
+    letters: tuple[str, ...]
+    at: str
+    angle: float
+
+
+@dataclass(frozen=True)
 class Link:
     """One link: its number, its points in its own axes (m), its guides and sliding pairs, mass and J (SI).
 
-    ``rod``: the length (m) of the even rod whose J it has; None if J was given by itself.
+    ``rod``: the length (m) of the even rod whose J it has; None if J was given by itself. ``arms``: of a link
+    that others are welded to, its own first.
     """
 
     number: int
@@ -73,6 +87,7 @@ class Link:
     centre: str | None = None
     side: Side | None = None
     rod: float | None = None
+    arms: tuple[Arm, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -26,6 +26,7 @@ from graphic_tmm.scene.drawing import DIVISIONS
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.scene.sections import Parts
 from graphic_tmm.scene.values import CLOCKWISE
+from graphic_tmm.scene.weld import arms_of, one_body
 
 
 def scene(parts: Parts, source: str) -> Scene:
@@ -41,7 +42,7 @@ def scene(parts: Parts, source: str) -> Scene:
     head, frame, drive = parts.head, parts.frame, parts.drive
     block = parts.record("title_block")
     assert head is not None
-    links = [link for link in parts.links if link is not None]
+    links = one_body([link for link in parts.links if link is not None])
     asked = {section.name for section, _ in parts.chapter_sections}
     usual = registry.usual(asked, mechanism=drive is not None)
     mechanism = _mechanism(parts, frame, links, drive) if frame and drive else None
@@ -98,8 +99,14 @@ def _mechanism(parts: Parts, frame: m.Frame, links: list[m.Link], drive: m.Drive
     bodies[frame.number] = frame
     fixed = Link(frame.number, dict(frame.points), _guides(frame.guides))
     pins = shared(body.points for body in bodies.values())
+    written = [link for link in parts.links if link is not None]
     made = [
-        replace(_link(link, bodies, frame.number), centre=_centre(link, pins)) for link in links
+        replace(
+            _link(link, bodies, frame.number),
+            centre=_centre(link, pins),
+            arms=arms_of(written, link.number),
+        )
+        for link in links
     ]
     return Mechanism(
         frame=fixed,

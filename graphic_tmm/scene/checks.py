@@ -24,6 +24,7 @@ from graphic_tmm.scene.registry import called, of_section, sections
 from graphic_tmm.scene.sections import Parts, pairing
 from graphic_tmm.scene.units import SI
 from graphic_tmm.scene.values import OTHER_EXTREME, Bare, Metres
+from graphic_tmm.scene.weld import weld_faults
 
 
 def contradictions(parts: Parts) -> Iterator[Flaw]:
@@ -42,6 +43,7 @@ def contradictions(parts: Parts) -> Iterator[Flaw]:
         for at, slide in slides_of(path, link):
             yield from _flips(at, slide)
             yield from _sense(at, slide, parts)
+    yield from weld_faults(parts)
     yield from passive_faults(parts)
     plans, scales = parts.said["plans"], parts.said["scales"]
     if parts.drive is not None:

@@ -92,6 +92,16 @@ class Slide:
 
 
 @dataclass(frozen=True)
+class Weld:
+    """A link as an arm of another: one body, at an angle that stays."""
+
+    to: int = key(v.LINK_NUMBER, "the number of the link with which it is one body", 1)
+    angle: float = key(
+        v.ANGLE, "by how much its own x axis is turned from that of the other link", "90 deg"
+    )
+
+
+@dataclass(frozen=True)
 class Link:
     """A moving link."""
 
@@ -115,6 +125,11 @@ class Link:
     )
     flips_at: tuple[float, ...] | None = key(
         v.ANGLES, "crank angles at which the side changes", ["90 deg"], None
+    )
+    weld: Weld | None = key(
+        DeclaredTable(Weld),
+        "it is an arm of another link, welded to it at the letter that both have",
+        default=None,
     )
     passive: bool = key(
         v.SWITCH,

@@ -34,12 +34,21 @@ def passive_faults(parts: Parts) -> Iterator[Flaw]:
                     on=slide.on,
                 )
                 yield Flaw((*path, "slides"), says)
-    if parts.drive is not None and parts.drive.link in passive:
-        says = said(
-            "link {number} is passive: a passive link cannot drive; name another, or leave passive out",
-            number=parts.drive.link,
-        )
-        yield Flaw(("drive", "link"), says)
+    for at, number in driving(parts):
+        if number in passive:
+            says = said(
+                "link {number} is passive: a passive link cannot drive; name another, or leave passive out",
+                number=number,
+            )
+            yield Flaw(at, says)
+
+
+def driving(parts: Parts) -> Iterator[tuple[Path, int]]:
+    """Yield the links that drive, each with the key that names it."""
+    drives = [one for one in (parts.drive, *parts.further_drives) if one is not None]
+    several = isinstance(parts.doc.get("drive"), list)
+    for k, drive in enumerate(drives):
+        yield (("drive", k, "link") if several else ("drive", "link")), drive.link
 
 
 def _needless(path: Path, link: Link) -> Iterator[Flaw]:
@@ -66,7 +75,8 @@ def _needless(path: Path, link: Link) -> Iterator[Flaw]:
 def _held(path: Path, link: Link, bodies: Mapping[int, Frame | Link]) -> Iterator[Flaw]:
     """A passive link that is held by too little, by one link only, or by too much."""
     on = {
-        letter: [n for n, body in bodies.items() if letter in body.points] for letter in link.points
+        letter: [_whole(n, body) for n, body in bodies.items() if letter in body.points]
+        for letter in link.points
     }
     shared = [letter for letter, numbers in on.items() if numbers]
     slides = link.pairs
@@ -96,3 +106,8 @@ def _held(path: Path, link: Link, bodies: Mapping[int, Frame | Link]) -> Iterato
                 other=other,
             )
             yield Flaw((*path, "points"), says)
+
+
+def _whole(number: int, body: Frame | Link) -> int:
+    """Return the number of the link that a body is one with: its own, or that of an arm's."""
+    return body.weld.to if isinstance(body, Link) and body.weld is not None else number

@@ -18,13 +18,14 @@ from graphic_tmm.scene.values import link_side
 class Body(NamedTuple):
     """A link as far as names go: its place in the file, its letters, the names of its guides.
 
-    ``passive``: it carries no forces.
+    ``passive``: it carries no forces; ``welded``: the link with which it is one body.
     """
 
     path: Path
     letters: tuple[str, ...]
     guides: tuple[str, ...]
     passive: bool = False
+    welded: int | None = None
 
 
 class Outline(NamedTuple):
@@ -59,8 +60,15 @@ def outline(doc: Document) -> Outline:
                 tuple(as_table(link.get("points"))),
                 tuple(as_table(link.get("guides"))),
                 link.get("passive") is True,
+                to if _is_whole(to := as_table(link.get("weld")).get("to")) else None,
             )
             bodies.setdefault(link["number"], body)
+    for arm in [one for one in bodies.values() if one.welded in bodies]:
+        whole = bodies[arm.welded or 0]
+        bodies[arm.welded or 0] = whole._replace(
+            letters=tuple(dict.fromkeys((*whole.letters, *arm.letters))),
+            guides=(*whole.guides, *arm.guides),
+        )
     letters = dict.fromkeys(name for body in bodies.values() for name in body.letters)
     standing = set(bodies[fixed].letters)
     moving = tuple(letter for letter in letters if letter not in standing)
@@ -182,6 +190,15 @@ def no_link(path: Path, number: int, names: Outline) -> Iterator[Flaw]:
             frame=names.frame,
         )
         yield Flaw(path, says)
+
+
+def arm_only(number: int, to: int) -> str:
+    """Tell that a link is an arm of another, which is to be named in its place."""
+    return said(
+        "link {number} is welded to link {to} and one body with it; write {to}",
+        number=number,
+        to=to,
+    )
 
 
 def _along(path: Path, along: object, number: int, names: Outline) -> Iterator[Flaw]:

@@ -12,7 +12,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.scene import letters
 from graphic_tmm.scene.declare import Flaw, Path, Said, Section
 from graphic_tmm.scene.quantities import in_kgf
-from graphic_tmm.scene.references import Outline, no_link, no_moving, of_link
+from graphic_tmm.scene.references import Outline, arm_only, no_link, no_moving, of_link
 from graphic_tmm.scene.units import GRAVITY, KGF
 
 if TYPE_CHECKING:
@@ -58,6 +58,9 @@ def _load(path: Path, load: Said, names: Outline, count: int | None) -> Iterator
         yield Flaw((*path, "link"), says)
     for key in ("link", "from"):
         number = getattr(load, key)
+        welded = names.bodies[number].welded if number in names.bodies else None
+        if welded is not None:
+            yield Flaw((*path, key), arm_only(number, welded))
         if number in names.bodies and names.bodies[number].passive:
             says = said(
                 "link {number} is passive and carries no forces: let the load act on a link that holds it",

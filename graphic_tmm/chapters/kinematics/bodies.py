@@ -21,7 +21,7 @@ from graphic_tmm.errors import ConstructionError, StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.groups import Group, Pair, class_two
 from graphic_tmm.mechanism.guides import direction, level, turn
-from graphic_tmm.mechanism.records import Link, Mechanism, Slide
+from graphic_tmm.mechanism.records import Arm, Link, Mechanism, Slide
 
 
 @dataclass
@@ -197,8 +197,12 @@ def unheld(leg: Never, room: str) -> NoReturn:
 
 def off_axis(body: Body, point: complex) -> tuple[float, float]:
     """Return where a point (own axes, m) stands along and to the left of the body's axis, m."""
-    z = (point - body.at) * turn(-body.angle)
-    least = ROUNDING * max(abs(point), abs(body.at), abs(z))
+    return _off(point, body.at, body.angle)
+
+
+def _off(point: complex, at: complex, angle: float) -> tuple[float, float]:
+    z = (point - at) * turn(-angle)
+    least = ROUNDING * max(abs(point), abs(at), abs(z))
     x, y = (0.0 if abs(part) <= least else part for part in (z.real, z.imag))
     return x, y
 
@@ -208,11 +212,20 @@ def draw_points(draft: Draft, body: Body, anchor: str) -> None:
 
     ``anchor`` is the letter (or sign) at the axis' beginning: it names the lengths laid off.
     """
+    lines: dict[Arm, Mark] = {}
     for letter, own in body.link.points.items():
         if letter in body.marks:
             continue
-        x, y = off_axis(body, own)
-        stand(body, letter, lay_out(draft, body.axis, letter, anchor, x, y), own)
+        arm = next((k for k in body.link.arms if letter in k.letters and k.at in body.marks), None)
+        if arm is None or (arm.angle == body.angle and body.own[arm.at] == body.at):
+            x, y = off_axis(body, own)
+            stand(body, letter, lay_out(draft, body.axis, letter, anchor, x, y), own)
+            continue
+        if arm not in lines:
+            bent = body.marks[arm.at], body.axis, arm.angle - body.angle
+            lines[arm] = incline_by(draft, f"{arm.at}{letter}", *bent, because=why.ARM)
+        x, y = _off(own, body.link.points[arm.at], arm.angle)
+        stand(body, letter, lay_out(draft, lines[arm], letter, arm.at, x, y), own)
 
 
 def anchor(body: Body) -> str:
@@ -301,6 +314,8 @@ def tell_link(draft: Draft, mechanism: Mechanism, body: Body) -> None:
     if link.centre is not None and link.centre not in joined:
         centre = own.pop(link.centre, None)
     draft.figure("link", str(link.number), *own.values())
+    for arm in link.arms:
+        draft.figure("arm", str(link.number), *(own[k] for k in arm.letters if k in own))
     if centre is not None:
         draft.figure("centre", str(link.number), centre)
 
@@ -348,8 +363,7 @@ def tell_slide(
     """Tell what slides, at a point on a line, and its guide, with the side that turns it round."""
     slider, owner = pair.links
     filled = pair.slide.cylinder if pair.slide is not None else ""
-    moving = "piston" if filled else "stone"
-    kind = "slider" if owner == mechanism.frame.number else moving
+    kind = "slider" if owner == mechanism.frame.number else "piston" if filled else "stone"
     draft.figure(kind, str(slider), at, line)
     if filled:
         draft.figure(filled, str(owner), at, line)

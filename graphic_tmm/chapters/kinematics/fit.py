@@ -12,6 +12,7 @@ from graphic_tmm.chapters.kinematics.bodies import Passive
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.records import Sweep
 
 FITS = 1e-4
 """A length that is off by less than this share of it was rounded: it is written with four digits."""
@@ -43,7 +44,7 @@ def check_fit(tried: Survey) -> None:
     angles, reading = tried.whole(wanted)
     for one in held:
         for size in _sizes(tried, one, reading):
-            _refuse(one, size, angles[0])
+            _refuse(one, size, angles[0], tried.sweep)
 
 
 def _sizes(tried: Survey, passive: Passive, reading: Reading) -> list[_Size]:
@@ -65,8 +66,8 @@ def _sizes(tried: Survey, passive: Passive, reading: Reading) -> list[_Size]:
     return found
 
 
-def _refuse(passive: Passive, size: _Size, angles: Reals) -> None:
-    kept = np.broadcast_to(size.kept, angles.shape)
+def _refuse(passive: Passive, size: _Size, row: Reals, sweep: Sweep) -> None:
+    kept = np.broadcast_to(size.kept, row.shape)
     there = np.flatnonzero(np.isfinite(kept))
     if not there.size:
         return
@@ -79,7 +80,7 @@ def _refuse(passive: Passive, size: _Size, angles: Reals) -> None:
         raise StructureError(
             said(
                 "link {link} is passive and does not fit: {name} is {own} mm, but what holds it keeps "
-                "{kept} mm over the whole turn, so it is {off} mm off; write {kept} mm",
+                "{kept} mm in all positions, so it is {off} mm off; write {kept} mm",
                 link=passive.link,
                 name=size.name,
                 own=_mm(size.own),
@@ -91,19 +92,25 @@ def _refuse(passive: Passive, size: _Size, angles: Reals) -> None:
     raise StructureError(
         said(
             "link {link} is passive and does not fit: {name} is {own} mm, but what holds it goes from "
-            "{low} mm (at the crank angle {at}°) to {high} mm (at {there}°), so it is up to {off} mm off and "
+            "{low} mm (at {at}) to {high} mm (at {there}), so it is up to {off} mm off and "
             "would lock the mechanism; change its points or those of the links that hold it, or take it out",
             link=passive.link,
             name=size.name,
             own=_mm(size.own),
             low=_mm(kept[low]),
-            at=f"{angles[low]:g}",
+            at=_at(row[low], sweep),
             high=_mm(kept[high]),
-            there=f"{angles[high]:g}",
+            there=_at(row[high], sweep),
             off=_mm(abs(kept[far] - size.own)),
         ),
         key,
     )
+
+
+def _at(value: float, sweep: Sweep) -> str:
+    """Return a coordinate of the drive: φ = 35°, s = 120 mm."""
+    told = f"{value:.4g}°" if sweep.turns else f"{_mm(value)} mm"
+    return f"{sweep.letter} = {told}"
 
 
 def _mm(size: float) -> str:

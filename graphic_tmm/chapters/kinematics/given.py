@@ -11,7 +11,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.guides import turn
 from graphic_tmm.mechanism.masses import inertia_letter
-from graphic_tmm.mechanism.records import Extreme, Guide, Link, Mechanism
+from graphic_tmm.mechanism.records import Arm, Extreme, Guide, Link, Mechanism
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.readers.narration import remark
 from graphic_tmm.readers.task_sheet import SIZE, Given
@@ -39,6 +39,9 @@ def _lengths(mechanism: Mechanism) -> Iterator[tuple[str, float]]:
     """The lengths of the moving links, m: from the first point, and from the second where not in line."""
     for link in _ordered(mechanism):
         letters = list(link.points)
+        if link.arms:
+            yield from _arms(link)
+            letters = letters[:1]
         for k, other in enumerate(letters[1:], start=1):
             yield from _between(link, letters[0], other)
             if k > 1 and _aside(link, letters[0], letters[1], other):
@@ -47,6 +50,13 @@ def _lengths(mechanism: Mechanism) -> Iterator[tuple[str, float]]:
         for slide in link.slides:
             if abs(slide.offset) > ROUNDING:
                 yield f"h_{{{link.number}}}", abs(slide.offset)
+
+
+def _arms(link: Link) -> Iterator[tuple[str, float]]:
+    """The lengths of the arms of a link, m, from the letter at which they are welded."""
+    for arm in link.arms:
+        for letter in (one for one in arm.letters if one != arm.at):
+            yield from _between(link, arm.at, letter)
 
 
 def _between(link: Link, first: str, second: str) -> Iterator[tuple[str, float]]:
@@ -87,11 +97,24 @@ def _directions(mechanism: Mechanism) -> Iterator[Given]:
         if guide.angle % 90.0:
             yield _direction(guide, 0.0)
     for link in _ordered(mechanism):
+        first, *others = link.arms or (None,)
+        for arm in others:
+            yield _between_arms(link, first, arm)
         spots: Sequence[complex] = [z for z in link.points.values()]
         base = math.degrees(math.atan2(*_sides(spots))) if len(spots) > 1 else 0.0
         for guide in link.guides:
             if abs(math.remainder(guide.angle - base, 90.0)) > 1e-9:
                 yield _direction(guide, base)
+
+
+def _between_arms(link: Link, first: Arm | None, second: Arm) -> Given:
+    """The angle from the first arm of a link to another, by a point of each."""
+    assert first is not None
+    at = link.points[second.at]
+    one, two = (next(k for k in arm.letters if k != second.at) for arm in (first, second))
+    base, way = link.points[one] - at, link.points[two] - at
+    angle = math.degrees(math.atan2(*_sides((0j, way * base.conjugate()))))
+    return Given(f"α_{{{one}{second.at}{two}}}", angle, "°")
 
 
 def _sides(spots: Sequence[complex]) -> tuple[float, float]:

@@ -186,7 +186,13 @@ class LinksInk:
         axes = [one.axis(self.foot(figure, index)) for figure, one in tubes]
         made += [line(pens[0], *ends) for ends in axes if abs(ends[1] - ends[0]) > TOGETHER]
         held = any(all(_on(spot, bar) for spot in spots) for bar in (*bars, *rods))
+        if arms := self.arms(name, index):
+            return made + [stroke for arm in arms for stroke in _outline(arm, pens[0])]
         return made if held else made + _outline(spots, pens[0])
+
+    def arms(self, name: str, index: int) -> list[list[complex]]:
+        """Return where the points of the arms of a link are; none of a link without arms."""
+        return [[self.at(mark, index) for mark in arm.marks] for arm in self.of(name, "arm")]
 
     def notches(self, name: str, index: int) -> list[Ink]:
         """Return a notch across the guide wherever a slider or a stone stands in a thin position."""
@@ -241,6 +247,9 @@ class LinksInk:
         """Return the filled corners where a guide and the rest of its link are one, if there is room."""
         made = list[Stroke]()
         spots = self.spots(name, index)
+        first, *others = self.arms(name, index) or [[]]
+        for arm in others:
+            made += _welded(first, arm)
         for bar in self.bars(name, index):
             off = [z for z in (bar.holder, *spots) if abs(z - bar.foot) >= HELD and not _on(z, bar)]
             along = max((end - bar.foot for end in bar.ends), key=abs)
@@ -308,6 +317,15 @@ def _on(spot: complex, bar: Bar) -> bool:
     """Whether a point lies on the line of a bar."""
     way = bar.ends[1] - bar.ends[0]
     return abs(((spot - bar.ends[0]) / way).imag) * abs(way) <= TOGETHER
+
+
+def _welded(first: Sequence[complex], second: Sequence[complex]) -> list[Stroke]:
+    """Return the filled corner in which two arms of a link are one, if there is room."""
+    at = next((z for z in second if any(abs(z - y) <= TOGETHER for y in first)), None)
+    if at is None:
+        return []
+    ways = [max((z - at for z in arm), key=abs) for arm in (first, second)]
+    return list(rigid_joint(at, *ways, times=1.5)) if min(map(abs, ways)) >= HELD else []
 
 
 def _outline(spots: Sequence[complex], pen: str) -> list[Stroke]:

@@ -85,6 +85,9 @@ ARC_AND_GUIDE = said(
 )
 TWO_GUIDES = said("The pin belongs to both sliders, so it is where their paths cross.")
 LINK_AXIS = said("The axis of a link goes through its two pins.")
+ARM = said(
+    "Both arms are one link: the angle between them stays, so the second is drawn by it from the first."
+)
 PASSIVE_AXIS = said(
     "This link is passive: it doubles what others hold already, so it lies where both of its points stand."
 )

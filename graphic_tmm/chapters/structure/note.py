@@ -10,9 +10,9 @@ from graphic_tmm.chapters.structure.table import (
     LINK_HEADS,
     PAIR_HEADS,
     WORDS,
+    aside_lines,
     link_rows,
     pair_rows,
-    passive_lines,
 )
 from graphic_tmm.chapters.structure.views import part_views
 from graphic_tmm.language.said import said
@@ -64,7 +64,7 @@ class StructurePage(Page[Structure]):
         yield self._table("pairs", PAIRS, PAIR_HEADS, pairs, "ccllcc")
         if found is not None:
             yield from self._mobility(structure, found)
-        for line in passive_lines(mechanism, structure, language):
+        for line in aside_lines(mechanism, structure, language):
             yield paragraph(f"{plain(line)}.")
         yield paragraph(f"{words['formula']}: {structure.formula}.")
         yield paragraph(f"{words['class II' if structure.groups else 'class I']}.")

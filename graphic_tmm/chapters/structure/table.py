@@ -63,9 +63,21 @@ def link_role(mechanism: Mechanism, structure: Structure, link: Link) -> str:
     return "rocker" if turns_on_frame else "coupler"
 
 
+ARMS = said("{name}, arms {arms}")
+"""What a link is called that others are welded to."""
+WELDED = said("Links {link} and {arm} are welded at {letter}: one link, {link}")
+"""What stands below the table of pairs, and in a note, on an arm."""
+
+
 def link_name(mechanism: Mechanism, structure: Structure, link: Link, language: str) -> str:
-    """Return the name the scene gives to a link, or that of its role."""
-    return link.name or LINK_NAMES[language][link_role(mechanism, structure, link)]
+    """Return the name the scene gives to a link, or that of its role; of one with arms these, too."""
+    name = link.name or LINK_NAMES[language][link_role(mechanism, structure, link)]
+    if not link.arms:
+        return name
+    arms = ", ".join(
+        "".join((arm.at, *(k for k in arm.letters if k != arm.at))) for arm in link.arms
+    )
+    return speaking(language)(ARMS, name=name, arms=arms)
 
 
 def pair_name(pair: Pair, mechanism: Mechanism) -> str:
@@ -190,9 +202,12 @@ PASSIVE = said(
 """What stands below the table of pairs, and in a note, on a passive link."""
 
 
-def passive_lines(mechanism: Mechanism, structure: Structure, language: str) -> list[str]:
-    """Return a line on each passive link, as mark-up."""
+def aside_lines(mechanism: Mechanism, structure: Structure, language: str) -> list[str]:
+    """Return a line on each arm that is welded to a link, and on each passive link, as mark-up."""
     words, _, found = WORDS[language], speaking(language), list[str]()
+    for link in mechanism.links:
+        for arm in link.arms[1:]:
+            found.append(_(WELDED, link=link.number, arm=arm.number, letter=arm.at))
     for hold in holds(mechanism):
         n, p = structure.moving + 1, len(structure.pairs) + len(hold.pairs)
         pairs = ", ".join(_index(pair, mechanism, words) for pair in hold.pairs)
@@ -217,8 +232,8 @@ def structure_lines(mechanism: Mechanism, structure: Structure, language: str) -
     n, p = structure.moving, len(structure.pairs)
     mobility = f"n = {n}, p_5 = {p}, p_4 = 0, W = 3·{n} − 2·{p} = {structure.mobility}"
     highest = words["class II" if structure.groups else "class I"]
-    passive = passive_lines(mechanism, structure, language)
-    return (mobility, *passive, f"{words['formula']}: {structure.formula}", *groups, highest)
+    beside = aside_lines(mechanism, structure, language)
+    return (mobility, *beside, f"{words['formula']}: {structure.formula}", *groups, highest)
 
 
 PROTOCOL = Protocols(views=lambda project: {STRUCTURE: (STRUCTURE,)})

@@ -171,18 +171,20 @@ def port(at: complex, way: complex, *, filled: bool) -> Strokes:
     return (line(pen, at, base + half, base - half, closed=True, filled=filled),)
 
 
-def rigid_joint(at: complex, first: complex, second: complex) -> Strokes:
+def rigid_joint(at: complex, first: complex, second: complex, *, times: float = 1.0) -> Strokes:
     """Return the filled corner that joins two rods rigidly, given their directions from ``at``.
+
+    ``times``: how much larger than the usual: one at a pair has to show behind its circle.
 
     Where the rods are in one line (a pin in the middle of a rod) the corner lies on the left of
     ``first``.
     """
-    u, v = first / abs(first), second / abs(second)
+    u, v, reach = first / abs(first), second / abs(second), CORNER * times
     sine = (u.conjugate() * v).imag
     if abs(sine) < 0.1:
-        points = (at - CORNER * u, at + CORNER * u, at + ROOF * 1j * u)
+        points = (at - reach * u, at + reach * u, at + ROOF * times * 1j * u)
     else:
-        points = (at, at + CORNER * u, at + CORNER * v)
+        points = (at, at + reach * u, at + reach * v)
         points = points if sine > 0 else (points[0], points[2], points[1])
     return (line("main", *points, closed=True, filled=True),)
 

@@ -11,6 +11,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 import pytest
 from support import gallery
+from support.boards import drawn_of
 from support.each import each
 from support.gallery import CASES
 from support.mechanisms import Sampled, sample
@@ -19,7 +20,8 @@ from support.rewritten import relettered, text_of
 from support.scenes import written
 from support.seen import CLOSE, Seen, judge
 
-from graphic_tmm.chapters.kinematics.ink_links import HELD, THROUGH, WIDTHS, LinksInk
+from graphic_tmm.chapters.kinematics.given import given
+from graphic_tmm.chapters.kinematics.ink_links import HELD, MAIN, THROUGH, WIDTHS, LinksInk
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.errors import SheetError
@@ -253,3 +255,48 @@ def test_the_mass_centre_of_a_rack_stands_on_its_rod(index: int) -> None:
     spots = [*ink.spots("5", index), *(ink.at(f.marks[0], index) for f in ink.of("5", "centre"))]
     assert rod.pen == "main"
     assert [complex(x, y) for x, y, _ in rod.path] == pytest.approx(spots)
+
+
+def corners_of(stroke: Stroke) -> list[complex]:
+    return [complex(x, y) for x, y, _ in stroke.path]
+
+
+def test_arms_are_lines_from_their_weld_and_no_plate(tmp_path: Path) -> None:
+    text = """title = "T"
+language = "en"
+[frame]
+O = [0, 0]
+y = { through = [0, 0], angle = 0 }
+[[link]]
+number = 1
+points = { O = [0, 0], A = [0.08, 0] }
+[[link]]
+number = 6
+weld = { to = 1, angle = "120 deg" }
+points = { O = [0, 0], C = [0.06, 0] }
+[[link]]
+number = 2
+points = { A = [0, 0], B = [0.25, 0] }
+[[link]]
+number = 3
+points = { B = [0, 0] }
+slides = { on = "frame", along = "y", side = "right" }
+[drive]
+link = 1
+speed = "60 rpm"
+zero = "20 deg"
+"""
+    drawn = drawn_of(read(written(tmp_path, text)), exact=True)
+    ink = LinksInk(drawn.construction, drawn.reading, reaches(drawn))
+    marks = KINEMATICS_PLAN.on(drawn).positions.bodies[1].marks
+    o, a, c = (ink.at(marks[letter], 0) for letter in "OAC")
+    ends = [corners_of(one) for one in ink.lines("1", 0, MAIN) if isinstance(one, Stroke)]
+    assert sorted(map(len, ends)) == [2, 2]
+    for tip in (a, c):
+        assert any({o, tip} == set(one) for one in ends)
+    (corner,) = ink.corners("1", 0)
+    assert corner.filled
+    assert o in corners_of(corner)
+    sizes = [one.symbol for one in given(drawn.scene)]
+    assert {"l_{OA}", "l_{OC}", "α_{AOC}"} < set(sizes)
+    assert "l_{AC}" not in sizes

@@ -10,7 +10,7 @@ from support.boards import drawn_of
 
 import graphic_tmm
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
-from graphic_tmm.chapters.structure.table import link_rows, passive_lines, structure_lines
+from graphic_tmm.chapters.structure.table import aside_lines, link_rows, structure_lines
 from graphic_tmm.errors import StructureError
 from graphic_tmm.readers.protocol import protocol
 from graphic_tmm.scene.read import read
@@ -121,7 +121,7 @@ def test_it_counts_for_nothing_and_is_drawn_by_a_step_of_its_own(tmp_path: Path)
     assert names == ["1", "2", "3", "4"]
     told = protocol(drawn, ["positions"], None, "en")
     assert any("Draw the line (EC) through E and C" in line for line in told)
-    (line,) = passive_lines(plans.mechanism, plans.structure, "en")
+    (line,) = aside_lines(plans.mechanism, plans.structure, "en")
     assert (
         "Link 4 is passive: with its pairs R_{E}(0,4), R_{C}(2,4) W would be 3·4 − 2·6 = 0" in line
     )
@@ -166,7 +166,7 @@ def test_what_does_not_fit_is_refused_by_how_much_and_where(tmp_path: Path) -> N
     # C goes round (1500, 0) at 300 mm, E stands 40 mm to the right of that: 260 to 340 mm
     with pytest.raises(
         StructureError,
-        match=r"260 mm \(at the crank angle 0°\) to 340 mm \(at 180°\), so it is up to 40 mm off",
+        match=r"260 mm \(at φ = 0°\) to 340 mm \(at φ = 180°\), so it is up to 40 mm off",
     ):
         drawn_of(read(cranks(tmp_path, at=1.54)))
     with pytest.raises(StructureError, match=r"offset from its guide is 0 mm.*write 20 mm"):
