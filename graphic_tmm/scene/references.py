@@ -41,6 +41,15 @@ class Outline(NamedTuple):
     letters: tuple[str, ...]
     moving: tuple[str, ...]
 
+    @property
+    def bearing(self) -> dict[int, Body]:
+        """The links that bear forces: no passive one, an arm as part of its link."""
+        return {
+            number: body
+            for number, body in self.bodies.items()
+            if not body.passive and body.welded is None
+        }
+
 
 def outline(doc: Document) -> Outline:
     """Return the names of a file, whatever else is wrong; of two links of one number the first."""

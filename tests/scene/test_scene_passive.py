@@ -101,6 +101,13 @@ def test_no_load_stands_on_it(tmp_path: Path) -> None:
     assert "load 1, from" in fault
 
 
+def test_no_spring_is_held_by_it(tmp_path: Path) -> None:
+    spring = '[[spring]]\nbetween = ["K", "A"]\nrate = "2 kN/m"\nfree = 0.1\n[forces]\n'
+    (fault,) = told(tmp_path, (HELD, HELD[:-1] + ", K = [0.1, 0.1] }"), more=spring)
+    assert '"K" stands on a passive link alone' in fault
+    assert not told(tmp_path, more=spring.replace('"K"', '"E"'))
+
+
 def test_a_pin_of_its_own_alone_has_no_friction(tmp_path: Path) -> None:
     more = "[friction]\nf = 0.1\nradius = 0.01\npairs = { C = 0.2 }\n[effects]\nfriction = true\n[forces]\n"
     (fault,) = told(tmp_path, more=more)

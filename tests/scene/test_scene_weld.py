@@ -205,3 +205,24 @@ def test_a_load_at_a_letter_of_the_arm_stands_on_the_body(tmp_path: Path) -> Non
     more = '[[load]]\nlink = 1\npoint = "C"\nforce = 10\ndirection = 90\n[forces]'
     text = (HEAD + ECCENTRICS + REST).replace("[forces]", more)
     assert read(written(tmp_path, text)).tasks
+
+
+def test_what_stands_on_an_arm_stands_on_its_link(tmp_path: Path) -> None:
+    text = (HEAD + ECCENTRICS + REST).replace("O = [0, 0.03], C", "O = [0, 0.03], K = [1, 1], C")
+    more = """[[spring]]
+between = ["K", "F"]
+rate = "2 kN/m"
+free = 0.1
+[[load]]
+link = 3
+point = "B"
+force = 10
+direction = "along OC"
+[friction]
+f = 0.1
+radius = 0.01
+pairs = { PIN = 0.2 }
+[forces]"""
+    assert read(written(tmp_path, text.replace("[forces]", more.replace("PIN", "C")))).tasks
+    with pytest.raises(SceneError, match='"K" is none'):
+        read(written(tmp_path, text.replace("[forces]", more.replace("PIN", "K"))))

@@ -140,7 +140,7 @@ def _turning(path: Path, load: Said, names: Outline) -> Iterator[Flaw]:
         if pair[0] == pair[1]:
             yield Flaw(at, said('"{line}" names one letter twice; name two letters', line=line))
         return
-    owners = [number for number, body in names.bodies.items() if line in body.guides]
+    owners = [number for number, body in names.bearing.items() if line in body.guides]
     if len(owners) > 1:
         says = said(
             'links {links} have guides called "{line}"; name two letters, "along AC", or call one otherwise',
@@ -149,7 +149,7 @@ def _turning(path: Path, load: Said, names: Outline) -> Iterator[Flaw]:
         )
         yield Flaw(at, says)
     elif not owners:
-        known = [name for body in names.bodies.values() for name in body.guides]
+        known = [name for body in names.bearing.values() for name in body.guides]
         says = said('"{line}" is neither two letters of the mechanism nor a guide', line=line[:20])
         yield Flaw(at, letters.unknown(says, line, known, said("guides of the mechanism")))
 
@@ -211,9 +211,16 @@ def _spring(path: Path, spring: Said, names: Outline) -> Iterator[Flaw]:
         yield Flaw(
             at, letters.unknown(says, letter, names.letters, said("letters of the mechanism"))
         )
-    if unknown:
+    bodies = {number: body.letters for number, body in names.bearing.items()}
+    loose = [one for one in spring.between if not any(one in own for own in bodies.values())]
+    if loose and not unknown:
+        says = said(
+            '"{letter}" stands on a passive link alone, which carries no forces; name a letter of another',
+            letter=loose[0],
+        )
+        yield Flaw(at, says)
+    if unknown or loose:
         return
-    bodies = {number: body.letters for number, body in names.bodies.items()}
     if spring.links:
         told = [
             n not in bodies or one not in bodies[n]
@@ -235,7 +242,7 @@ def _spring(path: Path, spring: Said, names: Outline) -> Iterator[Flaw]:
 
 def _friction(made: Said, parts: Parts) -> Iterator[Flaw]:
     names = parts.names
-    bodies = [body for body in names.bodies.values() if not body.passive]
+    bodies = names.bearing.values()
     pins = [x for x in names.letters if sum(x in body.letters for body in bodies) > 1]
     guides = [slide.along for link in parts.links if link is not None for slide in link.pairs]
     for key, told, known in (
