@@ -182,3 +182,73 @@ def test_it_is_told_below_figures_and_table_and_in_the_protocol(tmp_path: Path) 
         view.name: any("pin B is counted" in one.text for one in view.labels) for view in figures
     }
     assert said == {"group-4-5-0": True, "group-2-3-0": True, "group-1-0": False}
+
+
+CRANK_PIN = """
+title = "Two rods on one crank pin"
+language = "en"
+[frame]
+O = [0, 0]
+x = {{ through = [0, 0.01], angle = "0 deg" }}
+z = {{ through = [0.02, 0], angle = "90 deg" }}
+[[link]]
+number = 1
+points = {{ O = [0, 0], A = [0.08, 0] }}
+[[link]]
+number = 2
+points = {{ A = [0, 0], B = [0.3, 0], S2 = [0.1, 0.02] }}
+mass = 2.0
+centre = "S2"
+[[link]]
+number = 3
+points = {{ B = [0, 0] }}
+slides = {{ on = "frame", along = "x", side = "right" }}
+[[link]]
+number = 4
+points = {{ A = [0, 0], D = [0.25, 0], S4 = [0.12, -0.01] }}
+mass = 3.0
+centre = "S4"
+[[link]]
+number = 5
+points = {{ D = [0, 0] }}
+slides = {{ on = "frame", along = "z", side = "above" }}
+[drive]
+link = 1
+speed = "60 rpm"
+positions = 1
+zero = {zero!r}
+[effects]
+gravity = true
+[[load]]
+link = {link}
+point = "A"
+force = 120.0
+direction = 200.0
+[forces]
+positions = "all"
+[hand]
+ruler = "exact"
+"""
+
+
+@pytest.mark.parametrize("link", [1, 2, 4])
+@pytest.mark.parametrize("zero", [25.0, 160.0, 290.0])
+def test_at_the_crank_pin_the_crank_bears_it(zero: float, link: int, tmp_path: Path) -> None:
+    path = tmp_path / "scene.toml"
+    path.write_text(CRANK_PIN.format(zero=zero, link=link), encoding="utf-8")
+    scene = read(path)
+    drawn = drawn_of(scene, exact=True)
+    (pin,) = shared_pins(drawn)
+    assert pin == ("A", 1, (2, 4))
+    places = graphic_tmm.motion(scene, [zero], exact=True).places
+    a, load = places["A", 1][0], cmath.rect(120.0, np.radians(200.0))
+    found = vectors(drawn)
+    # each rod with its slider by itself: the guide's force has no part along the guide, no moment about its pin
+    for rod, end, mass, along in ((2, "B", 2.0, 1.0), (4, "D", 3.0, 1j)):
+        centre, far = places[f"S{rod}", rod][0], places[end, rod][0]
+        weight, own = -9.81j * mass, load if rod == link else 0j
+        normal = (
+            -(((centre - a).conjugate() * weight).imag) / ((far - a).conjugate() * 1j * along).imag
+        )
+        due = -(own + weight + normal * 1j * along)
+        assert abs(found[f"R_{{1{rod}}}"] - due) < 1e-9 * 120.0
