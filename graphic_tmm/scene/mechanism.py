@@ -11,6 +11,7 @@ from typing import Any, ClassVar
 from graphic_tmm.board.bounds import Bound
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Guide as MechanismGuide
+from graphic_tmm.scene import coordinates as c
 from graphic_tmm.scene import letters, misfits
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import FAULTY, Flaw, Names, Path, Schema, Sort, combined_key, key
@@ -189,13 +190,13 @@ class Drive:
 
     link: int = key(v.LINK_NUMBER, "the number of the driving link", 1)
     speed: float = key(
-        v.SPEED,
+        c.SPEED,
         "its angular speed, positive; of what slides, on the frame or out of its cylinder, its speed, "
         '"0.05 m/s"; 0 where it stands',
         "380 rpm",
     )
     acceleration: float = key(
-        v.GAIN,
+        c.GAIN,
         "its angular acceleration in the sense of turning: positive when it speeds up, negative when it slows; "
         "of what slides its acceleration",
         "20 rad/s^2",
@@ -203,16 +204,16 @@ class Drive:
     )
     turns: str = key(v.TURNS, "which way it turns", "clockwise", v.COUNTERCLOCKWISE)
     begin: float | None = key(
-        v.COORDINATE,
+        c.COORDINATE,
         "where the row begins if it is no whole turn: an angle; of what slides how far it has come along its "
         "guide, or how far apart the pins of rod and cylinder are",
         "20 deg",
         None,
         written="from",
     )
-    end: float | None = key(v.COORDINATE, "where that row ends", "75 deg", None, written="to")
+    end: float | None = key(c.COORDINATE, "where that row ends", "75 deg", None, written="to")
     positions: int | tuple[float, ...] = key(
-        ByShape(list, v.COORDINATES, v.number(Bound(1, 100_000, whole=True))),
+        ByShape(list, c.COORDINATES, v.number(Bound(1, 100_000, whole=True))),
         "how many positions there are, in a turn or from the one end to the other; or a list of all places",
         12,
         12,
@@ -241,16 +242,16 @@ class FurtherDrive:
     """Another drive of a mechanism with several: its link and motion; it follows the row of the first."""
 
     link: int = key(v.LINK_NUMBER, "the number of the driving link", 4)
-    speed: float = key(v.SPEED, "its speed, positive, as of the first", "10 rad/s")
-    acceleration: float = key(v.GAIN, "its acceleration in the sense of its motion", None, 0.0)
+    speed: float = key(c.SPEED, "its speed, positive, as of the first", "10 rad/s")
+    acceleration: float = key(c.GAIN, "its acceleration in the sense of its motion", None, 0.0)
     turns: str = key(v.TURNS, "which way it turns", "clockwise", v.COUNTERCLOCKWISE)
-    at: float = key(v.COORDINATE, "where it stands in the zero position", "240 deg", 0.0)
+    at: float = key(c.COORDINATE, "where it stands in the zero position", "240 deg", 0.0)
 
 
 def slides(drive: Drive | FurtherDrive, link: Link | None, frame: Frame) -> bool:
     """Whether a drive slides: its speed says so; of a bare number, its link turns about nothing fixed."""
-    if not isinstance(drive.speed, v.Bare) or link is None:
-        return isinstance(drive.speed, v.Metres)
+    if not isinstance(drive.speed, c.Bare) or link is None:
+        return isinstance(drive.speed, c.Metres)
     return bool(link.pairs) and not frame.points.keys() & link.points.keys()
 
 

@@ -32,10 +32,11 @@ def quantity(dimension: Dimension, bound: Bound | None = None) -> Kind:
             raise ValueError(said("{text} is less than {least:g}", text=text, least=least))
         return number
 
-    return Kind(read, _quantity_schema(dimension), bound, dimension)
+    return Kind(read, quantity_schema(dimension), bound, dimension)
 
 
-def _quantity_schema(dimension: Dimension) -> Schema:
+def quantity_schema(dimension: Dimension) -> Schema:
+    """Return what an editor is told of a quantity."""
     bare = "degrees" if dimension == "angle" else "SI units (scales: SI unit/mm)"
     return {
         "anyOf": [{"type": "number"}, {"type": "string"}],
@@ -123,7 +124,7 @@ def bounded(bound: Bound, dimension: Dimension | None = None) -> Schema:
     """Return what an editor is told of a number within bounds."""
     if dimension is None:
         return dict(bound.schema)
-    made = _quantity_schema(dimension) if dimension != "ratio" else {}
+    made = quantity_schema(dimension) if dimension != "ratio" else {}
     return {**made, "anyOf": [dict(bound.schema), {"type": "string"}]}
 
 
@@ -176,24 +177,21 @@ def _angles(value: object, names: Names) -> tuple[float, ...]:
     return tuple(quantities.parse(item, "angle") for item in value)
 
 
-class Metres(float):
-    """A number of metres, m/s or m/s²: of what slides."""
-
-
-class Bare(float):
-    """A number without a unit: of what slides, or of what turns."""
-
-
-def _sliding(value: object, sliding: Dimension, turning: Dimension) -> float:
-    """Read a quantity of what slides, where its unit says so, as `Metres`; else one of what turns."""
-    if isinstance(value, str) and quantities.is_a(value, sliding):
-        return Metres(quantities.parse(value, sliding))
-    number = quantities.parse(value, turning)
-    return number if isinstance(value, str) else Bare(number)
-
-
 def _speed(value: object, names: Names) -> float:
-    number = _sliding(value, "speed", "angular speed")
+    number = quantities.parse(value, "angular speed")
+    if number == 0:
+        raise ValueError(
+            said(
+                "{text}: what stands still moves nothing; write a speed so small that nothing comes of it, "
+                '"0.001 rad/s"',
+                text=_show(value),
+            )
+        )
+    return not_negative(number, value)
+
+
+def not_negative(number: float, value: object) -> float:
+    """Return a speed; refuse one that is negative."""
     if number < 0:
         raise ValueError(
             said('{text} is negative; write it positive and turns = "clockwise"', text=_show(value))
@@ -304,12 +302,6 @@ def _extra(value: object, names: Names) -> tuple[float | str, ...]:
     )
 
 
-def _coordinates(value: object, names: Names) -> tuple[float, ...]:
-    if not isinstance(value, list) or not value:
-        raise ValueError(stands(value, said('a list of places is wanted, ["0 deg", "35 deg"]')))
-    return tuple(_sliding(item, "length", "angle") for item in value)
-
-
 def _accelerations(value: object, names: Names) -> tuple[str, ...]:
     if value in ("all", "все", ["all"], ["все"]):
         return ("all",)
@@ -367,16 +359,7 @@ POSITIVE_LENGTH = quantity("length", POSITIVE)
 LENGTH = Kind(lengths.evaluate, _LENGTH, unit="length")
 ANGLE = quantity("angle")
 ANGLES = Kind(_angles, ROW, unit="angle")
-SPEED = Kind(_speed, _quantity_schema("angular speed"), unit="angular speed")
-GAIN = Kind(
-    lambda value, names: _sliding(value, "acceleration", "angular acceleration"),
-    _quantity_schema("angular acceleration"),
-    unit="angular acceleration",
-)
-COORDINATE = Kind(
-    lambda value, names: _sliding(value, "length", "angle"), _quantity_schema("angle"), unit="angle"
-)
-COORDINATES = Kind(_coordinates, ROW)
+SPEED = Kind(_speed, quantity_schema("angular speed"), unit="angular speed")
 ACCELERATION = quantity("acceleration", POSITIVE)
 MASS = quantity("mass", Bound(0))
 INERTIA = quantity("moment of inertia", Bound(0))

@@ -40,8 +40,10 @@ for module in pkgutil.walk_packages(chapters.__path__, f"{chapters.__name__}."):
     importlib.import_module(module.name)
 
 DRAWS, ENOUGH = 60, 10
-IN_DEGREES_PER_MM = ("on_protractor", "off_protractor")
-"""Whose ``mu`` is in °/mm."""
+IN_DEGREES_PER = {"on_protractor": "mu", "off_protractor": "mu", "angle_by_length": "ratio"}
+"""Which argument is in °/mm, or in °/m."""
+PER_DEGREE = {"length_by_angle": "ratio"}
+"""Which is in m/°."""
 DEGREES_PER_MM = ("degrees_per_mm",)
 """What are numbers in °/mm."""
 
@@ -69,8 +71,10 @@ def _due(made: Formula, values: list[float]) -> tuple[bool, Rounded | None]:
     op = OPERATIONS[made.name]
     marks = {}
     for name, kind, value in zip(op.arguments, op.takes, values, strict=True):
-        turns = kind is Angle or (made.name in IN_DEGREES_PER_MM and name == "mu")
+        turns = kind is Angle or (name == IN_DEGREES_PER.get(made.name))
         marks[name] = degrees(value) if turns else Rounded(value)
+        if name == PER_DEGREE.get(made.name):
+            marks[name] = marks[name] / degrees(1.0)
     if made.holds and not worked_out(made.holds, marks):
         return False, None
     due = worked_out(made.text, marks)

@@ -16,7 +16,6 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle
 from graphic_tmm.chapters.forces.loads import Ground
 from graphic_tmm.chapters.forces.plan import Forces, draw_forces
-from graphic_tmm.chapters.forces.statics import Driver
 from graphic_tmm.chapters.forces.task import ForcesTask, Friction, Load
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.bodies import Positions
@@ -94,25 +93,18 @@ def solve(
     accelerations = None
     if order.inertia:
         accelerations = draw_accelerations(draft, mechanism, structure, positions, velocities)
-    body = positions.bodies[structure.first.link]
-    pin = body.marks[structure.first.pin]
-    pin_arm = draft.board.uses(pin)[1]
-    driver = Driver(body, body.marks[structure.origin], pin, pin_arm)
-    image = velocities.images.by_letter[structure.first.link][structure.first.pin]
-    sense = mechanism.drive.sense
     ground = Ground(
         draft,
         mechanism,
         positions,
         velocities,
         accelerations,
-        sense if turned else 0,
-        draft.board.uses(image)[1],
+        mechanism.drive.sense if turned else 0,
         survey(mechanism, structure),
         np.zeros(1),
         1,
     )
-    forces = draw_forces(ground, driver, order, draft.uses(pin_arm)[0])
+    forces = draw_forces(ground, order)
     log = draft.board.construction()
     given = dict(draft.given)
     for view in log.views:
@@ -158,11 +150,11 @@ def errors(solved: Solved) -> dict[str, float]:
         scale["reactions"] = _worse(
             scale["reactions"], abs(solved.number(reaction.value) - abs(due))
         )
-    for polygon in (*(g.polygon for g in forces.groups), forces.driven.polygon):
+    for polygon in (*(g.polygon for g in forces.groups), forces.driven[0].alone.polygon):
         whole = sum(solved.vector(tail, head) for _, tail, head in polygon.sides)
         scale["closing"] = _worse(scale["closing"], abs(whole))
     arm = size if forces.order.balance == "moment" else 1.0
-    balance = solved.number(forces.driven.balance)
+    balance = solved.number(forces.driven[0].balance)
     scale["balance"] = abs(balance - judge.balance) / arm
     scale["lever"] = abs(solved.number(forces.lever.balance) - balance) / arm
     return {name: _worse(0.0, value) / top for name, value in scale.items()}

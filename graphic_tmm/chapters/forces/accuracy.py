@@ -31,7 +31,7 @@ def _quantities(project: Project) -> Iterator[Quantity]:
     made = FORCES_PLAN.on(project)
     name, unit = (MOMENT, "N·m") if made.order.balance == "moment" else (FORCE, "N")
     # of the last pass of friction, whether passes have settled or not: a hand that slips scatters more
-    value = (Value(made.driven.balance),)
+    value = (Value(made.driven[0].balance),)
     if made.order.friction is None:
         yield Quantity(name, unit, value, project.count, due=value)
     else:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
+from collections.abc import Container, Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -23,6 +23,7 @@ from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.forces.statics import Slope
 from graphic_tmm.chapters.forces.task import Friction
 from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, dyads
+from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.motion import Motion, known_image
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
@@ -65,10 +66,10 @@ def guide_leg(joint: Joint) -> GuideLeg:
     )
 
 
-def joints(closings: tuple[Closing, ...], driver: tuple[int, int, str]) -> tuple[Joint, ...]:
-    """Return all pairs of a mechanism; ``driver``: crank, frame, the letter of the crank's pivot."""
-    crank, frame, pivot = driver
-    found = [Joint(Pair("R", pivot, (crank, frame)), (crank, frame), None)]
+def joints(closings: tuple[Closing, ...], pairs: Iterable[DrivenPair]) -> tuple[Joint, ...]:
+    """Return all pairs of a mechanism; ``pairs``: its drives."""
+    there = (one.pair for one in pairs if not one.driven.telescopes)
+    found = [Joint(pair, pair.links, None) for pair in there]
     for closing in dyads(closings, "forces"):
         for leg, own in zip(closing.legs, closing.group.legs, strict=True):
             found.append(Joint(own.pair, (leg.link, leg.body), closing))
@@ -214,9 +215,8 @@ class SharedPin(NamedTuple):
 def shared_pins(drawn: Drawn) -> Iterator[SharedPin]:
     """Yield the pins in which more than two links meet, in the order of attachment."""
     plans = KINEMATICS_PLAN.on(drawn)
-    structure, frame = plans.structure, plans.mechanism.frame.number
     on: dict[tuple[str, int], list[int]] = {}
-    for joint in joints(plans.positions.closings, (structure.first.link, frame, structure.origin)):
+    for joint in joints(plans.positions.closings, plans.pairs):
         if joint.pair.kind == "R":
             link, bearer = joint.links
             on.setdefault((joint.pair.name, bearer), []).append(link)

@@ -12,6 +12,7 @@ from graphic_tmm.board.operations.statics import moment, on_lever, tangential
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
+from graphic_tmm.chapters.forces.driving import Driven
 from graphic_tmm.chapters.forces.lever import Converted
 from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.statics import Solved, summed_links
@@ -232,7 +233,7 @@ class Row(NamedTuple):
 def group_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
     """Yield the equations of moments of a group, what they give, and the reactions of its polygon."""
     closing, figure = solved.closing, solved.figure
-    names = _names(made, closing.group.links)
+    names = _names(made, (*closing.group.links, *closing.group.rods))
     for leg in closing.legs:
         total = solved.turning[leg.link]
         if total is None:
@@ -248,6 +249,9 @@ def group_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
         yield from _guided(writer, solved, heading, of)
     for reaction in solved.reactions:
         yield _read(writer, reaction, solved.polygon)
+    for driven in (one for one in made.driven if one.pair.link in solved.rods):
+        length, *_ = writer.seen.by_mark[driven.balance].uses
+        yield _measured(writer, (driven.letter, length, driven.balance), solved.polygon)
     for force in made.lever.forces:  # friction along guides, read off the polygon
         step = writer.seen.by_mark.get(force.value)
         if step and step.op is in_si and step.uses[0].view == solved.polygon.view:
@@ -278,17 +282,24 @@ def _held(writer: Writer, solved: Solved, total: Mark) -> tuple[Mark, Mark] | No
     return None
 
 
-def driver_rows(writer: Writer, made: Forces, pivot: Mark, link: int) -> Iterator[Row]:
-    """Yield the equation of moments of the driving link, what balances it, the frame's reaction."""
-    driven = made.driven
-    of = Sum(driven.total, *_names(made, (link,)))
-    if driven.force is not None:
-        sought = Sought("P_b", driven.balance, driven.arm, 1, "N")
+def driver_rows(writer: Writer, made: Forces, driven: Driven) -> Iterator[Row]:
+    """Yield the equation of moments of a driving link, what balances it, the frame's reaction."""
+    alone, letter = driven.alone, driven.letter
+    assert alone is not None
+    if driven.couple is None and alone.arm is None:
+        length, *_ = writer.seen.by_mark[driven.balance].uses
+        yield _measured(writer, (letter, length, driven.balance), alone.polygon)
     else:
-        sought = Sought("M_b", driven.balance, None, 1, "N·m")
-    for parts in writer.sought(f"ΣM_{{{pivot.name}}}", of, sought, driven.figure.mu):
-        yield Row(parts, driven.balance)
-    yield _read(writer, driven.reaction, driven.polygon)
+        assert alone.total is not None
+        of = Sum(alone.total, *_names(made, (driven.pair.link,)))
+        sought = (
+            Sought(letter, driven.balance, alone.arm, 1, "N")
+            if driven.couple is None
+            else Sought(letter, driven.balance, None, 1, "N·m")
+        )
+        for parts in writer.sought(f"ΣM_{{{alone.about.name}}}", of, sought, alone.figure.mu):
+            yield Row(parts, driven.balance)
+    yield _read(writer, alone.reaction, alone.polygon)
 
 
 def lever_rows(writer: Writer, made: Forces) -> Iterator[Row]:

@@ -6,6 +6,7 @@ to the plan, M·ab/l, or as a pair of forces at the ends of the link's segment. 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from graphic_tmm.board import roles
@@ -24,14 +25,15 @@ from graphic_tmm.board.operations.statics import (
     reversed_,
     tangential,
 )
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Mark, between
 from graphic_tmm.board.values import Number, Point
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import bare
 from graphic_tmm.chapters.forces.loads import Couple, Force
-from graphic_tmm.chapters.forces.statics import Driver
 from graphic_tmm.chapters.kinematics.bodies import PinLeg, Positions, legs_of
-from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.chapters.kinematics.drives.crank import Crank
+from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
+from graphic_tmm.chapters.kinematics.motion import Motion, pivot_image
 
 VIEW = "lever"
 
@@ -171,37 +173,39 @@ def draw_lever(
     draft: Draft,
     positions: Positions,
     velocities: Motion,
-    driver: Driver,
+    pairs: Sequence[DrivenPair],
     loads: tuple[list[Force], list[Couple]],
     *,
     quarters: int,
     sense: int,
     couples: str,
-    arm: Mark | None,
+    moment: bool,
 ) -> Lever:
-    """Draw the lever and find what balances it at the crank.
+    """Draw the lever and find what balances it where the first of the ``pairs`` drives.
 
-    ``quarters``: right angles that the velocity plan lacks to be a turned one; ``sense``: of the crank's
-    rotation; ``arm``: the crank's real length (m) if a balancing moment is wanted, None for a force.
+    ``quarters``: right angles that the velocity plan lacks to be a turned one; ``sense``: of the first drive;
+    ``moment``: a balancing moment of the crank is wanted, not a force.
     """
     draft.open(VIEW)
     plan = _Plan(draft, velocities, quarters)
     mu = draft.draw(per_times, "μ_{vl}", velocities.mu, plan.times, unit="(m/s)/mm")
     draft.lay_out(plan.pole, mu)
     forces, turned = loads
-    pin_image = velocities.images.at(driver.body, driver.pin)
-    pin = plan.image(pin_image)
+    start, end = (plan.image(image) for image in velocities.driven[pairs[0].link])
     for force in forces:
         assert force.image is not None
         plan.carry_force(force.letter, force.image, force.line, force.value, force.value)
     for couple in turned:
-        base = _base(draft, positions, velocities, driver, couple.link, sense)
+        base = _base(draft, positions, velocities, pairs, couple.link, sense)
         if base is not None:
             plan.carry_couple(couple, base, couples)
     for number in positions.bodies:
         for image in velocities.images.by_letter[number].values():
             plan.image(image)
-    segment = draft.draw(measure, f"p{pin.letter}", plan.pole, pin, why=why.LEVER_ARM_OF_CRANK)
+    crank = _crank(pairs[0])
+    because = why.LEVER_ARM_OF_CRANK if crank else why.LEVER_ARM_OF_SLIDE
+    segment = draft.draw(measure, between(start, end.letter), start, end, why=because)
+    arm = crank.real_arm(draft, positions) if crank and moment else None
     balance = _balance(draft, plan, segment, arm)
     images = {
         number: tuple(
@@ -212,7 +216,7 @@ def draw_lever(
     }
     found = (images, tuple(plan.forces), tuple(plan.moments))
     told = (tuple(plan.couples), balance.total, balance.force)
-    return Lever(plan.pole, plan.times, mu, *found, balance.asked, pin, segment, *told)
+    return Lever(plan.pole, plan.times, mu, *found, balance.asked, end, segment, *told)
 
 
 class _Balance(NamedTuple):
@@ -241,8 +245,17 @@ def _balance(draft: Draft, plan: _Plan, segment: Mark, arm: Mark | None) -> _Bal
     return _Balance(total, force, draft.draw(moment_on_arm, "M_{bl}", force, arm, unit="N·m"))
 
 
+def _crank(pair: DrivenPair) -> Crank | None:
+    return pair if isinstance(pair, Crank) else None
+
+
 def _base(
-    draft: Draft, positions: Positions, velocities: Motion, driver: Driver, link: int, sense: int
+    draft: Draft,
+    positions: Positions,
+    velocities: Motion,
+    pairs: Sequence[DrivenPair],
+    link: int,
+    sense: int,
 ) -> _Base | None:
     """Return what a link's couples are converted by; None if the link does not turn.
 
@@ -251,15 +264,16 @@ def _base(
     rate = velocities.rates.get(link)
     if rate is None:
         return None
-    crank = driver.body.link.number
-    if rate == velocities.rates[crank]:
-        image = velocities.images.at(driver.body, driver.pin)
-        segment = draft.uses(image)[1]
-        pole = velocities.images.pole
-        return _Base(segment, driver.arm, pole, image, driver.body.axis, 1)
+    for crank in (one for one in map(_crank, pairs) if one is not None):
+        if rate == velocities.rates[crank.link]:
+            pole, image = velocities.driven[crank.link]
+            length = crank.drawn_arm(draft, positions)
+            axis = positions.bodies[crank.link].axis
+            own = sense * crank.drive.sense
+            return _Base(draft.uses(image)[1], length, pole, image, axis, own)
     for closing, leg in legs_of(positions.closings, VIEW):
         if isinstance(leg, PinLeg) and velocities.rates[leg.link] == rate:
-            start = velocities.images.by_letter[leg.link][leg.letter]
+            start = velocities.ends.get(leg.link) or pivot_image(velocities, leg)
             end = velocities.closed[closing.group.name]
             segment = velocities.readings[leg.link]
             return _Base(segment, leg.length, start, end, leg.line, sense)

@@ -12,6 +12,7 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.task import Spring
 from graphic_tmm.chapters.kinematics.bodies import Positions
+from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.mechanism.records import Mechanism
@@ -134,11 +135,20 @@ class Ground(NamedTuple):
     velocities: Motion
     accelerations: Motion | None
     quarters: int
-    pin_speed: Mark
     survey: Survey
     numbers: np.ndarray
     intervals: int
     turns: int = 1
+
+    @property
+    def pairs(self) -> tuple[DrivenPair, ...]:
+        """What is driven, the drive of the row first."""
+        return self.survey.pairs
+
+    @property
+    def pin_speed(self) -> Mark:
+        """The segment of the velocity that the first drive gives (Length)."""
+        return self.draft.uses(self.velocities.driven[self.pairs[0].link][1])[1]
 
 
 def point_of(ground: Ground, link: int, letter: str) -> tuple[Mark, Mark]:

@@ -15,7 +15,6 @@ from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.table import DIFFERENCE
 from graphic_tmm.chapters.forces.views import EXACTLY, force_views, lever_views, vectors_of
 from graphic_tmm.chapters.forces.words import called
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.language.numbers import decimals_of
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain
@@ -76,14 +75,14 @@ class ForcePage(Page[Forces]):
         yield self.says(WORKED)
         yield from (paragraph(plain(pin)) for pin in pin_sentences(self.drawn, self.language))
         yield from self.view(LOADS)
-        plans = KINEMATICS_PLAN.on(self.drawn)
-        crank = plans.structure.first.link
-        pivot = plans.positions.bodies[crank].marks[plans.structure.origin]
         for solved in made.groups:
             rows = group_rows(self.writer, made, solved)
             yield from self._detached(solved.closing.group.name, solved.polygon, rows)
-        rows = driver_rows(self.writer, made, pivot, crank)
-        yield from self._detached(str(crank), made.driven.polygon, rows)
+        for driven in made.driven:
+            if driven.alone is not None:
+                rows = driver_rows(self.writer, made, driven)
+                name, polygon = str(driven.pair.link), driven.alone.polygon
+                yield from self._detached(name, polygon, rows)
         yield from self.view(FRICTION)
         yield from self._lever()
         yield from self.tabled()

@@ -10,30 +10,24 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.statics import apart_percent, efficiency, settled, still_open
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.roles import DETACHED, FORCE_POLYGON
 from graphic_tmm.chapters.forces import friction, lever, loads
 from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Solution
+from graphic_tmm.chapters.forces.driving import Alone, Driven, Place, solve_drives
 from graphic_tmm.chapters.forces.friction import Joint, Rub, Rubbing, joints
 from graphic_tmm.chapters.forces.lever import Lever, draw_lever
 from graphic_tmm.chapters.forces.link_loads import draw_loads
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force, Ground, Loads
-from graphic_tmm.chapters.forces.statics import (
-    Driven,
-    Driver,
-    Solved,
-    hand_on,
-    solve_driver,
-    solve_group,
-)
-from graphic_tmm.chapters.forces.task import ASKED, FORCES, ForcesTask
-from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder, Machine, machine_of
+from graphic_tmm.chapters.forces.statics import Solved, hand_on, solve_group
+from graphic_tmm.chapters.forces.task import ASKED, FORCES, ForcesTask, Friction
+from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder
 from graphic_tmm.chapters.kinematics.bodies import dyads
-from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, chosen
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, chosen
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS
+from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
 
@@ -56,7 +50,7 @@ class Forces:
     order: ForcesTask
     loads: Loads
     groups: tuple[Solved, ...]
-    driven: Driven
+    driven: tuple[Driven, ...]
     lever: Lever
     acting: Acting
     balance: Mark
@@ -68,20 +62,27 @@ class Forces:
     views: tuple[str, ...] = ()
 
     @property
+    def alone(self) -> tuple[Alone, ...]:
+        """What is driven and stands by itself."""
+        return tuple(one.alone for one in self.driven if one.alone is not None)
+
+    @property
     def polygons(self) -> tuple[Polygon, ...]:
         """The polygons in the order in which they were drawn."""
-        return (*(group.polygon for group in self.groups), self.driven.polygon)
+        groups = (one.polygon for one in self.groups)
+        return (*groups, *(one.polygon for one in self.alone))
 
     @property
     def figures(self) -> tuple[Detached, ...]:
         """The figures of what is detached, in the order of the polygons."""
-        return (*(group.figure for group in self.groups), self.driven.figure)
+        groups = (one.figure for one in self.groups)
+        return (*groups, *(one.figure for one in self.alone))
 
     @property
     def reactions(self) -> tuple[Reaction, ...]:
         """The reactions in the order in which they were found."""
         found = [reaction for group in self.groups for reaction in group.reactions]
-        return (*found, self.driven.reaction)
+        return (*found, *(one.reaction for one in self.alone))
 
 
 FORCES_PLAN: Recorded[Forces] = Recorded(FORCES)
@@ -92,10 +93,8 @@ def record(bench: Bench) -> Forces | None:
     order, plans = ASKED.of(bench.scene), KINEMATICS_PLAN.on(bench)
     if order is None:
         return None
-    machine = machine_of(bench)
     cylinder = INDICATOR_PLAN.of(bench) if order.gas is not None else None
-    ground = _ground(bench, machine, plans.accelerations)
-    made = draw_forces(ground, _driver(bench.draft, machine), order, machine.arm, cylinder)
+    made = draw_forces(_ground(bench, plans), order, cylinder)
     places = chosen(order.positions, bench.names, ASKED.section)
     views = tuple(_views(bench.draft.board.construction()))
     for view in views:
@@ -113,49 +112,41 @@ def _views(log: Construction) -> Iterator[str]:
             yield view
 
 
-def _ground(bench: Bench, machine: Machine, accelerations: Motion | None) -> Ground:
-    drive, velocities, draft = machine.mechanism.drive, machine.velocities, bench.draft
-    image = velocities.images.by_letter[drive.link][machine.pin]
-    sense, in_turn = drive.sense, machine.count // machine.turns
+def _ground(bench: Bench, plans: KinematicPlans) -> Ground:
+    assert plans.velocities is not None
     return Ground(
-        draft,
-        machine.mechanism,
-        machine.positions,
-        velocities,
-        accelerations,
-        sense if bench.scene.turned else 0,
-        draft.uses(image)[1],
-        machine.survey,
-        machine.numbers,
-        in_turn,
-        machine.turns,
+        bench.draft,
+        plans.mechanism,
+        plans.positions,
+        plans.velocities,
+        plans.accelerations,
+        plans.sense if bench.scene.turned else 0,
+        plans.tried,
+        plans.numbers,
+        plans.in_turn,
+        plans.turns,
     )
-
-
-def _driver(draft: Draft, machine: Machine) -> Driver:
-    body = machine.positions.bodies[machine.mechanism.drive.link]
-    pin = body.marks[machine.pin]
-    return Driver(body, body.marks[machine.pivot], pin, draft.uses(pin)[1])
 
 
 class _Figures:
     """The figures in which links are detached, each begun with all its points when it is first wanted."""
 
-    def __init__(self, ground: Ground, driver: Driver) -> None:
+    def __init__(self, ground: Ground) -> None:
         self.draft, self.bodies = ground.draft, ground.positions.bodies
-        crank = driver.body.link.number
-        self.links: dict[int, tuple[int, ...]] = {crank: (crank,)}
+        alone = (pair.link for pair in ground.pairs if not pair.driven.telescopes)
+        self.links: dict[int, tuple[int, ...]] = {link: (link,) for link in alone}
         self.closing: dict[int, Mark] = {}
         self.known: dict[tuple[int, ...], Detached] = {}
         for closing in dyads(ground.positions.closings, FORCES):
-            for link in closing.group.links:
+            for link in (*closing.group.links, *closing.group.rods):
                 self.links[link], self.closing[link] = closing.group.links, closing.point
 
     def of(self, link: int) -> Detached:
         """Return the figure that shows a link."""
         links = self.links[link]
         if links not in self.known:
-            points = [mark for number in links for mark in self.bodies[number].marks.values()]
+            members = [number for number, own in self.links.items() if own == links]
+            points = [mark for number in members for mark in self.bodies[number].marks.values()]
             more = [self.closing[link]] if link in self.closing else []
             name = Solution(links).name
             note = f"II({name})" if more else f"I({name})"
@@ -165,21 +156,13 @@ class _Figures:
 
 class _Pass(NamedTuple):
     groups: tuple[Solved, ...]
-    driven: Driven
+    driven: tuple[Driven, ...]
     acting: Acting
     rubbing: Rubbing
 
 
-def draw_forces(
-    ground: Ground,
-    driver: Driver,
-    order: ForcesTask,
-    arm: Mark,
-    gas: Cylinder | None = None,
-) -> Forces:
-    """Record the kinetostatics and the lever.
-
-    ``arm``: the crank's real length (m); ``gas``: the cylinder whose gas pushes the piston.
+def draw_forces(ground: Ground, order: ForcesTask, gas: Cylinder | None = None) -> Forces:
+    """Record the kinetostatics and the lever; ``gas``: the cylinder whose gas pushes the piston.
 
     Raises
     ------
@@ -188,28 +171,33 @@ def draw_forces(
     """
     draft = ground.draft
     loads = draw_loads(ground, order, gas)
-    figures = _Figures(ground, driver)
-    crank, frame = driver.body.link.number, ground.mechanism.frame.number
+    figures = _Figures(ground)
     friction = order.friction
     count = friction.passes if friction is not None else 0
-    found = joints(ground.positions.closings, (crank, frame, driver.body.letter_of(driver.pivot)))
-    rub = Rub(draft, ground.velocities, friction, ground.pin_speed, crank) if friction else None
+    found = joints(ground.positions.closings, ground.pairs)
+    rub = _rub(ground, friction) if friction is not None else None
     rubbing = Rubbing()
     passes: list[_Pass] = []
     for k in range(count + 1):
         if k and rub is not None:
             rubbing = rub.draw(found, _by_joint(found, passes[-1]), k)
         tried = None if k == count else k
-        passes.append(_solve(ground, driver, order, loads, rubbing, figures, tried))
+        passes.append(_solve(ground, order, loads, rubbing, figures, tried))
     last = passes[-1]
-    balance = last.driven.balance
+    balance = last.driven[0].balance
     open_ = share = None
     if friction is not None:
         balance, open_, share = _settle(ground, passes, order.balance)
     taken = {force.letter for force in loads.forces}
     slid = rub.along_guides(found, _by_joint(found, last), taken) if rub is not None else []
-    carried = ([*loads.on_lever, *slid], [*loads.couples_on_lever, *rubbing.couples])
-    lever = _lever(ground, driver, order, carried, arm)
+    further = last.driven[1:]
+    held = [_imaged(ground, force) for one in further for force in one.carried]
+    turned = [one.couple for one in further if one.couple is not None]
+    carried = (
+        [*loads.on_lever, *slid, *held],
+        [*loads.couples_on_lever, *rubbing.couples, *turned],
+    )
+    lever = _lever(ground, order, carried)
     draft.open("lever")
     difference = draft.draw(apart_percent, "Δ", lever.balance, balance, unit="%")
     circles = None
@@ -231,9 +219,34 @@ def draw_forces(
     )
 
 
+def _rub(ground: Ground, friction: Friction) -> Rub:
+    """Return what draws friction.
+
+    Raises
+    ------
+    StructureError
+        If what drives slides, or there are several drives.
+    """
+    crank = ground.pairs[0]
+    if len(ground.pairs) > 1 or not crank.arm_ends(ground.positions):
+        raise StructureError(
+            said(
+                "friction is drawn of mechanisms that one crank drives: leave [friction] out, or drive a crank"
+            ),
+            "effects.friction",
+            head="friction",
+        )
+    return Rub(ground.draft, ground.velocities, friction, ground.pin_speed, crank.link)
+
+
+def _imaged(ground: Ground, force: Force) -> Force:
+    """Return a force with the image of its point on the plan of velocities."""
+    body = ground.positions.bodies[force.link]
+    return force._replace(image=ground.velocities.images.at(body, force.point))
+
+
 def _solve(
     ground: Ground,
-    driver: Driver,
     order: ForcesTask,
     loads: Loads,
     rubbing: Rubbing,
@@ -241,7 +254,7 @@ def _solve(
     tried: int | None,
 ) -> _Pass:
     acting = Acting()
-    frame, crank = ground.mechanism.frame.number, driver.body.link.number
+    frame = ground.mechanism.frame.number
     for force in loads.forces:
         acting.add(force)
     for couple in (*loads.couples, *rubbing.couples):
@@ -258,8 +271,9 @@ def _solve(
         )
         hand_on(solved, acting, frame, figures.of)
         groups.append(solved)
-    of = Solution((crank,), tried)
-    driven = solve_driver(figures.of(crank), driver, acting, of, frame, order.balance)
+    several = len(ground.pairs) > 1
+    place = Place(ground.draft, ground.positions, frame, order.balance, several, tried)
+    driven = solve_drives(place, ground.pairs, figures.of, acting, groups)
     return _Pass(tuple(groups), driven, acting, rubbing)
 
 
@@ -268,7 +282,9 @@ def _by_joint(found: tuple[Joint, ...], done: _Pass) -> dict[tuple[int, int, str
     made = {}
     for joint in found:
         if joint.closing is None:
-            reaction = done.driven.reaction
+            alone = next(one.alone for one in done.driven if one.pair.link == joint.links[0])
+            assert alone is not None
+            reaction = alone.reaction
         else:
             group = next(g for g in done.groups if g.closing is joint.closing)
             pairs = [own.pair for own in joint.closing.group.legs] + [joint.closing.group.inner]
@@ -282,31 +298,25 @@ def _settle(ground: Ground, passes: list[_Pass], kind: str) -> tuple[Mark, Mark,
     draft = ground.draft
     draft.open("friction")
     unit, letter = ("N", "P_b") if kind == "force" else ("N·m", "M_b")
-    last, before, first = (done.driven.balance for done in reversed(passes[-3:]))
+    last, before, first = (done.driven[0].balance for done in reversed(passes[-3:]))
     open_ = draft.draw(still_open, f"Δ{letter}", last, before, first, unit=unit)
     balance = draft.draw(settled, letter, last, open_, unit=unit)
     speed = ground.velocities.rates[ground.mechanism.drive.link]
-    without = passes[0].driven.balance
+    without = passes[0].driven[0].balance
     share = draft.draw(efficiency, "η", without, balance, speed, unit="%")
     return balance, open_, share
 
 
-def _lever(
-    ground: Ground,
-    driver: Driver,
-    order: ForcesTask,
-    loads: tuple[list[Force], list[Couple]],
-    arm: Mark,
-) -> Lever:
+def _lever(ground: Ground, order: ForcesTask, loads: tuple[list[Force], list[Couple]]) -> Lever:
     sense = ground.mechanism.drive.sense
     return draw_lever(
         ground.draft,
         ground.positions,
         ground.velocities,
-        driver,
+        ground.pairs,
         loads,
         quarters=0 if ground.quarters else -sense,
         sense=sense,
         couples=order.couples,
-        arm=arm if order.balance == "moment" else None,
+        moment=order.balance == "moment",
     )

@@ -10,18 +10,14 @@ from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.instruments import measure, measure_along, meet, parallel, square
 from graphic_tmm.board.operations.statics import (
     at_friction_angle,
-    balancing,
     place_of,
-    reversed_,
     tangential,
 )
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import Chain, Detached, Pair, Polygon, Reaction, Solution
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
 from graphic_tmm.chapters.kinematics.bodies import (
-    Body,
     Closing,
     ClosingLeg,
     GuideLeg,
@@ -48,7 +44,7 @@ class Solved(NamedTuple):
 
     ``turning``: the sum of moments about the closing point that the outer pair of a link has to balance;
     ``tangents``: by link, the component of the outer reaction that does (N) and its arm (Length). ``figure``:
-    the group as detached.
+    the group as detached. ``rods``: by rod, the ends of the vector whose part along it drives it out.
     """
 
     closing: Closing
@@ -57,6 +53,7 @@ class Solved(NamedTuple):
     turning: dict[int, Mark | None]
     tangents: dict[int, Tangent]
     figure: Detached
+    rods: dict[int, tuple[Mark, Mark]]
 
 
 class Tangent(NamedTuple):
@@ -98,11 +95,9 @@ def solve_group(
     if first.link in tangents and isinstance(first, PinLeg):
         tangents[first.link] = _across(chain, first, tangents[first.link])
     loads = chain.end
-    for force in acting.forces.get(first.link, []):
-        chain.add(force.letter, force.line, force.value)
+    halves = [_lay_loads(chain, acting, links_of(first))]
     middle = chain.end
-    for force in acting.forces.get(second.link, []):
-        chain.add(force.letter, force.line, force.value)
+    halves.append(_lay_loads(chain, acting, links_of(second)[::-1]))
     loaded = chain.end
     if second.link in tangents and isinstance(second, PinLeg):
         tangents[second.link] = _across(chain, second, tangents[second.link])
@@ -113,7 +108,36 @@ def solve_group(
     ]
     top = draft.draw(meet, str(chain.count + 1), lines[1], lines[0], why=why.POLYGON_CLOSES)
     corners = _Corners(start, loads, middle, loaded, chain.end, top)
-    return _read(figure, closing, chain, corners, (turning, tangents), rough=rough)
+    solved = _read(figure, closing, chain, corners, (turning, tangents), rough=rough)
+    return solved._replace(rods=_rods(closing, halves, top))
+
+
+def links_of(leg: ClosingLeg) -> tuple[int, ...]:
+    """Return the links of a leg, from what holds it to the closing point: a cylinder and its rod are two."""
+    return leg.links if isinstance(leg, PinLeg) else (leg.link,)
+
+
+def _lay_loads(chain: Chain, acting: Acting, links: tuple[int, ...]) -> Mark:
+    """Lay off the loads of a leg, link by link; return where those of its first link end."""
+    ends = []
+    for link in links:
+        for force in acting.forces.get(link, []):
+            chain.add(force.letter, force.line, force.value)
+        ends.append(chain.end)
+    return ends[0]
+
+
+def _rods(closing: Closing, halves: list[Mark], top: Mark) -> dict[int, tuple[Mark, Mark]]:
+    """Return, by rod, ends of the vector whose part along the leg is the force that drives it out.
+
+    It goes against what else acts on the rod. In the polygon the loads of the link at the closing point stand
+    beside its reaction, those of the other one beside the reaction of what holds the leg.
+    """
+    found = {}
+    for k, (leg, half) in enumerate(zip(closing.legs, halves, strict=True)):
+        if isinstance(leg, PinLeg) and leg.rod:
+            found[leg.rod] = (top, half) if k == 0 else (half, top)
+    return found
 
 
 def summed_links(closing: Closing, leg: ClosingLeg) -> tuple[int, ...]:
@@ -125,7 +149,7 @@ def summed_links(closing: Closing, leg: ClosingLeg) -> tuple[int, ...]:
     held = isinstance(leg, GuideLeg) and leg.inner
     if closing.group.inner.kind == "P" and not held:
         return first.link, second.link
-    return (leg.link,)
+    return links_of(leg)
 
 
 def _moments_of(
@@ -213,19 +237,19 @@ def _read(
         slides = isinstance(leg, GuideLeg) and not leg.inner
         guide = leg.line if slides and rough else None
         couple = turning[leg.link] if slides else None
-        found.append(_reaction(figure, (leg.body, leg.link), vector, guide, couple))
+        found.append(reaction_of(figure, (leg.body, leg.link), vector, guide, couple))
     guide, couple = (first.line if rough else None, turning[first.link]) if inner else (None, None)
-    between = _reaction(figure, (first.link, second.link), (at.top, at.middle), guide, couple)
+    between = reaction_of(figure, (first.link, second.link), (at.top, at.middle), guide, couple)
     letters = [
         f"R_{{{leg.body}{leg.link}}}" + ("^{n}" if leg.link in tangents else "")
         for leg in closing.legs
     ]
     sides = (*chain.sides, (letters[1], at.end, at.top), (letters[0], at.top, at.start))
     drawn = Polygon(figure.of, chain.mu, sides)
-    return Solved(closing, (found[0], found[1], between), drawn, turning, tangents, figure)
+    return Solved(closing, (found[0], found[1], between), drawn, turning, tangents, figure, {})
 
 
-def _reaction(
+def reaction_of(
     figure: Detached,
     links: Pair,
     vector: tuple[Mark, Mark],
@@ -269,82 +293,3 @@ def hand_on(
         couple = solved.turning.get(leg.link)
         if isinstance(leg, GuideLeg) and not leg.inner and couple is not None:
             acting.add(Couple(f"M_{{{leg.link}{leg.body}}}", leg.body, couple))
-
-
-class Driver(NamedTuple):
-    """The driving link: its body, the letters of its pivot and its pin, its drawn arm (Length)."""
-
-    body: Body
-    pivot: Mark
-    pin: Mark
-    arm: Mark
-
-
-class Driven(NamedTuple):
-    """The driving link as solved: the balancing force (N) or moment (N·m), the frame's reaction, the polygon.
-
-    ``force``: the balancing force as it is drawn, None for a moment; ``arm``: of it (Length).
-    ``total``: the sum of moments that it balances (N·m); ``figure``: the link as detached.
-    """
-
-    balance: Mark
-    force: Force | None
-    reaction: Reaction
-    polygon: Polygon
-    total: Mark
-    arm: Mark
-    figure: Detached
-
-
-def solve_driver(
-    figure: Detached,
-    driver: Driver,
-    acting: Acting,
-    of: Solution,
-    frame: int,
-    kind: str,
-) -> Driven:
-    """Balance the driving link; ``kind``: "force" or "moment"."""
-    number, draft = driver.body.link.number, figure.draft
-    draft.open(figure.view)
-    forces = acting.forces.get(number, [])
-    couples = acting.couples.get(number, [])
-    total = figure.sum(driver.pivot, forces, couples, f"ΣM_{number}")
-    if total is None:
-        total = draft.take(Number, f"ΣM_{number}", 0.0, "N·m")
-    sides = [(force.letter, force.line, force.value) for force in forces]
-    arm = figure.length(driver.pivot, driver.pin)
-    force, raised = None, "" if of.tried is None else f"^{{({of.tried})}}"
-    if kind == "force":
-        letter = f"P_b{raised}"
-        balance = draft.draw(balancing, letter, total, arm, figure.mu, unit="N")
-        line = draft.draw(
-            square,
-            f"({letter})",
-            figure.point(driver.pin),
-            driver.body.axis,
-            sense=1,
-            why=why.BALANCING_LINE,
-        )
-        force = Force(letter, number, driver.pin, line, balance)
-        sides.append((letter, line, balance))
-    else:
-        balance = draft.draw(reversed_, f"M_b{raised}", total, unit="N·m", why=why.BALANCING_MOMENT)
-    chain = of.begin(draft)
-    start = chain.end
-    for letter, line, value in sides:
-        chain.add(letter, line, value)
-    end = chain.end
-    name = f"R_{{{frame}{number}}}"
-    length = draft.draw(measure, f"y_{{R{frame}{number}}}", end, start, why=why.CRANK_REACTION)
-    value = draft.draw(in_si, name, length, unit="N")
-    reaction = Reaction(name, (frame, number), end, start, length, value, value)
-    return Driven(
-        balance,
-        force,
-        reaction,
-        Polygon(figure.of, chain.mu, (*chain.sides, (name, end, start))),
-        total,
-        arm,
-        figure,
-    )

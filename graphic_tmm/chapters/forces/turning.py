@@ -128,8 +128,10 @@ def moving(drawn: Drawn) -> Iterator[Moving]:
         yield from _pair(
             drawn, made, group_shown(drawn, made, solved), solved.polygon, solved.reactions
         )
-    reactions = (made.driven.reaction,)
-    yield from _pair(drawn, made, driver_shown(drawn, made), made.driven.polygon, reactions)
+    for driven in made.driven:
+        if (alone := driven.alone) is not None:
+            shown = driver_shown(drawn, made, driven)
+            yield from _pair(drawn, made, shown, alone.polygon, (alone.reaction,))
     words, language = captions(drawn.scene.language), drawn.scene.language
     on, decimals = subject(drawn, "", "lever"), decimals_told(drawn)
 

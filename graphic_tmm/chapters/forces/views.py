@@ -10,6 +10,7 @@ import numpy as np
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
+from graphic_tmm.chapters.forces.driving import Driven
 from graphic_tmm.chapters.forces.friction import below, pin_sentences
 from graphic_tmm.chapters.forces.ink_balances import (
     Row,
@@ -24,7 +25,6 @@ from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
 from graphic_tmm.chapters.forces.load_diagrams import load_views
 from graphic_tmm.chapters.forces.load_strokes import loads_along_guides
-from graphic_tmm.chapters.forces.loads import Couple
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.spring_diagrams import spring_views, springs_on_plan
 from graphic_tmm.chapters.forces.statics import Solved
@@ -62,8 +62,6 @@ def force_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     if made is None:
         return []
     views = indicator_views(drawn, lettered, FORCES)
-    plans = KINEMATICS_PLAN.on(drawn)
-    crank = plans.structure.first.link
     for place in _places(drawn):
         writer = _writer(drawn, place)
         for solved in made.groups:
@@ -77,11 +75,13 @@ def force_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
                 place,
                 lettered,
             )
-        pivot = plans.positions.bodies[crank].marks[plans.structure.origin]
-        rows, reactions = driver_rows(writer, made, pivot, crank), (made.driven.reaction,)
-        views += _three(
-            drawn, driver_shown(drawn, made), made.driven.polygon, reactions, rows, place, lettered
-        )
+        for driven in made.driven:
+            rows = driver_rows(writer, made, driven)
+            if driven.alone is None:
+                continue
+            polygon, reactions = driven.alone.polygon, (driven.alone.reaction,)
+            shown = driver_shown(drawn, made, driven)
+            views += _three(drawn, shown, polygon, reactions, rows, place, lettered)
     return views
 
 
@@ -91,8 +91,9 @@ def polygon_at(drawn: Drawn, view: str, place: int, name: str) -> Drawing | None
     scale = drawn.scales.get(view)
     if made is None or scale is None or place not in _places(drawn):
         return None
-    driven = made.driven.polygon, (made.driven.reaction,)
-    for polygon, reactions in (*((one.polygon, one.reactions) for one in made.groups), driven):
+    groups = ((one.polygon, one.reactions) for one in made.groups)
+    alone = ((one.polygon, (one.reaction,)) for one in made.alone)
+    for polygon, reactions in (*groups, *alone):
         if polygon.view == view and whole(drawn.reading, polygon, reactions, place):
             sides = subject(drawn, "", "forces", name=name)
             return finished(draw_polygon(sides, polygon, reactions, place, scale.at(place).value))
@@ -213,20 +214,19 @@ def _rubbed(drawn: Drawn, made: Forces, links: tuple[int, ...]) -> list[Rubbed]:
     return found
 
 
-def driver_shown(drawn: Drawn, made: Forces) -> GroupFigure:
-    """Return what the figure of the driving link shows."""
-    plans, driven = KINEMATICS_PLAN.on(drawn), made.driven
-    crank, reaction = plans.structure.first.link, made.driven.reaction
-    body = plans.positions.bodies[crank]
-    forces = [*made.acting.forces.get(crank, []), *([driven.force] if driven.force else [])]
-    pivot = body.marks[plans.structure.origin]
-    found = Reactive(reaction.letter, pivot, reaction.tail, reaction.head)
-    couples = list(made.acting.couples.get(crank, []))
-    if driven.force is None:
-        couples.append(Couple("M_b", crank, driven.balance))
-    balance = (driven.force.line, driven.arm) if driven.force else None
+def driver_shown(drawn: Drawn, made: Forces, driven: Driven) -> GroupFigure:
+    """Return what the figure of a driving link that stands by itself shows."""
+    alone = driven.alone
+    assert alone is not None
+    link, reaction = driven.pair.link, alone.reaction
+    forces = [*made.acting.forces.get(link, []), *([driven.force] if driven.force else [])]
+    found = Reactive(reaction.letter, alone.about, reaction.tail, reaction.head)
+    couples = list(made.acting.couples.get(link, []))
+    if driven.couple is not None:
+        couples.append(driven.couple)
+    balance = (driven.force.line, alone.arm) if driven.force and alone.arm is not None else None
     return GroupFigure(
-        driven.figure, (crank,), forces, couples, [found], _rubbed(drawn, made, (crank,)), balance
+        alone.figure, (link,), forces, couples, [found], _rubbed(drawn, made, (link,)), balance
     )
 
 

@@ -185,6 +185,15 @@ PAIR_ACROSS = said(
 PAIR_FORCE = said(
     "The couple is shared between the ends of the link: each force is the couple divided by the length."
 )
+ALONG_GUIDE = said("The balancing force of what slides lies along its guide.")
+ROD_FORCE = said(
+    "Along the rod only the cylinder's oil or gas holds it: its force is the part along the rod of all else "
+    "that acts on the rod, reversed; it pushes the rod out where it is positive."
+)
+LEVER_ARM_OF_SLIDE = said(
+    "The balancing force lies along the velocity that is given, so on the turned lever its arm is the segment "
+    "of that velocity."
+)
 LEVER_ARM_OF_CRANK = said(
     "The balancing force is square to the crank, so its arm on the lever is the image of the crank."
 )

@@ -98,7 +98,8 @@ class Closing(NamedTuple):
 class PinLeg(NamedTuple):
     """T: link ``link`` turns on ``body`` about ``pivot``; the line and the length from there to Q.
 
-    ``rod``: the rod that is driven out of that link, a cylinder, and makes it longer; 0 where it is rigid.
+    ``rod``: the rod that is driven out of that link, a cylinder, and makes it longer; 0 where it is rigid;
+    ``turned``: whether the rod is what turns about the pivot, and the cylinder ends at Q.
     """
 
     link: int
@@ -108,6 +109,14 @@ class PinLeg(NamedTuple):
     line: Mark
     length: Mark
     rod: int = 0
+    turned: bool = False
+
+    @property
+    def links(self) -> tuple[int, ...]:
+        """Its link, and the rod that is driven out of it: as they lie from the pivot to Q."""
+        if not self.rod:
+            return (self.link,)
+        return (self.rod, self.link) if self.turned else (self.link, self.rod)
 
 
 class GuideLeg(NamedTuple):

@@ -111,7 +111,9 @@ class Site(NamedTuple):
             body = Body(link, link.points[letter], way, axis)
             stand(body, letter, at, link.points[letter])
             self.bodies[link.number] = body
-        return PinLeg(cylinder.number, leg.body, outer, pivot, line, opening, rod.number)
+        return PinLeg(
+            cylinder.number, leg.body, outer, pivot, line, opening, rod.number, outer in rod.points
+        )
 
     def axis(self, line: Mark, letter: str, at: Mark, *, drawn: bool) -> Callable[[], Mark]:
         """Return what draws the axis of a rod or its cylinder from one of its pins, if it is not ``drawn``."""

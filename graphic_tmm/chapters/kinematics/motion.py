@@ -172,7 +172,8 @@ class Motion:
     link, in a plan of velocities.
     ``closed``: the image of each group's closing point, as a point of the second leg's link, by group name.
     ``ends``: of a leg of changing length, by its link, where the part begins that turns only; ``outs``: the
-    segment (Length) of its rod's velocity seen from the cylinder.
+    segment (Length) of its rod's velocity seen from the cylinder. ``driven``: by the link of each drive, the
+    ends of the vector that is given.
     """
 
     images: Images
@@ -184,6 +185,7 @@ class Motion:
     closed: dict[str, Mark] = field(default_factory=dict)
     ends: dict[int, Mark] = field(default_factory=dict)
     outs: dict[int, Mark] = field(default_factory=dict)
+    driven: dict[int, tuple[Mark, Mark]] = field(default_factory=dict)
 
     @property
     def speed(self) -> Mark | None:
@@ -229,8 +231,7 @@ def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark
                 known[leg.letter] = start
                 if leg.rod:
                     rod, first_of = positions.bodies[leg.rod], positions.bodies[leg.link]
-                    pinned = leg.letter in first_of.link.points
-                    hanging, other = (outer, inner) if pinned else (inner, outer)
+                    hanging, other = (inner, outer) if leg.turned else (outer, inner)
                     known = {k: m for k, m in known.items() if k in first_of.link.points}
                     ends = {leg.letter: start, closing.letter: point}
                     plan.images.hang(

@@ -98,6 +98,7 @@ def _rod_out(draft: Draft, plan: Motion, turn: VelocityLines, leg: PinLeg, start
     line = turn.out(f"({segment})", start, leg.line)
     end = draft.draw(lay_off, letter, line, length, free=True, why=why.VECTOR)
     plan.ends[leg.link], plan.outs[leg.link] = end, length
+    plan.driven[leg.rod] = start, end
     return end
 
 

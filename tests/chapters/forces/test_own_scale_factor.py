@@ -83,7 +83,7 @@ def test_caption_tells_what_the_polygon_is_drawn_to() -> None:
 
 
 def test_size_and_length_agree_at_every_position() -> None:
-    made = FORCES_PLAN.on(board()).driven.reaction
+    made = FORCES_PLAN.on(board()).driven[0].alone.reaction
     lengths, sizes = (board().reading[mark][0] for mark in (made.length, made.value))
     mu = np.array([own().at(k).value for k in board().all])
     np.testing.assert_allclose(lengths * mu, sizes, rtol=1e-9)
@@ -97,7 +97,9 @@ def test_forces_are_those_of_one_scale_factor() -> None:
     )
     assert free.scales[VIEW].own
     assert not single.scales[VIEW].own
-    due, found = (one.reading[FORCES_PLAN.on(one).driven.reaction.value] for one in (single, free))
+    due, found = (
+        one.reading[FORCES_PLAN.on(one).driven[0].alone.reaction.value] for one in (single, free)
+    )
     np.testing.assert_allclose(found, due, rtol=1e-9)
 
 
@@ -117,7 +119,7 @@ def test_other_angles_and_other_rows_are_drawn_to_that_of_most_positions() -> No
     turned = dense(board())
     assert turned is not None
     assert not turned.drawn.scales[VIEW].own
-    made = FORCES_PLAN.on(board()).driven.reaction
+    made = FORCES_PLAN.on(board()).driven[0].alone.reaction
     lengths, sizes = (turned.drawn.reading[mark][0] for mark in (made.length, made.value))
     np.testing.assert_allclose(lengths * own().value, sizes, rtol=1e-9)
     scales = [value for key, value in pinned(everywhere()).items() if key[2].startswith("μ_F")]

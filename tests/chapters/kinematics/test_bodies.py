@@ -24,6 +24,7 @@ from graphic_tmm.chapters.forces.plan import _Figures, _solve
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.assembly import closures
 from graphic_tmm.chapters.kinematics.bodies import Body, Closing, Positions
+from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.motion import Motion, known_image, measure_absolute
 from graphic_tmm.chapters.kinematics.positions import draw_frame, draw_positions
 from graphic_tmm.chapters.kinematics.rows import _length
@@ -57,7 +58,8 @@ class Board:
     @property
     def machine(self) -> Any:
         """What chapters read of a machine."""
-        return SimpleNamespace(**vars(self), place=lambda letter: letter)
+        pairs = driven(self.mechanism, self.structure)
+        return SimpleNamespace(**vars(self), pairs=pairs, place=lambda letter: letter)
 
 
 def begun() -> tuple[Mechanism, Draft, Body, Mark]:
@@ -121,12 +123,12 @@ WALKS: dict[str, Callable[[Board], object]] = {
     "rows": lambda b: _length(b.machine, "O", "B"),
     "diagrams": lambda b: sliding_leg(b.positions, "B", 0, "diagrams"),
     "engine": lambda b: _legs(b.machine, cast("Any", None), cast("Any", None)),
-    "joints": lambda b: joints(b.positions.closings, (1, 0, "O")),
-    "figures of forces": lambda b: _Figures(b.machine, driver(b)),
-    "forces": lambda b: _solve(
-        b.machine, driver(b), *cast("Any", (None, Empty(), Empty(), None, None))
+    "joints": lambda b: joints(b.positions.closings, driven(b.mechanism, b.structure)),
+    "figures of forces": lambda b: _Figures(b.machine),
+    "forces": lambda b: _solve(b.machine, *cast("Any", (None, Empty(), Empty(), None, None))),
+    "lever": lambda b: _base(
+        b.draft, b.positions, b.velocities, driven(b.mechanism, b.structure), 2, 1
     ),
-    "lever": lambda b: _base(b.draft, b.positions, b.velocities, driver(b), 2, 1),
 }
 GROUPS: dict[str, Callable[[Board], object]] = {
     "positions": positions_of,
@@ -142,11 +144,6 @@ class Empty:
 
     forces: tuple[()] = ()
     couples: tuple[()] = ()
-
-
-def driver(b: Board) -> Any:
-    body = b.positions.bodies[b.structure.first.link]
-    return SimpleNamespace(body=body, pin=body.marks[b.structure.first.pin])
 
 
 @pytest.mark.parametrize("room", [*WALKS, *GROUPS])
@@ -172,5 +169,5 @@ def test_what_a_leg_holds_on_to_is_refused_by_name() -> None:
 def test_a_known_group_is_refused_nowhere() -> None:
     b = board(lambda closing: closing)
     assert parts(b.structure) == {"1": (1, 1), "2-3": (2, 3)}
-    assert len(joints(b.positions.closings, (1, 0, "O"))) == 4
+    assert len(joints(b.positions.closings, driven(b.mechanism, b.structure))) == 4
     assert drawn_of(scene("offset-slider"))

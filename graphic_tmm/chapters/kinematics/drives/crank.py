@@ -105,6 +105,7 @@ class Crank(DrivenPair):
         line = draft.draw(op, f"({segment})", pole, body.axis, sense=way, why=because)
         image = draft.draw(lay_off, image_letter(pin), line, length, why=why.VECTOR)
         plan.measured.add(image)
+        plan.driven[number] = pole, image
         base = Base(body.marks[pivot], body.marks[pin], pole, image)
         plan.images.hang(body, Hanging(base.A, pole, base), {pivot: pole, pin: image})
         plan.images.complete(body)

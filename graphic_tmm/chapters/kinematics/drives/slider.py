@@ -110,6 +110,7 @@ class Slider(DrivenPair):
         line = lines.along(f"({segment})", pole, self.path(positions, draft.uses), True)
         image = draft.draw(lay_off, letter, line, length, why=why.VECTOR)
         plan.measured.add(image)
+        plan.driven[self.link] = pole, image
         self._hang(positions, plan, image)
 
     def _hang(self, positions: Positions, plan: Motion, image: Mark) -> None:
