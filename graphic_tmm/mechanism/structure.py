@@ -108,7 +108,8 @@ def _unequal(mechanism: Mechanism, pairs: tuple[Pair, ...], mobility: int) -> St
     """Return the refusal of a mechanism whose W is not the number of its drives."""
     drives = mechanism.drives
     few = mobility > len(drives)
-    remedy = said("a pair is missing") if few else said("a pair is too many")
+    many = said("a pair is too many (a link that only doubles others takes passive = true)")
+    remedy = said("a pair is missing") if few else many
     number: dict[str, Any] = {
         "links": len(mechanism.links),
         "p": len(pairs),
