@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from support.against_judge import LIMITS, PLANS, errors, parameter, ways
+from support.against_judge import LIMITS, PLANS, errors, page_is_right, parameter, ways
 from support.random_mechanisms import Random, drawn
 
 import graphic_tmm
+from graphic_tmm.board.execute import translator
 
 WAYS = {
     "slider": ("slider",),
@@ -21,6 +23,9 @@ WAYS = {
     "rod and crank": ("rod", "crank"),
 }
 POSITIONS = 6
+DEAR = "open crank", "crank and rod", "slider and rod", "rod and crank"
+SOME = [pytest.param(kind, marks=pytest.mark.slow) if kind in DEAR else kind for kind in WAYS]
+"""Of the kinds, those that are compared every day."""
 
 
 def random_of(kind: str, seed: int, *, forces: bool) -> tuple[Random, dict[str, Any]]:
@@ -30,7 +35,9 @@ def random_of(kind: str, seed: int, *, forces: bool) -> tuple[Random, dict[str, 
     scene = found.row(found.walked[0][0], found.walked[-1][0], POSITIONS)
     if not forces:
         scene = {
-            key: told for key, told in scene.items() if key not in ("load", "forces", "effects")
+            key: told
+            for key, told in scene.items()
+            if key not in ("load", "spring", "forces", "effects")
         }
     return found, scene
 
@@ -43,10 +50,9 @@ def judged(kind: str, seed: int, *, forces: bool) -> None:
     assert all(off[name] <= LIMITS[name] for name in off), (kind, seed, found.kinds, off)
 
 
-@pytest.mark.parametrize("seed", range(2))
 @pytest.mark.parametrize("kind", WAYS)
-def test_motion(kind: str, seed: int) -> None:
-    judged(kind, seed, forces=False)
+def test_motion(kind: str) -> None:
+    judged(kind, 1, forces=False)
 
 
 @pytest.mark.slow
@@ -57,7 +63,7 @@ def test_motion_oftener(kind: str, block: int) -> None:
         judged(kind, seed, forces=False)
 
 
-@pytest.mark.parametrize("kind", WAYS)
+@pytest.mark.parametrize("kind", SOME)
 def test_a_row_goes_from_its_one_end_to_its_other(kind: str) -> None:
     found, scene = random_of(kind, 1, forces=False)
     ends = found.walked[0][0], found.walked[-1][0]
@@ -77,7 +83,8 @@ def test_a_row_goes_from_its_one_end_to_its_other(kind: str) -> None:
     assert compared
 
 
-@pytest.mark.parametrize("kind", WAYS)
+@pytest.mark.skipif(not translator(), reason="nothing compiles here")
+@pytest.mark.parametrize("kind", SOME)
 def test_compiled_is_as_drawn_step_by_step(kind: str) -> None:
     found, scene = random_of(kind, 2, forces=False)
     at = [parameter(found, way) for way in ways(found, 9)]
@@ -90,7 +97,9 @@ def test_compiled_is_as_drawn_step_by_step(kind: str) -> None:
             np.testing.assert_allclose(others[key], row, rtol=0, atol=1e-12 * largest)
 
 
-@pytest.mark.parametrize("kind", ["slider", "rod", "open crank"])
+@pytest.mark.parametrize(
+    "kind", ["rod", *(pytest.param(k, marks=pytest.mark.slow) for k in ("slider", "open crank"))]
+)
 def test_behind_a_dead_place_nothing_is_told_but_a_finding(kind: str) -> None:
     for seed in range(99):
         found = drawn(seed, WAYS[kind], 1, ("RRR", "RRP", "RPR"))
@@ -103,7 +112,7 @@ def test_behind_a_dead_place_nothing_is_told_but_a_finding(kind: str) -> None:
     step = 0.03 if found.judge.drives[0].kind == "turn" else 0.03 * found.scale
     ends = sorted((0.0, way + sense * step))
     scene = found.row(ends[0], ends[1], POSITIONS)
-    for key in ("load", "forces", "effects"):
+    for key in ("load", "spring", "forces", "effects"):
         scene.pop(key, None)
     read = graphic_tmm.read(scene)
     at = [parameter(found, way + sense * x * step) for x in (-1e-3, 1e-6, 1.0)]
@@ -122,3 +131,9 @@ def test_behind_a_dead_place_nothing_is_told_but_a_finding(kind: str) -> None:
     table = sheet.table("velocities")
     k = table.positions.index(name)
     assert any(np.isnan(column.value[0, k]) for column in table.values())
+
+
+@pytest.mark.parametrize("kind", ["rod", pytest.param("slider and rod", marks=pytest.mark.slow)])
+def test_the_page_calculates_as_python_does(kind: str, tmp_path: Path) -> None:
+    _, scene = random_of(kind, 0, forces=False)
+    page_is_right(scene, tmp_path)

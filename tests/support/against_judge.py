@@ -5,11 +5,16 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 import graphic_tmm
+from graphic_tmm.page.practice.pack import Packing
+from graphic_tmm.page.practice.tasks import sheet_row
+from support.benches import Packed, numbers, worked
+from support.boards import in_usual_size
 from support.free_bodies import State
 from support.free_forces import statics
 from support.random_mechanisms import Random
@@ -54,10 +59,13 @@ def errors(
 
     for k, way in enumerate(row):
         state = drawn.solved(way)
+        fast = _most(state.point(*key)[1] for key in found.velocities)
+        least_of = {"places": 0.0, "velocities": 0.0, "accelerations": fast**2 / drawn.scale}
         for part, kind in enumerate(("places", "velocities", "accelerations")):
             values = getattr(found, kind)
             due = {key: state.point(*key)[part] for key in values}
-            note(kind, _most(values[x][k] - due[x] for x in due), _most(due.values()))
+            largest = max(_most(due.values()), least_of[kind])
+            note(kind, _most(values[x][k] - due[x] for x in due), largest)
         rate = max(abs(drive.rate) / _way(drawn, drive.kind) for drive in drawn.judge.drives)
         for kind, turns, least in (
             ("omega", state.omega, rate),
@@ -111,3 +119,23 @@ def _forces(drawn: Random, state: State, way: float, found: Any, k: int, note: A
     for name, values in found.balance.items():
         arm = drawn.judge.size if name.startswith("M") else 1.0
         note("balance", abs(values[k] - due.drives[0]), due.largest * arm)
+
+
+def page_is_right(scene: Mapping[str, Any], folder: Path) -> None:
+    """See that the page's benches, worked by node, have of every step what Python has of it."""
+    places = [{"format": "A1", "place": ["positions", "velocities", "accelerations"]}]
+    sheet = in_usual_size(graphic_tmm.read({**scene, "sheet": places}), exact=True)
+    row = sheet_row(sheet)
+    assert row is not None
+    packing = Packing(sheet, row, ())
+    packed = Packed("random", sheet, packing, packing.data(()), packing.program())
+    (answer,) = worked([packed], {}, folder, work=True)
+    compared = 0
+    for task, exact in ((one["task"], one["exact"]) for one in answer["worked"]):
+        for step in packing.steps:
+            if row.there(step.it, task["at"]):
+                due = numbers(row.reading[step.it], task["at"])
+                off = np.abs(np.subtract(exact[str(step.it.slot)], due))
+                assert np.all(off <= 1e-9 * max(1.0, np.abs(due).max())), (step.it, task["at"])
+                compared += 1
+    assert compared > 300

@@ -102,34 +102,64 @@ def _driving(judge: Judge, state: State, drive: Drive) -> list[Wrench]:
 
 
 def _acting(judge: Judge, state: State, turned: float) -> list[Wrench]:
-    """Loads, weights, inertia forces and couples."""
-    words, found = judge.words, []
-    for load in words.loads:
-        k = judge.index[load["link"]]
-        size = _size(load, turned)
-        if "point" in load:
-            place = state.place(judge.spot(load["point"], load["link"]))
-            found.append(Wrench(k, size * _direction(judge, state, load), place))
-        else:
-            against = load.get("direction") == "against rotation"
-            moment = size / judge.size * (-np.sign(state.w[k]) if against else 1.0)
-            found.append(Wrench(k, 0.0, state.z[k], moment))
-        if "from" in load:
-            _, force, place, couple = found[-1]
-            if "from_point" in load:
-                place = state.place(judge.spot(load["from_point"], load["from"]))
-            found.append(Wrench(judge.index[load["from"]], -force, place, -couple))
-    for k, body in enumerate(words.bodies):
-        if k and body.mass is not None and body.centre is not None:
-            arm = state.arm(judge.spot(body.centre, body.number))
-            fast = state.ddz[k] + (1j * state.e[k] - state.w[k] ** 2) * arm
-            if words.gravity:
-                found.append(Wrench(k, -1j * body.mass * G, state.z[k] + arm))
-            if words.inertia:
-                found.append(Wrench(k, -body.mass * fast * judge.size, state.z[k] + arm))
-        if k and body.inertia is not None and words.inertia:
-            found.append(Wrench(k, 0.0, state.z[k], -body.inertia * state.e[k] / judge.size))
+    """Loads, springs, weights, inertia forces and couples."""
+    found = [wrench for load in judge.words.loads for wrench in _load(judge, state, load, turned)]
+    found += [w for spring in judge.words.springs for w in _sprung(judge, state, spring)]
+    moving = range(1, len(state.z))
+    return found + [wrench for k in moving for wrench in _massive(judge, state, k)]
+
+
+def _load(judge: Judge, state: State, load: Mapping[str, Any], turned: float) -> list[Wrench]:
+    """A force or a moment, and its opposite on the link that it comes from."""
+    k, size = judge.index[load["link"]], _size(load, turned)
+    if "point" in load:
+        place = state.place(judge.spot(load["point"], load["link"]))
+        found = [Wrench(k, size * _direction(judge, state, load), place)]
+    else:
+        against = load.get("direction") == "against rotation"
+        moment = size / judge.size * (-np.sign(state.w[k]) if against else 1.0)
+        found = [Wrench(k, 0.0, state.z[k], moment)]
+    if "from" in load:
+        _, force, place, couple = found[0]
+        if "from_point" in load:
+            place = state.place(judge.spot(load["from_point"], load["from"]))
+        found.append(Wrench(judge.index[load["from"]], -force, place, -couple))
     return found
+
+
+def _massive(judge: Judge, state: State, k: int) -> list[Wrench]:
+    """The weight and the inertia of a body."""
+    words, body, found = judge.words, judge.words.bodies[k], []
+    if body.mass is not None and body.centre is not None:
+        arm = state.arm(judge.spot(body.centre, body.number))
+        fast = state.ddz[k] + (1j * state.e[k] - state.w[k] ** 2) * arm
+        if words.gravity:
+            found.append(Wrench(k, -1j * body.mass * G, state.z[k] + arm))
+        if words.inertia:
+            found.append(Wrench(k, -body.mass * fast * judge.size, state.z[k] + arm))
+    if body.inertia is not None and words.inertia:
+        found.append(Wrench(k, 0.0, state.z[k], -body.inertia * state.e[k] / judge.size))
+    return found
+
+
+def _sprung(judge: Judge, state: State, spring: Mapping[str, Any]) -> list[Wrench]:
+    """What a spring or a damper pulls its ends together with: c(l − l_0) + F_0 + b·v."""
+    first, other = (
+        judge.spot(x, judge.words.bodies[judge.words.standing[x][0]].number)
+        for x in spring["between"]
+    )
+    (r, v, _), (s, w, _) = (
+        state.point(x, judge.words.bodies[spot.body].number)
+        for x, spot in zip(spring["between"], (first, other), strict=True)
+    )
+    length = abs(s - r)
+    along = (s - r) / length
+    parting = ((w - v) * along.conjugate()).real
+    pull = si(spring.get("force", 0.0)) + si(spring.get("damping", 0.0)) * parting
+    if "rate" in spring:
+        pull += si(spring["rate"]) * (length - si(spring["free"]))
+    ends = ((first, 1.0), (other, -1.0))
+    return [Wrench(spot.body, sign * pull * along, state.place(spot)) for spot, sign in ends]
 
 
 def _size(load: Mapping[str, Any], turned: float) -> float:

@@ -111,7 +111,8 @@ def _table(plane: Plane, body: Body) -> dict[str, Any]:
     told: dict[str, Any] = {"number": number}
     told["points"] = {x: plane.own(body, plane.places[x]) for x in body.letters}
     centre = plane.places[body.letters[0]] if body.letters else body.z
-    told["points"][f"S{number}"] = plane.own(body, centre + 0.5 * plane.apart())
+    plane.places[f"S{number}"] = centre + 0.5 * plane.apart()
+    told["points"][f"S{number}"] = plane.own(body, plane.places[f"S{number}"])
     if body.guides:
         told["guides"] = plane.guides(body)
     if body.slides:
@@ -206,6 +207,27 @@ def _opposite(plane: Plane, body: Body, load: dict[str, Any]) -> dict[str, Any]:
     return found
 
 
+def _springs(plane: Plane) -> list[dict[str, Any]]:
+    """Springs and dampers between mass centres, or from one to the frame."""
+    pick, found = plane.pick, []
+    for body in plane.bodies[1:]:
+        if pick.random() > 0.15:
+            continue
+        first = f"S{body.number}"
+        others = [f"S{b.number}" for b in plane.bodies[1:]] + plane.frame.letters
+        other = pick.choice([x for x in others if x != first] or [first])
+        if other == first or abs(plane.places[first] - plane.places[other]) < 0.3:
+            continue
+        spring: dict[str, Any] = {"between": [first, other]}
+        if pick.random() < 0.7:
+            spring |= {"rate": pick.uniform(50.0, 500.0) / plane.scale}
+            spring |= {"free": pick.uniform(0.2, 1.5) * plane.scale, "force": pick.uniform(-50, 50)}
+        else:
+            spring |= {"damping": pick.uniform(1.0, 50.0) / plane.scale}
+        found.append(spring)
+    return found
+
+
 def _drive(plane: Plane, body: Body, kind: str, *, first: bool) -> dict[str, Any]:
     """What a drive says of its motion."""
     pick = plane.pick
@@ -254,10 +276,10 @@ def drawn(
         "drive": told if len(told) > 1 else told[0],
         "effects": {"gravity": pick.random() < 0.6, "inertia": pick.random() < 0.7},
         "load": _loads(plane, drives),
+        "spring": _springs(plane),
         "forces": {"positions": "all", "balance": pick.choice(("force", "moment"))},
     }
-    if not scene["load"]:
-        del scene["load"]
+    scene = {key: value for key, value in scene.items() if value != []}
     judge = Judge(scene)
     by_number = {body.number: body for body in plane.bodies}
     poses = [

@@ -78,6 +78,7 @@ class Words:
         effects = scene.get("effects", {})
         self.gravity, self.inertia = effects.get("gravity", False), effects.get("inertia", False)
         self.loads: Sequence[Mapping[str, Any]] = scene.get("load", [])
+        self.springs: Sequence[Mapping[str, Any]] = scene.get("spring", [])
         self.balance: str = scene.get("forces", {}).get("balance", "force")
 
     def guide(self, body: int, name: str) -> tuple[complex, float]:
