@@ -114,5 +114,5 @@ def _at(value: float, sweep: Sweep) -> str:
 
 
 def _mm(size: float) -> str:
-    """Return a length (m) in mm, to five digits."""
-    return f"{1000.0 * size + 0.0:.5g}".replace("-", "−")
+    """Return a length (m) in mm, to five digits and no finer than 1 nm."""
+    return f"{round(1000.0 * size, 6) + 0.0:.5g}".replace("-", "−")

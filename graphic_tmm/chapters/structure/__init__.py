@@ -15,6 +15,10 @@ Kinematics goes along it, since each group moves as those before it tell it to; 
 the last group is loaded by nothing that comes after. The order of links in the scene changes nothing: of
 the groups that could come next, the one with the smallest numbers comes first.
 
+A passive link (the third of parallel cranks, a second stone) doubles what others hold already: with its pairs W
+would be 0, so it is left out and told; it is drawn where its letters on other links stand. Links welded to
+each other are one link, told as its arms.
+
 Draws: the tables of links and of pairs, with W, the formula and the kind of each group below (place
 ``structure``); the driving link and each group by itself, as it stands in the main position (place ``groups of
 structure``). Its steps are calculations beside the plans: W of the mechanism and, as a check, of each part. The

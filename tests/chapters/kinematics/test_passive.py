@@ -171,3 +171,6 @@ def test_what_does_not_fit_is_refused_by_how_much_and_where(tmp_path: Path) -> N
         drawn_of(read(cranks(tmp_path, at=1.54)))
     with pytest.raises(StructureError, match=r"offset from its guide is 0 mm.*write 20 mm"):
         drawn_of(read(trammel(tmp_path, 0.02)))
+    off = TRAMMEL.replace('along = "y" }', 'along = "y", offset = 0.01 }')
+    with pytest.raises(StructureError, match=r"is 10 mm, .* so it is 10 mm off; write 0 mm"):
+        drawn_of(read(scene_of(tmp_path, off, GUIDES.replace("OFF", "0"))))
