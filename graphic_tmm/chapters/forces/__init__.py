@@ -13,6 +13,10 @@ slides it is square to that guide, and the line for it is drawn through the corn
 links. The driving link is left with the reaction of the first group and the balancing force at the crank
 pin, or a balancing moment.
 
+A load may keep the direction of a link (drawn from the plan of positions), and come from another link, where
+the opposite acts. A spring pulls by its length as measured on that plan, a damper by the rate of that length
+on the plan of velocities.
+
 Friction is taken from the reactions of the pass before: on guides the reaction leans by the angle of
 friction, pins get the couple ρ·R (circle of friction); what further passes can change is a step of the log.
 

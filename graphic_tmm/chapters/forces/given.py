@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from graphic_tmm.chapters.forces.kinds import Along
 from graphic_tmm.chapters.forces.load_diagrams import braced, letters, sizes_of, varies
-from graphic_tmm.chapters.forces.springs import ends_of
+from graphic_tmm.chapters.forces.springs import constants, ends_of, numbers
 from graphic_tmm.chapters.forces.task import ASKED, Spring
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -28,8 +28,8 @@ def given(scene: Scene) -> Iterator[Given]:
             yield Given(braced(letter, "max"), max(sizes, key=abs), unit)
         else:
             yield Given(letter, sizes[0], unit)
-    for spring in order.springs:
-        yield from _given_of(spring, _name(scene, spring))
+    for index, spring in zip(numbers(order.springs), order.springs, strict=True):
+        yield from _given_of(spring, index)
     if order.friction is not None:
         yield from _by_pair("f", order.friction.f, "")
         radii = {name: radius for name, radius in order.friction.radius.items() if radius}
@@ -41,26 +41,20 @@ def _name(scene: Scene, spring: Spring) -> str:
     return ends_of(spring, scene.mechanism).names[0]
 
 
-def constants(spring: Spring, name: str) -> list[str]:
-    """Return the letters of what a spring is given by, in the order in which they are given."""
-    told = (spring.rate, spring.free, spring.force or None, spring.damping)
-    index = (f"c_{{{name}}}", f"l_{{{name}0}}", f"F_{{{name}0}}", f"b_{{{name}}}")
-    return [letter for letter, value in zip(index, told, strict=True) if value is not None]
-
-
-def _given_of(spring: Spring, name: str) -> Iterator[Given]:
+def _given_of(spring: Spring, index: str) -> Iterator[Given]:
     told = (spring.rate, spring.free, spring.force or None, spring.damping)
     units = ("N/m", SIZE, "N", "N·s/m")
-    there = [(value, unit) for value, unit in zip(told, units, strict=True) if value is not None]
-    for letter, (value, unit) in zip(constants(spring, name), there, strict=True):
-        yield Given(letter, value, unit)
+    for letter, value, unit in zip(constants(index), told, units, strict=True):
+        if value is not None:
+            yield Given(letter, value, unit)
 
 
-def _law(spring: Spring, name: str) -> str:
-    """Return the force of a spring as plain text: c_AC·(l − l_AC0) + F_AC0 + b_AC·dl/dt."""
-    terms = [f"c_{name}·(l − l_{name}0)"] if spring.rate is not None else []
-    terms += [f"F_{name}0"] if spring.force else []
-    terms += [f"b_{name}·dl/dt"] if spring.damping is not None else []
+def _law(spring: Spring, index: str) -> str:
+    """Return the force of a spring as plain text: c·(l − l_0) + F_0 + b·dl/dt."""
+    rate, free, preload, damping = map(plain, constants(index))
+    terms = [f"{rate}·(l − {free})"] if spring.rate is not None else []
+    terms += [preload] if spring.force else []
+    terms += [f"{damping}·dl/dt"] if spring.damping is not None else []
     return " + ".join(terms)
 
 
@@ -79,9 +73,9 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
             says = _TURNS if load.point is None else says
             at = load.opposite_at or ""
             yield _(says, letter=told, link=load.link, other=other, point=at)
-    for spring in order.springs:
+    for index, spring in zip(numbers(order.springs), order.springs, strict=True):
         name = _name(scene, spring)
-        yield _(_SPRING, ends=name, letter=f"F_{name}", law=_law(spring, name))
+        yield _(_SPRING, ends=name, letter=f"F_{name}", law=_law(spring, index))
     if order.gravity and order.inertia:
         yield _(_BOTH)
     elif order.gravity or order.inertia:

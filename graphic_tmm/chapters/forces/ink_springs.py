@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.forces.springs import ends_of
+from graphic_tmm.chapters.forces.springs import constants, ends_of
 from graphic_tmm.chapters.forces.task import Spring
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.paper.drawing import Stroke, line
+from graphic_tmm.paper.lettering.markup import markup
 
 ASIDE, APART = 9.0, 3.5
 """How far beside what slides along it a spring stands, how far off their line a spring and a damper, mm."""
@@ -36,6 +37,14 @@ def draw_ink(spring: Spring, mechanism: Mechanism, start: complex, end: complex)
         off = -APART * across * both
         found += _dashpot(start + off, end + off)
     return found
+
+
+def letter_of(spring: Spring, index: str) -> str:
+    """Return the letter that stands beside a spring: of its stiffness, of a damper its damping (mark-up)."""
+    stiffness, _, preload, damping = constants(index)
+    if spring.rate is not None:
+        return markup(stiffness)
+    return markup(damping if spring.damping is not None else preload)
 
 
 def middle(spring: Spring, mechanism: Mechanism, start: complex, end: complex) -> complex:

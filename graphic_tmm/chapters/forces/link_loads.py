@@ -21,7 +21,7 @@ from graphic_tmm.board.operations.statics import (
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.given_loads import given_load
 from graphic_tmm.chapters.forces.loads import VIEW, Couple, Force, Ground, Loads, point_of
-from graphic_tmm.chapters.forces.springs import draw_spring
+from graphic_tmm.chapters.forces.springs import draw_spring, numbers
 from graphic_tmm.chapters.forces.task import ForcesTask
 from graphic_tmm.chapters.indicator.plan import Cylinder
 from graphic_tmm.chapters.kinematics.motion import Motion, is_signed, reading_of
@@ -60,11 +60,11 @@ def draw_loads(ground: Ground, order: ForcesTask, gas: Cylinder | None) -> Loads
 
 
 def _springs(ground: Ground, order: ForcesTask, loads: Loads) -> None:
-    for k, spring in enumerate(order.springs, 1):
+    for k, index in enumerate(numbers(order.springs)):
         try:
-            sprung, pulls = draw_spring(ground, spring)
+            sprung, pulls = draw_spring(ground, order.springs[k], index)
         except StructureError as error:
-            raise error.inside(f"spring {k}") from None
+            raise error.inside(f"spring {k + 1}") from None
         loads.springs.append(sprung)
         for one in pulls:
             loads.add(one)

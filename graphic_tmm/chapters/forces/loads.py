@@ -66,12 +66,16 @@ class Ends(NamedTuple):
 
 
 class Sprung(NamedTuple):
-    """A spring as drawn: its ends, its length (mm), the force of the spring alone, N; none of a damper."""
+    """A spring as drawn: its ends, its length (mm), the force of the spring alone, N; none of a damper.
+
+    ``number``: the index of what it is given by.
+    """
 
     spring: Spring
     ends: Ends
     length: Mark | None
     force: Mark | None
+    number: str = ""
 
 
 @dataclass

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.forces.ink_springs import draw_ink, middle
+from graphic_tmm.chapters.forces.ink_springs import draw_ink, letter_of, middle
 from graphic_tmm.chapters.forces.load_diagrams import At, Diagram, Part, draw_load, mu_l
 from graphic_tmm.chapters.forces.loads import Sprung
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
@@ -31,7 +31,7 @@ from graphic_tmm.paper.views import captioned, mu_text
 
 VIEW = "spring"
 """What the diagram of a spring is called by code, before its letter."""
-LETTER = 4.0
+LETTER = 8.0
 """How far from a spring its letter begins, mm."""
 
 
@@ -136,8 +136,5 @@ def springs_on_plan(drawn: Drawn) -> Iterator[AlongGuide]:
             continue
         strokes = tuple(added(draw_ink(sprung.spring, mechanism, start, end), "given"))
         at = middle(sprung.spring, mechanism, start, end)
-        name = sprung.ends.names[0]
-        letter = f"c_{{{name}}}" if sprung.spring.damping is None else f"F_{{{name}}}"
-        yield AlongGuide(
-            strokes, (Wanted(markup(letter), at, size, LETTER, 1j * (end - start)),), ""
-        )
+        letter = letter_of(sprung.spring, sprung.number)
+        yield AlongGuide(strokes, (Wanted(letter, at, size, LETTER, 1j * (end - start)),), "")

@@ -41,7 +41,23 @@ def ends_of(spring: Spring, mechanism: Mechanism) -> Ends:
     return Ends(spring.between, links)
 
 
-def draw_spring(ground: Ground, spring: Spring) -> tuple[Sprung, list[Force]]:
+def numbers(springs: tuple[Spring, ...]) -> list[str]:
+    """Return the indices of what springs are given by: numbers, "" of a single one."""
+    return [str(k) if len(springs) > 1 else "" for k in range(1, len(springs) + 1)]
+
+
+def constants(index: str) -> tuple[str, str, str, str]:
+    """Return the letters of what a spring is given by: stiffness, free length, force there, damping.
+
+    >>> constants(""), constants("2")
+    (('c', 'l_0', 'F_0', 'b'), ('c_2', 'l_{02}', 'F_{02}', 'b_2'))
+    """
+    if not index:
+        return "c", "l_0", "F_0", "b"
+    return f"c_{index}", f"l_{{0{index}}}", f"F_{{0{index}}}", f"b_{index}"
+
+
+def draw_spring(ground: Ground, spring: Spring, index: str) -> tuple[Sprung, list[Force]]:
     """Record a spring; return it as drawn, and the forces with which it pulls its ends together."""
     draft, ends = ground.draft, ends_of(spring, ground.mechanism)
     (start, image), (end, other) = (
@@ -54,12 +70,12 @@ def draw_spring(ground: Ground, spring: Spring) -> tuple[Sprung, list[Force]]:
     whole = spring.damping is None
     if spring.rate is not None:
         length = draft.draw(measure, ends.names[0], start, end, why=why.SPRING_LENGTH)
-        pull = _pull(ground, spring, ends, length, letter if whole else f"{letter}^{{c}}")
+        pull = _pull(ground, spring, index, length, letter if whole else f"{letter}^{{c}}")
     elif spring.force:
         pull = draft.take(Number, letter if whole else f"{letter}^{{c}}", spring.force, "N")
     if spring.damping is not None:
         told = letter if pull is None else f"{letter}^{{b}}"
-        held = _held(ground, spring.damping, (image, other), line, ends, told)
+        held = _held(ground, spring.damping, (image, other), line, index, told)
     value = pull if held is None else held
     if pull is not None and held is not None:
         value = draft.draw(added, letter, pull, held, unit="N", why=why.SPRING_AND_DAMPER)
@@ -69,7 +85,7 @@ def draw_spring(ground: Ground, spring: Spring) -> tuple[Sprung, list[Force]]:
         across = draft.draw(parallel, f"({back})", end, line, sense=1, why=why.OPPOSITE_LINE)
         reverse = draft.draw(reversed_, back, value, unit="N")
         forces.append(Force(back, ends.links[1], end, across, reverse, other))
-    return Sprung(spring, ends, length, pull if length is not None else None), forces
+    return Sprung(spring, ends, length, pull if length is not None else None, index), forces
 
 
 def _free(ground: Ground, letter: str) -> str:
@@ -80,21 +96,21 @@ def _free(ground: Ground, letter: str) -> str:
     return found
 
 
-def _pull(ground: Ground, spring: Spring, ends: Ends, length: Mark, letter: str) -> Mark:
+def _pull(ground: Ground, spring: Spring, index: str, length: Mark, letter: str) -> Mark:
     """Calculate the force of the spring alone, by its length."""
-    draft, (name, _) = ground.draft, ends.names
+    draft, (c, l_0, f_0, _) = ground.draft, constants(index)
     assert spring.rate is not None
     assert spring.free is not None
-    rate = draft.constant(f"c_{{{name}}}", spring.rate, "N/m")
-    free = draft.constant(f"l_{{{name}0}}", spring.free, "m")
+    rate = draft.constant(c, spring.rate, "N/m")
+    free = draft.constant(l_0, spring.free, "m")
     if not spring.force:
         return draft.draw(spring_force, letter, rate, length, draft.mu_l, free, unit="N")
-    preload = draft.constant(f"F_{{{name}0}}", spring.force, "N")
+    preload = draft.constant(f_0, spring.force, "N")
     return draft.draw(preloaded_force, letter, rate, length, draft.mu_l, free, preload, unit="N")
 
 
 def _held(
-    ground: Ground, damping: float, images: tuple[Mark, Mark], line: Mark, ends: Ends, letter: str
+    ground: Ground, damping: float, images: tuple[Mark, Mark], line: Mark, index: str, letter: str
 ) -> Mark:
     """Calculate the force of the damper, by the part of the relative velocity along it."""
     draft, plan, (first, last) = ground.draft, ground.velocities, images
@@ -104,5 +120,5 @@ def _held(
         sense = -ground.quarters
         along = draft.draw(square, f"({name})", first, line, sense=sense, why=why.RATE_LINE)
     rate = draft.draw(measure_along, f"{name}_r", first, last, along, why=why.RATE_OF_LENGTH)
-    held = draft.constant(f"b_{{{ends.names[0]}}}", damping, "N·s/m")
+    held = draft.constant(constants(index)[-1], damping, "N·s/m")
     return draft.draw(damper_force, letter, held, rate, plan.mu, unit="N")

@@ -8,11 +8,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from graphic_tmm.chapters.forces.directions import all_letters, owner_of, two_letters
-from graphic_tmm.chapters.forces.given import constants, given, stated, wanted_positions
-from graphic_tmm.chapters.forces.ink_springs import draw_ink, middle
+from graphic_tmm.chapters.forces.given import given, stated, wanted_positions
+from graphic_tmm.chapters.forces.ink_springs import draw_ink, letter_of, middle
 from graphic_tmm.chapters.forces.kinds import Along
 from graphic_tmm.chapters.forces.load_diagrams import letters, varies, with_opposites
-from graphic_tmm.chapters.forces.springs import ends_of
+from graphic_tmm.chapters.forces.springs import ends_of, numbers
 from graphic_tmm.chapters.forces.task import AGAINST, ASKED, Load, Spring, Travel
 from graphic_tmm.chapters.forces.travel import begins_at_zero
 from graphic_tmm.chapters.indicator import given as gas
@@ -34,7 +34,7 @@ LONG = 22.0
 """How long the arrow of a force is, mm: it passes the edge of a slider."""
 ROUND, SWEEP = 9.0, 90.0
 """Radius of the arrow of a moment, mm; it goes over so many degrees."""
-BESIDE = 5.0
+BESIDE = 8.0
 """How far from the middle of a spring its letter begins, mm."""
 ACROSS = 12
 """So many positions stand beside one another in a table."""
@@ -142,18 +142,18 @@ def acting(scene: Scene, posed: Posed) -> Iterator[Acting]:
             if number is not None:
                 back = replace(load, link=number, size=-max(_sizes(load), key=abs))
                 yield _moment(posed, other, back, mechanism.by_number[number])
-    for spring in order.springs:
-        yield _spring(posed, spring, mechanism)
+    for index, spring in zip(numbers(order.springs), order.springs, strict=True):
+        yield _spring(posed, spring, mechanism, index)
     yield from gas.acting(order.gas, scene, posed)
 
 
-def _spring(posed: Posed, spring: Spring, mechanism: Mechanism) -> Acting:
+def _spring(posed: Posed, spring: Spring, mechanism: Mechanism, index: str) -> Acting:
     """Return a spring between its ends, with the letter of what it is given by."""
     ends = ends_of(spring, mechanism)
     start, end = (posed.spot(*one)[0] for one in zip(ends.letters, ends.links, strict=True))
     strokes = draw_ink(spring, mechanism, start, end)
-    at, letter = middle(spring, mechanism, start, end), markup(constants(spring, ends.names[0])[0])
-    told = Wanted(letter, at, posed.size, BESIDE, 1j * (end - start))
+    at = middle(spring, mechanism, start, end)
+    told = Wanted(letter_of(spring, index), at, posed.size, BESIDE, 1j * (end - start))
     return Acting(tuple(one._replace(part="load") for one in strokes), (told,))
 
 

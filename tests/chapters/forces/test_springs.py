@@ -46,6 +46,8 @@ def spring_of(drawn: Sampled, state: State, pick: random.Random) -> tuple[Spring
         along = apart / abs(apart)
         pull = preload + (rate or 0.0) * (abs(apart) - (free or 0.0))
         pull += (damping or 0.0) * ((last.v - first.v) * along.conjugate()).real
+        if abs(pull) < 1e-6:  # a damper along a link
+            continue
         acts = [(i, ends[0], pull * along), (j, ends[1], -pull * along)]
         spring = Spring(ends, rate, free, preload, damping, links=(i, j))
         return spring, [act for act in acts if act[0] != frame]
@@ -210,9 +212,9 @@ def test_a_task_shows_and_gives_the_spring(tmp_path: Path, more: str) -> None:
     assert max(aside) > 10.0  # beside the cylinder, which lies along it
     assert min(aside) > -1e-9
     given = {one.symbol: one.value for part in chapters() for one in (part_given(part, scene))}
-    assert given["c_{AC}"] == 1000.0
-    assert given["l_{AC0}"] == pytest.approx(0.1)
-    assert ("b_{AC}" in given) == bool(more)
+    assert given["c"] == 1000.0
+    assert given["l_0"] == pytest.approx(0.1)
+    assert ("b" in given) == bool(more)
 
 
 def part_given(part: Chapter, scene: Scene) -> list[Given]:
