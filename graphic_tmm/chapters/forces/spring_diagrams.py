@@ -40,9 +40,14 @@ class SpringLaw(NamedTuple):
 
     sprung: Sprung
     letter: str
-    begin: float
+    low: float
     reach: float
     largest: float
+
+    @property
+    def begin(self) -> float:
+        """Where the base begins, m."""
+        return max(0.0, self.low - ROOM * (self.reach - self.low))
 
     @property
     def view(self) -> str:
@@ -74,9 +79,11 @@ def laws(drawn: Drawn) -> Iterator[SpringLaw]:
             low = free
         largest = max(abs(law.force(low)), abs(law.force(high)))
         if high - low > TELLING * high and largest > 0.0:
-            yield law._replace(begin=low, reach=high, largest=largest)
+            yield law._replace(low=low, reach=high, largest=largest)
 
 
+ROOM = 0.2
+"""The base begins before the least length by this share of how far the length goes."""
 TELLING = 1e-6
 """A spring whose length changes by less than this share of it has no diagram."""
 
@@ -107,7 +114,7 @@ def _diagram(drawn: Drawn, one: SpringLaw, letter: str) -> Diagram:
     language, sprung, mu = drawn.scene.language, one.sprung, mu_l(drawn)
     assert sprung.length is not None
     assert sprung.force is not None
-    line = Part("main", tuple((x, one.force(x)) for x in (one.begin, one.reach)))
+    line = Part("main", tuple((x, one.force(x)) for x in (one.low, one.reach)))
     lengths, forces = _row(drawn, sprung.length), _row(drawn, sprung.force)
     at = tuple(
         At(drawn.names[k], float(mu * lengths[k]), float(forces[k]), k, sprung.force.slot)

@@ -185,7 +185,8 @@ def test_what_is_refused(tmp_path: Path, spring: str, says: str) -> None:
 def test_the_diagram_goes_over_the_lengths_of_the_positions(tmp_path: Path) -> None:
     made = drawn(scene_of(tmp_path, RATED))
     (law,) = laws(made)
-    assert law.begin == pytest.approx(0.1)  # the free length is near: the base begins there
+    assert law.low == pytest.approx(0.1)  # the free length is near: the line begins there
+    assert 0.0 < law.begin < law.low
     assert law.reach == pytest.approx(0.2)
     assert law.largest == pytest.approx(100.0)
     (view,) = spring_views(made, True)
